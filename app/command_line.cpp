@@ -1,0 +1,114 @@
+#include "app/command_line.hpp"
+
+#include "app/version.hpp"
+#include "common/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace stria {
+
+namespace {
+
+constexpr int max_ranks = 1024;
+
+void add_case(CLI::App& app, RunOptions& options) {
+    app.add_option("case", options.case_path, "The case file")->required()->type_name("CASE.toml");
+    app.add_option("--set", options.overrides, "Use this value instead of the file's, e.g. --set fine.beta=4")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+void add_run_options(CLI::App& app, RunOptions& options) {
+    add_case(app, options);
+    app.add_option("-o,--output", options.output_directory, "Folder of the results; default runs/<case name>")
+        ->type_name("DIR");
+    app.add_option("--mode", options.mode,
+                   "Two programs over MPI, two components in this one, or one model; default mpi")
+        ->check(CLI::IsMember({"mpi", "inprocess", "monolithic"}))
+        ->type_name("mpi|inprocess|monolithic");
+    app.add_option("--fine", options.fine_ranks, "Number of fine ranks")
+        ->type_name("N")
+        ->check(CLI::Range(1, max_ranks));
+    app.add_flag("--force", options.force, "Write into a folder that holds results");
+    app.add_flag("--quiet", options.quiet, "Say nothing but errors");
+    app.add_flag("--verbose", options.verbose, "Say more");
+}
+
+/// Words of the command line that have a meaning, but not yet: nothing is ever silently ignored.
+void add_not_yet(CLI::App& app) {
+    for (const char* name : {"study", "report"}) {
+        CLI::App* command = app.add_subcommand(name, "Not in this version")->prefix_command();
+        command->callback([name] { throw CaseError(fmt::format("{} is not in this version", name)); });
+    }
+    app.add_subcommand("test", "Build and run the tests: a command of the script ./stria alone")
+        ->prefix_command()
+        ->callback([] { throw CaseError("test is a command of the script ./stria at the top of the source tree"); });
+}
+
+void add_resume(CLI::App& app) {
+    app.add_flag_callback(
+        "--resume", [] { throw CaseError("--resume is not in this version"); }, "Not in this version");
+}
+
+/// False where --help or --version answered.
+bool parse(CLI::App& app, int argc, const char* const* argv) {
+    app.set_version_flag("--version", version_text());
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answered) {
+        app.exit(answered);
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw CaseError(fmt::format("{}; {} --help says more", error.what(), app.get_name()));
+    }
+    return true;
+}
+
+/// The library would say no more than that a command is missing.
+void check_command(CLI::App& app, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    for (const CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+        if (command->get_name() == argv[1]) return;
+    throw CaseError(fmt::format("{} is not a command; stria --help lists them", argv[1]));
+}
+
+void check_ranks(const RunOptions& options) {
+    if (options.fine_ranks > 1)
+        throw CaseError(fmt::format("--fine {}: one fine rank only in this version", options.fine_ranks));
+}
+
+}  // namespace
+
+std::optional<Command> parse_stria(int argc, const char* const* argv) {
+    Command command;
+    CLI::App app("Fatigue cracks in metals by a two-scale extended finite element method", "stria");
+    app.require_subcommand(1);
+    CLI::App* run = app.add_subcommand("run", "Run a case");
+    add_run_options(*run, command.run);
+    add_resume(*run);
+    CLI::App* check = app.add_subcommand("check", "Read and check everything, solve nothing");
+    add_case(*check, command.run);
+    CLI::App* explain = app.add_subcommand("explain", "Explain a key of the case file, or all");
+    explain->add_option("key", command.key, "A key such as material.young, or a section");
+    explain->add_flag("--markdown", command.markdown, "The whole reference as docs/case-reference.md has it");
+    add_not_yet(app);
+    check_command(app, argc, argv);
+    if (!parse(app, argc, argv)) return std::nullopt;
+    command.name = app.get_subcommands().front()->get_name();
+    check_ranks(command.run);
+    return command;
+}
+
+std::optional<Command> parse_component(const std::string& program, int argc, const char* const* argv) {
+    Command command;
+    command.name = "run";
+    CLI::App app("One of the two components of stria run, for batch systems", program);
+    add_run_options(app, command.run);
+    add_resume(app);
+    if (!parse(app, argc, argv)) return std::nullopt;
+    check_ranks(command.run);
+    return command;
+}
+
+}  // namespace stria

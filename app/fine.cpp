@@ -1,0 +1,10 @@
+// The program `stria-fine`: serves plasticity and contact in the zones to a `stria-coarse` of the same mpirun.
+#include "app/command_line.hpp"
+#include "app/exit_code.hpp"
+
+int main(int argc, char** argv) {
+    return stria::exit_code_of("stria-fine", [&]() -> int {
+        const std::optional<stria::Command> command = stria::parse_component("stria-fine", argc, argv);
+        return command ? stria::run_fine_with_mpi(command->run) : stria::Done;
+    });
+}

@@ -1,0 +1,127 @@
+#include "app/launch.hpp"
+
+#include "app/exit_code.hpp"
+#include "common/error.hpp"
+#include "common/io/case_file.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace stria {
+
+namespace {
+
+/// Two components share few cores: waiting ranks yield, nobody is bound, every rank is one thread, messages go
+/// through shared memory. What the user has set stays.
+constexpr std::array<std::pair<const char*, const char*>, 10> environment = {{
+    {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
+    {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
+    {"OMPI_MCA_mpi_yield_when_idle", "1"},
+    {"OMPI_MCA_rmaps_base_oversubscribe", "1"},
+    {"OMPI_MCA_hwloc_base_binding_policy", "none"},
+    {"OMPI_MCA_btl", "self,vader"},
+    {"OMPI_MCA_pml", "ob1"},
+    {"OPENBLAS_NUM_THREADS", "1"},
+    {"OMP_NUM_THREADS", "1"},
+    {"OMP_THREAD_LIMIT", "1"},
+}};
+
+volatile std::sig_atomic_t interruption = 0;
+volatile std::sig_atomic_t child = 0;
+
+/// A terminal sends SIGINT to the child as well; SIGTERM reaches us alone and is passed on.
+void note_signal(int signal) {
+    interruption = signal;
+    if (signal == SIGTERM && child > 0) kill(static_cast<pid_t>(child), SIGTERM);
+}
+
+void listen_for_signals() {
+    struct sigaction action {};
+    action.sa_handler = note_signal;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+std::vector<std::string> component_command(const RunOptions& options, const std::string& program) {
+    std::vector<std::string> command = {program, options.case_path, "-o", options.output_directory};
+    for (const std::string& value : options.overrides) command.insert(command.end(), {"--set", value});
+    if (options.force) command.emplace_back("--force");
+    if (options.quiet) command.emplace_back("--quiet");
+    if (options.verbose) command.emplace_back("--verbose");
+    return command;
+}
+
+[[noreturn]] void become(const std::vector<std::string>& command) {
+    std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
+    // execvp takes its words by pointers to char and leaves them alone.
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    execvp(arguments.front(), arguments.data());
+    fmt::print(stderr, "stria: {} cannot be started: {}\n", command.front(), std::strerror(errno));
+    _exit(InternalError);
+}
+
+int wait_for(pid_t process) {
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0)
+        if (errno != EINTR) throw std::runtime_error(fmt::format("waitpid: {}", std::strerror(errno)));
+    if (interruption != 0) return Interrupted;
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (code <= LostComponent || code == Interrupted) return code;
+    throw ComponentLost(fmt::format("a component was lost (exit code {})", code));
+}
+
+}  // namespace
+
+void claim_output_directory(RunOptions& options) {
+    if (options.output_directory.empty())
+        options.output_directory = "runs/" + read_case(options.case_path, options.overrides).name;
+    const std::filesystem::path folder = options.output_directory;
+    std::error_code problem;
+    for (const char* result : {"summary.json", "history.csv"})
+        if (!options.force && std::filesystem::exists(folder / result, problem))
+            throw CaseError(
+                fmt::format("{} holds results; --force overwrites them, -o DIR writes elsewhere", folder.string()));
+    std::filesystem::create_directories(folder, problem);
+    if (!std::filesystem::is_directory(folder) || access(folder.c_str(), W_OK) != 0)
+        throw CaseError(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
+}
+
+std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine) {
+    std::vector<std::string> coarse = component_command(options, programs + "/stria-coarse");
+    if (!with_fine) return coarse;
+    const std::vector<std::string> fine = component_command(options, programs + "/stria-fine");
+    std::vector<std::string> command = {"mpirun", "--quiet", "-n", "1"};
+    command.insert(command.end(), coarse.begin(), coarse.end());
+    command.insert(command.end(), {":", "-n", std::to_string(options.fine_ranks)});
+    command.insert(command.end(), fine.begin(), fine.end());
+    return command;
+}
+
+int launch(const RunOptions& options) {
+    const bool with_fine = needs_fine(read_case(options.case_path, options.overrides));
+    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::vector<std::string> command = launch_command(options, self.parent_path().string(), with_fine);
+    if (options.verbose) fmt::print("{}\n", fmt::join(command, " "));
+    std::fflush(nullptr);
+    for (const auto& [name, value] : environment) setenv(name, value, 0);
+    // Under mpirun a component writes into a pipe and cannot see the terminal.
+    if (isatty(STDOUT_FILENO) != 0) setenv("STRIA_TERMINAL", "1", 0);
+    listen_for_signals();
+    const pid_t process = fork();
+    if (process < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
+    if (process == 0) become(command);
+    child = static_cast<std::sig_atomic_t>(process);
+    return wait_for(process);
+}
+
+}  // namespace stria

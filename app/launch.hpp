@@ -1,0 +1,21 @@
+// Starts the two components of a run under mpirun and waits for them.
+#pragma once
+
+#include "app/run.hpp"
+
+#include <string>
+#include <vector>
+
+namespace stria {
+
+/// Reads the case, fills in the default folder of results, makes it, and refuses one that already holds results.
+/// Throws CaseError.
+void claim_output_directory(RunOptions& options);
+
+/// The command that runs the case in mode mpi; programs are looked for in `programs`.
+std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine);
+
+/// Runs it with the environment Open MPI needs and returns its exit code: 4 where a component was lost.
+int launch(const RunOptions& options);
+
+}  // namespace stria

@@ -1,0 +1,162 @@
+#include "app/monolithic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "coarse/condensed_equilibrium.hpp"
+#include "coarse/zone_selection.hpp"
+#include "common/linear/sparse_lu.hpp"
+
+namespace stria {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Unknowns: displacements of the whole mesh, then the contact multipliers.
+class MonolithicEquilibrium : public coarse::Equilibrium {
+public:
+    MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed, double load_factor)
+        : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()), load_factor_(load_factor),
+          whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed) {
+        for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];
+        trial_ = committed_;
+        last_increment_ = Eigen::VectorXd::Zero(committed_.size());
+        held_.assign(at(scene_.enriched.unknowns), 0);
+        for (const auto& p : scene_.prescribed) held_[at(p.unknown)] = 1;
+        hold_unused();
+    }
+
+    void begin(double load_factor, double predictor) override {
+        load_factor_ = load_factor;
+        trial_ = committed_ + predictor * last_increment_;
+        for (const auto& p : scene_.prescribed) trial_[p.unknown] = load_factor * p.value;
+        zone_.predict(predictor);
+        zone_.set_boundary(on_boundary());
+    }
+
+    coarse::Residual linearise() override {
+        zone_.linearise();
+        const coupling::PatchResponse response = zone_.measure();
+        residual_ = load_factor_ * scene_.unit_force - stiffness_ * trial_;
+        for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
+        coarse::Residual result;
+        for (Eigen::Index i = 0; i < residual_.size(); ++i) {
+            if (held_[static_cast<std::size_t>(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
+        }
+        result.interior = response.interior_residual;
+        result.contact = response.contact_residual;
+        result.scale = std::max((load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff(), response.interior_force);
+        result.yielding_points = std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
+        result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
+        result.status_changes = response.digest.status_changes;
+        return result;
+    }
+
+    double solve() override {
+        const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        std::vector<Triplet> entries;
+        const auto add = [&](int row, int column, double value) {
+            const bool row_held = row < n && held_[at(row)] != 0, column_held = column < n && held_[at(column)] != 0;
+            if (!row_held && !column_held && value != 0.0) entries.emplace_back(row, column, value);
+        };
+        for (int j = 0; j < n; ++j) for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it) add(static_cast<int>(it.row()), j, it.value());
+        const auto& operators = zone_.zone().operators();
+        for (std::size_t e = 0; e < operators.size(); ++e) {
+            const auto& unknowns = operators[e].unknowns;
+            const Eigen::MatrixXd& K = zone_.zone().tangents()[e];
+            for (std::size_t i = 0; i < unknowns.size(); ++i) {
+                for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                    add(whole_[at(unknowns[i])], whole_[at(unknowns[j])], K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                }
+            }
+        }
+        const fine::ContactInterface::Rows rows = zone_.contact_rows();
+        const auto& jumps = zone_.contact().jump_unknowns();
+        for (int k = 0; k < m; ++k) {
+            for (int j = 0; j < std::ssize(jumps); ++j) {
+                const int unknown = whole_[at(jumps[at(j)])];
+                add(n + k, unknown, rows.jump(k, j));
+                add(unknown, n + k, -zone_.contact().operator_B()(k, j));
+            }
+            add(n + k, n + k, rows.diagonal[k]);
+        }
+        Eigen::VectorXd right(n + m);
+        right << residual_, rows.right_hand_side;
+        for (int i = 0; i < n; ++i) {
+            if (held_[at(i)] == 0) continue;
+            entries.emplace_back(i, i, 1.0);
+            right[i] = 0.0;
+        }
+        SparseMatrix matrix(n + m, n + m);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        correction_ = solve_general(matrix, right);
+        return correction_.head(n).cwiseAbs().maxCoeff() / std::max(trial_.cwiseAbs().maxCoeff(), 1e-300);
+    }
+
+    void apply() override {
+        const int n = scene_.enriched.unknowns;
+        trial_ += correction_.head(n);
+        zone_.move(gather(correction_.head(n), whole_), correction_.tail(correction_.size() - n));
+        zone_.set_boundary(on_boundary());
+    }
+
+    coupling::StepReport commit(bool reversal) override {
+        last_increment_ = trial_ - committed_;
+        committed_ = trial_;
+        return zone_.commit(reversal);
+    }
+
+    void rollback() override { trial_ = committed_; }
+
+    [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
+        Eigen::VectorXd u = trial_;
+        for (int i = 0; i < std::ssize(whole_); ++i) {
+            if (!std::ranges::binary_search(zone_.patch().boundary, i)) u[whole_[at(i)]] = 0.0;
+        }
+        return u;
+    }
+
+    [[nodiscard]] Eigen::VectorXd reactions() const override {
+        Eigen::VectorXd forces = structure_.forces_on_prescribed(trial_);
+        std::vector<double> zone_force(at(scene_.enriched.unknowns), 0.0);
+        for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
+        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
+        return forces;
+    }
+
+private:
+    [[nodiscard]] Eigen::VectorXd on_boundary() const {
+        Eigen::VectorXd u(std::ssize(zone_.patch().boundary));
+        for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k) u[static_cast<Eigen::Index>(k)] = trial_[whole_[at(zone_.patch().boundary[k])]];
+        return u;
+    }
+
+    // Terms that no element sees have no stiffness: they stay zero.
+    void hold_unused() {
+        std::vector<char> used(held_.size(), 0);
+        for (const ElementOperator& op : structure_.operators()) for (const int unknown : op.unknowns) used[at(unknown)] = 1;
+        for (const ElementOperator& op : zone_.zone().operators()) for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
+        for (std::size_t i = 0; i < held_.size(); ++i) if (used[i] == 0) held_[i] = 1;
+    }
+
+    const coarse::Structure& structure_;
+    const coarse::Scene& scene_;
+    fine::ZoneSystem& zone_;
+    SparseMatrix stiffness_;
+    double load_factor_;
+    std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
+    Eigen::VectorXd committed_, trial_, last_increment_, residual_, correction_;
+    std::vector<char> held_;
+};
+
+}  // namespace
+
+std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Structure& structure, const coupling::Patch* patch,
+                                                             const Eigen::VectorXd& committed, double load_factor) {
+    if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, load_factor);
+    zone_.set_patch(*patch);
+    return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, load_factor);
+}
+
+}  // namespace stria

@@ -1,0 +1,20 @@
+// The yardstick of the coupling tests: structure, zone and contact in one sparse matrix, plain Newton, no condensation.
+#pragma once
+
+#include "coarse/fatigue_analysis.hpp"
+#include "fine/zone_system.hpp"
+
+namespace stria {
+
+class MonolithicFactory : public coarse::EquilibriumFactory {
+public:
+    explicit MonolithicFactory(const Case& input) : zone_(input) {}
+    std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed,
+                                              double load_factor) override;
+    coupling::ZoneState zone_state() override { return zone_.state(); }
+
+private:
+    fine::ZoneSystem zone_;
+};
+
+}  // namespace stria

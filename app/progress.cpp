@@ -1,0 +1,58 @@
+#include "app/progress.hpp"
+
+#include <cstdlib>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace stria {
+
+Progress::Progress(const Case& input, bool quiet, bool verbose)
+    : quiet_(quiet), verbose_(verbose), terminal_(isatty(STDOUT_FILENO) != 0 || std::getenv("STRIA_TERMINAL") != nullptr),
+      increments_(input.load.steps / 2) {
+    for (const LoadBlock& block : input.load.blocks) increments_ += block.cycles * input.load.steps;
+}
+
+void Progress::end_live_line() {
+    if (live_) fmt::print("\n");
+    live_ = false;
+}
+
+void Progress::note(const std::string& text) {
+    if (quiet_) return;
+    end_live_line();
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+}
+
+void Progress::attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report) {
+    if (!verbose_) return;
+    end_live_line();
+    fmt::print("cycle {} load factor {:.6g}{}\n{}", step.cycle, step.factor, report.converged ? "" : ": " + report.failure, report.table());
+    std::fflush(stdout);
+}
+
+void Progress::accepted(const coarse::Increment& increment) {
+    ++done_;
+    if (quiet_) return;
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double left = elapsed / done_ * std::max(0, increments_ - done_);
+    const double a = increment.tips.empty() ? 0.0 : increment.tips.front().a;
+    const std::string line = fmt::format("increment {:4}  cycle {:4}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  {:6.1f} s left", increment.number,
+                                         increment.step.cycle, increment.step.factor, a, increment.newton.count(), elapsed, left);
+    if (terminal_) {
+        fmt::print("\r{}", line);
+        live_ = true;
+    } else if (verbose_ || increment.step.reversal) {
+        fmt::print("{}\n", line);
+    }
+    std::fflush(stdout);
+}
+
+void Progress::finished(const std::string& directory, double seconds) {
+    if (quiet_) return;
+    end_live_line();
+    fmt::print("done in {:.1f} s: results in {}\n", seconds, directory);
+    std::fflush(stdout);
+}
+
+}  // namespace stria

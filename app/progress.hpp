@@ -1,0 +1,30 @@
+// What a run says while it goes: one live line on a terminal, plain lines into a pipe, tables of iterations on request.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "coarse/fatigue_analysis.hpp"
+
+namespace stria {
+
+class Progress {
+public:
+    Progress(const Case& input, bool quiet, bool verbose);
+
+    void note(const std::string& text);
+    void attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report);
+    void accepted(const coarse::Increment& increment);
+    void finished(const std::string& directory, double seconds);
+
+private:
+    void end_live_line();
+
+    bool quiet_, verbose_, terminal_;
+    bool live_ = false;
+    int increments_;  // planned
+    int done_ = 0;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace stria

@@ -1,0 +1,195 @@
+#include "app/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <unistd.h>
+
+#include "app/monolithic.hpp"
+#include "app/progress.hpp"
+#include "app/version.hpp"
+#include "coarse/condensed_equilibrium.hpp"
+#include "coarse/results/run_recorder.hpp"
+#include "coarse/zone_selection.hpp"
+#include "common/error.hpp"
+#include "common/io/case_file.hpp"
+#include "common/io/whole_file.hpp"
+#include "common/linear/sparse_lu.hpp"
+#include "coupling/mpi_transport.hpp"
+#include "coupling/remote_fine_scale.hpp"
+#include "coupling/serve.hpp"
+#include "fine/fine_model.hpp"
+
+namespace stria {
+namespace {
+
+/// One run from case to results, whoever finds equilibrium.
+class Run {
+public:
+    Run(const RunOptions& options, const Case& input, std::string mode, int ranks)
+        : options_(options), directory_(options.output_directory), mode_(std::move(mode)), ranks_(ranks), scene_(coarse::make_scene(input)),
+          progress_(input, options.quiet, options.verbose) {
+        write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
+    }
+
+    void perform(coarse::EquilibriumFactory& factory, const coupling::RemoteFineScale* remote) {
+        std::unique_ptr<coarse::RunRecorder> recorder;
+        coarse::FatigueAnalysis* running = nullptr;
+        coarse::Listener listener;
+        listener.note = [&](const std::string& text) { progress_.note(text); };
+        listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) { progress_.attempted(step, report); };
+        listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
+            recorder->record(increment, structure, running->nominal());
+            progress_.accepted(increment);
+        };
+        coarse::FatigueAnalysis analysis(scene_, factory, listener);
+        running = &analysis;
+        recorder = std::make_unique<coarse::RunRecorder>(scene_, directory_, [&] { return factory.zone_state(); });
+        try {
+            analysis.run();
+        } catch (const NumericalFailure&) {
+            summarise("failed", analysis, *recorder, remote);
+            throw;
+        }
+        summarise("done", analysis, *recorder, remote);
+        progress_.finished(directory_.string(), seconds());
+    }
+
+    [[nodiscard]] const coarse::Scene& scene() const { return scene_; }
+
+private:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    void summarise(const char* status, const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder,
+                   const coupling::RemoteFineScale* remote) const {
+        const coupling::StepReport& zone = recorder.last_zone();
+        coarse::Summary summary;
+        summary.status = status;
+        summary.version = version_text();
+        summary.mode = mode_;
+        summary.ranks = ranks_;
+        summary.coarse_unknowns = analysis.structure().unknowns();
+        summary.interface_unknowns = std::ssize(analysis.structure().gamma());
+        summary.fine_unknowns = zone.unknowns;
+        summary.fine_points = zone.points;
+        summary.multipliers = zone.multipliers;
+        summary.newton_iterations = analysis.newton_iterations();
+        summary.step_cuts = analysis.cuts();
+        summary.zone_extensions = analysis.zone_extensions();
+        summary.yield_warnings = analysis.yield_warnings();
+        if (remote != nullptr) {
+            summary.messages = remote->traffic().messages_sent + remote->traffic().messages_received;
+            summary.bytes = remote->traffic().bytes_sent + remote->traffic().bytes_received;
+        }
+        summary.timing = {.setup = analysis.setup_seconds(), .coarse_factor = analysis.coarse_factor_seconds(), .fine_constitutive = zone.constitutive_s,
+                          .fine_contact = zone.contact_s, .fine_factor = zone.factor_s, .exchange = analysis.exchange_seconds(),
+                          .output = recorder.output_seconds(), .total = seconds()};
+        summary.last = recorder.last_rows();
+        coarse::write_json(directory_ / "summary.json", coarse::to_json(summary));
+    }
+
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    const RunOptions& options_;
+    std::filesystem::path directory_;
+    std::string mode_;
+    int ranks_;
+    coarse::Scene scene_;
+    Progress progress_;
+};
+
+void print_zone_estimate(const coarse::Scene& scene) {
+    double largest = 0.0;
+    for (const LoadBlock& block : scene.input.load.blocks) largest = std::max(largest, block.max);
+    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    std::vector<double> K_I;
+    for (const coarse::TipResult& tip : coarse::fracture_parameters(structure, structure.expand({}, 1.0), {})) {
+        K_I.push_back(tip.K_I * largest);
+        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n", K_I.size(), K_I.back(), largest);
+        if (scene.input.material.yield_stress) {
+            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm\n", coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
+        }
+    }
+    const std::vector<char> in_zone = coarse::select_zone(scene, K_I);
+    const auto elements = std::ranges::count(in_zone, static_cast<char>(1));
+    fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * scene.input.fine.subcells * scene.input.fine.subcells);
+}
+
+}  // namespace
+
+int run_coarse_with_mpi(const RunOptions& options) {
+    use_one_thread();
+    const Case input = read_case(options.case_path, options.overrides);
+    if (!needs_fine(input)) {
+        coarse::CondensedFactory alone(nullptr);
+        Run(options, input, "mpi", 1).perform(alone, nullptr);
+        return 0;
+    }
+    const coupling::MpiSession session(coupling::Role::Coarse);
+    try {
+        const std::unique_ptr<coupling::Transport> transport = session.transport();
+        coupling::RemoteFineScale fine(*transport, digest(input));
+        coarse::CondensedFactory factory(&fine);
+        Run(options, input, "mpi", 1 + session.peers()).perform(factory, &fine);
+    } catch (const CaseError&) {
+        throw;  // the conversation has ended in order: both sides leave
+    } catch (const NumericalFailure&) {
+        throw;
+    } catch (const std::exception& failure) {
+        fmt::print(stderr, "stria-coarse: {}\n", failure.what());
+        session.abort(4);
+    }
+    return 0;
+}
+
+int run_fine_with_mpi(const RunOptions& options) {
+    use_one_thread();
+    const Case input = read_case(options.case_path, options.overrides);
+    const coupling::MpiSession session(coupling::Role::Fine);
+    try {
+        const std::unique_ptr<coupling::Transport> transport = session.transport();
+        fine::FineModel model(input);
+        coupling::serve(*transport, model, digest(input));
+    } catch (const CaseError&) {
+        throw;
+    } catch (const std::exception& failure) {
+        fmt::print(stderr, "stria-fine: {}\n", failure.what());
+        session.abort(4);
+    }
+    return 0;
+}
+
+int run_in_process(const RunOptions& options) {
+    use_one_thread();
+    const Case input = read_case(options.case_path, options.overrides);
+    Run run(options, input, options.mode, 1);
+    if (options.mode == "monolithic") {
+        MonolithicFactory factory(run.scene().input);
+        run.perform(factory, nullptr);
+    } else {
+        fine::FineModel model(run.scene().input);
+        coarse::CondensedFactory factory(&model);
+        run.perform(factory, nullptr);
+    }
+    return 0;
+}
+
+int check(const RunOptions& options) {
+    const Case input = read_case(options.case_path, options.overrides);
+    const coarse::Scene scene = coarse::make_scene(input);
+    fmt::print("{}\n", resolved_toml(input));
+    fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(), scene.mesh.elements.size(),
+               scene.enriched.unknowns, scene.enriched.tips.size());
+    if (!needs_fine(input)) {
+        fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
+        return 0;
+    }
+    print_zone_estimate(scene);
+    return 0;
+}
+
+}  // namespace stria

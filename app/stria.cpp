@@ -1,0 +1,35 @@
+// The program `stria`: the commands a user types.
+#include "app/command_line.hpp"
+#include "app/exit_code.hpp"
+#include "app/launch.hpp"
+#include "common/io/case_file.hpp"
+
+#include <fmt/format.h>
+
+namespace {
+
+int run(stria::RunOptions options) {
+    stria::claim_output_directory(options);
+    if (options.mode != "mpi") return stria::run_in_process(options);
+    options.force = true;  // the folder is ours now
+    return stria::launch(options);
+}
+
+int explain(const stria::Command& command) {
+    fmt::print("{}", command.markdown ? stria::case_reference_markdown() : stria::explain(command.key));
+    return stria::Done;
+}
+
+int work(int argc, const char* const* argv) {
+    const std::optional<stria::Command> command = stria::parse_stria(argc, argv);
+    if (!command) return stria::Done;
+    if (command->name == "check") return stria::check(command->run);
+    if (command->name == "explain") return explain(*command);
+    return run(command->run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return stria::exit_code_of("stria", [&] { return work(argc, argv); });
+}

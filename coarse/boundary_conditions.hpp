@@ -1,0 +1,96 @@
+// Supports and loads of a case as plain data on the mesh, per unit load factor and mm of thickness; they know nothing
+// of enrichment: whoever assembles them adds its terms.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/fem/mesh.hpp"
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Traction on an edge: t(x) = constant + gradient (x - origin) + pressure * inward normal.
+struct Traction {
+    Vec2 constant = Vec2::Zero();                        // MPa
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  // MPa/mm
+    Vec2 origin = Vec2::Zero();                          // mm
+    double pressure = 0.0;                               // MPa
+
+    [[nodiscard]] Vec2 at(const Vec2& x, const Vec2& inward_normal) const {
+        return constant + gradient * (x - origin) + pressure * inward_normal;
+    }
+    [[nodiscard]] bool is_zero() const { return constant.isZero(0.0) && gradient.isZero(0.0) && pressure == 0.0; }
+};
+
+struct EdgeLoad {
+    BoundaryEdge edge;
+    Traction traction;
+};
+
+struct PointForce {
+    int node;
+    Vec2 force;  // N per mm of thickness
+};
+
+struct PrescribedDisplacement {
+    int node;
+    int component;
+    double value;  // mm
+};
+
+struct Loads {
+    std::vector<EdgeLoad> edges;
+    std::vector<PointForce> forces;
+    std::vector<PrescribedDisplacement> displacements;  // each node and component once, in ascending order
+};
+
+/// Resolves names and points. Throws CaseError: an unknown name (the available ones are listed), a point without a node
+/// (the nearest is named), a load that its place cannot carry, two different displacements of one node.
+Loads resolve_boundaries(const Mesh& mesh, const std::vector<BoundarySection>& sections);
+
+/// A boundary edge's ends in the order of the element, and its normal into the body.
+struct EdgeGeometry {
+    Vec2 from, to;
+
+    [[nodiscard]] double length() const { return (to - from).norm(); }
+    [[nodiscard]] Vec2 at(double fraction) const { return (1.0 - fraction) * from + fraction * to; }
+    [[nodiscard]] Vec2 inward_normal() const { return Vec2(from.y() - to.y(), to.x() - from.x()) / length(); }
+};
+
+EdgeGeometry edge_geometry(const Mesh& mesh, const BoundaryEdge& edge);
+
+/// The two nodes of an edge in the order of the element.
+std::array<int, 2> edge_nodes(const Mesh& mesh, const BoundaryEdge& edge);
+
+/// A force that acts at a point: what an edge load is for a balance of forces and moments.
+struct AppliedForce {
+    Vec2 x;      // mm
+    Vec2 force;  // N per mm of thickness
+};
+
+/// Edge loads (at Gauss points exact for linear tractions and their moments) and point forces alike.
+std::vector<AppliedForce> applied_forces(const Mesh& mesh, const Loads& loads);
+
+/// Where `load` and `displacement` of the history are taken (INTERFACE, definitions).
+struct LoadedBoundary {
+    std::string name;                 // of the section: an edge's name or "point"
+    std::vector<BoundaryEdge> edges;  // empty: a point
+    std::vector<int> nodes;           // ascending
+    Vec2 direction;                   // unit: of the prescribed displacement, else of the resultant
+    Vec2 resultant;                   // of the section's loads per unit load factor, N/mm; zero where only held
+};
+
+/// The first listed section with a load or a non-zero displacement, if any.
+std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vector<BoundarySection>& sections);
+
+/// Mean of a nodal field (one value a mesh node, linear along edges) over a loaded boundary, along its direction.
+double mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary, std::span<const Vec2> nodal);
+
+}  // namespace stria::coarse

@@ -1,0 +1,43 @@
+// The structure condensed once, plus the zone's answers: equilibrium on the boundary Gamma (DESIGN section 1).
+#pragma once
+
+#include "coarse/equilibrium.hpp"
+#include "coarse/structure.hpp"
+#include "coupling/fine_scale.hpp"
+
+namespace stria::coarse {
+
+class CondensedEquilibrium : public Equilibrium {
+public:
+    /// `fine` may be null: an elastic, traction-free scene without a zone. `committed`: displacement of the whole mesh to
+    /// start from.
+    CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed, double load_factor);
+
+    void begin(double load_factor, double predictor) override;
+    Residual linearise() override;
+    double solve() override;
+    void apply() override;
+    coupling::StepReport commit(bool reversal) override;
+    void rollback() override;
+    [[nodiscard]] Eigen::VectorXd structure_displacement() const override;
+    [[nodiscard]] Eigen::VectorXd reactions() const override;
+    [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
+
+private:
+    [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
+    void impose(Eigen::VectorXd& gamma) const;
+
+    const Structure& structure_;
+    const Scene& scene_;
+    coupling::FineScale* fine_;
+    std::vector<std::pair<int, double>> imposed_;  // place in Gamma, value per unit load factor
+    double load_factor_ = 0.0;
+    int iteration_ = 0;
+    double predictor_ = 0.0;
+    Eigen::VectorXd committed_, trial_, last_increment_;  // on Gamma
+    Eigen::VectorXd residual_, correction_;               // on its free places
+    coupling::PatchResponse response_;
+    double exchange_s_ = 0.0;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,191 @@
+#include "coarse/discretization.hpp"
+
+#include <fmt/format.h>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "common/error.hpp"
+#include "common/fem/cut_element.hpp"
+#include "common/fem/tip_functions.hpp"
+#include "common/geometry/clipping.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+class Enricher {
+public:
+    Enricher(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips)
+        : mesh_(mesh), cracks_(cracks), tip_enrichment_(tips) {
+        result_.nodes = mesh.nodes;
+        result_.elements = mesh.elements;
+        result_.node_ids.resize(mesh.nodes.size());
+        result_.element_ids.resize(mesh.elements.size());
+        std::iota(result_.node_ids.begin(), result_.node_ids.end(), 0);
+        std::iota(result_.element_ids.begin(), result_.element_ids.end(), 0);
+        result_.terms.resize(mesh.nodes.size());
+        result_.element_side.assign(mesh.elements.size(), 0);
+        result_.tip_exponent = tips.exponent;
+        result_.tip_functions = tips.functions;
+    }
+
+    EnrichedMesh enrich() {
+        std::map<int, int> owner;  // element -> crack
+        for (int crack = 0; crack < static_cast<int>(cracks_.size()); ++crack) {
+            const CrackPath path = resolve_crack(mesh_, crack, cracks_[at(crack)].points);
+            for (const CrackPiece& piece : path.pieces) {
+                const auto [found, added] = owner.emplace(piece.element, crack);
+                if (!added && found->second != crack) {
+                    throw CaseError(fmt::format("crack {}: it shares an element with crack {} near ({}, {}); use smaller elements",
+                                                crack + 1, found->second + 1, piece.points[0].x(), piece.points[0].y()));
+                }
+            }
+            add_crack(crack, path);
+        }
+        result_.number();
+        return std::move(result_);
+    }
+
+private:
+    void add_crack(int crack, const CrackPath& path) {
+        node_side_.clear();
+        on_crack_.clear();
+        std::set<int> tip_nodes;
+        if (path.tip_at_start) add_tip(crack, path, true, tip_nodes);
+        if (path.tip_at_end) add_tip(crack, path, false, tip_nodes);
+        for (const CrackPiece& piece : path.pieces) note_sides(piece);
+        for (const auto& [node, side] : node_side_) {
+            if (!tip_nodes.contains(node)) result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
+        }
+        set_element_sides(path, tip_nodes);
+        result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
+        add_tip_terms(path);
+    }
+
+    void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& tip_nodes) {
+        const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
+        Tip tip;
+        tip.crack = crack;
+        tip.s = start ? 0.0 : path.length;
+        tip.upper = start ? -1 : 1;
+        const auto n = piece.points.size();
+        tip.position = start ? piece.points.front() : piece.points.back();
+        tip.direction = (start ? Vec2(piece.points[0] - piece.points[1]) : Vec2(piece.points[n - 1] - piece.points[n - 2])).normalized();
+        result_.tips.push_back(tip);
+        for (const int element : {piece.element, piece.neighbour}) {
+            if (element < 0) continue;
+            for (const int node : mesh_.elements[at(element)]) tip_nodes.insert(node);
+        }
+    }
+
+    // Side of the nodes of cut elements. A node on the crack counts as + (NUMERICS 1).
+    void note_sides(const CrackPiece& piece) {
+        for (const double place : {piece.entry, piece.exit}) note_if_node(piece, place);
+        const bool holds_tip = piece.entry < 0.0 || piece.exit < 0.0;
+        if (piece.neighbour >= 0 || holds_tip) return;
+        const CutElement cut = cut_element(corners(piece.element), piece);
+        for (const int node : mesh_.elements[at(piece.element)]) {
+            if (on_crack_.contains(node)) continue;
+            node_side_[node] = side_of_polygon(cut.left, mesh_.nodes[at(node)]) >= 0 ? 1 : -1;
+        }
+    }
+
+    void note_if_node(const CrackPiece& piece, double place) {
+        if (place < 0.0 || place != std::floor(place)) return;
+        const int node = mesh_.elements[at(piece.element)][at(static_cast<int>(place) % 4)];
+        node_side_[node] = 1;
+        on_crack_.insert(node);
+    }
+
+    // Elements that touch the crack at a node without being cut: left or right of the two pieces that meet there.
+    void set_element_sides(const CrackPath& path, const std::set<int>& tip_nodes) {
+        std::set<int> cut;
+        for (const CrackPiece& piece : path.pieces) if (piece.neighbour < 0) cut.insert(piece.element);
+        const auto around = elements_around_nodes(mesh_.elements, mesh_.nodes.size());
+        for (const int node : on_crack_) {
+            if (tip_nodes.contains(node)) continue;
+            const auto [before, after] = neighbours_on_crack(path, mesh_.nodes[at(node)]);
+            for (const int element : around[at(node)]) {
+                if (!cut.contains(element)) result_.element_side[at(element)] = side(before, mesh_.nodes[at(node)], after, element);
+            }
+        }
+        for (const CrackPiece& piece : path.pieces) {
+            if (piece.neighbour < 0) continue;
+            result_.element_side[at(piece.element)] = -1;
+            result_.element_side[at(piece.neighbour)] = 1;
+        }
+    }
+
+    [[nodiscard]] static std::pair<Vec2, Vec2> neighbours_on_crack(const CrackPath& path, const Vec2& x) {
+        std::optional<Vec2> before, after;
+        for (const CrackPiece& piece : path.pieces) {
+            if (piece.points.front() == x) after = piece.points[1];
+            if (piece.points.back() == x) before = piece.points[piece.points.size() - 2];
+        }
+        if (!before) before = 2.0 * x - *after;
+        if (!after) after = 2.0 * x - *before;
+        return {*before, *after};
+    }
+
+    [[nodiscard]] signed char side(const Vec2& before, const Vec2& x, const Vec2& after, int element) const {
+        const auto c = corners(element);
+        const Vec2 centre = (c[0] + c[1] + c[2] + c[3]) / 4.0;
+        const bool left_of_first = orientation(before, x, centre) > 0, left_of_second = orientation(x, after, centre) > 0;
+        const bool turns_left = orientation(before, x, after) >= 0;
+        return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
+    }
+
+    void add_tip_terms(const CrackPath& path) {
+        const int count = int(path.tip_at_start) + int(path.tip_at_end);
+        for (int k = 0; k < count; ++k) {
+            const int index = static_cast<int>(result_.tips.size()) - count + k;
+            const CrackPiece& piece = path.tip_at_start && k == 0 ? path.pieces.front() : path.pieces.back();
+            std::set<int> nodes;
+            for (const int element : {piece.element, piece.neighbour}) {
+                if (element >= 0) nodes.insert(mesh_.elements[at(element)].begin(), mesh_.elements[at(element)].end());
+            }
+            for (const int node : nodes) {
+                const int side = on_crack_.contains(node) ? 1 : 0;
+                const auto value =
+                    tip_functions(result_.tips[at(index)], mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
+                for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha) {
+                    result_.terms[at(node)].push_back({Term::Kind::Tip, index, alpha, value[alpha]});
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] std::array<Vec2, 4> corners(int element) const {
+        const auto& n = mesh_.elements[at(element)];
+        return {mesh_.nodes[at(n[0])], mesh_.nodes[at(n[1])], mesh_.nodes[at(n[2])], mesh_.nodes[at(n[3])]};
+    }
+
+    const Mesh& mesh_;
+    const std::vector<CrackSection>& cracks_;
+    TipEnrichment tip_enrichment_;
+    EnrichedMesh result_;
+    std::map<int, int> node_side_;  // of the present crack
+    std::set<int> on_crack_;
+};
+
+}  // namespace
+
+TipEnrichment choose_enrichment(const Case& input) {
+    const double n = input.fine.enrichment_n.value_or(1.0);
+    switch (input.fine.enrichment) {
+        case Enrichment::None: return {0, 0.5};
+        case Enrichment::Single: return {1, 0.5};
+        case Enrichment::Auto:
+            if (input.material.yield_stress) return {1, 0.5};
+            [[fallthrough]];
+        default: return {6, 1.0 / (n + 1.0)};
+    }
+}
+
+EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {
+    return Enricher(mesh, cracks, tips).enrich();
+}
+
+}  // namespace stria::coarse

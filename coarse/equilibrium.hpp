@@ -1,0 +1,56 @@
+// Newton's view of a nonlinear system at one load: condensed across two components, or monolithic.
+#pragma once
+
+#include <algorithm>
+
+#include "coupling/messages.hpp"
+
+namespace stria::coarse {
+
+/// How far the trial state is from equilibrium. Residuals are largest nodal forces, N/mm.
+struct Residual {
+    double boundary = 0.0;   // on the unknowns of the structure
+    double interior = 0.0;   // inside the zone
+    double contact = 0.0;    // complementarity
+    double scale = 0.0;      // the forces that balance
+    int yielding_points = 0;
+    int closed = 0;          // multipliers
+    int status_changes = 0;  // since the iteration before
+
+    [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
+};
+
+class Equilibrium {
+public:
+    Equilibrium() = default;
+    Equilibrium(const Equilibrium&) = delete;
+    Equilibrium& operator=(const Equilibrium&) = delete;
+    virtual ~Equilibrium() = default;
+
+    /// Trial state = committed + predictor * last increment, at a load factor.
+    virtual void begin(double load_factor, double predictor) = 0;
+
+    /// Evaluates the trial state and its tangent.
+    virtual Residual linearise() = 0;
+
+    /// Newton's correction of the linearised state: its largest displacement relative to the largest displacement.
+    virtual double solve() = 0;
+
+    /// Takes the correction.
+    virtual void apply() = 0;
+
+    /// Trial becomes committed; `reversal` as in coupling::FineScale.
+    virtual coupling::StepReport commit(bool reversal) = 0;
+    virtual void rollback() = 0;
+
+    /// Displacement of the whole mesh; unknowns inside the zone are zero.
+    [[nodiscard]] virtual Eigen::VectorXd structure_displacement() const = 0;
+
+    /// Reactions on the scene's prescribed unknowns at the trial state, N/mm, in their order.
+    [[nodiscard]] virtual Eigen::VectorXd reactions() const = 0;
+
+    /// Seconds spent waiting for and talking to the zone.
+    [[nodiscard]] virtual double exchange_seconds() const { return 0.0; }
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,122 @@
+#include "coarse/fatigue_analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "coarse/condensed_equilibrium.hpp"
+#include "coarse/zone_selection.hpp"
+#include "common/error.hpp"
+#include "common/stopwatch.hpp"
+
+namespace stria::coarse {
+
+std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed,
+                                                    double load_factor) {
+    if (patch != nullptr) fine_->set_patch(*patch);
+    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed, load_factor);
+}
+
+FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
+    : scene_(scene), factory_(factory), listener_(std::move(listener)), controller_(scene.input.load, scene.input.solver) {
+    const Stopwatch watch(setup_s_);
+    if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
+    committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+    solve_nominal();
+    std::vector<double> K_I;
+    for (const TipResult& tip : nominal_) K_I.push_back(tip.K_I * controller_.largest_maximum());
+    build(select_zone(scene, K_I));
+}
+
+// K_1(a), and the K of eq. (3): an elastic solution on the coarse mesh with traction-free faces.
+void FatigueAnalysis::solve_nominal() {
+    if (scene_.enriched.tips.empty()) return;
+    structure_ = std::make_unique<Structure>(scene_, std::vector<char>(scene_.mesh.elements.size(), 0));
+    nominal_ = fracture_parameters(*structure_, structure_->expand({}, 1.0), {});
+}
+
+void FatigueAnalysis::build(const std::vector<char>& in_zone) {
+    const bool has_zone = std::ranges::any_of(in_zone, [](char inside) { return inside != 0; });
+    const bool reuse = structure_ && structure_->in_zone() == in_zone;  // the nominal solution's factor
+    if (!reuse) {
+        const Stopwatch watch(coarse_factor_s_);
+        structure_ = std::make_unique<Structure>(scene_, in_zone);
+    }
+    coupling::Patch patch;
+    if (has_zone) patch = make_patch(scene_, in_zone, structure_->gamma(), committed_);
+    if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
+    equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, controller_.factor());
+    predicts_ = false;
+    const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
+    listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface", in_zone.size(), zone,
+                               structure_->unknowns(), structure_->gamma().size()));
+}
+
+void FatigueAnalysis::run() {
+    while (const auto next = controller_.next()) {
+        LoadStep step = *next;
+        if (!predicts_) step.predictor = 0.0;
+        const NewtonReport report = find_equilibrium(*equilibrium_, step.factor, step.predictor, scene_.input.solver);
+        newton_iterations_ += report.count();
+        listener_.attempted(step, report);
+        if (!report.converged) cut_or_fail(step, report);
+        else if (!zone_must_grow(step)) accept(step, report);
+    }
+}
+
+void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
+    equilibrium_->rollback();
+    if (!controller_.cut()) {
+        throw NumericalFailure(fmt::format("increment {} (cycle {}) towards load factor {:.6g}: {} after {} halvings; the last converged load factor is {:.6g}",
+                                           increment_ + 1, step.cycle, step.factor, report.failure, scene_.input.solver.max_cuts, controller_.factor()));
+    }
+    listener_.note(fmt::format("load factor {:.6g}: {}; the increment is halved", step.factor, report.failure));
+}
+
+// The proof that "elastic outside the zone" held (DESIGN section 4).
+bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
+    if (!scene_.input.material.yield_stress) return false;
+    const std::vector<int> yielding = structure_->elements_beyond(*scene_.input.material.yield_stress * (1.0 + 1e-9), equilibrium_->structure_displacement());
+    if (yielding.empty()) return false;
+    if (scene_.input.fine.guard == Guard::Warn) {
+        if (warnings_++ == 0) {
+            listener_.note(fmt::format("warning: load factor {:.6g}: {} elements outside the zone are beyond yield; they stay elastic (fine.guard = \"warn\")",
+                                       step.factor, yielding.size()));
+        }
+        return false;
+    }
+    listener_.note(fmt::format("load factor {:.6g}: {} elements outside the zone would yield; they join it and the increment is redone", step.factor, yielding.size()));
+    extend_zone(yielding);
+    return true;
+}
+
+// With one ring of neighbours more, so that a growing plastic zone does not ask again at once.
+void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
+    equilibrium_->rollback();
+    std::vector<char> in_zone = structure_->in_zone();
+    const auto around = elements_around_nodes(scene_.mesh.elements, scene_.mesh.nodes.size());
+    for (const int element : yielding) {
+        for (const int node : scene_.mesh.elements[static_cast<std::size_t>(element)]) {
+            for (const int neighbour : around[static_cast<std::size_t>(node)]) in_zone[static_cast<std::size_t>(neighbour)] = 1;
+        }
+    }
+    ++extensions_;
+    build(in_zone);
+}
+
+void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report) {
+    Increment increment;
+    increment.number = ++increment_;
+    increment.step = step;
+    increment.newton = report;
+    increment.displacement = equilibrium_->structure_displacement();
+    increment.reactions = equilibrium_->reactions();
+    increment.zone = equilibrium_->commit(step.reversal);
+    increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
+    committed_ = increment.displacement;
+    controller_.accepted();
+    predicts_ = true;
+    listener_.accepted(increment, *structure_);
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,98 @@
+// The outer loop: load after load to equilibrium, the zone extended where the structure would yield, results recorded.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "coarse/fracture_parameters.hpp"
+#include "coarse/load_controller.hpp"
+#include "coarse/newton.hpp"
+#include "coupling/fine_scale.hpp"
+#include "coarse/structure.hpp"
+
+namespace stria::coarse {
+
+/// How equilibrium is found once structure and zone are known: condensed over a port, or monolithic. Only app/ chooses.
+class EquilibriumFactory {
+public:
+    EquilibriumFactory() = default;
+    EquilibriumFactory(const EquilibriumFactory&) = delete;
+    EquilibriumFactory& operator=(const EquilibriumFactory&) = delete;
+    virtual ~EquilibriumFactory() = default;
+
+    /// `patch`: null where the scene has no zone. `committed`: displacement of the whole mesh, reached at `load_factor`.
+    virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed, double load_factor) = 0;
+
+    /// Full committed state of the zone.
+    virtual coupling::ZoneState zone_state() = 0;
+};
+
+/// Equilibrium of structure and zone over the port (null: no fine component).
+class CondensedFactory : public EquilibriumFactory {
+public:
+    explicit CondensedFactory(coupling::FineScale* fine) : fine_(fine) {}
+    std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed, double load_factor) override;
+    coupling::ZoneState zone_state() override { return fine_->state(); }
+
+private:
+    coupling::FineScale* fine_;
+};
+
+/// A converged increment, as the recorder gets it.
+struct Increment {
+    int number = 0;  // from 1
+    LoadStep step;
+    NewtonReport newton;
+    Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
+    Eigen::VectorXd reactions;     // on prescribed unknowns
+    coupling::StepReport zone;
+    std::vector<TipResult> tips;
+};
+
+/// What the analysis tells as it goes. app/ and tests listen.
+struct Listener {
+    std::function<void(const Increment&, const Structure&)> accepted = [](const Increment&, const Structure&) {};
+    std::function<void(const std::string&)> note = [](const std::string&) {};           // one line for the log
+    std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {};  // converged or not
+};
+
+class FatigueAnalysis {
+public:
+    FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener);
+
+    /// Runs all blocks. Throws NumericalFailure where an increment fails after cutting: what, where, at which load.
+    void run();
+
+    [[nodiscard]] const Structure& structure() const { return *structure_; }
+    /// Elastic, traction-free stress intensities for the load factor 1, one a tip (nominal K, INTERFACE).
+    [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_; }
+    [[nodiscard]] int newton_iterations() const { return newton_iterations_; }
+    [[nodiscard]] int cuts() const { return controller_.cuts(); }
+    [[nodiscard]] int zone_extensions() const { return extensions_; }
+    [[nodiscard]] int yield_warnings() const { return warnings_; }
+    [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }
+    [[nodiscard]] double setup_seconds() const { return setup_s_; }
+    [[nodiscard]] double coarse_factor_seconds() const { return coarse_factor_s_; }
+
+private:
+    void solve_nominal();
+    void build(const std::vector<char>& in_zone);
+    [[nodiscard]] bool zone_must_grow(const LoadStep& step);
+    void extend_zone(const std::vector<int>& yielding);
+    void cut_or_fail(const LoadStep& step, const NewtonReport& report);
+    void accept(const LoadStep& step, const NewtonReport& report);
+
+    const Scene& scene_;
+    EquilibriumFactory& factory_;
+    Listener listener_;
+    LoadController controller_;
+    std::unique_ptr<Structure> structure_;
+    std::unique_ptr<Equilibrium> equilibrium_;
+    std::vector<TipResult> nominal_;
+    Eigen::VectorXd committed_;  // displacement of the whole mesh
+    bool predicts_ = false;      // the equilibrium knows a last increment to extrapolate
+    int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0;
+    double setup_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,54 @@
+// Hands out the next load: a ramp to the first maximum, then cycles max -> min -> max, block after block; halves an increment
+// that failed and lets it grow again.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+struct LoadStep {
+    int cycle = 0;           // 0: the ramp
+    double factor = 0.0;     // load factor to reach
+    double predictor = 0.0;  // this increment over the last one; 0 at the start and after a reversal
+    bool reversal = false;   // a half cycle ends here
+    bool at_maximum = false, at_minimum = false, at_zero = false;  // extremes of the cycle, and the step nearest to zero load
+    bool ends_cycle = false;
+};
+
+class LoadController {
+public:
+    explicit LoadController(const LoadSection& load, const SolverSection& solver);
+
+    /// The next load, or nothing when all blocks are done.
+    [[nodiscard]] std::optional<LoadStep> next() const;
+
+    void accepted();
+
+    /// Halves the increment; false after `max_cuts` halvings.
+    [[nodiscard]] bool cut();
+
+    [[nodiscard]] int cuts() const { return cuts_; }
+    [[nodiscard]] double factor() const { return factor_; }
+    [[nodiscard]] double largest_maximum() const;
+
+private:
+    struct Target {
+        int cycle;
+        double factor;
+        bool reversal, at_maximum, at_minimum, at_zero, ends_cycle;
+    };
+    void append_leg(int cycle, double from, double to, int steps);
+
+    std::vector<Target> targets_;
+    std::size_t target_ = 0;
+    double factor_ = 0.0;          // reached
+    double last_increment_ = 0.0;  // 0: nothing to extrapolate
+    double fraction_ = 1.0;        // of a whole increment, after cuts
+    int consecutive_cuts_ = 0, max_cuts_ = 0, cuts_ = 0;
+    std::vector<double> maxima_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,43 @@
+#include "coarse/newton.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "common/error.hpp"
+
+namespace stria::coarse {
+
+std::string NewtonReport::table() const {
+    std::string text = "   it   residual    boundary    interior     contact  correction  yielding  closed  changes\n";
+    for (std::size_t i = 0; i < iterations.size(); ++i) {
+        const auto& [r, correction] = iterations[i];
+        text += fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i, r.largest() / r.scale, r.boundary,
+                            r.interior, r.contact, correction, r.yielding_points, r.closed, r.status_changes);
+    }
+    return text;
+}
+
+NewtonReport find_equilibrium(Equilibrium& equilibrium, double load_factor, double predictor, const SolverSection& solver) {
+    NewtonReport report;
+    try {
+        equilibrium.begin(load_factor, predictor);
+        for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
+            const Residual residual = equilibrium.linearise();
+            if (!std::isfinite(residual.largest())) throw NumericalFailure("the residual is not a number");
+            const double correction = equilibrium.solve();
+            report.iterations.push_back({residual, correction});
+            if (residual.largest() <= solver.tolerance * residual.scale && correction <= 100.0 * solver.tolerance) {
+                report.converged = true;
+                return report;
+            }
+            equilibrium.apply();
+        }
+        report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
+    } catch (const NumericalFailure& failure) {
+        report.failure = failure.what();
+    }
+    return report;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,32 @@
+// Newton's method for one equilibrium: full steps, consistent tangents, a residual test and a correction test.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coarse/equilibrium.hpp"
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+struct NewtonIteration {
+    Residual residual;
+    double correction;  // relative; NaN where none was needed
+};
+
+struct NewtonReport {
+    bool converged = false;
+    std::vector<NewtonIteration> iterations;
+    std::string failure;  // what went wrong, where it did not converge
+
+    [[nodiscard]] int count() const { return static_cast<int>(iterations.size()); }
+    /// Fixed-width table of the iterations.
+    [[nodiscard]] std::string table() const;
+};
+
+/// Converged: the largest of the three residuals is at most `tolerance` times the force scale, and the correction that it
+/// still calls for is at most 100 `tolerance` of the largest displacement. Does not throw on failure: the caller cuts.
+NewtonReport find_equilibrium(Equilibrium& equilibrium, double load_factor, double predictor, const SolverSection& solver);
+
+}  // namespace stria::coarse

@@ -1,0 +1,41 @@
+// CSV tables that grow a row at a time: numbers in the shortest form that reads back the same, empty cells where a
+// value is missing, every row on the disk's side of the program before the next is computed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace stria::coarse {
+
+/// A value of a table. Nothing, and a number that is not finite, leave the cell empty.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+class CsvWriter {
+public:
+    /// Starts a table with its header; an earlier file is replaced.
+    CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns);
+
+    /// Continues a table after its first `rows` rows and drops those behind (--resume). Throws std::runtime_error if
+    /// the file has another header or fewer rows.
+    CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns, std::size_t rows);
+
+    void row(std::span<const Cell> cells);
+
+    /// Rows so far: what a checkpoint remembers.
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+
+private:
+    void write_line(const std::string& line);
+
+    std::filesystem::path path_;
+    std::size_t columns_;
+    std::size_t rows_ = 0;
+    std::ofstream file_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,151 @@
+#include "coarse/results/run_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/results/zone_fields.hpp"
+#include "common/stopwatch.hpp"
+
+namespace stria::coarse {
+
+RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory, std::function<coupling::ZoneState()> zone_state)
+    : scene_(scene), zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
+      history_(directory / "history.csv", history_columns()), cycles_(directory / "cycles.csv", cycle_columns()),
+      faces_(directory / "faces.csv", face_columns()), fields_(directory, field_format(scene.input.output.format)),
+      cycle_(scene.enriched.tips.size()) {}
+
+void RunRecorder::record(const Increment& increment, const Structure& structure, const std::vector<TipResult>& nominal) {
+    const Stopwatch watch(output_s_);
+    zone_ = increment.zone;
+    record_history(increment, structure);
+    record_cycle(increment, nominal);
+    if (due(scene_.input.output.faces, increment.step)) {
+        for (const coupling::FaceSample& sample : face_samples(structure, increment.displacement, increment.zone)) {
+            faces_.row(cells_of(face_row(increment.number, sample)));
+        }
+    }
+    if (due(scene_.input.output.fields, increment.step)) {
+        std::optional<coupling::ZoneState> zone;
+        if (std::ranges::find(structure.in_zone(), static_cast<char>(1)) != structure.in_zone().end()) zone = zone_state_();
+        fields_.write(increment.number, make_fields(structure, increment.displacement, zone ? &*zone : nullptr));
+    }
+    if (increment.step.ends_cycle) finish_cycle(increment);
+    last_factor_ = increment.step.factor;
+}
+
+void RunRecorder::record_history(const Increment& increment, const Structure&) {
+    HistoryRow row;
+    row.increment = increment.number;
+    row.cycle = increment.step.cycle;
+    row.load_factor = increment.step.factor;
+    row.load = load(increment);
+    row.displacement = displacement(increment);
+    row.newton_iterations = increment.newton.count();
+    row.dissipation = increment.zone.dissipation;
+    last_.clear();
+    if (increment.tips.empty()) last_.push_back(row);
+    for (std::size_t t = 0; t < increment.tips.size(); ++t) {
+        const TipResult& tip = increment.tips[t];
+        row.tip = static_cast<std::int64_t>(t);
+        row.x = scene_.enriched.tips[t].position.x();
+        row.y = scene_.enriched.tips[t].position.y();
+        row.a = tip.a;
+        row.K_I = tip.K_I;
+        row.K_II = tip.K_II;
+        row.J = tip.J;
+        row.CMOD = tip.CMOD;
+        row.CTOD = tip.CTOD;
+        row.contact_length = tip.contact_length;
+        row.plastic_zone = tip.plastic_zone;
+        row.plastic_zone_axis = tip.plastic_zone_axis;
+        last_.push_back(row);
+    }
+    for (const HistoryRow& written : last_) history_.row(cells_of(written));
+}
+
+void RunRecorder::record_cycle(const Increment& increment, const std::vector<TipResult>& nominal) {
+    cycle_iterations_ += increment.newton.count();
+    const bool loading = increment.step.factor > last_factor_;
+    for (std::size_t t = 0; t < increment.tips.size(); ++t) {
+        CycleSoFar& cycle = cycle_[t];
+        const TipResult& tip = increment.tips[t];
+        const double K = nominal[t].K_I * increment.step.factor;
+        cycle.K_max = std::max(cycle.K_max, K);
+        cycle.K_min = std::min(cycle.K_min, K);
+        cycle.J_max = std::max(cycle.J_max, tip.J);
+        if (std::isfinite(tip.CTOD)) {
+            cycle.CTOD_max = std::max(cycle.CTOD_max, tip.CTOD);
+            cycle.CTOD_min = std::min(cycle.CTOD_min, tip.CTOD);
+        }
+        double& extent = loading ? cycle.forward : cycle.cyclic;
+        double& axis = loading ? cycle.forward_axis : cycle.cyclic_axis;
+        extent = std::max(extent, tip.plastic_zone);
+        axis = std::max(axis, tip.plastic_zone_axis);
+    }
+}
+
+void RunRecorder::finish_cycle(const Increment& increment) {
+    const double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    for (std::size_t t = 0; t < increment.tips.size(); ++t) {
+        const CycleSoFar& cycle = cycle_[t];
+        CycleRow row;
+        row.cycle = increment.step.cycle;
+        row.tip = static_cast<std::int64_t>(t);
+        row.a = increment.tips[t].a;
+        row.da = 0.0;
+        row.dN = 1.0;
+        row.K_max = cycle.K_max;
+        row.K_min = cycle.K_min;
+        row.J_max = cycle.J_max;
+        if (cycle.CTOD_max >= cycle.CTOD_min) row.CTOD_range = cycle.CTOD_max - cycle.CTOD_min;
+        row.forward_zone = cycle.forward;
+        row.cyclic_zone = cycle.cyclic;
+        row.forward_zone_axis = cycle.forward_axis;
+        row.cyclic_zone_axis = cycle.cyclic_axis;
+        row.newton_iterations = cycle_iterations_;
+        row.fine_points = increment.zone.points;
+        row.fine_unknowns = increment.zone.unknowns;
+        row.wall_s = now - cycle_start_s_;
+        cycles_.row(cells_of(row));
+    }
+    std::ranges::fill(cycle_, CycleSoFar{});
+    cycle_iterations_ = 0;
+    cycle_start_s_ = now;
+}
+
+bool RunRecorder::due(Written wish, const LoadStep& step) const {
+    const bool extreme = step.at_maximum || step.at_minimum || step.at_zero;
+    switch (wish) {
+        case Written::All: return true;
+        case Written::None: return false;
+        case Written::Cycles: return extreme;
+        case Written::Extremes: break;
+    }
+    int cycles = 0;
+    for (const LoadBlock& block : scene_.input.load.blocks) cycles += block.cycles;
+    return extreme && step.cycle == cycles;
+}
+
+double RunRecorder::load(const Increment& increment) const {
+    if (!loaded_) return missing;
+    if (!loaded_->resultant.isZero(0.0)) return increment.step.factor * loaded_->resultant.dot(loaded_->direction);
+    double sum = 0.0;
+    for (const int node : loaded_->nodes) {
+        for (int c = 0; c < 2; ++c) {
+            const int unknown = scene_.enriched.unknown(node, 0, c);
+            const auto found = std::ranges::lower_bound(scene_.prescribed, unknown, {}, &PrescribedUnknown::unknown);
+            if (found == scene_.prescribed.end() || found->unknown != unknown) continue;
+            sum += loaded_->direction[c] * increment.reactions[found - scene_.prescribed.begin()];
+        }
+    }
+    return sum;
+}
+
+double RunRecorder::displacement(const Increment& increment) const {
+    if (!loaded_) return missing;
+    std::vector<Vec2> nodal(scene_.mesh.nodes.size());
+    for (std::size_t n = 0; n < nodal.size(); ++n) nodal[n] = increment.displacement.segment<2>(scene_.enriched.unknown(static_cast<int>(n), 0, 0));
+    return mean_displacement(scene_.mesh, *loaded_, nodal);
+}
+
+}  // namespace stria::coarse

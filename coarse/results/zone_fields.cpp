@@ -1,0 +1,143 @@
+#include "coarse/results/zone_fields.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "coarse/zone_selection.hpp"
+#include "common/fem/cut_element.hpp"
+#include "common/fem/element_basis.hpp"
+#include "common/fem/shape_q4.hpp"
+#include "common/geometry/clipping.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Means over one element, or over one side of a cut one.
+struct CellMean {
+    double weight = 0.0;
+    Mandel stress = Mandel::Zero(), plastic_strain = Mandel::Zero();
+    double accumulated = 0.0;
+
+    void add(double w, const Mandel& s, const Mandel& ep, double p) {
+        weight += w;
+        stress += w * s;
+        plastic_strain += w * ep;
+        accumulated += w * p;
+    }
+};
+
+using CellKey = std::pair<int, int>;  // element of the whole mesh, side
+
+class FieldBuilder {
+public:
+    FieldBuilder(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone)
+        : structure_(structure), mesh_(structure.scene().enriched), u_(u) {
+        const MandelMatrix elastic = structure.scene().elastic.stiffness();
+        for (const ElementOperator& op : structure.operators()) {
+            const Eigen::VectorXd local = gather(u, op.unknowns);
+            for (std::size_t q = 0; q < op.points.size(); ++q) {
+                means_[{op.element, op.points[q].side}].add(op.points[q].weight, elastic * op.strain(local, q), Mandel::Zero(), 0.0);
+            }
+        }
+        if (zone != nullptr) add_zone(*zone);
+    }
+
+    FieldData build() {
+        const std::vector<int> piece = piece_of_elements(mesh_);
+        for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+            if (piece[at(e)] < 0) add_plain(e);
+            else add_cut(e, mesh_.pieces[at(piece[at(e)])]);
+        }
+        data_.point_arrays = {{"displacement", 3, std::move(displacement_)}};
+        data_.cell_arrays = {{"stress", 4, std::move(stress_)},          {"von_mises", 1, std::move(von_mises_)},
+                             {"plastic_strain", 4, std::move(plastic_)}, {"accumulated_plastic_strain", 1, std::move(accumulated_)},
+                             {"zone", 1, std::move(zone_)},              {"crack_side", 1, std::move(side_)}};
+        return std::move(data_);
+    }
+
+private:
+    void add_zone(const coupling::ZoneState& zone) {
+        std::vector<int> elements;
+        for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) if (structure_.in_zone()[at(e)] != 0) elements.push_back(e);
+        const EnrichedMesh part = extract(mesh_, elements);
+        const std::vector<int> whole = whole_unknowns(mesh_, part);
+        for (int i = 0; i < part.unknowns; ++i) u_[whole[at(i)]] = zone.displacement[i];
+        for (std::size_t q = 0; q < zone.element.size(); ++q) {
+            const Eigen::Map<const Mandel> stress(zone.stress.data() + 4 * q), plastic(zone.plastic_strain.data() + 4 * q);
+            means_[{part.element_ids[at(zone.element[q])], zone.side[q]}].add(zone.weight[q], stress, plastic, zone.accumulated[q]);
+        }
+    }
+
+    void add_plain(int e) {
+        const ElementBasis basis(mesh_, e, false);
+        std::vector<std::int64_t> points;
+        for (int k = 0; k < 4; ++k) {
+            const int node = mesh_.elements[at(e)][at(k)];
+            // A node on the crack has two displacements; elements that touch the crack have points of their own.
+            const bool own = mesh_.element_side[at(e)] != 0 || basis.enriched();
+            const auto [found, added] = own ? std::pair{shared_.end(), true} : shared_.try_emplace(node, std::ssize(data_.points));
+            points.push_back(own ? std::ssize(data_.points) : found->second);
+            if (added) add_point(basis, mesh_.nodes[at(node)], 0);
+        }
+        add_cell(CellType::Quad, points, {e, 0});
+    }
+
+    void add_cut(int e, const CrackPiece& piece) {
+        const ElementBasis basis(mesh_, e, true);
+        const CutElement cut = cut_element(basis.corners(), piece);
+        std::vector<std::pair<Vec2, Vec2>> segments = cut.segments;
+        segments.insert(segments.end(), cut.continuation.begin(), cut.continuation.end());
+        for (const auto& triangle : triangulate(basis.corners(), segments)) {
+            const int side = cut.side_of((triangle[0] + triangle[1] + triangle[2]) / 3.0);
+            std::vector<std::int64_t> points;
+            for (const Vec2& x : triangle) {
+                points.push_back(std::ssize(data_.points));
+                add_point(basis, x, side);
+            }
+            add_cell(CellType::Triangle, points, {e, side});
+        }
+    }
+
+    void add_point(const ElementBasis& basis, const Vec2& x, int side) {
+        BasisValues values;
+        basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
+        Vec2 displacement = Vec2::Zero();
+        for (int f = 0; f < basis.functions(); ++f) displacement += values.value[f] * u_.segment<2>(basis.unknowns()[at(2 * f)]);
+        data_.points.emplace_back(x.x(), x.y(), 0.0);
+        displacement_.insert(displacement_.end(), {displacement.x(), displacement.y(), 0.0});
+    }
+
+    void add_cell(CellType type, const std::vector<std::int64_t>& points, const CellKey& key) {
+        data_.add_cell(type, points);
+        CellMean mean = means_[key];
+        const double w = mean.weight > 0.0 ? mean.weight : 1.0;
+        const Mandel stress = mean.stress / w, plastic = mean.plastic_strain / w;
+        for (int c = 0; c < 4; ++c) {
+            const double scale = c == 3 ? 1.0 / std::numbers::sqrt2 : 1.0;  // tensor components xx, yy, zz, xy
+            stress_.push_back(scale * stress[c]);
+            plastic_.push_back(scale * plastic[c]);
+        }
+        von_mises_.push_back(stria::von_mises(stress));
+        accumulated_.push_back(mean.accumulated / w);
+        zone_.push_back(structure_.in_zone()[at(key.first)]);
+        side_.push_back(key.second);
+    }
+
+    const Structure& structure_;
+    const EnrichedMesh& mesh_;
+    Eigen::VectorXd u_;
+    std::map<CellKey, CellMean> means_;
+    std::map<int, std::int64_t> shared_;
+    FieldData data_;
+    std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_;
+};
+
+}  // namespace
+
+FieldData make_fields(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone) {
+    return FieldBuilder(structure, u, zone).build();
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,13 @@
+// Structure and zone as one grid for ParaView: the crack visibly open, cut elements split along it.
+#pragma once
+
+#include "coarse/results/field_writer.hpp"
+#include "coarse/structure.hpp"
+#include "coupling/messages.hpp"
+
+namespace stria::coarse {
+
+/// `u`: displacement of the whole mesh, zero inside the zone; `zone`: null without one.
+FieldData make_fields(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone);
+
+}  // namespace stria::coarse

@@ -1,0 +1,121 @@
+#include "coarse/scene.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "coarse/discretization.hpp"
+#include "coarse/specimen/specimen.hpp"
+#include "common/fem/cut_element.hpp"
+#include "common/fem/element_basis.hpp"
+#include "common/fem/element_operator.hpp"
+#include "common/fem/quadrature.hpp"
+#include "common/fem/shape_q4.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Splits an element edge where a crack leaves it, so that each part lies on one side.
+std::vector<double> edge_breaks(const CrackPiece* piece, int edge) {
+    std::vector<double> breaks{0.0, 1.0};
+    if (piece != nullptr) {
+        for (const double place : {piece->entry, piece->exit}) {
+            if (place > edge && place < edge + 1) breaks.push_back(place - edge);
+        }
+    }
+    std::ranges::sort(breaks);
+    return breaks;
+}
+
+void add_edge_load(const Scene& scene, const EdgeLoad& load, const CrackPiece* piece, Eigen::VectorXd& force) {
+    const EdgeGeometry edge = edge_geometry(scene.mesh, load.edge);
+    const ElementBasis basis(scene.enriched, load.edge.element, piece != nullptr);
+    const std::vector<double> breaks = edge_breaks(piece, load.edge.edge);
+    BasisValues values;
+    for (std::size_t part = 0; part + 1 < breaks.size(); ++part) {
+        const double length = breaks[part + 1] - breaks[part];
+        int side = 0;
+        if (piece != nullptr) side = cut_element(basis.corners(), *piece).side_of(edge.at(breaks[part] + length / 2.0) + 1e-6 * edge.length() * edge.inward_normal());
+        for (const LinePoint& point : gauss_line(basis.singular() ? 16 : 3)) {
+            const Vec2 x = edge.at(breaks[part] + 0.5 * (1.0 + point.xi) * length);
+            const Vec2 traction = load.traction.at(x, edge.inward_normal());
+            basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
+            const double weight = 0.5 * point.weight * length * edge.length();
+            for (int f = 0; f < basis.functions(); ++f) {
+                for (int c = 0; c < 2; ++c) force[basis.unknowns()[at(2 * f + c)]] += weight * values.value[f] * traction[c];
+            }
+        }
+    }
+}
+
+/// Enriched terms that move a supported edge: Heaviside terms where the crack crosses it, and all tip functions.
+void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>, double>& held, std::map<int, double>& prescribed) {
+    const EnrichedMesh& mesh = scene.enriched;
+    for (const auto& [name, edges] : scene.mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) {
+            const auto nodes = edge_nodes(scene.mesh, edge);
+            for (int component = 0; component < 2; ++component) {
+                if (!held.contains({nodes[0], component}) || !held.contains({nodes[1], component})) continue;
+                for (const int side : {0, 1}) {
+                    const int node = nodes[at(side)], other = nodes[at(1 - side)];
+                    const auto& terms = mesh.terms[at(node)];
+                    for (int k = 0; k < static_cast<int>(terms.size()); ++k) {
+                        const Term& term = terms[at(k)];
+                        const bool crossed = std::ranges::any_of(mesh.terms[at(other)], [&](const Term& t) {
+                            return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
+                        });
+                        if (term.kind == Term::Kind::Tip || crossed) prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
+                    }
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+Scene make_scene(const Case& input) {
+    Scene scene;
+    scene.input = input;
+    scene.elastic = elasticity_of(input.material);
+    scene.mesh = make_mesh(input);
+    scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
+    scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
+    put_loads_on_unknowns(scene);
+    return scene;
+}
+
+void put_loads_on_unknowns(Scene& scene) {
+    const EnrichedMesh& mesh = scene.enriched;
+    scene.unit_force = Eigen::VectorXd::Zero(mesh.unknowns);
+    scene.loaded.assign(at(mesh.unknowns), 0);
+    const auto mark = [&](int node) {
+        const auto count = 2 * (1 + mesh.terms[at(node)].size());
+        std::fill_n(scene.loaded.begin() + mesh.unknown(node, 0, 0), count, static_cast<char>(1));
+    };
+    const std::vector<int> piece = piece_of_elements(mesh);
+    for (const EdgeLoad& load : scene.loads.edges) {
+        const int p = piece[at(load.edge.element)];
+        add_edge_load(scene, load, p >= 0 ? &mesh.pieces[at(p)] : nullptr, scene.unit_force);
+        for (const int node : mesh.elements[at(load.edge.element)]) mark(node);
+    }
+    for (const PointForce& load : scene.loads.forces) {
+        scene.unit_force.segment<2>(mesh.unknown(load.node, 0, 0)) += load.force;
+        mark(load.node);
+    }
+    std::map<std::pair<int, int>, double> held;
+    for (const PrescribedDisplacement& d : scene.loads.displacements) held[{d.node, d.component}] = d.value;
+    std::map<int, double> prescribed;
+    hold_enriched_terms(scene, held, prescribed);
+    for (const auto& pin : scene.free_motions.pins) held[{pin.node, pin.component}] = 0.0;
+    for (const auto& [where, value] : held) {
+        prescribed[mesh.unknown(where.first, 0, where.second)] = value;
+        mark(where.first);
+    }
+    scene.prescribed.clear();
+    for (const auto& [unknown, value] : prescribed) scene.prescribed.push_back({unknown, value});
+}
+
+}  // namespace stria::coarse

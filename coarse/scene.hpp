@@ -1,0 +1,38 @@
+// A case turned into mechanics: mesh, enrichment, loads and supports on unknowns, for one position of the cracks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coarse/boundary_conditions.hpp"
+#include "coarse/rigid_motions.hpp"
+#include "common/fem/enriched_mesh.hpp"
+#include "common/io/case.hpp"
+#include "common/material/elasticity.hpp"
+
+namespace stria::coarse {
+
+struct PrescribedUnknown {
+    int unknown;
+    double value;  // mm per unit load factor
+};
+
+struct Scene {
+    Case input;
+    Mesh mesh;
+    Elasticity elastic;
+    Loads loads;
+    FreeMotions free_motions;
+    EnrichedMesh enriched;
+    Eigen::VectorXd unit_force;                  // on all unknowns, per unit load factor, N/mm
+    std::vector<PrescribedUnknown> prescribed;   // ascending; supports, imposed displacements, and the pins of free motions
+    std::vector<char> loaded;                    // per unknown: its node carries a load or a prescribed value
+};
+
+/// Meshes, enriches and resolves a case. Throws CaseError.
+Scene make_scene(const Case& input);
+
+/// Loads and supports on the unknowns of an enriched mesh: enriched terms included, the jump held on supported edges.
+void put_loads_on_unknowns(Scene& scene);
+
+}  // namespace stria::coarse

@@ -1,0 +1,113 @@
+#include "coarse/specimen/structured.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/specimen/graded_axis.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr std::size_t max_elements = 4'000'000;
+
+void require_positive(const std::string& key, double value) {
+    if (!std::isfinite(value) || value <= 0.0) {
+        throw CaseError(fmt::format("{}: {} mm must be a finite number > 0", key, value));
+    }
+}
+
+void validate(const Grading& grading, const std::string& key, const MeshSection& section) {
+    require_positive(key + ".size", grading.size);
+    if (grading.outer_size && !(std::isfinite(*grading.outer_size) && *grading.outer_size >= grading.size)) {
+        throw CaseError(
+            fmt::format("{}.outer_size: {} mm must be at least size = {} mm", key, *grading.outer_size, grading.size));
+    }
+    for (const auto& [name, value] : {std::pair{".radius", grading.radius}, std::pair{".growth", grading.growth}}) {
+        if (!std::isfinite(value) || value < 0.0) {
+            throw CaseError(fmt::format("{}{}: {} must be a finite number >= 0", key, name, value));
+        }
+    }
+    if (grading.at.empty() || grading.at.size() > 2) {
+        throw CaseError(
+            fmt::format("{}.at: {} points, must be one point or the two ends of a line", key, grading.at.size()));
+    }
+    for (const Point& point : grading.at) {
+        const bool inside =
+            0.0 <= point.x() && point.x() <= section.width && 0.0 <= point.y() && point.y() <= section.height;
+        if (!inside) {
+            throw CaseError(fmt::format("{}.at: ({}, {}) is outside the body [0, {}] x [0, {}] mm", key, point.x(),
+                                        point.y(), section.width, section.height));
+        }
+    }
+    const Point extent = grading.at.back() - grading.at.front();
+    if (extent.x() != 0.0 && extent.y() != 0.0) {
+        throw CaseError(fmt::format("{}.at: the line from ({}, {}) to ({}, {}) must be parallel to an axis", key,
+                                    grading.at.front().x(), grading.at.front().y(), grading.at.back().x(),
+                                    grading.at.back().y()));
+    }
+}
+
+void validate(const MeshSection& section) {
+    require_positive("mesh.width", section.width);
+    require_positive("mesh.height", section.height);
+    require_positive("mesh.size", section.size);
+    for (std::size_t k = 0; k < section.grading.size(); ++k) {
+        validate(section.grading[k], fmt::format("mesh.grading[{}]", k + 1), section);
+    }
+}
+
+/// What the gradings ask of the axis with this index. A line keeps its size along itself, and anchors only across.
+std::vector<AxisGrading> axis_gradings(const MeshSection& section, int axis) {
+    std::vector<AxisGrading> result;
+    for (const Grading& grading : section.grading) {
+        const double from = grading.at.front()[axis], to = grading.at.back()[axis];
+        const double outer_size = grading.radius > 0.0 ? grading.outer_size.value_or(grading.size) : grading.size;
+        result.push_back({std::min(from, to), std::max(from, to), grading.size, outer_size, grading.radius,
+                          grading.growth, from == to});
+    }
+    return result;
+}
+
+}  // namespace
+
+Mesh grid_mesh(std::span<const double> xs, std::span<const double> ys) {
+    const int columns = static_cast<int>(xs.size()) - 1, rows = static_cast<int>(ys.size()) - 1;
+    Mesh mesh;
+    mesh.nodes.reserve(xs.size() * ys.size());
+    for (const double y : ys) {
+        for (const double x : xs) mesh.nodes.emplace_back(x, y);
+    }
+    const auto node = [columns](int column, int row) { return row * (columns + 1) + column; };
+    const auto element = [columns](int column, int row) { return row * columns + column; };
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            mesh.elements.push_back(
+                {node(column, row), node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)});
+        }
+    }
+    for (int column = 0; column < columns; ++column) {
+        mesh.boundary["bottom"].push_back({element(column, 0), 0});
+        mesh.boundary["top"].push_back({element(column, rows - 1), 2});
+    }
+    for (int row = 0; row < rows; ++row) {
+        mesh.boundary["right"].push_back({element(columns - 1, row), 1});
+        mesh.boundary["left"].push_back({element(0, row), 3});
+    }
+    return mesh;
+}
+
+Mesh rectangle_mesh(const MeshSection& section) {
+    validate(section);
+    const std::vector<double> xs = graded_axis(section.width, section.size, axis_gradings(section, 0));
+    const std::vector<double> ys = graded_axis(section.height, section.size, axis_gradings(section, 1));
+    if (xs.size() * ys.size() > max_elements) {
+        throw CaseError(fmt::format("mesh.size: the mesh would have {} elements, at most {} are allowed",
+                                    (xs.size() - 1) * (ys.size() - 1), max_elements));
+    }
+    return grid_mesh(xs, ys);
+}
+
+}  // namespace stria::coarse

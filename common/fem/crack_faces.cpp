@@ -1,0 +1,105 @@
+#include "common/fem/crack_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/fem/cut_element.hpp"
+#include "common/fem/element_basis.hpp"
+#include "common/fem/quadrature.hpp"
+#include "common/fem/shape_q4.hpp"
+
+namespace stria {
+namespace {
+
+FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, const Vec2& x, const Vec2& tangent, double s,
+                         double weight) {
+    FaceStation station;
+    station.crack = piece.crack;
+    station.element = piece.element;
+    station.s = s;
+    station.weight = weight;
+    station.x = x;
+    station.tangent = tangent;
+    station.normal = {-tangent.y(), tangent.x()};
+    BasisValues plus, minus;
+    const Vec2 xi = map_to_parent(basis.corners(), x);
+    basis.evaluate(xi, x, 1, plus);
+    basis.evaluate(xi, x, -1, minus);
+    for (int f = 0; f < basis.functions(); ++f) {
+        const double value = plus.value[f] - minus.value[f];
+        if (std::abs(value) > 1e-14) station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value});
+    }
+    return station;
+}
+
+}  // namespace
+
+Vec2 FaceStation::jump(const Eigen::VectorXd& u) const {
+    Vec2 sum = Vec2::Zero();
+    for (const Term& term : terms) sum += term.value * u.segment<2>(term.unknown);
+    return sum;
+}
+
+std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss) {
+    std::vector<FaceStation> stations;
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        // Both traces along an edge come from the functions of one of its elements: it counts as cut.
+        const ElementBasis basis(mesh, piece.element, true);
+        const InterfacePoints ends = interface_elements(basis.corners(), piece, subcells);
+        for (std::size_t k = 0; k + 1 < ends.points.size(); ++k) {
+            const Vec2 d = ends.points[k + 1] - ends.points[k];
+            const double length = ends.s[k + 1] - ends.s[k];
+            for (const LinePoint& point : gauss_line(gauss)) {
+                const double t = 0.5 * (1.0 + point.xi);
+                stations.push_back(make_station(basis, piece, ends.points[k] + t * d, d.normalized(), ends.s[k] + t * length,
+                                                0.5 * point.weight * length));
+            }
+        }
+    }
+    return stations;
+}
+
+FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack || s < piece.s.front() || s > piece.s.back()) continue;
+        const auto after = std::ranges::upper_bound(piece.s, s);
+        const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
+        const Vec2 d = piece.points[k] - piece.points[k - 1];
+        const double t = (s - piece.s[k - 1]) / (piece.s[k] - piece.s[k - 1]);
+        return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(), s, 0.0);
+    }
+    FaceStation nowhere;
+    nowhere.crack = crack;
+    nowhere.s = s;
+    return nowhere;
+}
+
+double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eigen::VectorXd& u) {
+    double first = 1e300, last = -1e300;  // arc lengths that the mesh holds
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != tip.crack) continue;
+        first = std::min(first, piece.s.front());
+        last = std::max(last, piece.s.back());
+    }
+    if (first > last) return -1.0;
+    const double direction = std::abs(tip.s - last) < std::abs(tip.s - first) ? -1.0 : 1.0;
+    const double reach = last - first;
+    const auto excess = [&](double r) {
+        const FaceStation station = face_station_at(mesh, tip.crack, tip.s + direction * r);
+        return station.opening(u) - 2.0 * r;
+    };
+    // The opening starts like r^p, above 2 r; walk outwards geometrically to the first change of sign, then bisect.
+    double inner = 1e-9 * reach;
+    if (excess(inner) <= 0.0) return 0.0;
+    double outer = inner;
+    while (outer < reach && excess(outer) > 0.0) {
+        inner = outer;
+        outer *= 1.5;
+    }
+    if (outer >= reach) return -1.0;
+    for (int k = 0; k < 60; ++k) (excess((inner + outer) / 2.0) > 0.0 ? inner : outer) = (inner + outer) / 2.0;
+    return inner + outer;
+}
+
+}  // namespace stria

@@ -1,0 +1,64 @@
+// What integrates an element: its points, weights and function gradients, with the mean dilatation of each crack side.
+#pragma once
+
+#include <vector>
+
+#include "common/fem/cut_element.hpp"
+#include "common/fem/element_basis.hpp"
+#include "common/mandel.hpp"
+
+namespace stria {
+
+struct IntegrationPoint {
+    Vec2 x, xi;
+    double weight;  // mm2
+    int side;       // +1, -1 in a cut element; else 0
+    int region;     // of mean dilatation: index into ElementOperator::mean
+};
+
+/// How densely an element is integrated.
+struct IntegrationRule {
+    int subcells = 1;     // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
+    int gauss = 2;        // points per direction in an uncut sub-quadrangle
+    int tip_points = 6;   // per direction in triangles that end at a tip
+};
+
+using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+/// NUMERICS 2: grad phi is replaced in the volumetric part of B by its mean over the point's crack side (over the whole
+/// element where it holds a tip), for every function; and a constant per side is added to grad phi of tip functions so that
+/// its integral equals the boundary integral of phi n, which makes the patch test of singular functions exact.
+struct ElementOperator {
+    int element = 0;
+    std::vector<int> unknowns;                // 2 a function
+    std::vector<IntegrationPoint> points;
+    std::vector<Gradients> gradients;         // per point, one row a function
+    std::vector<Gradients> mean;              // per region
+    double area = 0.0;
+
+    /// Strain with mean dilatation of element values `u` (2 a function) at point q; zz is the assumed part.
+    [[nodiscard]] Mandel strain(const Eigen::VectorXd& u, std::size_t q) const;
+
+    /// 4 x 2f strain matrix of point q.
+    [[nodiscard]] Eigen::Matrix<double, 4, Eigen::Dynamic> strain_matrix(std::size_t q) const;
+
+    /// Displacement gradient at point q (row: component).
+    [[nodiscard]] Eigen::Matrix2d displacement_gradient(const Eigen::VectorXd& u, std::size_t q) const;
+
+    /// Adds weight * B^T stress at point q.
+    void add_force(const Mandel& stress, std::size_t q, Eigen::VectorXd& force) const;
+
+    /// Sum over points of weight * B^T C B with one elastic stiffness.
+    [[nodiscard]] Eigen::MatrixXd stiffness(const MandelMatrix& elastic) const;
+};
+
+/// `piece`: the crack inside the element, or null.
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece, const IntegrationRule& rule);
+
+/// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
+std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
+
+/// Element values of a displacement vector.
+Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns);
+
+}  // namespace stria

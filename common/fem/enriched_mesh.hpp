@@ -1,0 +1,71 @@
+// Eq. (1) as data: elements, the cracks through them, and which node carries which enrichment term. A value: the coarse
+// component builds it from the case; the part of it that is the fine zone is sent across (messages.hpp) and used there alike.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace stria {
+
+using Vec2 = Eigen::Vector2d;
+
+/// One enrichment term of a node: N_i (psi(x) - psi(x_i)), shifted so that it vanishes at the node.
+struct Term {
+    enum class Kind : int { Heaviside, Tip };
+    Kind kind;
+    int owner;     // Heaviside: crack index; Tip: tip index
+    int function;  // Tip: alpha of eq. (2), from 0; Heaviside: 0
+    double shift;  // psi(x_i)
+};
+
+/// Part of a crack inside one element, as resolved on the mesh (crossings within 1e-3 of an edge's length of a node are
+/// snapped onto the node). Runs from one element boundary point to another, or ends at a tip inside the element.
+struct CrackPiece {
+    int crack;
+    int element;              // index into EnrichedMesh::elements
+    int neighbour = -1;       // the other element where the piece runs along an edge (element lies right of it), else -1
+    std::vector<Vec2> points;  // in the order of the crack's points, kinks included, mm
+    std::vector<double> s;     // arc length of each point from the crack's first point
+    double entry = -1.0;      // place on the element's boundary, edge index + fraction of it; -1: starts at a tip inside
+    double exit = -1.0;       // likewise for its last point
+};
+
+/// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else -1.
+struct Tip {
+    int crack;
+    Vec2 position;
+    Vec2 direction;  // unit, out of the crack
+    double s;        // arc length of the tip
+    int upper;
+};
+
+struct EnrichedMesh {
+    std::vector<Vec2> nodes;
+    std::vector<std::array<int, 4>> elements;
+    std::vector<int> node_ids;     // of the whole mesh
+    std::vector<int> element_ids;  // of the whole mesh
+
+    std::vector<CrackPiece> pieces;     // ordered by crack, then along it
+    std::vector<Tip> tips;
+    double tip_exponent = 0.5;          // 1/(n+1) of eq. (2)
+    int tip_functions = 0;              // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
+    std::vector<std::vector<Term>> terms;   // per node
+    std::vector<signed char> element_side;  // side of an uncut element that touches the crack: +1, -1; else 0
+
+    /// First unknown of each node and their total: a node has 2 (1 + terms) unknowns, component fastest. Kept by number().
+    std::vector<int> first_unknown;
+    int unknowns = 0;
+
+    /// Numbers the unknowns, node by node.
+    void number();
+
+    [[nodiscard]] int unknown(int node, int term, int component) const {  // term 0: standard; k: terms[node][k - 1]
+        return first_unknown[static_cast<std::size_t>(node)] + 2 * term + component;
+    }
+};
+
+/// The part of a mesh made of the given elements (ascending), with their pieces, and all tips and terms of their nodes.
+EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements);
+
+}  // namespace stria

@@ -1,0 +1,156 @@
+// A case as the user writes it (INTERFACE: case file), one struct a section. Units N, mm, MPa throughout.
+// Keys, units, ranges and sentences are declared once, in case_schema.cpp.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stria {
+
+using Point = Eigen::Vector2d;
+
+enum class PlaneState { Strain, Stress };
+
+struct ModelSection {
+    PlaneState plane = PlaneState::Strain;
+    double thickness = 1.0;  // mm
+    bool operator==(const ModelSection&) const = default;
+};
+
+/// A wish for small elements near a point or an axis-parallel line: edge length `size` there, growing linearly to
+/// `outer_size` at the distance `radius`, and by `growth` mm per mm of distance beyond. The smallest wish wins.
+struct Grading {
+    std::vector<Point> at;             // one point, or the two ends of a line
+    double size = 0.0;                 // mm
+    std::optional<double> outer_size;  // mm; absent: size
+    double radius = 0.0;               // mm
+    double growth = 0.25;              // mm per mm
+    bool operator==(const Grading&) const = default;
+};
+
+struct MeshSection {
+    std::string specimen;  // "sent" | "plate"
+    double width = 0.0;    // mm
+    double height = 0.0;   // mm, full height
+    double size = 0.0;     // mm, element edge far from every grading
+    std::vector<Grading> grading;
+    bool operator==(const MeshSection&) const = default;
+};
+
+struct IsotropicHardening {
+    std::string law = "linear";
+    double modulus = 0.0;  // MPa, dR/dp
+    bool operator==(const IsotropicHardening&) const = default;
+};
+
+struct KinematicHardening {
+    double C = 0.0;      // MPa, uniaxial modulus
+    double gamma = 0.0;  // recall; 0: Prager
+    bool operator==(const KinematicHardening&) const = default;
+};
+
+struct MaterialSection {
+    double young = 0.0;                  // MPa
+    double poisson = 0.0;                //
+    std::optional<double> yield_stress;  // MPa; absent: elastic
+    IsotropicHardening isotropic;
+    std::vector<KinematicHardening> kinematic;
+    bool operator==(const MaterialSection&) const = default;
+};
+
+struct ContactSection {
+    double friction = 0.0;  // Coulomb's coefficient
+    bool operator==(const ContactSection&) const = default;
+};
+
+struct CrackSection {
+    std::vector<Point> points;              // polyline, mm
+    std::optional<ContactSection> contact;  // absent: traction-free faces
+    double notch = 0.0;                     // mm of arc from the first point without contact
+    bool operator==(const CrackSection&) const = default;
+};
+
+struct BoundarySection {
+    std::string on;                                            // a named edge of the mesh, or "point"
+    std::optional<Point> at;                                   // mm, with on = "point"
+    std::array<std::optional<double>, 2> displacement;         // mm per unit load factor; empty: free
+    std::optional<Point> traction;                             // MPa per unit load factor
+    Eigen::Matrix2d traction_gradient = Eigen::Matrix2d::Zero();  // MPa/mm; t += gradient (x - origin)
+    Point origin = Point::Zero();
+    std::optional<double> pressure;  // MPa per unit load factor, along the inward normal
+    std::optional<Point> force;      // N per mm of thickness and unit load factor, at a point
+    bool operator==(const BoundarySection&) const = default;
+};
+
+struct LoadBlock {
+    int cycles = 1;
+    double max = 0.0;
+    double min = 0.0;  // from `min`, or ratio * max
+    bool operator==(const LoadBlock&) const = default;
+};
+
+struct LoadSection {
+    int steps = 40;  // increments per cycle
+    std::vector<LoadBlock> blocks;
+    std::string control = "load";
+    bool operator==(const LoadSection&) const = default;
+};
+
+struct SolverSection {
+    double tolerance = 1e-8;   // relative residual
+    int max_iterations = 25;   // Newton iterations before the increment is cut
+    int max_cuts = 8;          // successive halvings of an increment
+    bool operator==(const SolverSection&) const = default;
+};
+
+enum class Enrichment { Auto, None, Single, Topological, Geometrical };
+enum class Guard { Extend, Warn };
+
+struct FineSection {
+    double beta = 2.0;
+    std::optional<double> radius;  // mm
+    int refine = 1;
+    int subcells = 2;
+    Enrichment enrichment = Enrichment::Auto;
+    std::optional<double> enrichment_n;
+    Guard guard = Guard::Extend;
+    bool operator==(const FineSection&) const = default;
+};
+
+struct CouplingSection {
+    std::string state = "auto";
+    bool operator==(const CouplingSection&) const = default;
+};
+
+enum class Written { Extremes, Cycles, All, None };
+
+struct OutputSection {
+    Written faces = Written::Extremes;
+    Written fields = Written::Extremes;
+    std::string format = "vtkhdf";  // vtkhdf | vtu
+    bool operator==(const OutputSection&) const = default;
+};
+
+struct Case {
+    std::string name;  // the folder's name for .../name/case.toml, else the file's stem
+    std::string title;
+    ModelSection model;
+    MeshSection mesh;
+    MaterialSection material;
+    std::vector<CrackSection> cracks;
+    std::vector<BoundarySection> boundaries;
+    LoadSection load;
+    SolverSection solver;
+    CouplingSection coupling;
+    FineSection fine;
+    OutputSection output;
+    bool operator==(const Case&) const = default;
+};
+
+/// The fine component starts if, and only if, there is a yield stress, contact or refinement.
+bool needs_fine(const Case& scene);
+
+}  // namespace stria

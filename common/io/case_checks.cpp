@@ -1,0 +1,84 @@
+#include "common/io/case_schema.hpp"
+
+#include <algorithm>
+
+namespace stria {
+
+using schema::find;
+using schema::Key;
+using schema::Place;
+using schema::reject;
+using schema::Value;
+
+namespace {
+
+bool carries_load(const BoundarySection& boundary) {
+    const auto moves = [](const std::optional<double>& component) { return component && *component != 0.0; };
+    return moves(boundary.displacement[0]) || moves(boundary.displacement[1]) || boundary.traction ||
+           boundary.pressure || boundary.force || !boundary.traction_gradient.isZero(0.0);
+}
+
+}  // namespace
+
+/// Mesh sizes are cheap to grade along an axis; an oblique line would ask for a size in two directions.
+void check_grading(const Grading& grading, const Value& table, const Place& place) {
+    const bool point = grading.at.size() == 1;
+    const bool line = grading.at.size() == 2 && ((grading.at[0] - grading.at[1]).array() == 0.0).any();
+    if (!point && !line)
+        reject(place.inside("at"), *find(table, "at"), {},
+               "must be one point or the two ends of an axis-parallel line");
+    if (grading.outer_size && *grading.outer_size < grading.size)
+        reject(place.inside("outer_size"), *find(table, "outer_size"), Key{}.in("mm"), "must be >= size");
+}
+
+void check_mesh(const MeshSection& mesh, const Value& table, const Place& place) {
+    if (mesh.size > std::min(mesh.width, mesh.height))
+        reject(place.inside("size"), *find(table, "size"), Key{}.in("mm"), "must not exceed width and height");
+}
+
+void check_crack(const CrackSection& crack, const Value& table, const Place& place) {
+    const Value& points = *find(table, "points");
+    if (crack.points.size() < 2) reject(place.inside("points"), points, {}, "must have at least two points");
+    for (std::size_t i = 1; i < crack.points.size(); ++i)
+        if (crack.points[i] == crack.points[i - 1])
+            reject(place.inside("points"), points, {}, "must not repeat a point: a segment has no length");
+}
+
+void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {
+    const bool point = boundary.on == "point";
+    const auto complain = [&](const char* key, const char* demand) {
+        if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, demand);
+    };
+    if (point && !boundary.at) reject(place, table.line, "on = \"point\" needs at = [x, y]");
+    if (!point) complain("at", "needs on = \"point\"");
+    if (!point) complain("force", "needs on = \"point\"");
+    if (point)
+        for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
+    if (point && !boundary.traction_gradient.isZero(0.0)) complain("traction_gradient", "needs an edge, not a point");
+    if (!boundary.displacement[0] && !boundary.displacement[1] && !carries_load(boundary) &&
+        find(table, "traction_gradient") == nullptr)
+        reject(place, table.line, "needs a displacement, traction, pressure or force");
+}
+
+void check_block(const LoadBlock& block, const Value& table, const Place& place) {
+    const Value* ratio = find(table, "ratio");
+    const Value* least = find(table, "min");
+    if (ratio != nullptr && least != nullptr) reject(place, table.line, "has both ratio and min; one of them says it");
+    if (ratio == nullptr && least == nullptr) reject(place, table.line, "needs ratio or min");
+    if (block.min <= block.max) return;
+    const char* name = least != nullptr ? "min" : "ratio";
+    reject(place.inside(name), least != nullptr ? *least : *ratio, {}, "must keep the minimum <= max");
+}
+
+void check_case(const Case& whole, const Value& root, const Place& place) {
+    if (whole.name.find('/') != std::string::npos || whole.name == "." || whole.name == "..")
+        reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
+    if (!whole.load.blocks.empty()) return;
+    const Value* load = find(root, "load");
+    for (const BoundarySection& boundary : whole.boundaries)
+        if (carries_load(boundary))
+            reject(place.inside("load.blocks"), load != nullptr ? load->line : root.line,
+                   "is empty, but boundary \"" + boundary.on + "\" carries a load: give at least one block");
+}
+
+}  // namespace stria

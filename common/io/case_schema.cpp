@@ -1,0 +1,241 @@
+#include "common/io/case_schema.hpp"
+
+namespace stria {
+
+namespace {
+
+using schema::Key;
+using schema::Section;
+
+Section<ModelSection> model_section() {
+    Section<ModelSection> s;
+    s.choice<PlaneState>("plane", &ModelSection::plane,
+                         {{"strain", PlaneState::Strain}, {"stress", PlaneState::Stress}})
+        .says("Plane strain or plane stress.");
+    s.value("thickness", &ModelSection::thickness).in("mm").positive().says("Thickness of the body.");
+    return s;
+}
+
+Section<Grading> grading_section() {
+    Section<Grading> s;
+    s.value("at", &Grading::at)
+        .in("mm")
+        .must_be_given()
+        .says("A point [x, y], or the two ends of an axis-parallel line.");
+    s.value("size", &Grading::size).in("mm").positive().must_be_given().says("Edge length of the elements there.");
+    s.value("outer_size", &Grading::outer_size)
+        .in("mm")
+        .positive()
+        .or_else("size")
+        .says("Edge length at the distance radius.");
+    s.value("radius", &Grading::radius)
+        .in("mm")
+        .at_least(0.0)
+        .says("Up to here the edge length grows from size to outer_size.");
+    s.value("growth", &Grading::growth)
+        .in("mm/mm")
+        .at_least(0.0)
+        .says("Growth of the edge length per length beyond the radius.");
+    s.check(check_grading);
+    return s;
+}
+
+Section<MeshSection> mesh_section() {
+    Section<MeshSection> s;
+    s.value("specimen", &MeshSection::specimen)
+        .one_of({"sent", "plate"})
+        .must_be_given()
+        .says("A specimen of the catalogue.");
+    s.value("width", &MeshSection::width).in("mm").positive().must_be_given().says("Width of the specimen.");
+    s.value("height", &MeshSection::height).in("mm").positive().must_be_given().says("Full height, ends included.");
+    s.value("size", &MeshSection::size)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("Element edge far from every grading.");
+    s.list("grading", &MeshSection::grading, grading_section())
+        .says("Wishes for smaller elements near a point or a line; the smallest wish wins.");
+    s.check(check_mesh);
+    return s;
+}
+
+Section<IsotropicHardening> isotropic_section() {
+    Section<IsotropicHardening> s;
+    s.value("law", &IsotropicHardening::law).one_of({"linear"}).says("Isotropic hardening law; linear: R = modulus p.");
+    s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("dR/dp.");
+    return s;
+}
+
+Section<KinematicHardening> kinematic_section() {
+    Section<KinematicHardening> s;
+    s.value("C", &KinematicHardening::C)
+        .in("MPa")
+        .at_least(0.0)
+        .must_be_given()
+        .says("Uniaxial modulus: dX = 2/3 C d(eps_p) - gamma X dp.");
+    s.value("gamma", &KinematicHardening::gamma).at_least(0.0).says("Recall; 0 is Prager's law.");
+    return s;
+}
+
+Section<MaterialSection> material_section() {
+    Section<MaterialSection> s;
+    s.value("young", &MaterialSection::young).in("MPa").positive().must_be_given().says("Young's modulus.");
+    s.value("poisson", &MaterialSection::poisson).at_least(0.0).below(0.5).must_be_given().says("Poisson's ratio.");
+    s.value("yield_stress", &MaterialSection::yield_stress)
+        .in("MPa")
+        .positive()
+        .says("Initial yield stress; absent: elastic.");
+    s.table("isotropic", &MaterialSection::isotropic, isotropic_section()).says("Isotropic hardening.");
+    s.list("kinematic", &MaterialSection::kinematic, kinematic_section())
+        .says("Kinematic hardening; the terms add up.");
+    return s;
+}
+
+Section<ContactSection> contact_section() {
+    Section<ContactSection> s;
+    s.value("friction", &ContactSection::friction).at_least(0.0).says("Coulomb's coefficient of friction.");
+    return s;
+}
+
+Section<CrackSection> crack_section() {
+    Section<CrackSection> s;
+    s.value("points", &CrackSection::points)
+        .in("mm")
+        .must_be_given()
+        .says("Polyline; ends strictly inside the body are tips, others are mouths. The plus face is to its left.");
+    s.table("contact", &CrackSection::contact, contact_section())
+        .says("Unilateral contact of the faces; absent: traction-free.");
+    s.value("notch", &CrackSection::notch)
+        .in("mm")
+        .at_least(0.0)
+        .says("Arc length from the first point that is machined: no contact there.");
+    s.check(check_crack);
+    return s;
+}
+
+Section<BoundarySection> boundary_section() {
+    Section<BoundarySection> s;
+    s.value("on", &BoundarySection::on)
+        .must_be_given()
+        .says("A named edge of the specimen: top, bottom, left, right; or \"point\".");
+    s.value("at", &BoundarySection::at).in("mm").says("The point, with on = \"point\".");
+    s.value("displacement", &BoundarySection::displacement).in("mm").says("Displacement per unit load factor.");
+    s.value("traction", &BoundarySection::traction).in("MPa").says("Traction per unit load factor.");
+    s.value("traction_gradient", &BoundarySection::traction_gradient)
+        .in("MPa/mm")
+        .says("Adds gradient (x - origin) to the traction: bending and linear stress fields.");
+    s.value("origin", &BoundarySection::origin).in("mm").says("Where the gradient adds nothing.");
+    s.value("pressure", &BoundarySection::pressure)
+        .in("MPa")
+        .says("Pressure per unit load factor, along the inward normal.");
+    s.value("force", &BoundarySection::force).in("N/mm").says("Force at a point, per thickness and unit load factor.");
+    s.check(check_boundary);
+    return s;
+}
+
+Section<LoadBlock> block_section() {
+    Section<LoadBlock> s;
+    s.value("cycles", &LoadBlock::cycles).at_least(1).says("Number of cycles.");
+    s.value("max", &LoadBlock::max).must_be_given().says("Largest load factor.");
+    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest load factor.");
+    s.input("ratio", [](LoadBlock& block, double ratio) {
+         block.min = ratio * block.max;
+     }).says("Stands for min: min = ratio max.");
+    s.check(check_block);
+    return s;
+}
+
+Section<LoadSection> load_section() {
+    Section<LoadSection> s;
+    s.value("steps", &LoadSection::steps)
+        .at_least(2)
+        .even()
+        .says("Increments per cycle; the first ramp takes half as many more.");
+    s.list("blocks", &LoadSection::blocks, block_section()).says("Blocks of equal cycles, one after the other.");
+    s.value("control", &LoadSection::control).one_of({"load"}).says("What max and min mean; load: the load factor.");
+    return s;
+}
+
+Section<SolverSection> solver_section() {
+    Section<SolverSection> s;
+    s.value("tolerance", &SolverSection::tolerance).positive().below(1.0).says("Relative residual at equilibrium.");
+    s.value("max_iterations", &SolverSection::max_iterations)
+        .at_least(1)
+        .says("Newton iterations before an increment is cut.");
+    s.value("max_cuts", &SolverSection::max_cuts).at_least(0).says("Successive halvings of an increment.");
+    return s;
+}
+
+Section<CouplingSection> coupling_section() {
+    Section<CouplingSection> s;
+    s.value("state", &CouplingSection::state)
+        .one_of({"auto", "increment", "newton"})
+        .says("When full internal-variable states cross: at commits that need them, at every increment or Newton "
+              "iteration.");
+    return s;
+}
+
+Section<FineSection> fine_section() {
+    Section<FineSection> s;
+    s.value("beta", &FineSection::beta).positive().says("Zone radius R_sub = beta (pi/16) K_I^2 / sigma_y^2, eq. (3).");
+    s.value("radius", &FineSection::radius).in("mm").positive().says("A fixed zone radius instead of eq. (3).");
+    s.value("refine", &FineSection::refine).power_of_two().says("Mesh size over element size at the tip.");
+    s.value("subcells", &FineSection::subcells)
+        .at_least(1)
+        .says("Sub-quadrangles per element edge, 2 x 2 Gauss points each.");
+    s.choice<Enrichment>("enrichment", &FineSection::enrichment,
+                         {{"auto", Enrichment::Auto},
+                          {"none", Enrichment::None},
+                          {"single", Enrichment::Single},
+                          {"topological", Enrichment::Topological},
+                          {"geometrical", Enrichment::Geometrical}})
+        .says("Which nodes carry the singular functions of the tip.");
+    s.value("enrichment_n", &FineSection::enrichment_n)
+        .at_least(1.0)
+        .or_else("from the material")
+        .says("Hardening exponent n of the singular functions.");
+    s.choice<Guard>("guard", &FineSection::guard, {{"extend", Guard::Extend}, {"warn", Guard::Warn}})
+        .says("When a coarse point yields: extend the zone and redo the increment, or warn.");
+    return s;
+}
+
+Section<OutputSection> output_section() {
+    const std::vector<std::pair<std::string, Written>> when = {
+        {"extremes", Written::Extremes}, {"cycles", Written::Cycles}, {"all", Written::All}, {"none", Written::None}};
+    Section<OutputSection> s;
+    s.choice<Written>("faces", &OutputSection::faces, when)
+        .says("Increments in faces.csv: max, zero and min of the last cycle, those of every cycle, all or none.");
+    s.choice<Written>("fields", &OutputSection::fields, when).says("Increments with field files, likewise.");
+    s.value("format", &OutputSection::format).one_of({"vtkhdf", "vtu"}).says("Format of the field files.");
+    return s;
+}
+
+Section<Case> whole_case() {
+    Section<Case> s;
+    s.value("title", &Case::title).says("One line for reports.");
+    s.value("name", &Case::name)
+        .or_else("the folder of case.toml, or the file's stem")
+        .says("Names the folder of results.");
+    s.constant("units", "N-mm-MPa").says("the only system of units, units = \"N-mm-MPa\".");
+    s.table("model", &Case::model, model_section()).says("Plane state and thickness.");
+    s.table("mesh", &Case::mesh, mesh_section()).says("The specimen and its background mesh.");
+    s.table("material", &Case::material, material_section()).says("Elasticity and J2 plasticity.");
+    s.list("crack", &Case::cracks, crack_section()).says("Cracks.");
+    s.list("boundary", &Case::boundaries, boundary_section()).says("Supports and loads.");
+    s.table("load", &Case::load, load_section()).says("The history of the load factor.");
+    s.table("solver", &Case::solver, solver_section()).says("Newton's method.");
+    s.table("coupling", &Case::coupling, coupling_section()).says("The exchange between the two components.");
+    s.table("fine", &Case::fine, fine_section()).says("The zones around the tips with plasticity and contact.");
+    s.table("output", &Case::output, output_section()).says("What a run writes.");
+    s.check(check_case);
+    return s;
+}
+
+}  // namespace
+
+const Section<Case>& case_schema() {
+    static const Section<Case> schema = whole_case();
+    return schema;
+}
+
+}  // namespace stria

@@ -1,0 +1,262 @@
+// Declares what a case file may say, one statement a key: reading, checks, error texts and the reference follow from
+// it.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace stria::schema {
+
+struct Value;
+struct Member;
+using List = std::vector<Value>;
+using Table = std::vector<Member>;  // in the order of the file
+
+/// A value as the file gives it, with its line, so that every complaint can point at it.
+struct Value {
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Table> data;
+    int line = 0;  // 0: set on the command line
+};
+
+struct Member {
+    std::string name;
+    Value value;
+};
+
+/// The file and the dotted path of a value: "crack.0.contact".
+struct Place {
+    std::string file;
+    std::string path;
+
+    [[nodiscard]] Place inside(std::string_view name) const;
+};
+
+struct Rule {
+    std::function<bool(double)> holds;
+    std::string text;  // completes "must be ..."
+};
+
+/// All that is known of one key. The builders are chained in its declaration.
+struct Key {
+    std::string name = {};
+    std::string type = {};
+    std::string fallback = {};  // the default as text
+    std::string unit = {};
+    std::string sentence = {};
+    bool required = false;
+    bool repeated = false;  // a list of tables
+    std::vector<Rule> rules = {};
+    std::vector<std::string> words = {};  // empty: any text
+    std::vector<Key> keys = {};           // of a table or of each table of a list
+
+    Key& in(std::string its_unit);
+    Key& positive();
+    Key& at_least(double bound);
+    Key& below(double bound);
+    Key& even();
+    Key& power_of_two();
+    Key& one_of(std::vector<std::string> allowed);
+    Key& must_be_given();
+    Key& or_else(std::string default_text);  // where the default follows from something else
+    Key& says(std::string its_sentence);
+
+    /// "> 0", ">= 0 and < 0.5", "strain | stress"; empty where anything goes.
+    [[nodiscard]] std::string range() const;
+};
+
+/// The TOML text of a value; numbers keep every digit.
+std::string to_toml(const Value& value);
+const Value* find(const Value& table, std::string_view name);
+
+/// Throw CaseError: "case.toml:14: material.yield_stress = -350 MPa must be > 0", or the path and a sentence of one's
+/// own.
+[[noreturn]] void reject(const Place& place, const Value& value, const Key& key, const std::string& demand);
+[[noreturn]] void reject(const Place& place, int line, const std::string& sentence);
+
+void decode(const Value& value, const Key& key, const Place& place, double& out);
+void decode(const Value& value, const Key& key, const Place& place, int& out);
+void decode(const Value& value, const Key& key, const Place& place, std::string& out);
+void decode(const Value& value, const Key& key, const Place& place, Eigen::Vector2d& out);
+void decode(const Value& value, const Key& key, const Place& place, Eigen::Matrix2d& out);
+void decode(const Value& value, const Key& key, const Place& place, std::vector<Eigen::Vector2d>& out);
+void decode(const Value& value, const Key& key, const Place& place, std::array<std::optional<double>, 2>& out);
+
+template <class M> void decode(const Value& value, const Key& key, const Place& place, std::optional<M>& out) {
+    M read{};
+    decode(value, key, place, read);
+    out = read;
+}
+
+std::optional<Value> encode(double number);
+std::optional<Value> encode(int number);
+std::optional<Value> encode(const std::string& text);
+std::optional<Value> encode(const Eigen::Vector2d& point);
+std::optional<Value> encode(const Eigen::Matrix2d& matrix);
+std::optional<Value> encode(const std::vector<Eigen::Vector2d>& points);
+std::optional<Value> encode(const std::array<std::optional<double>, 2>& displacement);
+
+template <class M> std::optional<Value> encode(const std::optional<M>& value) {
+    return value ? encode(*value) : std::nullopt;
+}
+
+std::string type_of(double);
+std::string type_of(int);
+std::string type_of(const std::string&);
+std::string type_of(const Eigen::Vector2d&);
+std::string type_of(const Eigen::Matrix2d&);
+std::string type_of(const std::vector<Eigen::Vector2d>&);
+std::string type_of(const std::array<std::optional<double>, 2>&);
+
+template <class M> std::string type_of(const std::optional<M>& /*absent*/) { return type_of(M{}); }
+
+const Table& table_of(const Value& value, const Key& key, const Place& place);
+const List& list_of(const Value& value, const Key& key, const Place& place);
+
+/// The keys of one table of the file and the members of T they fill. Defaults are those of a new T.
+template <class T> class Section {
+public:
+    using Check = std::function<void(const T&, const Value&, const Place&)>;
+
+    template <class M> Key& value(const std::string& name, M T::*member) {
+        const std::optional<Value> standard = encode(T{}.*member);
+        return add({.key = {.name = name, .type = type_of(M{}), .fallback = standard ? to_toml(*standard) : "absent"},
+                    .read = [member](T& object, const Value& value, const Key& key,
+                                     const Place& place) { decode(value, key, place, object.*member); },
+                    .write = [member](const T& object) { return encode(object.*member); }});
+    }
+
+    /// A word of a fixed list.
+    template <class E>
+    Key& choice(const std::string& name, E T::*member, std::vector<std::pair<std::string, E>> words) {
+        const auto word_of = [words](E wanted) {
+            for (const auto& [word, meaning] : words)
+                if (meaning == wanted) return word;
+            return std::string();
+        };
+        const auto read = [member, words](T& object, const Value& value, const Key& key, const Place& place) {
+            std::string text;
+            decode(value, key, place, text);
+            for (const auto& [word, meaning] : words)
+                if (word == text) object.*member = meaning;
+        };
+        Key& key = add({.key = {.name = name, .type = "word", .fallback = '"' + word_of(T{}.*member) + '"'},
+                        .read = read,
+                        .write = [member, word_of](const T& object) { return encode(word_of(object.*member)); }});
+        for (const auto& [word, meaning] : words) key.words.push_back(word);
+        return key;
+    }
+
+    template <class M> Key& table(const std::string& name, M T::*member, const Section<M>& section) {
+        return add({.key = {.name = name, .type = "table", .keys = section.keys()},
+                    .read = [member, section](T& object, const Value& value, const Key& key,
+                                              const Place& place) { object.*member = section.read(value, key, place); },
+                    .write = [member, section](const T& object) { return section.write(object.*member); },
+                    .always = true});
+    }
+
+    template <class M> Key& table(const std::string& name, std::optional<M> T::*member, const Section<M>& section) {
+        return add({.key = {.name = name, .type = "table", .fallback = "absent", .keys = section.keys()},
+                    .read = [member, section](T& object, const Value& value, const Key& key,
+                                              const Place& place) { object.*member = section.read(value, key, place); },
+                    .write = [member, section](const T& object) -> std::optional<Value> {
+                        if (!(object.*member)) return std::nullopt;
+                        return section.write(*(object.*member));
+                    }});
+    }
+
+    template <class M> Key& list(const std::string& name, std::vector<M> T::*member, const Section<M>& section) {
+        const auto read = [member, section](T& object, const Value& value, const Key& key, const Place& place) {
+            int index = 0;
+            for (const Value& entry : list_of(value, key, place))
+                (object.*member).push_back(section.read(entry, key, place.inside(std::to_string(index++))));
+        };
+        const auto write = [member, section](const T& object) -> std::optional<Value> {
+            List entries;
+            for (const M& entry : object.*member) entries.push_back(section.write(entry));
+            return Value{.data = std::move(entries)};
+        };
+        return add(
+            {.key =
+                 {.name = name, .type = "list of tables", .fallback = "[]", .repeated = true, .keys = section.keys()},
+             .read = read,
+             .write = write});
+    }
+
+    /// A key that must be there and can only say one thing.
+    Key& constant(const std::string& name, const std::string& text) {
+        const auto read = [](T&, const Value& value, const Key& key, const Place& place) {
+            std::string given;
+            decode(value, key, place, given);
+        };
+        return add({.key = {.name = name, .type = "word", .required = true, .words = {text}},
+                    .read = read,
+                    .write = [text](const T&) { return encode(text); }});
+    }
+
+    /// Another way to give a number: read, never written. Keys declared before it are already in the object.
+    Key& input(const std::string& name, std::function<void(T&, double)> assign) {
+        const auto read = [assign](T& object, const Value& value, const Key& key, const Place& place) {
+            double number = 0.0;
+            decode(value, key, place, number);
+            assign(object, number);
+        };
+        return add({.key = {.name = name, .type = "number", .fallback = "absent"}, .read = read, .write = [](const T&) {
+                        return std::nullopt;
+                    }});
+    }
+
+    /// A condition that several keys must meet together.
+    void check(Check condition) { checks_.push_back(std::move(condition)); }
+
+    [[nodiscard]] T read(const Value& value, const Key& own, const Place& place) const {
+        static_cast<void>(table_of(value, own, place));
+        T object{};
+        const Value nothing{.data = Table{}, .line = value.line};
+        for (const Field& field : fields_) {
+            const Value* given = find(value, field.key.name);
+            const Place here = place.inside(field.key.name);
+            if (given == nullptr && field.key.required) reject(here, value.line, "is missing: " + field.key.sentence);
+            if (given == nullptr && field.always) given = &nothing;
+            if (given != nullptr) field.read(object, *given, field.key, here);
+        }
+        for (const Check& condition : checks_) condition(object, value, place);
+        return object;
+    }
+
+    [[nodiscard]] Value write(const T& object) const {
+        Table table;
+        for (const Field& field : fields_)
+            if (std::optional<Value> value = field.write(object)) table.push_back({field.key.name, *std::move(value)});
+        return {.data = std::move(table)};
+    }
+
+    [[nodiscard]] std::vector<Key> keys() const {
+        std::vector<Key> all;
+        for (const Field& field : fields_) all.push_back(field.key);
+        return all;
+    }
+
+private:
+    struct Field {
+        Key key;
+        std::function<void(T&, const Value&, const Key&, const Place&)> read;
+        std::function<std::optional<Value>(const T&)> write;
+        bool always = false;  // read even where absent: the table may hold keys that must be given
+    };
+
+    Key& add(Field field) { return fields_.emplace_back(std::move(field)).key; }
+
+    std::deque<Field> fields_;  // declarations hold references to its keys
+    std::vector<Check> checks_;
+};
+
+}  // namespace stria::schema

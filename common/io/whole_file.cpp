@@ -1,0 +1,52 @@
+#include "common/io/whole_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+namespace stria {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+    throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
+}
+
+/// Only what is on the disk before the rename survives a power cut after it.
+void sync(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(path, errno);
+    const int result = ::fsync(descriptor);
+    const int error = errno;
+    ::close(descriptor);
+    if (result != 0 && error != EINVAL) fail(path, error);  // EINVAL: a file system without sync
+}
+
+}  // namespace
+
+void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write) {
+    std::filesystem::path temporary = path;
+    temporary += ".part";
+    try {
+        write(temporary);
+        sync(temporary);
+        std::filesystem::rename(temporary, path);
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
+    sync(path.has_parent_path() ? path.parent_path() : ".");
+}
+
+void write_whole_text(const std::filesystem::path& path, std::string_view text) {
+    write_whole(path, [&](const std::filesystem::path& temporary) {
+        std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+        file.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
+        if (!file) fail(path, errno);
+    });
+}
+
+}  // namespace stria

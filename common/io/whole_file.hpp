@@ -1,0 +1,16 @@
+// Files that are there whole or not at all: written under a temporary name beside their own, synced, renamed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace stria {
+
+/// Calls `write` with the temporary path and puts the file it leaves there in the place of `path`. If `write` throws,
+/// or the disk refuses (std::system_error), an earlier file at `path` stays as it was.
+void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
+
+void write_whole_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace stria

@@ -1,0 +1,34 @@
+// A linear elastic structure as a leaf of the tree of substructures: condensed once by a supernodal Cholesky factor with
+// the boundary ordered last; S is its trailing block (ECOSYSTEM 2.3).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/linear/sparse.hpp"
+#include "common/substructure/substructure.hpp"
+
+namespace stria {
+
+class SparseLeaf : public Substructure {
+public:
+    /// `stiffness`: symmetric, both triangles stored, unknowns 0..n-1. `boundary`: the unknowns to keep, may be empty.
+    /// A body that floats on its boundary is allowed (S is then singular, exactly). Throws NumericalFailure
+    /// where K_ii is not positive definite.
+    SparseLeaf(const SparseMatrix& stiffness, std::vector<int> boundary);
+    ~SparseLeaf() override;
+
+    [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
+    [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
+    [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
+
+    /// Entries in the Cholesky factor.
+    [[nodiscard]] double factor_entries() const;
+
+private:
+    struct Factor;  // CHOLMOD stays behind this door
+    std::unique_ptr<Factor> factor_;
+    Eigen::MatrixXd tangent_;
+};
+
+}  // namespace stria

@@ -1,0 +1,38 @@
+// The symbolic half of a FrontTree: which unknowns meet in which front, and where each contribution falls.
+// It depends on the layout alone, so it is made once per geometry.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "common/substructure/front.hpp"
+#include "common/substructure/front_tree.hpp"
+
+namespace stria {
+
+/// An unknown's rank is its place in the order of elimination; the boundary comes last, in the order of the layout.
+struct AssemblyTree {
+    struct Node {
+        [[nodiscard]] bool leaf() const { return children[0] < 0; }
+
+        std::array<int, 2> children{-1, -1};  // both, or none in a leaf
+        std::array<Placement, 2> from_children;
+        std::vector<int> elements;             // of a leaf, ascending
+        std::vector<Placement> from_elements;  // one for each of them
+        int first_rank = 0;                    // its eliminated unknowns follow each other
+        int eliminated = 0;
+        std::vector<int> kept;  // ranks, ascending
+    };
+
+    explicit AssemblyTree(const FrontTree::Layout& layout);
+
+    std::vector<Node> nodes;  // children before parents, the root last
+    std::vector<int> rank;    // of each unknown
+    int interior = 0;         // unknowns that are not boundary
+
+private:
+    void rank_unknowns(const FrontTree::Layout& layout);
+    void place_contributions(const FrontTree::Layout& layout);
+};
+
+}  // namespace stria

@@ -1,0 +1,153 @@
+#include "common/substructure/front.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/linear/lapack.hpp"
+
+namespace stria {
+namespace {
+
+using lapack::Diagonal;
+using lapack::Op;
+using lapack::Side;
+using lapack::Triangle;
+
+auto size_of(int count) { return static_cast<std::size_t>(count); }
+
+bool vanishes(double pivot, double scale, double tolerance) {
+    return !(pivot > tolerance * scale) || !std::isfinite(pivot);
+}
+
+}  // namespace
+
+Front::Front(int eliminated, int kept, Symmetry symmetry)
+    : symmetry_(symmetry), eliminated_(eliminated), kept_(kept), stride_(std::max(1, eliminated + kept)),
+      panel_(eliminated + kept, eliminated), schur_(kept, kept), scale_(eliminated) {
+    if (symmetric()) return;
+    upper_.resize(eliminated, kept);
+    row_scale_.resize(eliminated);
+    pivots_.resize(size_of(eliminated));
+}
+
+void Front::clear() {
+    if (symmetric()) {
+        for (int i = 0; i < eliminated_; ++i) panel_.col(i).tail(eliminated_ + kept_ - i).setZero();
+        for (int i = 0; i < kept_; ++i) schur_.col(i).tail(kept_ - i).setZero();
+    } else {
+        panel_.setZero();
+        upper_.setZero();
+        schur_.setZero();
+    }
+}
+
+double* Front::entry(int row, int column) {
+    if (column < eliminated_) return &panel_(row, column);
+    if (row < eliminated_) return &upper_(row, column - eliminated_);
+    return &schur_(row - eliminated_, column - eliminated_);
+}
+
+void Front::add(const Eigen::MatrixXd& contribution, const Placement& placement) {
+    std::span<const Placement::Run> rows(placement.runs);
+    for (const Placement::Run& columns : placement.runs) {
+        for (int j = 0; j < columns.length; ++j) {
+            const double* column = contribution.col(columns.source + j).data();
+            add_column(column, columns.target + j, rows, symmetric() ? j : 0);
+        }
+        if (symmetric()) rows = rows.subspan(1);
+    }
+}
+
+void Front::add_column(const double* column, int target, std::span<const Placement::Run> rows, int above) {
+    for (const Placement::Run& run : rows) {
+        const double* from = column + run.source + above;
+        double* to = entry(run.target + above, target);
+        for (int i = 0; i < run.length - above; ++i) to[i] += from[i];
+        above = 0;
+    }
+}
+
+int Front::eliminate(double tolerance) {
+    if (eliminated_ == 0) return -1;
+    return symmetric() ? eliminate_symmetric(tolerance) : eliminate_general(tolerance);
+}
+
+int Front::eliminate_symmetric(double tolerance) {
+    scale_ = panel_.topRows(eliminated_).diagonal();
+    if (const int failed = lapack::cholesky(eliminated_, panel_.data(), stride_); failed > 0) return failed - 1;
+    for (int i = 0; i < eliminated_; ++i) {
+        if (vanishes(panel_(i, i) * panel_(i, i), scale_[i], tolerance)) return i;
+    }
+    double* below = panel_.data() + eliminated_;
+    lapack::solve_triangle(Side::Right, Triangle::Lower, Op::Transposed, Diagonal::General, kept_, eliminated_,
+                           panel_.data(), stride_, below, stride_);
+    lapack::add_square(kept_, eliminated_, -1.0, below, stride_, 1.0, schur_.data(), std::max(1, kept_));
+    return -1;
+}
+
+void Front::measure_scales() {
+    row_scale_.setZero();
+    for (int column = 0; column < eliminated_; ++column) {
+        const auto entries = panel_.col(column).head(eliminated_).cwiseAbs();
+        scale_[column] = std::max(entries.maxCoeff(), std::numeric_limits<double>::min());
+        row_scale_ = row_scale_.cwiseMax(entries / scale_[column]);
+    }
+}
+
+int Front::eliminate_general(double tolerance) {
+    measure_scales();
+    if (const int failed = lapack::lu(eliminated_, panel_.data(), stride_, pivots_.data()); failed > 0) {
+        return failed - 1;
+    }
+    lapack::interchange_rows(eliminated_, 1, row_scale_.data(), eliminated_, pivots_.data());
+    for (int i = 0; i < eliminated_; ++i) {
+        if (vanishes(std::abs(panel_(i, i)), scale_[i] * row_scale_[i], tolerance)) return i;
+    }
+    double* below = panel_.data() + eliminated_;
+    lapack::solve_triangle(Side::Right, Triangle::Upper, Op::Plain, Diagonal::General, kept_, eliminated_,
+                           panel_.data(), stride_, below, stride_);
+    lapack::interchange_rows(eliminated_, kept_, upper_.data(), eliminated_, pivots_.data());
+    lapack::solve_triangle(Side::Left, Triangle::Lower, Op::Plain, Diagonal::Unit, eliminated_, kept_, panel_.data(),
+                           stride_, upper_.data(), eliminated_);
+    lapack::subtract_product(kept_, kept_, eliminated_, below, stride_, upper_.data(), eliminated_, schur_.data(),
+                             std::max(1, kept_));
+    return -1;
+}
+
+void Front::mirror() {
+    if (!symmetric()) return;
+    constexpr int tile = 32;  // columns and rows of a tile both stay in the first cache
+    for (int first = 0; first < kept_; first += tile) {
+        for (int row = first; row < kept_; row += tile) {
+            const int columns_end = std::min(first + tile, kept_);
+            const int rows_end = std::min(row + tile, kept_);
+            for (int j = first; j < columns_end; ++j) {
+                for (int i = std::max(row, j + 1); i < rows_end; ++i) schur_(j, i) = schur_(i, j);
+            }
+        }
+    }
+}
+
+void Front::forward(Vector own, Vector kept) const {
+    if (eliminated_ == 0) return;
+    if (!symmetric()) lapack::interchange_rows(eliminated_, 1, own.data(), eliminated_, pivots_.data());
+    lapack::solve_triangle(Triangle::Lower, Op::Plain, symmetric() ? Diagonal::General : Diagonal::Unit, eliminated_,
+                           panel_.data(), stride_, own.data());
+    lapack::subtract_product(Op::Plain, kept_, eliminated_, panel_.data() + eliminated_, stride_, own.data(),
+                             kept.data());
+}
+
+void Front::backward(Vector own, const ConstVector& kept) const {
+    if (eliminated_ == 0) return;
+    if (symmetric()) {
+        lapack::subtract_product(Op::Transposed, kept_, eliminated_, panel_.data() + eliminated_, stride_, kept.data(),
+                                 own.data());
+    } else {
+        lapack::subtract_product(Op::Plain, eliminated_, kept_, upper_.data(), eliminated_, kept.data(), own.data());
+    }
+    lapack::solve_triangle(symmetric() ? Triangle::Lower : Triangle::Upper, symmetric() ? Op::Transposed : Op::Plain,
+                           Diagonal::General, eliminated_, panel_.data(), stride_, own.data());
+}
+
+}  // namespace stria

@@ -1,0 +1,139 @@
+#include "common/substructure/front_tree.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "common/error.hpp"
+#include "common/substructure/assembly_tree.hpp"
+#include "common/substructure/front.hpp"
+
+namespace stria {
+namespace {
+
+auto at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+struct FrontTree::Tree {
+    explicit Tree(const Layout& layout);
+
+    void refactor(std::size_t index, std::span<const Eigen::MatrixXd> matrices);
+    [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
+
+    std::size_t elements;
+    AssemblyTree plan;
+    std::vector<Front> fronts;
+    std::vector<char> dirty;
+    bool factored = false;
+    long refactored = 0;
+    int widest = 0;  // most unknowns that a front keeps
+};
+
+FrontTree::Tree::Tree(const Layout& layout)
+    : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()) {
+    fronts.reserve(plan.nodes.size());
+    for (const AssemblyTree::Node& node : plan.nodes) {
+        const int kept = static_cast<int>(node.kept.size());
+        fronts.emplace_back(node.eliminated, kept, layout.symmetry);
+        widest = std::max(widest, kept);
+    }
+}
+
+void FrontTree::Tree::refactor(std::size_t index, std::span<const Eigen::MatrixXd> matrices) {
+    const AssemblyTree::Node& node = plan.nodes[index];
+    Front& front = fronts[index];
+    front.clear();
+    for (std::size_t i = 0; i < node.elements.size(); ++i) {
+        const Eigen::MatrixXd& matrix = matrices[at(node.elements[i])];
+        const int order = node.from_elements[i].order;
+        require(matrix.rows() == order && matrix.cols() == order, "front tree: element matrix of the wrong order");
+        // Where a number is not finite no pivot need tell: it may stand between boundary unknowns.
+        if (!matrix.allFinite()) {
+            throw NumericalFailure("the tangent of an element of the zone is not finite: element " +
+                                   std::to_string(node.elements[i]));
+        }
+        front.add(matrix, node.from_elements[i]);
+    }
+    if (!node.leaf()) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            front.add(fronts[at(node.children[side])].schur(), node.from_children[side]);
+        }
+    }
+    // What rounding leaves of a pivot that should be zero grows with the number of eliminations (see SparseLeaf).
+    const double tolerance = static_cast<double>(plan.rank.size()) * std::numeric_limits<double>::epsilon();
+    if (const int place = front.eliminate(tolerance); place >= 0) fail(node, place);
+    ++refactored;
+}
+
+void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
+    const auto unknown = std::ranges::find(plan.rank, node.first_rank + place) - plan.rank.begin();
+    throw NumericalFailure("the tangent of the zone is singular at its unknown " + std::to_string(unknown));
+}
+
+FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
+FrontTree::~FrontTree() = default;
+
+void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed) {
+    Tree& tree = *tree_;
+    require(matrices.size() == tree.elements && changed.size() == tree.elements,
+            "front tree: one matrix and one flag an element");
+    // Until this call ends well nothing in the tree can be trusted: a throw leaves everything to be refactored.
+    const bool everything = !std::exchange(tree.factored, false);
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        const auto is_changed = [&](int element) { return changed[at(element)] != 0; };
+        const auto is_dirty = [&](int child) { return child >= 0 && tree.dirty[at(child)] != 0; };
+        const bool dirty = everything || std::ranges::any_of(node.elements, is_changed) ||
+                           std::ranges::any_of(node.children, is_dirty);
+        tree.dirty[index] = dirty ? 1 : 0;
+        if (dirty) tree.refactor(index, matrices);
+    }
+    if (tree.dirty.back() != 0) tree.fronts.back().mirror();
+    tree.factored = true;
+}
+
+const Eigen::MatrixXd& FrontTree::tangent() const {
+    require(tree_->factored, "front tree: factor() before tangent()");
+    return tree_->fronts.back().schur();
+}
+
+ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
+    const Tree& tree = *tree_;
+    require(tree.factored, "front tree: factor() before reduce()");
+    require(load.size() == std::ssize(tree.plan.rank), "front tree: a load on all unknowns");
+    Eigen::VectorXd y(load.size());
+    y(tree.plan.rank) = load;
+    Eigen::VectorXd buffer(tree.widest);
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        auto kept = buffer.head(std::ssize(node.kept));
+        kept = y(node.kept);
+        tree.fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
+        y(node.kept) = kept;
+    }
+    return {.interior = y.head(tree.plan.interior), .boundary = y.tail(y.size() - tree.plan.interior)};
+}
+
+Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const {
+    const Tree& tree = *tree_;
+    require(tree.factored, "front tree: factor() before expand()");
+    require(load.interior.size() == tree.plan.interior && boundary.size() == load.boundary.size(),
+            "front tree: expand() wants what reduce() gave");
+    Eigen::VectorXd x(std::ssize(tree.plan.rank));
+    x << load.interior, boundary;
+    Eigen::VectorXd buffer(tree.widest);
+    for (std::size_t index = tree.fronts.size(); index-- > 0;) {
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        auto kept = buffer.head(std::ssize(node.kept));
+        kept = x(node.kept);
+        tree.fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
+    }
+    return x(tree.plan.rank);
+}
+
+int FrontTree::fronts() const { return static_cast<int>(tree_->fronts.size()); }
+long FrontTree::refactored() const { return tree_->refactored; }
+
+}  // namespace stria

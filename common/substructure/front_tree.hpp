@@ -1,0 +1,48 @@
+// The zone as a binary tree of dense fronts (DESIGN section 1, NUMERICS 3): geometric bisection down to groups of about a
+// dozen elements; a front is recomputed only when an element below it changed.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/substructure/substructure.hpp"
+
+namespace stria {
+
+enum class Symmetry { Symmetric, General };
+
+class FrontTree : public Substructure {
+public:
+    struct Layout {
+        int unknowns = 0;                             // numbered 0..unknowns-1
+        std::vector<std::vector<int>> element_unknowns;  // per element, the order of its matrix
+        std::vector<Eigen::Vector2d> centres;         // per element, mm: what is bisected
+        std::vector<int> boundary;                    // unknowns kept to the root, in this order
+        int leaf_elements = 12;
+        Symmetry symmetry = Symmetry::Symmetric;      // General: partial LU with pivoting inside the eliminated block
+    };
+
+    explicit FrontTree(Layout layout);
+    ~FrontTree() override;
+
+    /// Refactors the paths from changed elements to the root (all, at the first call). `matrices[e]`: element matrix;
+    /// `changed[e]`: its matrix differs from that of the last call. Throws NumericalFailure on a singular pivot block.
+    /// Same inputs give the same bits, whatever was factored before.
+    void factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed);
+
+    [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
+    [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
+    [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
+
+    /// Fronts in the tree, and fronts refactored so far (counters of DESIGN 8).
+    [[nodiscard]] int fronts() const;
+    [[nodiscard]] long refactored() const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace stria

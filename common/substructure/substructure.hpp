@@ -1,0 +1,32 @@
+// DESIGN section 1: a substructure owns elements and interior unknowns, offers its condensed tangent on its boundary,
+// carries loads to the boundary, and recovers its interior when asked. Implementations: SparseLeaf, FrontTree.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace stria {
+
+/// A load b carried to the boundary: boundary = b_b - K_bi K_ii^-1 b_i; interior: what expand() needs again.
+struct ReducedLoad {
+    Eigen::VectorXd interior;
+    Eigen::VectorXd boundary;
+};
+
+class Substructure {
+public:
+    Substructure() = default;
+    Substructure(const Substructure&) = delete;
+    Substructure& operator=(const Substructure&) = delete;
+    virtual ~Substructure() = default;
+
+    /// Condensed tangent S = K_bb - K_bi K_ii^-1 K_ib, boundary unknowns in the order given at construction.
+    [[nodiscard]] virtual const Eigen::MatrixXd& tangent() const = 0;
+
+    /// Carries a load on all unknowns to the boundary.
+    [[nodiscard]] virtual ReducedLoad reduce(const Eigen::VectorXd& load) const = 0;
+
+    /// All unknowns x of K x = load, given those on the boundary.
+    [[nodiscard]] virtual Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const = 0;
+};
+
+}  // namespace stria

@@ -1,0 +1,34 @@
+// The port: all that the coarse component knows of the fine one. Direct object, thread, or MPI process: it cannot tell.
+#pragma once
+
+#include "coupling/messages.hpp"
+
+namespace stria::coupling {
+
+class FineScale {
+public:
+    FineScale() = default;
+    FineScale(const FineScale&) = delete;
+    FineScale& operator=(const FineScale&) = delete;
+    virtual ~FineScale() = default;
+
+    /// A new zone (Fig. 3a, or an extension); what it shares with the old one keeps its points and history.
+    virtual void set_patch(const Patch& patch) = 0;
+
+    /// Asks for the response to boundary displacements; returns at once where the transport allows.
+    virtual void request(const PatchDisplacement& displacement) = 0;
+
+    /// The answer to the last request. Throws NumericalFailure where a return mapping or a factorisation failed.
+    virtual PatchResponse collect() = 0;
+
+    /// Trial becomes committed. `reversal`: the load turned after this increment (plastic zones start anew).
+    virtual StepReport commit(bool reversal) = 0;
+
+    /// Trial becomes what was committed.
+    virtual void rollback() = 0;
+
+    /// Committed states of all points.
+    virtual ZoneState state() = 0;
+};
+
+}  // namespace stria::coupling

@@ -1,0 +1,49 @@
+// The fine component seen through a transport: each call is a question, and its answer or its failure comes back.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "coupling/fine_scale.hpp"
+#include "coupling/transport.hpp"
+
+namespace stria::coupling {
+
+/// What one conversation has cost.
+struct Traffic {
+    std::int64_t messages_sent = 0, messages_received = 0;
+    std::int64_t bytes_sent = 0, bytes_received = 0;
+};
+
+/// Strictly question and answer, one question in flight. Failures on the other side arrive as the exception they were
+/// there; a lost partner or a broken message is ComponentLost.
+class RemoteFineScale final : public FineScale {
+public:
+    /// Shakes hands: throws ComponentLost where the protocols differ, CaseError where the two sides read different
+    /// cases.
+    RemoteFineScale(Transport& transport, std::uint64_t case_digest);
+
+    /// Ends the conversation, so that serve() on the other side returns.
+    ~RemoteFineScale() override;
+
+    void set_patch(const Patch& patch) override;
+    void request(const PatchDisplacement& displacement) override;
+    PatchResponse collect() override;
+    StepReport commit(bool reversal) override;
+    void rollback() override;
+    ZoneState state() override;
+
+    [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+
+private:
+    void send(Tag tag, std::span<const std::byte> bytes);
+    Message receive();
+    Message answer(Tag expected);
+    Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
+
+    Transport& transport_;
+    Traffic traffic_;
+    bool in_flight_ = false;
+};
+
+}  // namespace stria::coupling

@@ -1,0 +1,29 @@
+// A conversation of byte messages: the only seam between in-process queues and MPI.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace stria::coupling {
+
+enum class Tag : std::uint32_t { Hello = 1, Patch, Displacement, Response, Commit, Report, Rollback, State, Failure, Stop, Done };
+
+struct Message {
+    Tag tag;
+    std::vector<std::byte> bytes;
+};
+
+class Transport {
+public:
+    Transport() = default;
+    Transport(const Transport&) = delete;
+    Transport& operator=(const Transport&) = delete;
+    virtual ~Transport() = default;
+
+    virtual void send(Tag tag, std::span<const std::byte> bytes) = 0;
+    virtual Message receive() = 0;  // blocks; throws ComponentLost where the peer is gone
+};
+
+}  // namespace stria::coupling

@@ -1,0 +1,100 @@
+// The fields of every message in the order in which they cross. Sender and receiver walk through the same list, so
+// their orders cannot differ, and the structured bindings do not compile where a field is missing.
+#pragma once
+
+#include <type_traits>
+
+#include "coupling/wire.hpp"
+
+namespace stria::coupling {
+
+template <class M, class T>
+concept Is = std::is_same_v<std::remove_const_t<M>, T>;
+
+void fields(auto& wire, Is<Hello> auto& m) {
+    auto& [protocol, case_digest] = m;
+    wire(protocol, case_digest);
+}
+
+void fields(auto& wire, Is<Failure> auto& m) {
+    auto& [kind, text] = m;
+    wire(kind, text);
+}
+
+void fields(auto& wire, Is<Commit> auto& m) {
+    auto& [reversal] = m;
+    wire(reversal);
+}
+
+void fields(auto& wire, Is<Ring> auto& m) {
+    auto& [tip, q, inner_radius, outer_radius] = m;
+    wire(tip, q, inner_radius, outer_radius);
+}
+
+void fields(auto& wire, Is<Term> auto& m) {
+    auto& [kind, owner, function, shift] = m;
+    wire(kind, owner, function, shift);
+}
+
+void fields(auto& wire, Is<CrackPiece> auto& m) {
+    auto& [crack, element, neighbour, points, s, entry, exit] = m;
+    wire(crack, element, neighbour, points, s, entry, exit);
+}
+
+void fields(auto& wire, Is<Tip> auto& m) {
+    auto& [crack, position, direction, s, upper] = m;
+    wire(crack, position, direction, s, upper);
+}
+
+void fields(auto& wire, Is<EnrichedMesh> auto& m) {
+    auto& [nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side,
+           first_unknown, unknowns] = m;
+    wire(nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side,
+         first_unknown, unknowns);
+}
+
+void fields(auto& wire, Is<Patch> auto& m) {
+    auto& [mesh, boundary, displacement, j_rings, k_rings] = m;
+    wire(mesh, boundary, displacement, j_rings, k_rings);
+}
+
+void fields(auto& wire, Is<PatchDisplacement> auto& m) {
+    auto& [iteration, predictor, boundary] = m;
+    wire(iteration, predictor, boundary);
+}
+
+void fields(auto& wire, Is<Digest> auto& m) {
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes] = m;
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes);
+}
+
+void fields(auto& wire, Is<PatchResponse> auto& m) {
+    auto& [force, tangent, interior_residual, interior_force, contact_residual, interior_correction,
+           interior_displacement, digest] = m;
+    wire(force, tangent, interior_residual, interior_force, contact_residual, interior_correction,
+         interior_displacement, digest);
+}
+
+void fields(auto& wire, Is<FaceSample> auto& m) {
+    auto& [crack, s, x, y, opening, slip, pressure, shear, status] = m;
+    wire(crack, s, x, y, opening, slip, pressure, shear, status);
+}
+
+void fields(auto& wire, Is<TipReport> auto& m) {
+    auto& [J, interaction_I, interaction_II, CTOD, plastic_zone, plastic_zone_axis] = m;
+    wire(J, interaction_I, interaction_II, CTOD, plastic_zone, plastic_zone_axis);
+}
+
+void fields(auto& wire, Is<StepReport> auto& m) {
+    auto& [tips, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
+           contact_s, factor_s] = m;
+    wire(tips, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
+         contact_s, factor_s);
+}
+
+void fields(auto& wire, Is<ZoneState> auto& m) {
+    auto& [displacement, element, side, x, y, weight, stress, plastic_strain, accumulated] = m;
+    wire(displacement, element, side, x, y, weight, stress, plastic_strain, accumulated);
+}
+
+}  // namespace stria::coupling

@@ -1,0 +1,89 @@
+// The faces of all cracks with contact in the zone: interface stations, multipliers, weighted gaps, and their statuses.
+#pragma once
+
+#include <Eigen/Core>
+#include <set>
+#include <vector>
+
+#include "common/fem/crack_faces.hpp"
+#include "common/fem/element_operator.hpp"
+#include "common/io/case.hpp"
+#include "coupling/messages.hpp"
+#include "fine/contact/contact_law.hpp"
+#include "fine/contact/multiplier_space.hpp"
+
+namespace stria::fine {
+
+class ContactInterface {
+public:
+    /// `subcells`: interface elements are the crack's pieces cut by the s x s sub-quadrangles. `stiffness`: E', MPa.
+    ContactInterface(const EnrichedMesh& mesh, const std::vector<CrackSection>& cracks, int subcells, double stiffness);
+
+    [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
+
+    /// Unknowns with a jump at some station, ascending: the columns of B that are not zero.
+    [[nodiscard]] const std::vector<int>& jump_unknowns() const { return jump_unknowns_; }
+
+    /// B, one row a multiplier, one column a jump unknown: B_k = integral of Phi_k n . N, mm.
+    [[nodiscard]] const Eigen::MatrixXd& operator_B() const { return B_; }
+
+    /// Weighted gaps g = B u / w, mm.
+    [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& u) const;
+
+    /// Adds -B^T p to a vector over the zone's unknowns: the faces push each other apart.
+    void add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const;
+
+    /// Chooses the statuses for the next Newton step from pressures and gaps. Where a set of statuses comes back within one
+    /// increment, only the worst multiplier is flipped from then on (NUMERICS 1.7).
+    void choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
+    void begin_increment();
+
+    [[nodiscard]] const std::vector<std::int8_t>& statuses() const { return status_; }
+    [[nodiscard]] int status_changes() const { return changes_; }
+
+    /// Largest complementarity residual as a force per thickness, N/mm.
+    [[nodiscard]] double residual(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+
+    /// Rows of the semismooth system over (jump unknowns, multipliers), right-hand side for the present statuses:
+    /// closed: -B_k du = B_k u;  open: -d_k dp = d_k p, with d_k = w_k/c_k.
+    struct Rows {
+        Eigen::MatrixXd jump;       // m x jump unknowns
+        Eigen::VectorXd diagonal;   // on the multipliers
+        Eigen::VectorXd right_hand_side;
+    };
+    [[nodiscard]] Rows rows(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+
+    /// Pressure at a station from the multipliers, MPa.
+    [[nodiscard]] double pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const;
+
+    [[nodiscard]] const std::vector<FaceStation>& stations() const { return stations_; }
+
+    /// Identity of each multiplier across a change of zone: crack and arc length of its node.
+    struct Key {
+        int crack;
+        double s;
+    };
+    [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+
+private:
+    struct CrackSpace {
+        int crack;
+        double notch;
+        int first_multiplier;
+        MultiplierSpace space;
+    };
+    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(const FaceStation& station) const;
+
+    std::vector<CrackSpace> spaces_;
+    std::vector<FaceStation> stations_;
+    std::vector<Key> keys_;
+    std::vector<int> jump_unknowns_;
+    Eigen::MatrixXd B_;
+    Eigen::VectorXd weight_, augmentation_;
+    std::vector<std::int8_t> status_;
+    std::set<std::vector<std::int8_t>> visited_;
+    bool one_at_a_time_ = false;
+    int changes_ = 0;
+};
+
+}  // namespace stria::fine

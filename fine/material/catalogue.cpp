@@ -1,0 +1,53 @@
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "fine/material/elastic.hpp"
+#include "fine/material/j2.hpp"
+
+namespace stria::fine {
+
+namespace {
+
+void demand(bool met, std::string_view key, const auto& value, std::string_view allowed) {
+    if (!met) throw CaseError(fmt::format("material.{} = {}: {}", key, value, allowed));
+}
+
+std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material) {
+    J2Parameters parameters{.elasticity = elasticity_of(material),
+                            .yield_stress = *material.yield_stress,
+                            .isotropic = material.isotropic.modulus,
+                            .kinematic = {}};
+    demand(parameters.yield_stress > 0.0, "yield_stress", parameters.yield_stress, "must be > 0");
+    demand(parameters.isotropic >= 0.0, "isotropic.modulus", parameters.isotropic, "must be >= 0");
+    for (const auto& [C, gamma] : material.kinematic) {
+        demand(C >= 0.0, "kinematic.C", C, "must be >= 0");
+        demand(gamma == 0.0, "kinematic.gamma", gamma, "this version has Prager's rule only, gamma = 0");
+        parameters.kinematic.push_back(C);
+    }
+    return std::make_unique<J2>(parameters);
+}
+
+struct Entry {
+    std::string_view isotropic_law;
+    std::unique_ptr<MaterialLaw> (*make)(const MaterialSection&);
+};
+
+constexpr std::array catalogue{Entry{"linear", make_linear}};
+
+}  // namespace
+
+std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane) {
+    if (plane == PlaneState::Stress) throw CaseError("model.plane = stress: this version has plane strain only");
+    if (!material.yield_stress) return std::make_unique<Elastic>(elasticity_of(material));
+    for (const Entry& entry : catalogue)
+        if (entry.isotropic_law == material.isotropic.law) return entry.make(material);
+    std::string known;
+    for (const Entry& entry : catalogue) known += fmt::format(" \"{}\"", entry.isotropic_law);
+    throw CaseError(fmt::format("material.isotropic.law = \"{}\": this version has{}", material.isotropic.law, known));
+}
+
+}  // namespace stria::fine

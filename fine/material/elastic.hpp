@@ -1,0 +1,22 @@
+// Isotropic linear elasticity as a material law: the zone of a case without a yield stress.
+#pragma once
+
+#include "common/material/elasticity.hpp"
+#include "fine/material/material_law.hpp"
+
+namespace stria::fine {
+
+class Elastic final : public MaterialLaw {
+public:
+    explicit Elastic(const Elasticity& elasticity) : stiffness_(elasticity.stiffness()) {}
+
+    [[nodiscard]] int state_size() const override { return state::back_stress; }
+    void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
+                double* tangent, unsigned char* yielding) const override;
+    [[nodiscard]] MandelMatrix elastic() const override { return stiffness_; }
+
+private:
+    MandelMatrix stiffness_;
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,34 @@
+// J2 plasticity in plane strain with linear isotropic hardening and Prager back stresses: radial return in closed form.
+#pragma once
+
+#include <vector>
+
+#include "common/material/elasticity.hpp"
+#include "fine/material/material_law.hpp"
+
+namespace stria::fine {
+
+struct J2Parameters {
+    Elasticity elasticity;
+    double yield_stress;            // MPa, of the virgin material
+    double isotropic = 0.0;         // MPa, H of R = H p
+    std::vector<double> kinematic;  // MPa, C of each dX = 2/3 C d(eps_p)
+};
+
+class J2 final : public MaterialLaw {
+public:
+    explicit J2(const J2Parameters& parameters);
+
+    [[nodiscard]] int state_size() const override;
+    void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
+                double* tangent, unsigned char* yielding) const override;
+    [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }
+
+private:
+    J2Parameters parameters_;
+    double bulk_;      // MPa
+    double shear_;     // MPa
+    double uniaxial_;  // MPa, 3 G + H + sum C: overstress per unit of plastic flow
+};
+
+}  // namespace stria::fine

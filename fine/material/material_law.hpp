@@ -1,0 +1,46 @@
+// Small-strain material laws on blocks of points: (strain increments, committed states) -> (trial states, tangents).
+// The state of a point holds its stress: total strain is not recoverable once tip functions are frozen (DESIGN section 6).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/io/case.hpp"
+#include "common/mandel.hpp"
+
+namespace stria::fine {
+
+/// Points are stored component by component: entry (component c, point q) at [c * stride + q].
+/// Every law's state begins with these components, all in Mandel form; further back stresses follow.
+namespace state {
+inline constexpr int stress = 0;          // 4 components, MPa
+inline constexpr int plastic_strain = 4;  // 4 components
+inline constexpr int accumulated = 8;     // equivalent plastic strain p
+inline constexpr int work = 9;            // stress work density, integral of sigma : d eps, N/mm2
+inline constexpr int dissipation = 10;    // plastic dissipation density, integral of sigma_y dp, N/mm2
+inline constexpr int back_stress = 11;    // 4 components for each back stress, MPa
+}  // namespace state
+
+class MaterialLaw {
+public:
+    virtual ~MaterialLaw() = default;
+
+    /// Number of state components of a point.
+    [[nodiscard]] virtual int state_size() const = 0;
+
+    /// Updates `points` points stored with `stride`: strain increments (4 components) and committed states in, trial states
+    /// and consistent tangents (16 components, row-major 4 x 4 Mandel) out; `yielding[q]` = plastic flow in this increment.
+    /// Pure: same inputs, same bits. Throws NumericalFailure where the return mapping fails.
+    virtual void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
+                        double* tangent, unsigned char* yielding) const = 0;
+
+    /// Elastic stiffness in Mandel form (plane strain; zz row and column included).
+    [[nodiscard]] virtual MandelMatrix elastic() const = 0;
+};
+
+/// The law of a case: J2 with linear isotropic and Prager hardening, or elastic where no yield stress is given.
+std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane);
+
+}  // namespace stria::fine

@@ -1,0 +1,208 @@
+#include "fine/zone_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+#include "common/stopwatch.hpp"
+
+namespace stria::fine {
+
+ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_of(input.material)) {}
+
+void ZoneSystem::set_patch(const coupling::Patch& patch) {
+    const std::unique_ptr<Zone> old = std::move(zone_);
+    const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
+    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, input_.fine.subcells);
+    contact_ = std::make_unique<ContactInterface>(patch.mesh, input_.cracks, input_.fine.subcells, elastic_.plane_modulus());
+    keep_history(patch, old.get(), old_contact.get());
+    patch_ = patch;
+    trial_ = committed_;
+}
+
+void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact) {
+    Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
+    Unknowns step{Eigen::VectorXd::Zero(patch.mesh.unknowns), next.pressure};
+    if (old != nullptr) {
+        std::map<std::tuple<int, int>, int> first;  // (node id, term) -> first of its two unknowns
+        for (std::size_t n = 0; n < old->mesh().nodes.size(); ++n) {
+            for (int t = 0; t <= static_cast<int>(old->mesh().terms[n].size()); ++t) {
+                first[{old->mesh().node_ids[n], t}] = old->mesh().unknown(static_cast<int>(n), t, 0);
+            }
+        }
+        for (std::size_t n = 0; n < patch.mesh.nodes.size(); ++n) {
+            for (int t = 0; t <= static_cast<int>(patch.mesh.terms[n].size()); ++t) {
+                const auto found = first.find({patch.mesh.node_ids[n], t});
+                if (found == first.end()) continue;
+                const int to = patch.mesh.unknown(static_cast<int>(n), t, 0);
+                next.displacement.segment<2>(to) = committed_.displacement.segment<2>(found->second);
+                step.displacement.segment<2>(to) = last_increment_.displacement.segment<2>(found->second);
+            }
+        }
+        for (int k = 0; k < contact_->multipliers(); ++k) {
+            const auto same = [&](const ContactInterface::Key& key) {
+                const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
+                return key.crack == own.crack && std::abs(key.s - own.s) < 1e-9 * (1.0 + own.s);
+            };
+            const auto found = std::ranges::find_if(old_contact->keys(), same);
+            if (found == old_contact->keys().end()) continue;
+            next.pressure[k] = committed_.pressure[found - old_contact->keys().begin()];
+        }
+    }
+    committed_ = std::move(next);
+    last_increment_ = std::move(step);
+    zone_->start(old, committed_.displacement);
+}
+
+void ZoneSystem::predict(double factor) {
+    trial_.displacement = committed_.displacement + factor * last_increment_.displacement;
+    trial_.pressure = (committed_.pressure + factor * last_increment_.pressure).cwiseMax(0.0);
+    largest_move_ = std::numeric_limits<double>::infinity();
+    contact_->begin_increment();
+}
+
+void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure) {
+    trial_.displacement += displacement;
+    trial_.pressure += pressure;
+    largest_move_ = displacement.size() > 0 ? displacement.cwiseAbs().maxCoeff() : 0.0;
+}
+
+void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
+    for (std::size_t k = 0; k < patch_.boundary.size(); ++k) trial_.displacement[patch_.boundary[k]] = displacement[static_cast<Eigen::Index>(k)];
+}
+
+void ZoneSystem::linearise() {
+    {
+        const Stopwatch watch(constitutive_s_);
+        zone_->evaluate(trial_.displacement);
+    }
+    const Stopwatch watch(contact_s_);
+    gap_ = contact_->gaps(trial_.displacement);
+    contact_->choose_statuses(trial_.pressure, gap_);
+    Eigen::VectorXd force = zone_->internal_force();
+    contact_->add_force(trial_.pressure, force);
+    load_ = -force;
+}
+
+coupling::PatchResponse ZoneSystem::measure() const {
+    coupling::PatchResponse response;
+    std::vector<char> on_boundary(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
+    for (int i = 0; i < patch_.mesh.unknowns; ++i) {
+        response.interior_force = std::max(response.interior_force, zone_->force_scale()[i]);
+        if (on_boundary[static_cast<std::size_t>(i)] == 0) response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
+    }
+    response.contact_residual = contact_->residual(trial_.pressure, gap_);
+    response.interior_correction = largest_move_;
+    response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
+    response.digest.yielding_points = zone_->yielding_points();
+    response.digest.largest_plastic_increment = zone_->largest_plastic_increment();
+    response.digest.status = contact_->statuses();
+    response.digest.multiplier.assign(trial_.pressure.begin(), trial_.pressure.end());
+    response.digest.status_changes = contact_->status_changes();
+    return response;
+}
+
+coupling::StepReport ZoneSystem::commit(bool reversal) {
+    last_increment_ = {trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
+    committed_ = trial_;
+    zone_->commit(reversal);
+    coupling::StepReport report;
+    report_tips(report);
+    report_faces(report);
+    report.dissipation = zone_->dissipation();
+    report.points = zone_->points();
+    report.unknowns = patch_.mesh.unknowns + contact_->multipliers();
+    report.multipliers = contact_->multipliers();
+    report.constitutive_s = constitutive_s_;
+    report.contact_s = contact_s_;
+    return report;
+}
+
+void ZoneSystem::report_tips(coupling::StepReport& report) const {
+    const auto tips = patch_.mesh.tips.size();
+    report.tips.resize(tips);
+    for (const coupling::Ring& ring : patch_.j_rings) {
+        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(ring.tip)];
+        DomainIntegral sum = zone_->ring_integral(tip, ring.q, true, false);
+        sum += face_integral(tip, ring);
+        report.tips[static_cast<std::size_t>(ring.tip)].J = sum.J;
+    }
+    for (const coupling::Ring& ring : patch_.k_rings) {
+        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(ring.tip)];
+        DomainIntegral sum = zone_->ring_integral(tip, ring.q, false, true);
+        sum += face_integral(tip, ring);
+        report.tips[static_cast<std::size_t>(ring.tip)].interaction_I = sum.interaction_I;
+        report.tips[static_cast<std::size_t>(ring.tip)].interaction_II = sum.interaction_II;
+    }
+    for (std::size_t t = 0; t < tips; ++t) {
+        const Tip& tip = patch_.mesh.tips[t];
+        report.tips[t].CTOD = opening_at_intercept(patch_.mesh, tip, committed_.displacement);
+        report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
+        report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);
+    }
+}
+
+// Faces under pressure inside the ring: with traction t = +-p n the terms -(t . u_,1) q of both faces add up to
+// -p d(opening)/dx1 q (J) and -p d(auxiliary opening)/dx1 q (interaction), axis 1 along the tip.
+DomainIntegral ZoneSystem::face_integral(const Tip& tip, const coupling::Ring& ring) const {
+    DomainIntegral sum;
+    for (const FaceStation& station : contact_->stations()) {
+        if (station.crack != tip.crack) continue;
+        const double pressure = contact_->pressure_at(station, committed_.pressure);
+        if (pressure <= 0.0) continue;
+        const double r = (station.x - tip.position).norm();
+        const double q = std::clamp((ring.outer_radius - r) / (ring.outer_radius - ring.inner_radius), 0.0, 1.0);
+        if (q == 0.0) continue;
+        const double towards_tip = station.tangent.dot(tip.direction);
+        const double step = 1e-4 * std::min(r, station.weight);
+        const FaceStation before = face_station_at(patch_.mesh, station.crack, station.s - step);
+        const FaceStation after = face_station_at(patch_.mesh, station.crack, station.s + step);
+        const double slope = (after.opening(committed_.displacement) - before.opening(committed_.displacement)) / (2.0 * step);
+        sum.J -= station.weight * q * pressure * slope * towards_tip;
+        for (const int mode : {1, 2}) {
+            const Eigen::Matrix2d jump = williams_field(mode, tip, station.x, 1, elastic_).gradient - williams_field(mode, tip, station.x, -1, elastic_).gradient;
+            const double term = -station.weight * q * pressure * station.normal.dot(jump * tip.direction);
+            (mode == 1 ? sum.interaction_I : sum.interaction_II) += term;
+        }
+    }
+    return sum;
+}
+
+void ZoneSystem::report_faces(coupling::StepReport& report) const {
+    const auto cracks = input_.cracks.size();
+    report.contact_length.assign(cracks, 0.0);
+    report.mouth_opening.assign(cracks, std::numeric_limits<double>::quiet_NaN());
+    for (const FaceStation& station : contact_->stations()) {
+        coupling::FaceSample sample;
+        sample.crack = station.crack;
+        sample.s = station.s;
+        sample.x = station.x.x();
+        sample.y = station.x.y();
+        sample.opening = station.opening(committed_.displacement);
+        sample.slip = station.slip(committed_.displacement);
+        sample.pressure = contact_->pressure_at(station, committed_.pressure);
+        sample.status = sample.pressure > 0.0 ? 1 : 0;
+        if (sample.status != 0) report.contact_length[static_cast<std::size_t>(station.crack)] += station.weight;
+        report.faces.push_back(sample);
+    }
+    for (std::size_t crack = 0; crack < cracks; ++crack) {
+        for (const CrackPiece& piece : patch_.mesh.pieces) {
+            if (piece.crack != static_cast<int>(crack)) continue;
+            const FaceStation mouth = face_station_at(patch_.mesh, piece.crack, piece.s.front());
+            if (piece.entry >= 0.0) report.mouth_opening[crack] = mouth.opening(committed_.displacement);
+            break;
+        }
+    }
+}
+
+coupling::ZoneState ZoneSystem::state() const {
+    coupling::ZoneState out;
+    zone_->describe(out);
+    return out;
+}
+
+}  // namespace stria::fine

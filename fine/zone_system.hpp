@@ -1,0 +1,68 @@
+// The nonlinear zone before anyone condenses it: bulk and contact, committed and trial unknowns, residuals and reports.
+#pragma once
+
+#include <memory>
+
+#include "common/io/case.hpp"
+#include "coupling/messages.hpp"
+#include "fine/contact/contact_interface.hpp"
+#include "fine/zone.hpp"
+
+namespace stria::fine {
+
+class ZoneSystem {
+public:
+    explicit ZoneSystem(const Case& input);
+
+    /// A new zone; elements and multipliers that the old one had keep their history.
+    void set_patch(const coupling::Patch& patch);
+
+    /// Trial = committed + factor * last increment: the first iterate of an increment.
+    void predict(double factor);
+
+    /// Moves the trial unknowns: displacements of the zone, pressures of the multipliers.
+    void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure);
+    void set_boundary(const Eigen::VectorXd& displacement);
+
+    /// Stresses, tangents, gaps and statuses at the trial unknowns.
+    void linearise();
+
+    /// What Newton has to remove from every zone unknown: -(internal force - B^T p), N/mm.
+    [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
+
+    [[nodiscard]] const Zone& zone() const { return *zone_; }
+    [[nodiscard]] const ContactInterface& contact() const { return *contact_; }
+    [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
+    [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
+    [[nodiscard]] ContactInterface::Rows contact_rows() const { return contact_->rows(trial_.pressure, gap_); }
+
+    /// Residuals, scales and digest; force and tangent are left to who condenses.
+    [[nodiscard]] coupling::PatchResponse measure() const;
+
+    coupling::StepReport commit(bool reversal);
+    [[nodiscard]] coupling::ZoneState state() const;
+
+    [[nodiscard]] double constitutive_seconds() const { return constitutive_s_; }
+    [[nodiscard]] double contact_seconds() const { return contact_s_; }
+
+private:
+    struct Unknowns {
+        Eigen::VectorXd displacement, pressure;
+    };
+    void keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact);
+    void report_tips(coupling::StepReport& report) const;
+    void report_faces(coupling::StepReport& report) const;
+    [[nodiscard]] DomainIntegral face_integral(const Tip& tip, const coupling::Ring& ring) const;
+
+    const Case& input_;
+    Elasticity elastic_;
+    coupling::Patch patch_;
+    std::unique_ptr<Zone> zone_;
+    std::unique_ptr<ContactInterface> contact_;
+    Unknowns committed_, trial_, last_increment_;
+    Eigen::VectorXd gap_, load_;
+    double largest_move_ = 0.0;
+    double constitutive_s_ = 0.0, contact_s_ = 0.0;
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,76 @@
+// One material point driven on its own: strain increments, or uniaxial and plane stress histories by Newton's method.
+#pragma once
+
+#include <Eigen/LU>
+#include <cmath>
+#include <initializer_list>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "fine/material/material_law.hpp"
+
+namespace stria::test {
+
+struct PointUpdate {
+    std::vector<double> state;
+    MandelMatrix tangent;
+    bool yields;
+
+    [[nodiscard]] Mandel tensor(int component) const { return Eigen::Map<const Mandel>(state.data() + component); }
+    [[nodiscard]] Mandel stress() const { return tensor(fine::state::stress); }
+    [[nodiscard]] double scalar(int component) const { return state[static_cast<std::size_t>(component)]; }
+};
+
+inline PointUpdate update_point(const fine::MaterialLaw& law, const std::vector<double>& committed,
+                                const Mandel& strain_increment) {
+    PointUpdate update{.state = std::vector<double>(committed.size()), .tangent = {}, .yields = false};
+    Eigen::Matrix<double, 4, 4, Eigen::RowMajor> tangent;
+    unsigned char yields = 0;
+    law.update(1, 1, strain_increment.data(), committed.data(), update.state.data(), tangent.data(), &yields);
+    update.tangent = tangent;
+    update.yields = yields != 0;
+    return update;
+}
+
+class MaterialPoint {
+public:
+    explicit MaterialPoint(const MaterialSection& material)
+        : law_(fine::make_material_law(material, PlaneState::Strain)),
+          last_{.state = std::vector<double>(static_cast<std::size_t>(law_->state_size()), 0.0),
+                .tangent = law_->elastic(),
+                .yields = false} {}
+
+    const PointUpdate& strain_by(const Mandel& increment) {
+        last_ = update_point(*law_, last_.state, increment);
+        strain_ += increment;
+        return last_;
+    }
+
+    /// Brings the strain component `driven` to `value` while the stress components `free` vanish; the others stay.
+    const PointUpdate& drive(int driven, double value, std::initializer_list<int> free) {
+        const std::vector<int> unknown(free);
+        Mandel increment = Mandel::Zero();
+        increment[driven] = value - strain_[driven];
+        for (int iteration = 0; iteration < 50; ++iteration) {
+            const PointUpdate trial = update_point(*law_, last_.state, increment);
+            const Eigen::VectorXd residual = trial.stress()(unknown);
+            if (residual.norm() <= 1e-10 * (1.0 + trial.stress().norm())) return strain_by(increment);
+            increment(unknown) -= trial.tangent(unknown, unknown).partialPivLu().solve(residual);
+        }
+        throw std::runtime_error("material point: lateral strains not found");
+    }
+
+    /// Uniaxial stress along yy: its value at the strain `value`.
+    double uniaxial(double value) { return drive(1, value, {0, 2}).stress()[1]; }
+
+    [[nodiscard]] const PointUpdate& last() const { return last_; }
+    [[nodiscard]] const fine::MaterialLaw& law() const { return *law_; }
+
+private:
+    std::unique_ptr<fine::MaterialLaw> law_;
+    PointUpdate last_;
+    Mandel strain_ = Mandel::Zero();
+};
+
+}  // namespace stria::test

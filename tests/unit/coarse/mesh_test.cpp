@@ -1,0 +1,208 @@
+// Specimen meshes: graded axes, named edges, handbook values, and what the case may not ask.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "coarse/specimen/graded_axis.hpp"
+#include "coarse/specimen/specimen.hpp"
+#include "coarse/specimen/structured.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+namespace {
+
+Case plain_case() {
+    Case scene;
+    scene.mesh = {.specimen = "sent", .width = 50.0, .height = 200.0, .size = 5.0, .grading = {}};
+    scene.cracks = {CrackSection{.points = {{0.0, 100.0}, {20.0, 100.0}}, .contact = {}, .notch = 0.0}};
+    return scene;
+}
+
+AxisGrading anchor_at(double x, double size, double outer_size, double radius) {
+    return {x, x, size, outer_size, radius, 0.25, true};
+}
+
+/// The cell that holds x, as [first, second].
+std::pair<double, double> cell_at(const std::vector<double>& positions, double x) {
+    const auto above = std::upper_bound(positions.begin(), positions.end(), x);
+    return {*(above - 1), *above};
+}
+
+double largest_ratio(const std::vector<double>& positions) {
+    double largest = 1.0;
+    for (std::size_t k = 2; k < positions.size(); ++k) {
+        const double ratio = (positions[k] - positions[k - 1]) / (positions[k - 1] - positions[k - 2]);
+        largest = std::max({largest, ratio, 1.0 / ratio});
+    }
+    return largest;
+}
+
+std::string refusal(const Case& scene) {
+    try {
+        static_cast<void>(make_mesh(scene));
+    } catch (const CaseError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(GradedAxis, IsUniformWithoutGradings) {
+    const std::vector<double> positions = graded_axis(10.0, 3.0, {});
+    ASSERT_EQ(positions.size(), 4U);
+    EXPECT_NEAR(positions[1], 10.0 / 3.0, 1e-14);
+    EXPECT_EQ(positions.back(), 10.0);
+    EXPECT_EQ(graded_axis(1.0, 5.0, {}), (std::vector<double>{0.0, 1.0}));
+}
+
+TEST(GradedAxis, PutsAnchorsInTheMiddleOfSmallCells) {
+    for (const double place : {0.8, 7.3, 20.0, 25.0, 49.0}) {
+        for (const double size : {0.01, 0.37, 1.0}) {
+            const std::vector<AxisGrading> gradings{anchor_at(place, size, 2.0 * size, 4.0)};
+            const std::vector<double> positions = graded_axis(50.0, 5.0, gradings);
+            const auto [low, high] = cell_at(positions, place);
+            EXPECT_NEAR(0.5 * (low + high), place, 1e-12);
+            EXPECT_LE(high - low, size * (1.0 + 1e-12));
+            EXPECT_LT(largest_ratio(positions), 2.6) << place << ' ' << size;
+            for (std::size_t k = 1; k < positions.size(); ++k) {
+                const double cell = positions[k] - positions[k - 1];
+                const bool within = std::max(std::abs(positions[k] - place), std::abs(positions[k - 1] - place)) <= 4.0;
+                EXPECT_LE(cell, (within ? 2.0 * size : 5.0) * (1.0 + 1e-12));
+                EXPECT_GT(cell, 0.0);
+            }
+        }
+    }
+}
+
+TEST(GradedAxis, TakesSeveralAnchorsAndIntervals) {
+    const std::vector<AxisGrading> gradings{
+        anchor_at(10.0, 0.5, 0.5, 1.0), anchor_at(12.2, 0.2, 0.4, 1.0), {30.0, 34.0, 0.1, 0.1, 0.0, 0.5, false}};
+    const std::vector<double> positions = graded_axis(50.0, 2.0, gradings);
+    for (const double place : {10.0, 12.2}) {
+        const auto [low, high] = cell_at(positions, place);
+        EXPECT_NEAR(0.5 * (low + high), place, 1e-12);
+    }
+    for (double x = 30.05; x < 34.0; x += 0.1) {
+        const auto [low, high] = cell_at(positions, x);
+        if (low >= 30.0 && high <= 34.0) {
+            EXPECT_LE(high - low, 0.1 * (1.0 + 1e-12));
+        }
+    }
+    EXPECT_LT(largest_ratio(positions), 2.6);
+}
+
+TEST(GradedAxis, IsSymmetricIfTheWishesAre) {
+    const std::vector<AxisGrading> gradings{anchor_at(30.0, 0.3, 0.6, 2.0), anchor_at(70.0, 0.3, 0.6, 2.0)};
+    const std::vector<double> positions = graded_axis(100.0, 4.0, gradings);
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        EXPECT_NEAR(positions[k] + positions[positions.size() - 1 - k], 100.0, 1e-11);
+    }
+}
+
+TEST(GradedAxis, MakesNoSliversNextToTheEnds) {
+    for (const double place : {0.0, 0.001, 0.3, 0.49, 0.51, 0.74, 0.76, 1.01, 1.49}) {
+        const std::vector<AxisGrading> gradings{anchor_at(place, 1.0, 1.0, 5.0)};
+        const std::vector<double> positions = graded_axis(40.0, 2.0, gradings);
+        EXPECT_LT(largest_ratio(positions), 2.6) << place;
+        EXPECT_LE(positions[1], 1.0 + 1e-12);
+    }
+}
+
+TEST(GradedAxis, RefusesMoreCellsThanMemoryHolds) {
+    EXPECT_THROW(static_cast<void>(graded_axis(1.0, 1e-9, {})), CaseError);
+}
+
+TEST(RectangleMesh, HasPositiveElementsThatFillTheBodyAndNamedEdges) {
+    Case scene = plain_case();
+    scene.mesh.grading = {Grading{.at = {{20.0, 100.0}}, .size = 0.2, .outer_size = 0.4, .radius = 2.0}};
+    const Mesh mesh = make_mesh(scene);
+    double area = 0.0;
+    for (const auto& element : mesh.elements) {
+        const auto node = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(element[k])]; };
+        const Eigen::Vector2d right = node(1) - node(0), up = node(3) - node(0);
+        EXPECT_GT(right.x() * up.y() - right.y() * up.x(), 0.0);
+        area += right.x() * up.y();
+    }
+    EXPECT_NEAR(area, 50.0 * 200.0, 1e-9);
+
+    ASSERT_EQ(mesh.boundary.size(), 4U);
+    const auto length_where = [&](const std::string& name, auto on_edge) {
+        double length = 0.0;
+        for (const BoundaryEdge& edge : mesh.boundary.at(name)) {
+            const auto& element = mesh.elements[static_cast<std::size_t>(edge.element)];
+            const auto& from = mesh.nodes[static_cast<std::size_t>(element[static_cast<std::size_t>(edge.edge)])];
+            const auto& to =
+                mesh.nodes[static_cast<std::size_t>(element[static_cast<std::size_t>((edge.edge + 1) % 4)])];
+            if (on_edge(from) && on_edge(to)) length += (to - from).norm();
+        }
+        return length;
+    };
+    EXPECT_NEAR(length_where("bottom", [](const auto& x) { return x.y() == 0.0; }), 50.0, 1e-10);
+    EXPECT_NEAR(length_where("top", [](const auto& x) { return x.y() == 200.0; }), 50.0, 1e-10);
+    EXPECT_NEAR(length_where("left", [](const auto& x) { return x.x() == 0.0; }), 200.0, 1e-10);
+    EXPECT_NEAR(length_where("right", [](const auto& x) { return x.x() == 50.0; }), 200.0, 1e-10);
+}
+
+TEST(RectangleMesh, GradesALineAcrossAndAlongItself) {
+    MeshSection section{.specimen = "plate", .width = 50.0, .height = 40.0, .size = 4.0, .grading = {}};
+    section.grading = {Grading{.at = {{30.0, 20.0}, {20.0, 20.0}}, .size = 0.5, .outer_size = {}, .radius = 1.0}};
+    const Mesh mesh = rectangle_mesh(section);
+    for (const auto& element : mesh.elements) {
+        const Eigen::Vector2d low = mesh.nodes[static_cast<std::size_t>(element[0])];
+        const Eigen::Vector2d high = mesh.nodes[static_cast<std::size_t>(element[2])];
+        if (low.x() >= 20.0 && high.x() <= 30.0) {
+            EXPECT_LE(high.x() - low.x(), 0.5 + 1e-12);
+        }
+        EXPECT_FALSE(low.y() == 20.0 || high.y() == 20.0);  // a crack on the line does not run along edges
+    }
+}
+
+TEST(SentHandbook, MatchesTheTable) {  // REFERENCES 2.1
+    const std::vector<std::pair<double, double>> table{{0.1, 1.1957}, {0.2, 1.3667}, {0.25, 1.4941}, {0.3, 1.6551},
+                                                       {0.4, 2.1080}, {0.5, 2.8266}, {0.6, 4.0432},  {0.7, 6.3755}};
+    for (const auto& [x, F] : table) {
+        const double a = 50.0 * x;
+        EXPECT_NEAR(sent_handbook_K(50.0, a, 3.0) / (3.0 * std::sqrt(std::numbers::pi * a)), F, 5.1e-5);
+    }
+}
+
+TEST(MakeMesh, NamesTheKeyThatIsWrong) {
+    const auto starts = [](const std::string& text, const std::string& key) { return text.rfind(key + ":", 0) == 0; };
+    Case scene = plain_case();
+    EXPECT_EQ(refusal(scene), "accepted");
+    scene.mesh.specimen = "snet";
+    EXPECT_TRUE(starts(refusal(scene), "mesh.specimen"));
+    EXPECT_NE(refusal(scene).find("available: sent, plate"), std::string::npos);
+    scene = plain_case();
+    scene.mesh.width = std::nan("");
+    EXPECT_TRUE(starts(refusal(scene), "mesh.width"));
+    scene = plain_case();
+    scene.mesh.size = 0.0;
+    EXPECT_TRUE(starts(refusal(scene), "mesh.size"));
+    scene = plain_case();
+    scene.mesh.grading = {Grading{.at = {{51.0, 100.0}}, .size = 1.0, .outer_size = {}}};
+    EXPECT_TRUE(starts(refusal(scene), "mesh.grading[1].at"));
+    scene.mesh.grading = {Grading{.at = {{1.0, 1.0}, {2.0, 2.0}}, .size = 1.0, .outer_size = {}}};
+    EXPECT_TRUE(starts(refusal(scene), "mesh.grading[1].at"));
+    scene.mesh.grading = {Grading{.at = {{1.0, 1.0}}, .size = 1.0, .outer_size = 0.5, .radius = 1.0}};
+    EXPECT_TRUE(starts(refusal(scene), "mesh.grading[1].outer_size"));
+}
+
+TEST(MakeMesh, WantsCracksThatMeetTheBody) {
+    const auto with_crack = [](std::vector<Point> points) {
+        Case scene = plain_case();
+        scene.cracks.push_back(CrackSection{.points = std::move(points), .contact = {}, .notch = 0.0});
+        return refusal(scene);
+    };
+    EXPECT_EQ(with_crack({{-5.0, 30.0}, {10.0, 40.0}}), "accepted");  // a mouth outside
+    EXPECT_EQ(with_crack({{-5.0, 30.0}, {60.0, 40.0}}), "accepted");  // cut in two, no tip
+    EXPECT_NE(with_crack({{60.0, 10.0}, {70.0, 10.0}}), "accepted");
+    EXPECT_NE(with_crack({{0.0, 10.0}, {0.0, 20.0}}), "accepted");  // along the boundary
+    EXPECT_NE(with_crack({{10.0, 10.0}, {60.0, 20.0}, {10.0, 30.0}}), "accepted");
+    EXPECT_NE(with_crack({{10.0, 10.0}, {10.0, 10.0}}), "accepted");
+    EXPECT_EQ(with_crack({{10.0, 10.0}}).rfind("crack[2].points:", 0), 0U);
+}
+
+}  // namespace
+}  // namespace stria::coarse

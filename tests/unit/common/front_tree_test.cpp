@@ -1,0 +1,236 @@
+// FrontTree against dense algebra on a small grid, and against itself factored anew.
+#include "common/substructure/front_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "common/error.hpp"
+
+namespace stria {
+namespace {
+
+/// nx x ny squares of four nodes with two unknowns each. Without ground the body is free to translate.
+struct Grid {
+    Grid(int nx_, int ny_, Symmetry symmetry) : nx(nx_), ny(ny_) {
+        layout.symmetry = symmetry;
+        layout.unknowns = 2 * (nx + 1) * (ny + 1);
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                std::vector<int> unknowns;
+                for (const int node : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}) {
+                    unknowns.insert(unknowns.end(), {2 * node, 2 * node + 1});
+                }
+                layout.element_unknowns.push_back(unknowns);
+                layout.centres.emplace_back(i + 0.5, j + 0.5);
+                matrices.push_back(element_matrix());
+            }
+        }
+        changed.assign(matrices.size(), 0);
+    }
+
+    [[nodiscard]] int at(int i, int j) const { return j * (nx + 1) + i; }
+
+    void keep_outline() {
+        for (int j = 0; j <= ny; ++j) {
+            for (int i = 0; i <= nx; ++i) {
+                if (i > 0 && i < nx && j > 0 && j < ny) continue;
+                layout.boundary.insert(layout.boundary.begin(), {2 * at(i, j), 2 * at(i, j) + 1});
+            }
+        }
+    }
+
+    /// Differences between nodes are stiff, coupled between components; the unsymmetric part keeps translations free.
+    Eigen::MatrixXd element_matrix() {
+        const Eigen::MatrixXd differences = Eigen::MatrixXd::Identity(4, 4) - Eigen::MatrixXd::Constant(4, 4, 0.25);
+        const auto uniform = [this] { return std::uniform_real_distribution<double>(-1.0, 1.0)(random); };
+        const Eigen::MatrixXd any = Eigen::MatrixXd::NullaryExpr(8, 8, uniform);
+        Eigen::MatrixXd project = Eigen::MatrixXd::Zero(8, 8);
+        for (int a = 0; a < 4; ++a) {
+            for (int b = 0; b < 4; ++b) project.block<2, 2>(2 * a, 2 * b).diagonal().setConstant(differences(a, b));
+        }
+        const bool symmetric = layout.symmetry == Symmetry::Symmetric;
+        const Eigen::MatrixXd core =
+            any * any.transpose() + Eigen::MatrixXd::Identity(8, 8) + (symmetric ? 0.0 : 1.0) * (any - any.transpose());
+        return project * core * project;
+    }
+
+    void ground() { matrices.front() += Eigen::MatrixXd::Identity(8, 8); }
+
+    void change(std::size_t element) {
+        matrices[element] *= 1.5;
+        changed[element] = 1;
+    }
+
+    [[nodiscard]] Eigen::MatrixXd dense() const {
+        Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(layout.unknowns, layout.unknowns);
+        for (std::size_t e = 0; e < matrices.size(); ++e) {
+            sum(layout.element_unknowns[e], layout.element_unknowns[e]) += matrices[e];
+        }
+        return sum;
+    }
+
+    [[nodiscard]] Eigen::MatrixXd dense_schur() const {
+        const std::vector<int>& b = layout.boundary;
+        std::vector<int> i;
+        for (int unknown = 0; unknown < layout.unknowns; ++unknown) {
+            if (std::ranges::find(b, unknown) == b.end()) i.push_back(unknown);
+        }
+        const Eigen::MatrixXd k = dense();
+        const Eigen::MatrixXd inner = k(i, i), right = k(i, b);
+        return k(b, b) - k(b, i) * inner.partialPivLu().solve(right);
+    }
+
+    int nx, ny;
+    std::mt19937 random{7};
+    FrontTree::Layout layout;
+    std::vector<Eigen::MatrixXd> matrices;
+    std::vector<char> changed;
+};
+
+class FrontTreeOfEither : public testing::TestWithParam<Symmetry> {};
+std::string name_of(const testing::TestParamInfo<Symmetry>& either) {
+    return either.param == Symmetry::Symmetric ? "Symmetric" : "General";
+}
+INSTANTIATE_TEST_SUITE_P(Symmetries, FrontTreeOfEither, testing::Values(Symmetry::Symmetric, Symmetry::General),
+                         name_of);
+
+TEST_P(FrontTreeOfEither, TangentIsTheDenseSchurComplementAlsoOfAFloatingBody) {
+    Grid grid(9, 7, GetParam());
+    grid.keep_outline();
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const Eigen::MatrixXd& s = tree.tangent();
+    EXPECT_LT((s - grid.dense_schur()).cwiseAbs().maxCoeff(), 1e-12 * s.cwiseAbs().maxCoeff());
+    Eigen::VectorXd translation = Eigen::VectorXd::Zero(s.cols());
+    for (std::size_t i = 0; i < grid.layout.boundary.size(); ++i) {
+        if (grid.layout.boundary[i] % 2 == 0) translation[static_cast<int>(i)] = 1.0;
+    }
+    EXPECT_LT((s * translation).cwiseAbs().maxCoeff(), 1e-12 * s.cwiseAbs().maxCoeff());
+}
+
+TEST_P(FrontTreeOfEither, ReducedProblemGivesTheWholeSolution) {
+    Grid grid(9, 7, GetParam());
+    grid.ground();
+    grid.keep_outline();
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
+    const ReducedLoad reduced = tree.reduce(load);
+    const Eigen::VectorXd boundary = tree.tangent().partialPivLu().solve(reduced.boundary);
+    const Eigen::VectorXd x = tree.expand(reduced, boundary);
+    EXPECT_EQ(x(grid.layout.boundary), boundary);
+    EXPECT_LT((grid.dense() * x - load).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST_P(FrontTreeOfEither, BoundaryMayBeEmpty) {
+    Grid grid(6, 5, GetParam());
+    grid.ground();
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.tangent().size(), 0);
+    const Eigen::VectorXd load = Eigen::VectorXd::Ones(grid.layout.unknowns);
+    const Eigen::VectorXd x = tree.expand(tree.reduce(load), Eigen::VectorXd(0));
+    EXPECT_LT((grid.dense() * x - load).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST_P(FrontTreeOfEither, BoundaryMayBeEverything) {
+    Grid grid(5, 4, GetParam());
+    for (int unknown = grid.layout.unknowns; unknown-- > 0;) grid.layout.boundary.push_back(unknown);
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const Eigen::MatrixXd whole = grid.dense()(grid.layout.boundary, grid.layout.boundary);
+    EXPECT_LT((tree.tangent() - whole).cwiseAbs().maxCoeff(), 1e-13);
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.0, 1.0);
+    EXPECT_EQ(tree.reduce(load).boundary, load(grid.layout.boundary));
+}
+
+TEST_P(FrontTreeOfEither, DirtyPathsGiveTheBitsOfAWholeRefactoring) {
+    Grid grid(12, 10, GetParam());
+    grid.keep_outline();
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 1.0);
+    for (const std::size_t element : {0, 119, 60, 1}) {
+        std::ranges::fill(grid.changed, 0);
+        grid.change(element);
+        tree.factor(grid.matrices, grid.changed);
+        FrontTree fresh(grid.layout);
+        fresh.factor(grid.matrices, grid.changed);
+        EXPECT_EQ(tree.tangent(), fresh.tangent());
+        const ReducedLoad ours = tree.reduce(load), theirs = fresh.reduce(load);
+        EXPECT_EQ(ours.boundary, theirs.boundary);
+        EXPECT_EQ(tree.expand(ours, ours.boundary), fresh.expand(theirs, theirs.boundary));
+    }
+}
+
+TEST_P(FrontTreeOfEither, OnlyDirtyPathsAreRefactored) {
+    Grid grid(8, 8, GetParam());
+    grid.layout.leaf_elements = 8;  // eight leaves: fifteen fronts, four on a path
+    grid.keep_outline();
+    FrontTree tree(grid.layout);
+    ASSERT_EQ(tree.fronts(), 15);
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.refactored(), 15);
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.refactored(), 15);
+    grid.change(0);
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.refactored(), 15 + 4);
+    grid.change(63);  // the other corner shares the root only
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.refactored(), 15 + 4 + 7);
+}
+
+TEST_P(FrontTreeOfEither, FailureLeavesAUsableTree) {
+    Grid grid(8, 8, GetParam());
+    grid.keep_outline();
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const Eigen::MatrixXd before = tree.tangent();
+    const Eigen::MatrixXd good =
+        std::exchange(grid.matrices[27], Eigen::MatrixXd::Constant(8, 8, std::numeric_limits<double>::quiet_NaN()));
+    grid.changed[27] = 1;
+    EXPECT_THROW(tree.factor(grid.matrices, grid.changed), NumericalFailure);
+    EXPECT_THROW((void)tree.tangent(), std::logic_error);
+    grid.matrices[27] = good;
+    std::ranges::fill(grid.changed, 0);  // all is refactored, whatever the caller says
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.tangent(), before);
+}
+
+TEST_P(FrontTreeOfEither, AFloatingBodyWithoutBoundaryIsSingular) {
+    Grid grid(20, 20, GetParam());
+    FrontTree tree(grid.layout);
+    EXPECT_THROW(tree.factor(grid.matrices, grid.changed), NumericalFailure);
+}
+
+TEST(FrontTree, AMultiplierNeedsThePivotOfItsNeighbour) {
+    // Displacement 1 is held by multiplier 0, which has no diagonal entry and is eliminated first.
+    FrontTree::Layout layout;
+    layout.unknowns = 4;
+    layout.element_unknowns = {{1, 0, 2}, {0, 3}};
+    layout.centres = {{0.0, 0.0}, {1.0, 0.0}};
+    layout.boundary = {3, 2};
+    layout.symmetry = Symmetry::General;
+    const std::vector<Eigen::MatrixXd> matrices{Eigen::Matrix3d{{2, 1, -2}, {1, 0, 0}, {-2, 0, 2}},
+                                                Eigen::Matrix2d{{0, 0}, {3, 0}}};
+    FrontTree tree(layout);
+    tree.factor(matrices, std::vector<char>(2, 1));
+    // u1 = 0 and p = 2 u2 - 2 u1, so that row 3 reads 3 p = 6 u2 and row 2 reads 2 u2 - 2 u1 = 2 u2.
+    EXPECT_LT((tree.tangent() - Eigen::Matrix2d{{0, 6}, {0, 2}}).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(FrontTree, AnUnknownWithoutElementIsAMistake) {
+    Grid grid(3, 3, Symmetry::Symmetric);
+    ++grid.layout.unknowns;
+    EXPECT_THROW(FrontTree{grid.layout}, std::logic_error);
+}
+
+}  // namespace
+}  // namespace stria

@@ -1,0 +1,80 @@
+// Bilinear quadrilateral: partition of unity, gradients, map and inverse map.
+#include "common/fem/shape_q4.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "common/fem/mesh.hpp"
+
+namespace stria {
+namespace {
+
+const QuadNodes distorted{Vec2{0.2, -0.1}, Vec2{2.0, 0.3}, Vec2{1.7, 1.9}, Vec2{-0.3, 1.1}};
+const QuadNodes rectangle{Vec2{3.0, 5.0}, Vec2{7.0, 5.0}, Vec2{7.0, 7.0}, Vec2{3.0, 7.0}};
+const std::vector<Vec2> parents{{0.0, 0.0}, {-1.0, -1.0}, {1.0, -0.3}, {0.37, 0.81}, {-0.9, 0.55}, {1.0, 1.0}};
+
+TEST(ShapeQ4, SumsToOneAndReproducesLinearFields) {
+    for (const Vec2& xi : parents) {
+        const ShapeQ4 shape = shape_q4(distorted, xi);
+        EXPECT_NEAR(shape.value.sum(), 1.0, 1e-15);
+        Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+        for (int node = 0; node < 4; ++node) {
+            gradient += distorted[static_cast<std::size_t>(node)] * shape.gradient.row(node);
+        }
+        EXPECT_LT((gradient - Eigen::Matrix2d::Identity()).norm(), 1e-14);
+    }
+}
+
+TEST(ShapeQ4, IsOneAtItsNodeAndZeroAtTheOthers) {
+    for (int node = 0; node < 4; ++node) {
+        EXPECT_EQ(shape_values(boundary_parent(node)), Eigen::Vector4d::Unit(node));
+    }
+}
+
+TEST(ShapeQ4, GradientsMatchDifferences) {
+    constexpr double step = 1e-6;
+    for (const Vec2& xi : parents) {
+        const ShapeQ4 shape = shape_q4(distorted, xi);
+        const Vec2 x = map_to_physical(distorted, xi);
+        for (int axis = 0; axis < 2; ++axis) {
+            const Vec2 shift = step * Vec2::Unit(axis);
+            const Eigen::Vector4d difference = (shape_values(map_to_parent(distorted, x + shift)) -
+                                                shape_values(map_to_parent(distorted, x - shift))) /
+                                               (2.0 * step);
+            EXPECT_LT((difference - shape.gradient.col(axis)).norm(), 1e-8);
+        }
+    }
+}
+
+TEST(ShapeQ4, JacobianOfRectangleIsAreaRatio) { EXPECT_DOUBLE_EQ(shape_q4(rectangle, {0.3, -0.7}).jacobian, 2.0); }
+
+TEST(ShapeQ4, InverseMapReturns) {
+    for (const Vec2& xi : parents) {
+        EXPECT_LT((map_to_parent(distorted, map_to_physical(distorted, xi)) - xi).norm(), 1e-13);
+        EXPECT_LT((map_to_parent(rectangle, map_to_physical(rectangle, xi)) - xi).norm(), 4e-15);
+    }
+    EXPECT_EQ(map_to_parent(rectangle, {4.0, 6.5}), Vec2(-0.5, 0.5));
+    EXPECT_EQ(map_to_parent(rectangle, {9.0, 6.0}), Vec2(2.0, 0.0));  // outside is fine where the map is affine
+}
+
+TEST(ShapeQ4, PlacesOnTheBoundary) {
+    EXPECT_EQ(boundary_point(rectangle, 0.25), Vec2(4.0, 5.0));
+    EXPECT_EQ(boundary_point(rectangle, 1.5), Vec2(7.0, 6.0));
+    EXPECT_EQ(boundary_point(rectangle, 3.5), Vec2(3.0, 6.0));
+    EXPECT_EQ(boundary_point(rectangle, 4.0), rectangle[0]);
+    for (const double place : {0.0, 0.4, 1.9, 2.2, 3.7}) {
+        const Vec2 mapped = map_to_physical(distorted, boundary_parent(place));
+        EXPECT_LT((mapped - boundary_point(distorted, place)).norm(), 1e-15);
+    }
+}
+
+TEST(Mesh, KnowsTheElementsAroundEachNode) {
+    const auto around = elements_around_nodes({{0, 1, 4, 3}, {1, 2, 5, 4}}, 7);
+    EXPECT_EQ(around[0], std::vector<int>{0});
+    EXPECT_EQ(around[4], (std::vector<int>{0, 1}));
+    EXPECT_TRUE(around[6].empty());
+}
+
+}  // namespace
+}  // namespace stria

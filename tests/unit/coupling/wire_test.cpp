@@ -1,0 +1,187 @@
+// Every message comes out as it went in, and broken bytes are refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "common/error.hpp"
+#include "coupling/wire.hpp"
+
+namespace stria::coupling {
+namespace {
+
+EnrichedMesh small_mesh() {
+    EnrichedMesh mesh;
+    mesh.nodes = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0 / 3.0}, {0.0, 1.0}};
+    mesh.elements = {{0, 1, 2, 3}};
+    mesh.node_ids = {10, 11, 12, 13};
+    mesh.element_ids = {5};
+    mesh.pieces = {{.crack = 0,
+                    .element = 0,
+                    .neighbour = -1,
+                    .points = {{0.0, 0.5}, {0.25, 0.5}},
+                    .s = {0.0, 0.25},
+                    .entry = 3.5,
+                    .exit = -1.0}};
+    mesh.tips = {{.crack = 0, .position = {0.25, 0.5}, .direction = {1.0, 0.0}, .s = 0.25, .upper = -1}};
+    mesh.tip_functions = 6;
+    mesh.terms = {{{Term::Kind::Heaviside, 0, 0, -1.0}, {Term::Kind::Tip, 0, 3, 0.7}}, {}, {}, {}};
+    mesh.element_side = {1};
+    mesh.first_unknown = {0, 6, 8, 10};
+    mesh.unknowns = 12;
+    return mesh;
+}
+
+Patch small_patch() {
+    return {.mesh = small_mesh(),
+            .boundary = {0, 1, 6},
+            .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
+            .j_rings = {{.tip = 0, .q = Eigen::VectorXd::Ones(4), .inner_radius = 1.5, .outer_radius = 2.5}},
+            .k_rings = {}};
+}
+
+PatchResponse small_response() {
+    PatchResponse response;
+    response.force = Eigen::Vector3d(1.0, -2.0, 1e-300);
+    response.tangent = Eigen::Matrix3d{{1.0, 2.0, 3.0}, {2.5, 4.0, 5.0}, {3.0, 5.0, 6.0}};
+    response.interior_residual = 1e-9;
+    response.contact_residual = 2e-9;
+    response.digest = {.yielding_points = {0, 4, 2},
+                       .largest_plastic_increment = 1e-4,
+                       .status = {0, 1},
+                       .multiplier = {0.0, -3.5},
+                       .status_changes = 1};
+    return response;
+}
+
+StepReport small_report() {
+    StepReport report;
+    report.tips = {{.J = 1.0, .interaction_I = 2.0, .interaction_II = 3.0, .CTOD = -1, .plastic_zone = 4.0}};
+    report.faces = {{.crack = 0, .s = 0.5, .opening = 1e-3, .pressure = 20.0, .status = 2}, {.crack = 1}};
+    report.contact_length = {0.1, 0.2};
+    report.mouth_opening = {std::numeric_limits<double>::quiet_NaN(), 0.3};
+    report.points = 1'000'000'000'000;
+    report.factor_s = 0.25;
+    return report;
+}
+
+ZoneState small_state() {
+    ZoneState state;
+    state.displacement = Eigen::VectorXd::Constant(2, 0.1);
+    state.element = {0, 0};
+    state.side = {-1, 1};
+    state.x = {0.1, 0.2};
+    state.stress = std::vector<double>(8, 3.0);
+    return state;
+}
+
+/// Packed again it has the same bytes; every shorter or longer message is refused.
+template <class M> M there_and_back(const M& message) {
+    std::vector<std::byte> bytes = pack(message);
+    const M copy = unpack<M>(bytes);
+    EXPECT_EQ(pack(copy), bytes);
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_THROW((void)unpack<M>(std::span(bytes).first(size)), ComponentLost) << size;
+    bytes.push_back(std::byte{0});
+    EXPECT_THROW((void)unpack<M>(bytes), ComponentLost);
+    return copy;
+}
+
+TEST(Wire, Patch) {
+    const Patch copy = there_and_back(small_patch());
+    EXPECT_EQ(copy.mesh.nodes, small_mesh().nodes);
+    EXPECT_EQ(copy.mesh.elements, small_mesh().elements);
+    EXPECT_EQ(copy.mesh.pieces.at(0).points, small_mesh().pieces.at(0).points);
+    EXPECT_EQ(copy.mesh.pieces.at(0).entry, 3.5);
+    EXPECT_EQ(copy.mesh.tips.at(0).upper, -1);
+    EXPECT_EQ(copy.mesh.terms.at(0).at(1).kind, Term::Kind::Tip);
+    EXPECT_EQ(copy.mesh.terms.at(0).at(1).shift, 0.7);
+    EXPECT_EQ(copy.mesh.element_side, small_mesh().element_side);
+    EXPECT_EQ(copy.mesh.unknowns, 12);
+    EXPECT_EQ(copy.boundary, small_patch().boundary);
+    EXPECT_EQ(copy.displacement, small_patch().displacement);
+    EXPECT_EQ(copy.j_rings.at(0).outer_radius, 2.5);
+    EXPECT_TRUE(copy.k_rings.empty());
+}
+
+TEST(Wire, Displacement) {
+    const PatchDisplacement message{.iteration = 4, .predictor = 0.3, .boundary = Eigen::Vector2d(0.1, -0.0)};
+    const PatchDisplacement copy = there_and_back(message);
+    EXPECT_EQ(copy.iteration, 4);
+    EXPECT_EQ(copy.predictor, 0.3);
+    EXPECT_EQ(copy.boundary, message.boundary);
+    EXPECT_TRUE(std::signbit(copy.boundary[1]));
+}
+
+TEST(Wire, Response) {
+    const PatchResponse copy = there_and_back(small_response());
+    EXPECT_EQ(copy.force, small_response().force);
+    EXPECT_EQ(copy.tangent, small_response().tangent);
+    EXPECT_EQ(copy.contact_residual, 2e-9);
+    EXPECT_EQ(copy.digest.yielding_points, small_response().digest.yielding_points);
+    EXPECT_EQ(copy.digest.multiplier, small_response().digest.multiplier);
+    EXPECT_EQ(copy.digest.status_changes, 1);
+}
+
+TEST(Wire, Report) {
+    const StepReport copy = there_and_back(small_report());
+    EXPECT_EQ(copy.tips.at(0).plastic_zone, 4.0);
+    EXPECT_EQ(copy.faces.at(0).status, 2);
+    EXPECT_EQ(copy.faces.at(1).crack, 1);
+    EXPECT_TRUE(std::isnan(copy.mouth_opening.at(0)));
+    EXPECT_EQ(copy.points, 1'000'000'000'000);
+    EXPECT_EQ(copy.factor_s, 0.25);
+}
+
+TEST(Wire, State) {
+    const ZoneState copy = there_and_back(small_state());
+    EXPECT_EQ(copy.side, small_state().side);
+    EXPECT_EQ(copy.stress, small_state().stress);
+}
+
+TEST(Wire, SmallMessages) {
+    EXPECT_EQ(there_and_back(Hello{3, 0xffff'ffff'ffff'fff0}).case_digest, 0xffff'ffff'ffff'fff0);
+    EXPECT_EQ(there_and_back(Failure{Failure::Kind::Case, "why"}).text, "why");
+    EXPECT_TRUE(there_and_back(Commit{true}).reversal);
+}
+
+TEST(Wire, EmptyMessages) {
+    there_and_back(Patch{});
+    there_and_back(PatchResponse{});
+    there_and_back(StepReport{});
+    there_and_back(ZoneState{});
+}
+
+TEST(Wire, ASymmetricTangentCrossesAsHalfOfIt) {
+    constexpr Eigen::Index n = 50;
+    PatchResponse response;
+    response.tangent = Eigen::MatrixXd::Random(n, n);
+    const std::size_t whole = pack(response).size();
+    response.tangent.triangularView<Eigen::StrictlyUpper>() = response.tangent.transpose();
+    EXPECT_EQ(pack(response).size(), whole - n * (n - 1) / 2 * sizeof(double));
+    EXPECT_EQ(unpack<PatchResponse>(pack(response)).tangent, response.tangent);
+
+    response.tangent(3, 7) = std::nextafter(response.tangent(3, 7), 10.0);
+    EXPECT_EQ(pack(response).size(), whole);
+    EXPECT_EQ(unpack<PatchResponse>(pack(response)).tangent, response.tangent);
+}
+
+TEST(Wire, ABrokenLengthAsksForNoMemory) {
+    std::vector<std::byte> bytes = pack(ZoneState{});
+    for (std::size_t i = 0; i < 7; ++i) bytes[i] = std::byte{0xff};
+    EXPECT_THROW((void)unpack<ZoneState>(bytes), ComponentLost);
+}
+
+TEST(Wire, AnUnforeseenMessageIsNamed) {
+    EXPECT_NO_THROW(expect(Tag::Done, Tag::Done));
+    try {
+        expect(Tag::Response, Tag::Report);
+        FAIL();
+    } catch (const ComponentLost& lost) {
+        EXPECT_STREQ(lost.what(), "the components lost step: Response expected, Report received");
+    }
+}
+
+}  // namespace
+}  // namespace stria::coupling

@@ -1,0 +1,203 @@
+// What every law of the catalogue must keep, on random strain paths.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <ostream>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/error.hpp"
+#include "tests/support/material_point.hpp"
+
+namespace stria::test {
+namespace {
+
+namespace state = fine::state;
+
+struct Law {
+    std::string name;
+    MaterialSection material;
+};
+
+void PrintTo(const Law& law, std::ostream* out) { *out << law.name; }
+
+MaterialSection steel(double isotropic, std::vector<KinematicHardening> kinematic) {
+    return {.young = 200e3,
+            .poisson = 0.3,
+            .yield_stress = 350.0,
+            .isotropic = {.law = "linear", .modulus = isotropic},
+            .kinematic = std::move(kinematic)};
+}
+
+const std::vector<Law> laws{
+    {"elastic", {.young = 200e3, .poisson = 0.3, .yield_stress = {}, .isotropic = {}, .kinematic = {}}},
+    {"perfect", steel(0.0, {})},
+    {"isotropic", steel(2000.0, {})},
+    {"prager", steel(0.0, {{5000.0, 0.0}})},
+    {"mixed", steel(1000.0, {{3000.0, 0.0}, {20000.0, 0.0}})},
+};
+
+class EveryLaw : public testing::TestWithParam<Law> {
+protected:
+    /// Zero-mean in-plane strain increments, about one yield strain each.
+    Mandel random_increment() {
+        std::normal_distribution<double> normal(0.0, 1.5e-3);
+        return {normal(random_), normal(random_), 0.0, normal(random_)};
+    }
+
+    MaterialPoint point_{GetParam().material};
+    std::mt19937 random_{7};
+};
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLaw, testing::ValuesIn(laws), [](const auto& law) { return law.param.name; });
+
+TEST_P(EveryLaw, TangentIsTheDerivativeOfTheStressAndSymmetric) {
+    const double h = 1e-8;
+    int compared = 0;
+    for (int step = 0; step < 200; ++step) {
+        const std::vector<double> committed = point_.last().state;
+        const Mandel increment = random_increment();
+        const PointUpdate here = point_.strain_by(increment);
+        for (int j = 0; j < 4; ++j) {
+            const PointUpdate plus = update_point(point_.law(), committed, increment + h * Mandel::Unit(j));
+            const PointUpdate minus = update_point(point_.law(), committed, increment - h * Mandel::Unit(j));
+            if (plus.yields != minus.yields) continue;  // the stress has a kink there
+            const Mandel difference = (plus.stress() - minus.stress()) / (2.0 * h);
+            EXPECT_LT((difference - here.tangent.col(j)).norm(), 1e-6 * point_.law().elastic().norm()) << step;
+            ++compared;
+        }
+        EXPECT_EQ(here.tangent, here.tangent.transpose());
+    }
+    EXPECT_GT(compared, 700);
+}
+
+TEST_P(EveryLaw, SameInputsGiveTheSameBits) {
+    for (int step = 0; step < 50; ++step) {
+        const std::vector<double> committed = point_.last().state;
+        const Mandel increment = random_increment();
+        const PointUpdate first = point_.strain_by(increment);
+        const PointUpdate second = update_point(point_.law(), committed, increment);
+        EXPECT_EQ(first.state, second.state);
+        EXPECT_EQ(first.tangent, second.tangent);
+        EXPECT_EQ(first.yields, second.yields);
+    }
+}
+
+TEST_P(EveryLaw, StressChangesByTheElasticPartOfTheStrain) {
+    Mandel strain = Mandel::Zero();
+    for (int step = 0; step < 50; ++step) {
+        const Mandel increment = random_increment();
+        strain += increment;
+        const PointUpdate& now = point_.strain_by(increment);
+        const Mandel plastic = now.tensor(state::plastic_strain);
+        EXPECT_LT((now.stress() - point_.law().elastic() * (strain - plastic)).norm(), 1e-9);
+        EXPECT_NEAR(trace(plastic), 0.0, 1e-15);
+    }
+}
+
+TEST_P(EveryLaw, ElasticIncrementsAddUpAndWorkIsHalfStressTimesStrain) {
+    const Mandel whole{2e-4, 9e-4, 0.0, -3e-4};
+    MaterialPoint other{GetParam().material};
+    other.strain_by(0.3 * whole);
+    other.strain_by(0.7 * whole);
+    const PointUpdate& once = point_.strain_by(whole);
+    EXPECT_FALSE(once.yields);
+    EXPECT_EQ(once.tangent, point_.law().elastic());
+    EXPECT_LT((once.stress() - other.last().stress()).norm(), 1e-12);
+    EXPECT_NEAR(once.scalar(state::work), 0.5 * once.stress().dot(whole), 1e-14);
+    EXPECT_NEAR(other.last().scalar(state::work), once.scalar(state::work), 1e-14);
+    EXPECT_EQ(once.scalar(state::dissipation), 0.0);
+}
+
+TEST_P(EveryLaw, NothingFlowsInAnIncrementOfNothing) {
+    for (int step = 0; step < 200; ++step) {
+        point_.strain_by(random_increment());
+        const PointUpdate still = update_point(point_.law(), point_.last().state, Mandel::Zero());
+        EXPECT_FALSE(still.yields);
+        EXPECT_EQ(still.state, point_.last().state);
+    }
+}
+
+TEST_P(EveryLaw, StaysInsideTheYieldSurfaceAndOnItWhereItFlows) {
+    const MaterialSection& material = GetParam().material;
+    if (!material.yield_stress) return;
+    for (int step = 0; step < 200; ++step) {
+        const PointUpdate& now = point_.strain_by(random_increment());
+        Mandel relative = now.stress();
+        for (std::size_t k = 0; k < material.kinematic.size(); ++k)
+            relative -= now.tensor(state::back_stress + 4 * static_cast<int>(k));
+        const double yield_stress =
+            *material.yield_stress + material.isotropic.modulus * now.scalar(state::accumulated);
+        const double overstress = von_mises(relative) / yield_stress - 1.0;
+        EXPECT_LT(overstress, 1e-10);
+        EXPECT_GT(overstress, now.yields ? -1e-12 : -1.1);
+    }
+}
+
+TEST_P(EveryLaw, BlocksEqualSinglePoints) {
+    constexpr int points = 11, stride = 13;  // neither is a multiple of any vector length
+    const auto size = static_cast<std::size_t>(point_.law().state_size());
+    std::vector<double> increments(4 * stride), committed(size * stride), trial(size * stride), tangent(16 * stride);
+    std::vector<unsigned char> yields(points);
+    std::vector<MaterialPoint> singles;
+    for (std::size_t q = 0; q < points; ++q) {
+        singles.emplace_back(GetParam().material).strain_by(random_increment());
+        for (std::size_t c = 0; c < size; ++c) committed[c * stride + q] = singles[q].last().state[c];
+        const Mandel increment = random_increment();
+        for (std::size_t c = 0; c < 4; ++c) increments[c * stride + q] = increment[static_cast<Eigen::Index>(c)];
+        singles[q].strain_by(increment);
+    }
+    point_.law().update(points, stride, increments.data(), committed.data(), trial.data(), tangent.data(),
+                        yields.data());
+    for (std::size_t q = 0; q < points; ++q) {
+        const PointUpdate& single = singles[q].last();
+        EXPECT_EQ(yields[q] != 0, single.yields);
+        for (std::size_t c = 0; c < size; ++c)
+            EXPECT_NEAR(trial[c * stride + q], single.state[c], 1e-12 * (1.0 + std::abs(single.state[c])));
+        for (int c = 0; c < 16; ++c)
+            EXPECT_NEAR(tangent[static_cast<std::size_t>(c) * stride + q], single.tangent(c / 4, c % 4), 1e-6);
+    }
+}
+
+TEST_P(EveryLaw, WorkIsStoredOrDissipated) {
+    const MaterialSection& material = GetParam().material;
+    for (int step = 0; step < 4000; ++step) {  // small steps along a loop: the trapezoid rule's error vanishes
+        const double phase = step * 2.0 * std::numbers::pi / 4000.0;
+        point_.strain_by(1e-5 * Mandel(std::cos(phase), -0.4 * std::cos(phase), 0.0, std::sin(phase)));
+    }
+    const PointUpdate& end = point_.last();
+    const double p = end.scalar(state::accumulated);
+    double stored = 0.5 * end.stress().dot(point_.law().elastic().inverse() * end.stress());
+    if (material.yield_stress) {
+        EXPECT_GT(p, 1e-3);
+        EXPECT_NEAR(end.scalar(state::dissipation), *material.yield_stress * p, 1e-9);
+        stored += 0.5 * material.isotropic.modulus * p * p;
+    }
+    for (std::size_t k = 0; k < material.kinematic.size(); ++k)
+        stored +=
+            0.75 / material.kinematic[k].C * end.tensor(state::back_stress + 4 * static_cast<int>(k)).squaredNorm();
+    const double dissipated = end.scalar(state::dissipation);
+    EXPECT_NEAR(end.scalar(state::work), stored + dissipated, 1e-4 * (1e-9 + stored + dissipated));
+}
+
+TEST(MaterialLaw, RefusesWhatItDoesNotKnow) {
+    EXPECT_THROW(fine::make_material_law(steel(0.0, {{5000.0, 20.0}}), PlaneState::Strain), CaseError);
+    EXPECT_THROW(fine::make_material_law(steel(0.0, {}), PlaneState::Stress), CaseError);
+    EXPECT_THROW(fine::make_material_law(steel(-1.0, {}), PlaneState::Strain), CaseError);
+    MaterialSection voce = steel(0.0, {});
+    voce.isotropic.law = "voce";
+    EXPECT_THROW(fine::make_material_law(voce, PlaneState::Strain), CaseError);
+}
+
+TEST(MaterialLaw, AStrainThatIsNoNumberFails) {
+    MaterialPoint point(steel(0.0, {}));
+    EXPECT_THROW(point.strain_by(Mandel(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0, 0.0)), NumericalFailure);
+    EXPECT_THROW(point.strain_by(Mandel(1e300, 0.0, 0.0, 0.0)), NumericalFailure);
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,116 @@
+// One material point against closed forms (REFERENCES 6: values worked out independently of this code).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "common/material/elasticity.hpp"
+#include "tests/support/material_point.hpp"
+
+namespace stria::test {
+namespace {
+
+MaterialSection material(double yield_stress, double isotropic = 0.0, std::vector<double> kinematic = {}) {
+    MaterialSection section{.young = 200e3,
+                            .poisson = 0.3,
+                            .yield_stress = yield_stress,
+                            .isotropic = {.law = "linear", .modulus = isotropic},
+                            .kinematic = {}};
+    for (const double C : kinematic) section.kinematic.push_back({C, 0.0});
+    return section;
+}
+
+/// Plane strain with sigma_xx = 0, pulled along yy.
+double plane_strain_tension(MaterialPoint& point, double strain) { return point.drive(1, strain, {0}).stress()[1]; }
+
+double angle(const Mandel& a, const Mandel& b) {
+    return std::acos(a.dot(b) / (a.norm() * b.norm())) * 180.0 / std::numbers::pi;
+}
+
+TEST(Plasticity, MixedHardeningBarSsnv133) {  // Code_Aster V6.04.133
+    const std::vector<std::pair<double, double>> history{{2e-3, 400}, {4.5e-3, 500}, {1e-4, -380}, {-2e-3, -464}};
+    for (const std::vector<double>& kinematic : {std::vector{30e3}, std::vector{10e3, 20e3}}) {  // a sum, however split
+        MaterialPoint bar(material(400.0, 20e3, kinematic));
+        for (const auto& [strain, stress] : history) EXPECT_NEAR(bar.uniaxial(strain), stress, 1e-8) << strain;
+    }
+}
+
+TEST(Plasticity, UniaxialCyclesIsotropicAndKinematic) {
+    const double H = 200e3 * 2e3 / (200e3 - 2e3);  // from the tangent modulus 2000 MPa
+    MaterialPoint isotropic(material(200.0, H));
+    MaterialPoint kinematic(material(200.0, 0.0, {H}));
+    const std::vector<double> stresses{218.0000, -253.6400, 288.5672, -322.7959};
+    double strain = 0.01;
+    for (const double stress : stresses) {
+        EXPECT_NEAR(isotropic.uniaxial(strain), stress, 5.1e-5);
+        EXPECT_NEAR(kinematic.uniaxial(strain), std::copysign(218.0, strain), 1e-8);
+        strain = -strain;
+    }
+}
+
+TEST(Plasticity, ManySmallIncrementsEqualOneLargeInUniaxialStress) {
+    MaterialPoint coarse(material(350.0, 1000.0, {4000.0}));
+    MaterialPoint fine(material(350.0, 1000.0, {4000.0}));
+    for (int step = 1; step <= 100; ++step) fine.uniaxial(1e-4 * step);
+    EXPECT_NEAR(coarse.uniaxial(1e-2), fine.last().stress()[1], 1e-8);
+}
+
+TEST(Plasticity, PlaneStrainTensionFirstYield) {
+    const double first_yield = 281.271975;
+    const double strain = first_yield * (1.0 - 0.3 * 0.3) / 200e3;
+    for (const double sign : {1.0, -1.0}) {
+        MaterialPoint below(material(250.0));
+        MaterialPoint above(material(250.0));
+        EXPECT_NEAR(plane_strain_tension(below, sign * strain * (1 - 2e-9)), sign * first_yield, 1e-6);
+        EXPECT_FALSE(below.last().yields);
+        plane_strain_tension(above, sign * strain * (1 + 2e-9));
+        EXPECT_TRUE(above.last().yields);
+    }
+}
+
+TEST(Plasticity, PlaneStrainTensionCollapse) {
+    MaterialPoint point(material(250.0));
+    for (int step = 1; step <= 200; ++step) plane_strain_tension(point, 2e-4 * step);
+    EXPECT_NEAR(point.last().stress()[1], 288.675135, 1e-6);
+    EXPECT_NEAR(point.last().stress()[2], 0.5 * 288.675135, 1e-6);
+}
+
+TEST(Plasticity, PureShearYieldsAndCollapses) {
+    MaterialPoint point(material(250.0));
+    const Mandel shear = Mandel::Unit(3) * 250.0 / std::numbers::sqrt3 * std::numbers::sqrt2 * 1.3 / 200e3;
+    point.strain_by(shear * (1.0 - 1e-9));
+    EXPECT_FALSE(point.last().yields);
+    point.strain_by(shear);
+    EXPECT_TRUE(point.last().yields);
+    EXPECT_NEAR(point.last().stress()[3] / std::numbers::sqrt2, 144.337567, 1e-6);
+}
+
+struct ReturnError {
+    double start;    // degrees between the stress and the strain increment
+    double size;     // 2 G |d eps| / radius of the surface
+    double degrees;  // radial return minus tan(psi/2) = tan(psi0/2) exp(-x) (Krieg and Krieg 1977)
+};
+
+TEST(Plasticity, RadialReturnHasItsKnownError) {
+    const Elasticity elasticity{200e3, 0.3};
+    const Mandel shear = Mandel::Unit(3);
+    const Mandel stretch = Mandel(1.0, -1.0, 0.0, 0.0) / std::numbers::sqrt2;  // deviatoric, orthogonal to the shear
+    const double radius = std::sqrt(2.0 / 3.0) * 250.0;
+    for (const auto& [start, size, degrees] :
+         {ReturnError{90, 0.5, 0.9588}, ReturnError{90, 1, 4.6049}, ReturnError{90, 2, 11.1504},
+          ReturnError{90, 3, 12.7345}, ReturnError{135, 1, -15.7191}, ReturnError{45, 1, 5.1718}}) {
+        MaterialPoint point(material(250.0));
+        const double unit = radius / (2.0 * elasticity.shear_modulus());
+        point.strain_by(unit * shear);
+        const double psi0 = start * std::numbers::pi / 180.0;
+        const Mandel direction = std::cos(psi0) * shear + std::sin(psi0) * stretch;
+        const double psi = angle(point.strain_by(size * unit * direction).stress(), direction);
+        const double exact = 2.0 * std::atan(std::tan(psi0 / 2.0) * std::exp(-size)) * 180.0 / std::numbers::pi;
+        EXPECT_NEAR(psi - exact, degrees, 5.1e-5) << start << " " << size;
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
