@@ -1,5 +1,6 @@
 #include "coupling/wire.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -22,13 +23,30 @@ static_assert(std::endian::native == std::endian::little && std::numeric_limits<
 template <class T>
 concept Number = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&!std::is_same_v<T, bool>;
 
+/// Calls `pair` with all i > j, in square tiles so that a(i, j) and a(j, i) both stay in the cache, while it returns
+/// true.
+template <class Pair> bool all_below_diagonal(Eigen::Index n, const Pair& pair) {
+    constexpr Eigen::Index tile = 32;
+    for (Eigen::Index left = 0; left < n; left += tile)
+        for (Eigen::Index top = left; top < n; top += tile)
+            for (Eigen::Index j = left; j < std::min(left + tile, n); ++j)
+                for (Eigen::Index i = std::max(top, j + 1); i < std::min(top + tile, n); ++i)
+                    if (!pair(i, j)) return false;
+    return true;
+}
+
 /// Equal bits across the diagonal: only then may half of a matrix stand for the whole.
 bool symmetric(const Eigen::MatrixXd& a) {
-    if (a.rows() != a.cols()) return false;
-    for (Eigen::Index j = 0; j < a.cols(); ++j)
-        for (Eigen::Index i = j + 1; i < a.rows(); ++i)
-            if (std::bit_cast<std::uint64_t>(a(i, j)) != std::bit_cast<std::uint64_t>(a(j, i))) return false;
-    return true;
+    return a.rows() == a.cols() && all_below_diagonal(a.rows(), [&a](Eigen::Index i, Eigen::Index j) {
+               return std::bit_cast<std::uint64_t>(a(i, j)) == std::bit_cast<std::uint64_t>(a(j, i));
+           });
+}
+
+void mirror_lower_half(Eigen::MatrixXd& a) {
+    all_below_diagonal(a.rows(), [&a](Eigen::Index i, Eigen::Index j) {
+        a(j, i) = a(i, j);
+        return true;
+    });
 }
 
 class Writer {
@@ -72,6 +90,7 @@ private:
     void put(const Eigen::MatrixXd& a) {
         const bool half = symmetric(a);
         (*this)(half, static_cast<std::uint32_t>(a.rows()), static_cast<std::uint32_t>(a.cols()));
+        bytes_.reserve(bytes_.size() + static_cast<std::size_t>(a.size()) * sizeof(double));  // by far the largest part
         for (Eigen::Index j = 0; j < a.cols(); ++j) {
             const Eigen::Index first = half ? j : 0;
             put_raw(a.col(j).data() + first, static_cast<std::size_t>(a.rows() - first));
@@ -142,7 +161,7 @@ private:
             const Eigen::Index first = half ? j : 0;
             get_raw(a.col(j).data() + first, static_cast<std::size_t>(a.rows() - first));
         }
-        if (half) a.triangularView<Eigen::StrictlyUpper>() = a.transpose();
+        if (half) mirror_lower_half(a);
     }
 
     /// A length that the rest of the message can hold: a broken one must not ask for all memory.

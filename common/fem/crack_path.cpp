@@ -110,13 +110,12 @@ private:
         return false;
     }
 
-    // A node and a point of an edge that ends there, with no kink between: both sides of one grazed node.
+    // A node and a point of an edge that ends there, with no kink between: the crack grazes the node (or the whole edge), and
+    // once snapped onto the node it no longer crosses that edge.
     [[nodiscard]] bool grazes(const Crossing& a, const Crossing& b) const {
         const Crossing &at_node = a.node >= 0 ? a : b, &on_edge = a.node >= 0 ? b : a;
         if (at_node.node < 0 || on_edge.edge == nullptr || has_kink_between(a.s, b.s)) return false;
-        if (on_edge.edge->first != at_node.node && on_edge.edge->second != at_node.node) return false;
-        const double from_node = on_edge.edge->first == at_node.node ? on_edge.fraction : 1.0 - on_edge.fraction;
-        return from_node < 10.0 * snap_fraction;
+        return on_edge.edge->first == at_node.node || on_edge.edge->second == at_node.node;
     }
 
     void merge_crossings() {
@@ -184,7 +183,9 @@ private:
         if (along_edge) return along(a, b, chain, shared);
         const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
         for (const int e : shared) {
-            if (side_of_polygon(polygon(e), middle) > 0) return make_piece(e, chain, &a, &b);
+            const int inside = side_of_polygon(polygon(e), middle);
+            if (inside > 0) return make_piece(e, chain, &a, &b);
+            if (inside == 0) refuse_partial_edge(b);
         }
         return std::nullopt;  // outside the body
     }
@@ -193,14 +194,16 @@ private:
                      const std::vector<int>& shared) {
         const bool whole_edge = a.node >= 0 && b.node >= 0;
         const bool ends_at_tip = (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
-        if (shared.size() != 2 || !(whole_edge || ends_at_tip)) {
-            throw CaseError(fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
-                                        "change the mesh size a little", crack_ + 1, b.position.x(), b.position.y()));
-        }
+        if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b);
         const bool first_is_left = orientation(a.position, b.position, centre(shared[0])) > 0;
         CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
         result.neighbour = first_is_left ? shared[0] : shared[1];
         return result;
+    }
+
+    [[noreturn]] void refuse_partial_edge(const Crossing& b) const {
+        throw CaseError(fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
+                                    "change the mesh size a little", crack_ + 1, b.position.x(), b.position.y()));
     }
 
     // A piece that ends at a tip inside an element (null end), or lies wholly inside one.

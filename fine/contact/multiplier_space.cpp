@@ -7,7 +7,7 @@
 namespace stria::fine {
 namespace {
 
-constexpr double hat_spacing = 1.5;  // chords
+constexpr double hat_spacing = 1.0;  // chords
 constexpr double shortest_branch = 0.75;                               // chords
 constexpr double kink_angle = 10.0 * std::numbers::pi / 180.0;
 

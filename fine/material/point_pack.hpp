@@ -20,12 +20,14 @@ template <int rows> struct PackPlace {
     [[nodiscard]] auto scalars(const double* field, int component) const {
         return Eigen::Map<const Scalars<rows>>(field + component * stride + first);
     }
+    // NOLINTNEXTLINE(readability-non-const-parameter): the map writes through it
     [[nodiscard]] auto scalars(double* field, int component) const {
         return Eigen::Map<Scalars<rows>>(field + component * stride + first);
     }
     [[nodiscard]] auto tensors(const double* field, int component) const {
         return Eigen::Map<const Tensors<rows>, 0, Steps>(field + component * stride + first, Steps(stride));
     }
+    // NOLINTNEXTLINE(readability-non-const-parameter): the map writes through it
     [[nodiscard]] auto tensors(double* field, int component) const {
         return Eigen::Map<Tensors<rows>, 0, Steps>(field + component * stride + first, Steps(stride));
     }

@@ -1,0 +1,163 @@
+// The zone as a superelement: its condensed tangent, and iterates that are those of Newton's method on the whole system.
+#include "fine/fine_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "tests/support/plates.hpp"
+
+namespace stria::test {
+namespace {
+
+using coupling::PatchResponse;
+using fine::FineModel;
+using fine::ZoneSystem;
+
+const Point mouth{0.0, 2.4}, tip{3.3, 2.6};
+const Case scene = plate_case({mouth, tip});
+const EnrichedMesh plate = plate_mesh(6, 5, scene);
+const coupling::Patch patch = plate_patch(plate);
+
+/// Boundary displacements: stretched across the crack by a strain, with some noise.
+Eigen::VectorXd stretched(double strain, unsigned seed = 1) {
+    const auto pull = [&](const Vec2& x) { return Vec2(0.1 * strain * x.x(), strain * (x.y() - 2.5)); };
+    const Eigen::VectorXd u = two_sided(plate, mouth, tip, pull, pull) + random_vector(plate.unknowns, 0.1 * std::abs(strain), seed);
+    return gather(u, patch.boundary);
+}
+
+/// The answer once the interior is in equilibrium. Every call is a new attempt at the same increment.
+PatchResponse settled(FineModel& model, const Eigen::VectorXd& boundary) {
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        model.request({iteration, 0.0, boundary});
+        PatchResponse response = model.collect();
+        if (response.interior_residual + response.contact_residual < 1e-10 * response.interior_force) return response;
+    }
+    throw std::runtime_error("the interior finds no equilibrium");
+}
+
+long yielding(const PatchResponse& response) {
+    long sum = 0;
+    for (const int count : response.digest.yielding_points) sum += count;
+    return sum;
+}
+
+struct Loading {
+    const char* name;
+    std::vector<double> committed;  // strains, one increment each
+    double strain;
+    bool plastic, closed;
+};
+
+class Superelement : public testing::TestWithParam<Loading> {};
+
+TEST_P(Superelement, CondensedTangentIsTheDerivativeOfTheCondensedForce) {
+    FineModel model(scene);
+    model.set_patch(patch);
+    for (const double strain : GetParam().committed) {
+        settled(model, stretched(strain));
+        model.commit(false);
+    }
+    const Eigen::VectorXd u = stretched(GetParam().strain, 2);
+    const PatchResponse here = settled(model, u);
+    EXPECT_EQ(yielding(here) > 0, GetParam().plastic);
+    EXPECT_EQ(std::ranges::count(here.digest.status, 1) > 0, GetParam().closed);
+    const Eigen::VectorXd v = random_vector(u.size(), 1.0, 3);
+    constexpr double h = 1e-8;
+    const Eigen::VectorXd difference = (settled(model, u + h * v).force - settled(model, u - h * v).force) / (2.0 * h);
+    EXPECT_LT((here.tangent * v - difference).norm(), 3e-6 * difference.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    States, Superelement,
+    testing::Values(Loading{"elastic_open", {}, 1e-4, false, false}, Loading{"elastic_closed", {}, -1e-4, false, true},
+                    Loading{"plastic_open", {2e-3}, 4e-3, true, false},
+                    Loading{"plastic_closed", {}, -4e-3, true, true},
+                    Loading{"closed_after_opening", {4e-3, 1e-3}, -3e-3, true, true}),
+    [](const auto& test) { return test.param.name; });
+
+/// Newton's method on all interior unknowns and multipliers in one dense matrix, the boundary imposed.
+class FullNewton {
+public:
+    FullNewton() : system_(scene) { system_.set_patch(patch); }
+
+    PatchResponse begin(const Eigen::VectorXd& boundary, double predictor) {
+        system_.predict(predictor);
+        return evaluate(boundary);
+    }
+
+    PatchResponse iterate(const Eigen::VectorXd& boundary) {
+        const Eigen::Index n = plate.unknowns, m = system_.contact().multipliers();
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
+        for (std::size_t e = 0; e < system_.zone().operators().size(); ++e) {
+            const std::vector<int>& unknowns = system_.zone().operators()[e].unknowns;
+            matrix(unknowns, unknowns) += system_.zone().tangents()[e];
+        }
+        const auto rows = system_.contact_rows();
+        const std::vector<int>& jumps = system_.contact().jump_unknowns();
+        matrix.bottomRows(m)(Eigen::all, jumps) = rows.jump;
+        matrix.rightCols(m)(jumps, Eigen::all) = -system_.contact().operator_B().transpose();
+        matrix.bottomRightCorner(m, m) = rows.diagonal.asDiagonal();
+        Eigen::VectorXd right(n + m);
+        right << system_.load(), rows.right_hand_side;
+        const Eigen::VectorXd step = boundary - gather(system_.displacement(), patch.boundary);
+        for (std::size_t k = 0; k < patch.boundary.size(); ++k) {
+            matrix.row(patch.boundary[k]).setZero();
+            matrix(patch.boundary[k], patch.boundary[k]) = 1.0;
+            right[patch.boundary[k]] = step[static_cast<Eigen::Index>(k)];
+        }
+        const Eigen::VectorXd correction = matrix.partialPivLu().solve(right);
+        system_.move(correction.head(n), correction.tail(m));
+        return evaluate(boundary);
+    }
+
+    void commit() { system_.commit(false); }
+    [[nodiscard]] const Eigen::VectorXd& displacement() const { return system_.displacement(); }
+
+private:
+    PatchResponse evaluate(const Eigen::VectorXd& boundary) {
+        system_.set_boundary(boundary);
+        system_.linearise();
+        return system_.measure();
+    }
+    ZoneSystem system_;
+};
+
+TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
+    FineModel model(scene);
+    model.set_patch(patch);
+    FullNewton full;
+    for (const double strain : {3e-3, 4e-3, -1e-3, -3e-3}) {  // flows, flows on, closes, flows backwards
+        for (int iteration = 0; iteration < 8; ++iteration) {
+            // The boundary moves between the iterations too, as it does in a run.
+            const Eigen::VectorXd boundary = stretched(strain * (1.0 + 0.1 * std::pow(0.1, iteration)));
+            model.request({iteration, strain > 3.5e-3 ? 0.3 : 0.0, boundary});
+            const PatchResponse condensed = model.collect();
+            const PatchResponse whole = iteration == 0 ? full.begin(boundary, strain > 3.5e-3 ? 0.3 : 0.0) : full.iterate(boundary);
+            EXPECT_NEAR(condensed.interior_residual, whole.interior_residual, 1e-9 * whole.interior_force);
+            EXPECT_NEAR(condensed.interior_displacement, whole.interior_displacement, 1e-11);
+            EXPECT_EQ(condensed.digest.yielding_points, whole.digest.yielding_points);
+            EXPECT_EQ(condensed.digest.status, whole.digest.status);
+        }
+        model.commit(false);
+        full.commit();
+        EXPECT_LT((model.state().displacement - full.displacement()).lpNorm<Eigen::Infinity>(), 1e-12) << strain;
+    }
+}
+
+TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
+    FineModel model(scene);
+    model.set_patch(patch);
+    settled(model, stretched(3e-3));
+    model.commit(false);
+    const PatchResponse first = settled(model, stretched(4e-3));
+    settled(model, stretched(-4e-3));
+    model.rollback();
+    const PatchResponse again = settled(model, stretched(4e-3));
+    EXPECT_EQ(again.force, first.force);
+    EXPECT_EQ(again.tangent, first.tangent);
+    EXPECT_EQ(again.digest.multiplier, first.digest.multiplier);
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,160 @@
+// Contact pressure on cracks at arbitrary positions in the mesh. A flat patch proves nothing here (NUMERICS 1): the pressure
+// is a smooth, non-uniform, exact elastic field.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "common/fem/crack_faces.hpp"
+#include "common/fem/cut_element.hpp"
+#include "common/fem/element_basis.hpp"
+#include "common/fem/quadrature.hpp"
+#include "common/fem/shape_q4.hpp"
+#include "tests/support/one_equilibrium.hpp"
+
+namespace stria {
+namespace {
+
+/// With axes (x, y) along and across a crack through the middle of the field: sigma_yy = -p(x), sigma_xy = 0,
+/// sigma_xx = p2 y^2, p = p0 + p1 x + p2 x^2. In equilibrium and compatible (Airy: -p0 x^2/2 - p1 x^3/6 - p2 (x^4 - y^4)/12);
+/// no shear on the crack and no jump, so it is exact for frictionless contact.
+struct QuadraticPressure {
+    Vec2 origin, tangent;
+    double p0 = 1.0, p1 = 0.5, p2 = -1.2;
+    Elasticity elastic{1000.0, 0.3};
+
+    [[nodiscard]] Vec2 normal() const { return {-tangent.y(), tangent.x()}; }
+    [[nodiscard]] double pressure(const Vec2& at) const {
+        const double x = (at - origin).dot(tangent);
+        return p0 + p1 * x + p2 * x * x;
+    }
+    [[nodiscard]] Vec2 displacement(const Vec2& at) const {
+        const double x = (at - origin).dot(tangent), y = (at - origin).dot(normal());
+        const double nu = elastic.poisson / (1.0 - elastic.poisson);  // plane strain
+        const double u = p2 * y * y * x + nu * (p0 * x + p1 * x * x / 2.0 + p2 * x * x * x / 3.0) + p1 * y * y / 2.0;
+        const double v = -(p0 + p1 * x + p2 * x * x) * y - nu * p2 * y * y * y / 3.0;
+        return (u * tangent + v * normal()) / elastic.plane_modulus();
+    }
+    [[nodiscard]] Vec2 traction(const Vec2& at, const Vec2& outward) const {
+        const double y = (at - origin).dot(normal());
+        return p2 * y * y * tangent.dot(outward) * tangent - pressure(at) * normal().dot(outward) * normal();
+    }
+};
+
+/// Unit square, crack from the left to the right edge: exact displacements at top and bottom, exact tractions at the sides.
+coarse::Scene cut_square(int elements, double left, double right, QuadraticPressure& field) {
+    Case input;
+    input.mesh = {.specimen = "plate", .width = 1.0, .height = 1.0, .size = 1.0 / elements, .grading = {}};
+    input.material.young = field.elastic.young;
+    input.material.poisson = field.elastic.poisson;
+    input.cracks.resize(1);
+    input.cracks[0].points = {{0.0, left}, {1.0, right}};
+    input.cracks[0].contact = ContactSection{};
+    input.fine.enrichment = Enrichment::None;
+    input.solver.tolerance = 1e-10;
+    for (const char* edge : {"top", "bottom"}) {
+        BoundarySection held;
+        held.on = edge;
+        held.displacement = {0.0, 0.0};
+        input.boundaries.push_back(held);
+    }
+    for (const char* edge : {"left", "right"}) {
+        BoundarySection pulled;
+        pulled.on = edge;
+        pulled.traction = Vec2(1.0, 0.0);  // marks the edge as loaded; the exact traction replaces it
+        input.boundaries.push_back(pulled);
+    }
+    coarse::Scene scene = coarse::make_scene(input);
+    field.origin = {0.5, 0.5 * (left + right)};
+    field.tangent = Vec2(1.0, right - left).normalized();
+
+    for (coarse::PrescribedUnknown& p : scene.prescribed) {
+        for (const char* edge : {"top", "bottom"}) {
+            for (const BoundaryEdge& e : scene.mesh.boundary.at(edge)) {
+                for (const int node : coarse::edge_nodes(scene.mesh, e)) {
+                    for (int c = 0; c < 2; ++c) {
+                        if (p.unknown == scene.enriched.unknown(node, 0, c)) p.value = field.displacement(scene.mesh.nodes[size_t(node)])[c];
+                    }
+                }
+            }
+        }
+    }
+    scene.unit_force.setZero();
+    const std::vector<int> piece = piece_of_elements(scene.enriched);
+    for (const char* name : {"left", "right"}) {
+        for (const BoundaryEdge& e : scene.mesh.boundary.at(name)) {
+            const coarse::EdgeGeometry edge = coarse::edge_geometry(scene.mesh, e);
+            const int index = piece[size_t(e.element)];
+            const CrackPiece* cut = index >= 0 ? &scene.enriched.pieces[size_t(index)] : nullptr;
+            const ElementBasis basis(scene.enriched, e.element, cut != nullptr);
+            std::vector<double> breaks{0.0, 1.0};
+            if (cut != nullptr) for (const double place : {cut->entry, cut->exit}) if (place > e.edge && place < e.edge + 1) breaks.push_back(place - e.edge);
+            std::ranges::sort(breaks);
+            BasisValues values;
+            for (size_t part = 0; part + 1 < breaks.size(); ++part) {
+                const Vec2 middle = edge.at((breaks[part] + breaks[part + 1]) / 2.0);
+                const int side = cut != nullptr ? cut_element(basis.corners(), *cut).side_of(middle + 1e-7 * edge.inward_normal()) : 0;
+                for (const LinePoint& g : gauss_line(4)) {
+                    const double length = breaks[part + 1] - breaks[part];
+                    const Vec2 x = edge.at(breaks[part] + 0.5 * (1.0 + g.xi) * length);
+                    const Vec2 t = field.traction(x, -edge.inward_normal());
+                    basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
+                    for (int f = 0; f < basis.functions(); ++f) {
+                        scene.unit_force.segment<2>(basis.unknowns()[size_t(2 * f)]) += 0.5 * g.weight * length * edge.length() * values.value[f] * t;
+                    }
+                }
+            }
+        }
+    }
+    return scene;
+}
+
+struct PressureError {
+    double mean = 0.0, worst = 0.0;
+    int iterations = 0;
+    double penetration = 0.0;  // worst, in units of h p_max / E'
+};
+
+PressureError pressure_error(int elements, int cuts) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> offset(0.35, 0.65), slope(-0.5, 0.5);
+    PressureError error;
+    for (int k = 0; k < cuts; ++k) {
+        const double middle = offset(random), rise = 0.5 * slope(random);
+        QuadraticPressure field;
+        const coarse::Scene scene = cut_square(elements, middle - rise, middle + rise, field);
+        const test::Equilibrated result = test::equilibrate(scene, 1.0);
+        EXPECT_TRUE(result.newton.converged) << result.newton.failure << "\n" << result.newton.table();
+        const std::vector<FaceStation> stations = face_stations(scene.enriched, 0, scene.input.fine.subcells, 4);
+        double wrong = 0.0, whole = 0.0, deepest = 0.0;
+        for (size_t i = 0; i < stations.size(); ++i) {
+            const double exact = field.pressure(stations[i].x);
+            wrong += stations[i].weight * std::pow(result.zone.faces[i].pressure - exact, 2);
+            whole += stations[i].weight * exact * exact;
+            deepest = std::max(deepest, -result.zone.faces[i].opening);
+        }
+        const double relative = std::sqrt(wrong / whole);
+        error.mean += relative / cuts;
+        error.worst = std::max(error.worst, relative);
+        error.iterations = std::max(error.iterations, result.newton.count());
+        error.penetration = std::max(error.penetration, deepest * elements * field.elastic.plane_modulus() / 1.05);
+    }
+    std::printf("%d x %d, %d cuts: pressure error mean %.3f %%, worst %.3f %%, iterations at most %d, penetration %.4f h p/E'\n", elements, elements, cuts,
+                100.0 * error.mean, 100.0 * error.worst, error.iterations, error.penetration);
+    return error;
+}
+
+TEST(ContactPressure, QuadraticFieldOver100CutsAt21) {
+    const PressureError error = pressure_error(21, 100);
+    EXPECT_LT(error.mean, 0.003);
+    EXPECT_LT(error.worst, 0.005);
+}
+
+TEST(ContactPressure, QuadraticFieldOver100CutsAt41) {
+    const PressureError error = pressure_error(41, 100);
+    EXPECT_LT(error.mean, 0.0015);
+    EXPECT_LT(error.worst, 0.0025);
+}
+
+}  // namespace
+}  // namespace stria
