@@ -25,20 +25,24 @@ public:
         held_.assign(at(scene_.enriched.unknowns), 0);
         for (const auto& p : scene_.prescribed) held_[at(p.unknown)] = 1;
         hold_unused();
+        structure_load_ = scene_.unit_force;  // the zone carries the load on its own unknowns
+        for (int i = 0; i < std::ssize(whole_); ++i) {
+            if (!std::ranges::binary_search(zone.patch().boundary, i)) structure_load_[whole_[at(i)]] = 0.0;
+        }
     }
 
     void begin(double load_factor, double predictor) override {
         load_factor_ = load_factor;
         trial_ = committed_ + predictor * last_increment_;
         for (const auto& p : scene_.prescribed) trial_[p.unknown] = load_factor * p.value;
-        zone_.predict(predictor);
+        zone_.predict(predictor, load_factor);
         zone_.set_boundary(on_boundary());
     }
 
     coarse::Residual linearise() override {
         zone_.linearise();
         const coupling::PatchResponse response = zone_.measure();
-        residual_ = load_factor_ * scene_.unit_force - stiffness_ * trial_;
+        residual_ = load_factor_ * structure_load_ - stiffness_ * trial_;
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
@@ -146,7 +150,7 @@ private:
     SparseMatrix stiffness_;
     double load_factor_;
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
-    Eigen::VectorXd committed_, trial_, last_increment_, residual_, correction_;
+    Eigen::VectorXd structure_load_, committed_, trial_, last_increment_, residual_, correction_;
     std::vector<char> held_;
 };
 

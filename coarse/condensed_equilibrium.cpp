@@ -47,7 +47,7 @@ Residual CondensedEquilibrium::linearise() {
     if (fine_ == nullptr) return result;
     {
         const Stopwatch watch(exchange_s_);
-        fine_->request({iteration_, predictor_, trial_});
+        fine_->request({iteration_, predictor_, load_factor_, trial_});
         // Meanwhile the structure's part, which needs no answer.
         residual_ = load_factor_ * structure_.unit_load() - structure_.tangent() * on_free(trial_);
         response_ = fine_->collect();

@@ -32,39 +32,55 @@ public:
     }
 
     EnrichedMesh enrich() {
-        std::map<int, int> owner;  // element -> crack
         for (int crack = 0; crack < static_cast<int>(cracks_.size()); ++crack) {
             const CrackPath path = resolve_crack(mesh_, crack, cracks_[at(crack)].points);
-            for (const CrackPiece& piece : path.pieces) {
-                const auto [found, added] = owner.emplace(piece.element, crack);
-                if (!added && found->second != crack) {
-                    throw CaseError(fmt::format("crack {}: it shares an element with crack {} near ({}, {}); use smaller elements",
-                                                crack + 1, found->second + 1, piece.points[0].x(), piece.points[0].y()));
-                }
-            }
             add_crack(crack, path);
         }
+        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(e);
         result_.number();
         return std::move(result_);
     }
 
 private:
+    // Sides and jumps of an element belong to one crack, and a node sees at most one tip.
+    void require_one_crack(std::size_t element) const {
+        std::set<int> cracks;
+        for (const int node : mesh_.elements[element]) {
+            int last_tip = -1;
+            for (const Term& term : result_.terms[at(node)]) {
+                const bool heaviside = term.kind == Term::Kind::Heaviside;
+                cracks.insert(heaviside ? term.owner : result_.tips[at(term.owner)].crack);
+                const Vec2& x = mesh_.nodes[at(node)];
+                if (cracks.size() > 1) {
+                    throw CaseError(fmt::format("crack {}: near ({}, {}) it is less than two elements from crack {}; use smaller elements",
+                                                *cracks.rbegin() + 1, x.x(), x.y(), *cracks.begin() + 1));
+                }
+                if (heaviside) continue;
+                if (last_tip >= 0 && last_tip != term.owner) {
+                    throw CaseError(fmt::format("crack {}: near ({}, {}) its two tips are less than two elements apart; use smaller elements",
+                                                *cracks.begin() + 1, x.x(), x.y()));
+                }
+                last_tip = term.owner;
+            }
+        }
+    }
+
     void add_crack(int crack, const CrackPath& path) {
         node_side_.clear();
         on_crack_.clear();
-        std::set<int> tip_nodes;
-        if (path.tip_at_start) add_tip(crack, path, true, tip_nodes);
-        if (path.tip_at_end) add_tip(crack, path, false, tip_nodes);
+        std::set<int> without_jump;  // the tip functions open the crack there
+        if (path.tip_at_start) add_tip(crack, path, true, without_jump);
+        if (path.tip_at_end) add_tip(crack, path, false, without_jump);
         for (const CrackPiece& piece : path.pieces) note_sides(piece);
         for (const auto& [node, side] : node_side_) {
-            if (!tip_nodes.contains(node)) result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
+            if (!without_jump.contains(node)) result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
-        set_element_sides(path, tip_nodes);
+        set_element_sides(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
         add_tip_terms(path);
     }
 
-    void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& tip_nodes) {
+    void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& without_jump) {
         const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
         Tip tip;
         tip.crack = crack;
@@ -74,10 +90,7 @@ private:
         tip.position = start ? piece.points.front() : piece.points.back();
         tip.direction = (start ? Vec2(piece.points[0] - piece.points[1]) : Vec2(piece.points[n - 1] - piece.points[n - 2])).normalized();
         result_.tips.push_back(tip);
-        for (const int element : {piece.element, piece.neighbour}) {
-            if (element < 0) continue;
-            for (const int node : mesh_.elements[at(element)]) tip_nodes.insert(node);
-        }
+        without_jump.merge(tip_nodes(piece));
     }
 
     // Side of the nodes of cut elements. A node on the crack counts as + (NUMERICS 1).
@@ -99,23 +112,54 @@ private:
         on_crack_.insert(node);
     }
 
-    // Elements that touch the crack at a node without being cut: left or right of the two pieces that meet there.
-    void set_element_sides(const CrackPath& path, const std::set<int>& tip_nodes) {
+    // Elements that touch the crack without being cut: at a node, left or right of the two pieces that meet there; beside a
+    // tip, like the nodes of its element (a kink may put them across the straight line behind the tip); along an edge.
+    void set_element_sides(const CrackPath& path) {
         std::set<int> cut;
         for (const CrackPiece& piece : path.pieces) if (piece.neighbour < 0) cut.insert(piece.element);
         const auto around = elements_around_nodes(mesh_.elements, mesh_.nodes.size());
         for (const int node : on_crack_) {
-            if (tip_nodes.contains(node)) continue;
             const auto [before, after] = neighbours_on_crack(path, mesh_.nodes[at(node)]);
             for (const int element : around[at(node)]) {
                 if (!cut.contains(element)) result_.element_side[at(element)] = side(before, mesh_.nodes[at(node)], after, element);
             }
         }
+        if (path.tip_at_start) set_sides_beside_tip(path.pieces.front(), cut, around);
+        if (path.tip_at_end) set_sides_beside_tip(path.pieces.back(), cut, around);
         for (const CrackPiece& piece : path.pieces) {
             if (piece.neighbour < 0) continue;
             result_.element_side[at(piece.element)] = -1;
             result_.element_side[at(piece.neighbour)] = 1;
         }
+    }
+
+    void set_sides_beside_tip(const CrackPiece& piece, const std::set<int>& cut, const std::vector<std::vector<int>>& around) {
+        std::map<int, std::set<int>> sides;  // of each element's nodes; both: it lies ahead of the tip
+        for (const int node : tip_nodes(piece)) {
+            if (on_crack_.contains(node)) continue;
+            for (const int element : around[at(node)]) sides[element].insert(side_near_tip(piece, node));
+        }
+        for (const auto& [element, seen] : sides) {
+            signed char& known = result_.element_side[at(element)];
+            if (known == 0 && seen.size() == 1 && !cut.contains(element)) known = static_cast<signed char>(*seen.begin());
+        }
+    }
+
+    /// Nodes of the element or elements that hold the tip at the end of a piece.
+    [[nodiscard]] std::set<int> tip_nodes(const CrackPiece& piece) const {
+        std::set<int> nodes;
+        for (const int element : {piece.element, piece.neighbour}) {
+            if (element >= 0) nodes.insert(mesh_.elements[at(element)].begin(), mesh_.elements[at(element)].end());
+        }
+        return nodes;
+    }
+
+    // Ahead of the tip either side will do.
+    [[nodiscard]] int side_near_tip(const CrackPiece& piece, int node) const {
+        if (on_crack_.contains(node)) return 1;
+        const Vec2& x = mesh_.nodes[at(node)];
+        if (piece.neighbour >= 0) return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
+        return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
     }
 
     [[nodiscard]] static std::pair<Vec2, Vec2> neighbours_on_crack(const CrackPath& path, const Vec2& x) {
@@ -142,14 +186,9 @@ private:
         for (int k = 0; k < count; ++k) {
             const int index = static_cast<int>(result_.tips.size()) - count + k;
             const CrackPiece& piece = path.tip_at_start && k == 0 ? path.pieces.front() : path.pieces.back();
-            std::set<int> nodes;
-            for (const int element : {piece.element, piece.neighbour}) {
-                if (element >= 0) nodes.insert(mesh_.elements[at(element)].begin(), mesh_.elements[at(element)].end());
-            }
-            for (const int node : nodes) {
-                const int side = on_crack_.contains(node) ? 1 : 0;
-                const auto value =
-                    tip_functions(result_.tips[at(index)], mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
+            for (const int node : tip_nodes(piece)) {
+                const Vec2& x = mesh_.nodes[at(node)];
+                const auto value = tip_functions(result_.tips[at(index)], x, side_near_tip(piece, node), tip_enrichment_.exponent).value;
                 for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha) {
                     result_.terms[at(node)].push_back({Term::Kind::Tip, index, alpha, value[alpha]});
                 }

@@ -90,20 +90,17 @@ Scene make_scene(const Case& input) {
 void put_loads_on_unknowns(Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     scene.unit_force = Eigen::VectorXd::Zero(mesh.unknowns);
-    scene.loaded.assign(at(mesh.unknowns), 0);
-    const auto mark = [&](int node) {
-        const auto count = 2 * (1 + mesh.terms[at(node)].size());
-        std::fill_n(scene.loaded.begin() + mesh.unknown(node, 0, 0), count, static_cast<char>(1));
-    };
+    scene.observed.assign(at(mesh.unknowns), 0);
+    const auto observe = [&](int node) { std::fill_n(scene.observed.begin() + mesh.unknown(node, 0, 0), 2, static_cast<char>(1)); };
     const std::vector<int> piece = piece_of_elements(mesh);
     for (const EdgeLoad& load : scene.loads.edges) {
         const int p = piece[at(load.edge.element)];
         add_edge_load(scene, load, p >= 0 ? &mesh.pieces[at(p)] : nullptr, scene.unit_force);
-        for (const int node : mesh.elements[at(load.edge.element)]) mark(node);
+        for (const int node : edge_nodes(scene.mesh, load.edge)) observe(node);
     }
     for (const PointForce& load : scene.loads.forces) {
         scene.unit_force.segment<2>(mesh.unknown(load.node, 0, 0)) += load.force;
-        mark(load.node);
+        observe(load.node);
     }
     std::map<std::pair<int, int>, double> held;
     for (const PrescribedDisplacement& d : scene.loads.displacements) held[{d.node, d.component}] = d.value;
@@ -112,7 +109,7 @@ void put_loads_on_unknowns(Scene& scene) {
     for (const auto& pin : scene.free_motions.pins) held[{pin.node, pin.component}] = 0.0;
     for (const auto& [where, value] : held) {
         prescribed[mesh.unknown(where.first, 0, where.second)] = value;
-        mark(where.first);
+        observe(where.first);
     }
     scene.prescribed.clear();
     for (const auto& [unknown, value] : prescribed) scene.prescribed.push_back({unknown, value});

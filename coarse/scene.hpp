@@ -26,7 +26,7 @@ struct Scene {
     EnrichedMesh enriched;
     Eigen::VectorXd unit_force;                  // on all unknowns, per unit load factor, N/mm
     std::vector<PrescribedUnknown> prescribed;   // ascending; supports, imposed displacements, and the pins of free motions
-    std::vector<char> loaded;                    // per unknown: its node carries a load or a prescribed value
+    std::vector<char> observed;                  // per unknown: standard unknown of a node where loads are applied and reported
 };
 
 /// Meshes, enriches and resolves a case. Throws CaseError.

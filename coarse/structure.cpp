@@ -41,7 +41,7 @@ void Structure::number_unknowns() {
 
     leaf_index_.assign(at(mesh.unknowns), -1);
     for (int i = 0; i < mesh.unknowns; ++i) {
-        if (fine[at(i)] != 0 && (coarse[at(i)] != 0 || scene_.loaded[at(i)] != 0)) gamma_.push_back(i);
+        if (fine[at(i)] != 0 && (coarse[at(i)] != 0 || prescribed[at(i)] != 0 || scene_.observed[at(i)] != 0)) gamma_.push_back(i);
         else if (coarse[at(i)] != 0 && prescribed[at(i)] == 0) {
             leaf_index_[at(i)] = unknowns();
             leaf_unknowns_.push_back(i);

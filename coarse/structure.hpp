@@ -16,7 +16,7 @@ public:
     /// `in_zone`: per element, 1 where the fine component owns it. Every element belongs to exactly one side.
     Structure(const Scene& scene, std::vector<char> in_zone);
 
-    /// Gamma: unknowns of the whole mesh that zone elements share with coarse ones or that carry loads or supports, ascending.
+    /// Gamma: unknowns of the whole mesh that zone elements share with coarse ones or that are prescribed or reported, ascending.
     [[nodiscard]] const std::vector<int>& gamma() const { return gamma_; }
 
     /// Places in gamma() that are not prescribed: the unknowns of the condensed system, in order.

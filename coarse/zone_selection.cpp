@@ -59,9 +59,13 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
 
 std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part) {
     std::vector<int> result(at(part.unknowns));
-    for (std::size_t n = 0; n < part.nodes.size(); ++n) {
-        const int count = 2 * (1 + static_cast<int>(part.terms[n].size()));
-        for (int k = 0; k < count; ++k) result[at(part.first_unknown[n] + k)] = whole.first_unknown[at(part.node_ids[n])] + k;
+    for (int n = 0; n < static_cast<int>(part.nodes.size()); ++n) {
+        const int id = part.node_ids[at(n)];
+        for (int t = 0; t <= static_cast<int>(part.terms[at(n)].size()); ++t) {
+            // The part may have dropped terms that none of its elements sees.
+            const int same = t == 0 ? 0 : whole.term_index(id, part.terms[at(n)][at(t - 1)]);
+            for (int c = 0; c < 2; ++c) result[at(part.unknown(n, t, c))] = whole.unknown(id, same, c);
+        }
     }
     return result;
 }
@@ -97,9 +101,12 @@ coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone,
     patch.mesh = extract(scene.enriched, elements);
     const std::vector<int> whole = whole_unknowns(scene.enriched, patch.mesh);
     patch.displacement.resize(patch.mesh.unknowns);
+    patch.unit_load.resize(patch.mesh.unknowns);
     for (int i = 0; i < patch.mesh.unknowns; ++i) {
         patch.displacement[i] = displacement[whole[at(i)]];
-        if (std::ranges::binary_search(gamma, whole[at(i)])) patch.boundary.push_back(i);
+        const bool shared = std::ranges::binary_search(gamma, whole[at(i)]);
+        patch.unit_load[i] = shared ? 0.0 : scene.unit_force[whole[at(i)]];
+        if (shared) patch.boundary.push_back(i);
     }
     for (int t = 0; t < static_cast<int>(scene.enriched.tips.size()); ++t) {
         const double outer = largest_ring(scene, t), inner = ring_inner_fraction * outer;

@@ -26,7 +26,8 @@ struct Ring {
 /// The zone: sent once per geometry, and again when the zone is extended.
 struct Patch {
     EnrichedMesh mesh;                 // its elements only; ids refer to the whole mesh
-    std::vector<int> boundary;         // unknowns of `mesh` shared with the structure (Gamma), ascending
+    std::vector<int> boundary;         // unknowns of `mesh` shared with the structure or prescribed (Gamma), ascending
+    Eigen::VectorXd unit_load;         // on the other unknowns of `mesh`, per unit load factor, N/mm; zero on Gamma
     Eigen::VectorXd displacement;      // committed displacement of all unknowns of `mesh`; the fine component keeps its own
                                        // where it has one, and starts elements that are new to it from sigma = C eps(u)
     std::vector<Ring> j_rings;         // one a tip
@@ -37,6 +38,7 @@ struct Patch {
 struct PatchDisplacement {
     int iteration = 0;        // 0: first of an increment: interior = committed + predictor * last increment
     double predictor = 0.0;
+    double load_factor = 0.0;
     Eigen::VectorXd boundary;  // total displacement on Gamma, in the order of Patch::boundary
 };
 

@@ -54,13 +54,13 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, displacement, j_rings, k_rings] = m;
-    wire(mesh, boundary, displacement, j_rings, k_rings);
+    auto& [mesh, boundary, unit_load, displacement, j_rings, k_rings] = m;
+    wire(mesh, boundary, unit_load, displacement, j_rings, k_rings);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, boundary] = m;
-    wire(iteration, predictor, boundary);
+    auto& [iteration, predictor, load_factor, boundary] = m;
+    wire(iteration, predictor, load_factor, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {

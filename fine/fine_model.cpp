@@ -37,7 +37,7 @@ void FineModel::set_patch(const coupling::Patch& patch) {
 void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
 
 coupling::PatchResponse FineModel::collect() {
-    if (asked_.iteration == 0) system_.predict(asked_.predictor);
+    if (asked_.iteration == 0) system_.predict(asked_.predictor, asked_.load_factor);
     else advance_interior(asked_.boundary);
     system_.set_boundary(asked_.boundary);
     system_.linearise();

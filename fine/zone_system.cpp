@@ -17,7 +17,7 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, input_.fine.subcells);
-    contact_ = std::make_unique<ContactInterface>(patch.mesh, input_.cracks, input_.fine.subcells, elastic_.plane_modulus());
+    contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells, elastic_.plane_modulus());
     keep_history(patch, old.get(), old_contact.get());
     patch_ = patch;
     trial_ = committed_;
@@ -27,19 +27,18 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
     Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
     Unknowns step{Eigen::VectorXd::Zero(patch.mesh.unknowns), next.pressure};
     if (old != nullptr) {
-        std::map<std::tuple<int, int>, int> first;  // (node id, term) -> first of its two unknowns
-        for (std::size_t n = 0; n < old->mesh().nodes.size(); ++n) {
-            for (int t = 0; t <= static_cast<int>(old->mesh().terms[n].size()); ++t) {
-                first[{old->mesh().node_ids[n], t}] = old->mesh().unknown(static_cast<int>(n), t, 0);
-            }
-        }
-        for (std::size_t n = 0; n < patch.mesh.nodes.size(); ++n) {
-            for (int t = 0; t <= static_cast<int>(patch.mesh.terms[n].size()); ++t) {
-                const auto found = first.find({patch.mesh.node_ids[n], t});
-                if (found == first.end()) continue;
-                const int to = patch.mesh.unknown(static_cast<int>(n), t, 0);
-                next.displacement.segment<2>(to) = committed_.displacement.segment<2>(found->second);
-                step.displacement.segment<2>(to) = last_increment_.displacement.segment<2>(found->second);
+        std::map<int, int> old_node;  // by id
+        for (int n = 0; n < static_cast<int>(old->mesh().nodes.size()); ++n) old_node[old->mesh().node_ids[static_cast<std::size_t>(n)]] = n;
+        for (int n = 0; n < static_cast<int>(patch.mesh.nodes.size()); ++n) {
+            const auto found = old_node.find(patch.mesh.node_ids[static_cast<std::size_t>(n)]);
+            if (found == old_node.end()) continue;
+            const auto& terms = patch.mesh.terms[static_cast<std::size_t>(n)];
+            for (int t = 0; t <= static_cast<int>(terms.size()); ++t) {
+                const int same = t == 0 ? 0 : old->mesh().term_index(found->second, terms[static_cast<std::size_t>(t - 1)]);
+                if (t > 0 && same == 0) continue;
+                const int to = patch.mesh.unknown(n, t, 0), from = old->mesh().unknown(found->second, same, 0);
+                next.displacement.segment<2>(to) = committed_.displacement.segment<2>(from);
+                step.displacement.segment<2>(to) = last_increment_.displacement.segment<2>(from);
             }
         }
         for (int k = 0; k < contact_->multipliers(); ++k) {
@@ -57,9 +56,11 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
     zone_->start(old, committed_.displacement);
 }
 
-void ZoneSystem::predict(double factor) {
+void ZoneSystem::predict(double factor, double load_factor) {
+    load_factor_ = load_factor;
     trial_.displacement = committed_.displacement + factor * last_increment_.displacement;
-    trial_.pressure = (committed_.pressure + factor * last_increment_.pressure).cwiseMax(0.0);
+    // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
+    trial_.pressure = committed_.pressure + factor * last_increment_.pressure;
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
 }
@@ -84,7 +85,7 @@ void ZoneSystem::linearise() {
     contact_->choose_statuses(trial_.pressure, gap_);
     Eigen::VectorXd force = zone_->internal_force();
     contact_->add_force(trial_.pressure, force);
-    load_ = -force;
+    load_ = load_factor_ * patch_.unit_load - force;
 }
 
 coupling::PatchResponse ZoneSystem::measure() const {
@@ -107,6 +108,10 @@ coupling::PatchResponse ZoneSystem::measure() const {
 }
 
 coupling::StepReport ZoneSystem::commit(bool reversal) {
+    // Where a face is open the solver has left the rounding of a pressure: it would count as contact.
+    for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
+        if (contact_->statuses()[static_cast<std::size_t>(k)] == 0) trial_.pressure[k] = 0.0;
+    }
     last_increment_ = {trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
     committed_ = trial_;
     zone_->commit(reversal);

@@ -17,8 +17,8 @@ public:
     /// A new zone; elements and multipliers that the old one had keep their history.
     void set_patch(const coupling::Patch& patch);
 
-    /// Trial = committed + factor * last increment: the first iterate of an increment.
-    void predict(double factor);
+    /// Trial = committed + factor * last increment: the first iterate of an increment at a load factor.
+    void predict(double factor, double load_factor);
 
     /// Moves the trial unknowns: displacements of the zone, pressures of the multipliers.
     void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure);
@@ -27,7 +27,7 @@ public:
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
     void linearise();
 
-    /// What Newton has to remove from every zone unknown: -(internal force - B^T p), N/mm.
+    /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p), N/mm.
     [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
 
     [[nodiscard]] const Zone& zone() const { return *zone_; }
@@ -61,7 +61,7 @@ private:
     std::unique_ptr<ContactInterface> contact_;
     Unknowns committed_, trial_, last_increment_;
     Eigen::VectorXd gap_, load_;
-    double largest_move_ = 0.0;
+    double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
 };
 

@@ -23,6 +23,7 @@ FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, con
     station.normal = {-tangent.y(), tangent.x()};
     BasisValues plus, minus;
     const Vec2 xi = map_to_parent(basis.corners(), x);
+    station.shape = shape_values(xi);
     basis.evaluate(xi, x, 1, plus);
     basis.evaluate(xi, x, -1, minus);
     for (int f = 0; f < basis.functions(); ++f) {

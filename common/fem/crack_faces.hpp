@@ -19,6 +19,7 @@ struct FaceStation {
     double s = 0.0;       // arc length, mm
     double weight = 0.0;  // length that the station stands for, mm
     Vec2 x = Vec2::Zero(), tangent = Vec2::UnitX(), normal = Vec2::UnitY();  // normal from minus to plus: left of the tangent
+    Eigen::Vector4d shape = Eigen::Vector4d::Zero();  // standard functions of the element's corners
     std::vector<Term> terms;
 
     [[nodiscard]] Vec2 jump(const Eigen::VectorXd& u) const;

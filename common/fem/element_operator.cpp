@@ -1,6 +1,7 @@
 #include "common/fem/element_operator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "common/fem/quadrature.hpp"
@@ -35,7 +36,7 @@ public:
             for (int i = 0; i < rule_.subcells; ++i) add_subcell(i, j);
         }
         evaluate_gradients();
-        if (basis_.singular()) correct_singular_gradients();
+        if (basis_.singular() || (cut_ && !is_parallelogram())) correct_gradients();
         form_means();
         return std::move(result_);
     }
@@ -56,7 +57,39 @@ private:
             for (const Vec2& corner : quad) if (!same(tip, corner, size_)) inside.emplace_back(tip, corner);
         }
         if (inside.empty()) add_quad(i, j, quad);
-        else for (const auto& triangle : triangulate(quad, inside)) add_triangle(triangle);
+        else for (const auto& triangle : triangulate(with_ends_as_corners(quad, inside), inside)) add_triangle(triangle);
+    }
+
+    // Ends that lie on an edge to within rounding become corners: the triangulation has nothing to intersect, so it cannot
+    // lose the rest of a segment whose end fell outside by one rounding.
+    [[nodiscard]] std::vector<Vec2> with_ends_as_corners(const std::array<Vec2, 4>& quad, const std::vector<Segment>& inside) const {
+        std::vector<Vec2> polygon;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec2 &a = quad[k], edge = quad[(k + 1) % 4] - a;
+            std::vector<std::pair<double, Vec2>> on_edge{{0.0, a}};
+            for (const Segment& segment : inside) {
+                for (const Vec2& end : {segment.first, segment.second}) {
+                    const Vec2 d = end - a;
+                    const double t = d.dot(edge) / edge.squaredNorm();
+                    const bool on_line = std::abs(edge.x() * d.y() - edge.y() * d.x()) < 1e-10 * size_ * edge.norm();
+                    if (on_line && t > 0.0 && t < 1.0 && end != a && end != quad[(k + 1) % 4]) on_edge.emplace_back(t, end);
+                }
+            }
+            std::ranges::sort(on_edge, {}, &std::pair<double, Vec2>::first);
+            for (const auto& [t, x] : on_edge) if (polygon.empty() || polygon.back() != x) polygon.push_back(x);
+        }
+        return polygon;
+    }
+
+    // Points that rounding alone keeps apart become one.
+    [[nodiscard]] Vec2 merged(const Vec2& x, const std::array<Vec2, 4>& quad, const std::vector<Segment>& inside) const {
+        for (const Vec2& corner : quad) if (same(x, corner, size_)) return corner;
+        for (const Vec2& tip : tips_) if (same(x, tip, size_)) return tip;
+        for (const Segment& segment : inside) {
+            if (same(x, segment.first, size_)) return segment.first;
+            if (same(x, segment.second, size_)) return segment.second;
+        }
+        return x;
     }
 
     // The part of a segment inside the open sub-quadrangle: one that only touches its edges does not cut it.
@@ -80,7 +113,8 @@ private:
             const Vec2 edge = quad[(k + 1) % 4] - quad[k], d = middle - quad[k];
             if ((edge.x() * d.y() - edge.y() * d.x()) / edge.norm() < 1e-10 * size_) return;
         }
-        inside.emplace_back(*first, *last);
+        const Vec2 from = merged(*first, quad, inside), to = merged(*last, quad, inside);
+        inside.emplace_back(from, to);
     }
 
     [[nodiscard]] int side_at(const Vec2& x) const { return cut_ ? cut_->side_of(x) : 0; }
@@ -124,7 +158,10 @@ private:
         }
     }
 
-    void correct_singular_gradients() {
+    // Shape functions of other quadrilaterals are not polynomials on the triangles of a cut.
+    [[nodiscard]] bool is_parallelogram() const { return same(corners_[0] + corners_[2], corners_[1] + corners_[3], size_); }
+
+    void correct_gradients() {
         struct Side {
             int side;
             std::span<const Vec2> polygon;
@@ -257,14 +294,6 @@ Eigen::MatrixXd ElementOperator::stiffness(const MandelMatrix& elastic) const {
         K.noalias() += points[q].weight * B.transpose() * (elastic * B);
     }
     return K;
-}
-
-std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
-    std::vector<int> result(mesh.elements.size(), -1);
-    for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {
-        if (mesh.pieces[p].neighbour < 0) result[static_cast<std::size_t>(mesh.pieces[p].element)] = static_cast<int>(p);
-    }
-    return result;
 }
 
 Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns) {

@@ -26,8 +26,9 @@ struct IntegrationRule {
 using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 /// NUMERICS 2: grad phi is replaced in the volumetric part of B by its mean over the point's crack side (over the whole
-/// element where it holds a tip), for every function; and a constant per side is added to grad phi of tip functions so that
-/// its integral equals the boundary integral of phi n, which makes the patch test of singular functions exact.
+/// element where it holds a tip), for every function; and a constant per side is added to grad phi where the points are not exact
+/// (tip functions, cut elements that are no parallelograms) so that its integral equals the boundary integral of phi n,
+/// which makes the patch test exact.
 struct ElementOperator {
     int element = 0;
     std::vector<int> unknowns;                // 2 a function
@@ -54,9 +55,6 @@ struct ElementOperator {
 
 /// `piece`: the crack inside the element, or null.
 ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece, const IntegrationRule& rule);
-
-/// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
-std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
 
 /// Element values of a displacement vector.
 Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns);

@@ -1,6 +1,9 @@
 #include "common/fem/enriched_mesh.hpp"
 
+#include <algorithm>
 #include <map>
+
+#include "common/fem/element_basis.hpp"
 
 namespace stria {
 
@@ -12,6 +15,44 @@ void EnrichedMesh::number() {
         unknowns += 2 * (1 + static_cast<int>(terms[node].size()));
     }
 }
+
+int EnrichedMesh::term_index(int node, const Term& term) const {
+    const auto& own = terms[static_cast<std::size_t>(node)];
+    const auto found = std::ranges::find_if(own, [&](const Term& t) { return t.same_function(term); });
+    return found != own.end() ? static_cast<int>(found - own.begin()) + 1 : 0;
+}
+
+std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
+    std::vector<int> result(mesh.elements.size(), -1);
+    for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {
+        if (mesh.pieces[p].neighbour < 0) result[static_cast<std::size_t>(mesh.pieces[p].element)] = static_cast<int>(p);
+    }
+    return result;
+}
+
+namespace {
+
+/// Drops the terms that no element of the mesh sees.
+void drop_unseen_terms(EnrichedMesh& mesh) {
+    mesh.number();
+    std::vector<char> seen(static_cast<std::size_t>(mesh.unknowns), 0);
+    const std::vector<int> piece = piece_of_elements(mesh);
+    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+        const ElementBasis basis(mesh, e, piece[static_cast<std::size_t>(e)] >= 0);
+        for (const int unknown : basis.unknowns()) seen[static_cast<std::size_t>(unknown)] = 1;
+    }
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        std::vector<Term> kept;
+        const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
+        for (int t = 0; t < static_cast<int>(terms.size()); ++t) {
+            if (seen[static_cast<std::size_t>(mesh.unknown(node, t + 1, 0))] != 0) kept.push_back(terms[static_cast<std::size_t>(t)]);
+        }
+        mesh.terms[static_cast<std::size_t>(node)] = std::move(kept);
+    }
+    mesh.number();
+}
+
+}  // namespace
 
 EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements) {
     EnrichedMesh part;
@@ -45,7 +86,7 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
         if (piece.neighbour >= 0) piece.neighbour = local_element[static_cast<std::size_t>(piece.neighbour)];
         if (piece.element >= 0) part.pieces.push_back(std::move(piece));
     }
-    part.number();
+    drop_unseen_terms(part);
     return part;
 }
 

@@ -17,6 +17,11 @@ struct Term {
     int owner;     // Heaviside: crack index; Tip: tip index
     int function;  // Tip: alpha of eq. (2), from 0; Heaviside: 0
     double shift;  // psi(x_i)
+
+    /// The same function, whatever mesh it is written on.
+    [[nodiscard]] bool same_function(const Term& other) const {
+        return kind == other.kind && owner == other.owner && function == other.function;
+    }
 };
 
 /// Part of a crack inside one element, as resolved on the mesh (crossings within 1e-3 of an edge's length of a node are
@@ -63,9 +68,16 @@ struct EnrichedMesh {
     [[nodiscard]] int unknown(int node, int term, int component) const {  // term 0: standard; k: terms[node][k - 1]
         return first_unknown[static_cast<std::size_t>(node)] + 2 * term + component;
     }
+
+    /// Index of a term of a node for unknown(); 0 where the node has no such term.
+    [[nodiscard]] int term_index(int node, const Term& term) const;
 };
 
-/// The part of a mesh made of the given elements (ascending), with their pieces, and all tips and terms of their nodes.
+/// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
+std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
+
+/// The part of a mesh made of the given elements (ascending), with their pieces, all tips, and the terms of their nodes that
+/// do not vanish on all of them.
 EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements);
 
 }  // namespace stria

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace stria::fine {
 
-ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<CrackSection>& cracks, int subcells, double stiffness) {
+ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary, const std::vector<CrackSection>& cracks,
+                                   int subcells, double stiffness) {
     int count = 0;
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const CrackSection& section = cracks[static_cast<std::size_t>(crack)];
         if (!section.contact) continue;
-        spaces_.push_back({crack, section.notch, count, MultiplierSpace(mesh, crack, section.notch)});
+        spaces_.push_back({crack, section.notch, count, MultiplierSpace(mesh, boundary, crack, section.notch)});
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();
         for (const double s : space.nodes()) keys_.push_back({crack, s});
@@ -26,34 +29,59 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<C
 
     B_ = Eigen::MatrixXd::Zero(count, std::ssize(jump_unknowns_));
     weight_ = augmentation_ = Eigen::VectorXd::Zero(count);
+    status_.assign(static_cast<std::size_t>(count), 0);
+    assemble(mesh, stiffness);
+}
+
+void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
+    // A node's share of the crack, branch by branch: integral of N_i and its centroid.
+    struct Share {
+        double length = 0.0, moment = 0.0;
+    };
+    std::map<std::tuple<int, int, int>, Share> shares;  // (crack, branch, node)
+    const auto branch_of = [&](const FaceStation& station) { return space_of(station.crack)->space.branch(station.s); };
+    for (const FaceStation& station : stations_) {
+        for (int k = 0; k < 4; ++k) {
+            const int node = mesh.elements[static_cast<std::size_t>(station.element)][static_cast<std::size_t>(k)];
+            Share& share = shares[{station.crack, branch_of(station), node}];
+            share.length += station.weight * station.shape[k];
+            share.moment += station.weight * station.shape[k] * station.s;
+        }
+    }
+    for (const auto& [key, share] : shares) {
+        if (share.length <= 0.0) continue;
+        for (const auto& [multiplier, value] : functions_at(std::get<0>(key), share.moment / share.length)) {
+            if (multiplier >= 0) weight_[multiplier] += value * share.length;
+        }
+    }
+    std::vector<int> node_of(static_cast<std::size_t>(mesh.unknowns));
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        const int end = node + 1 < static_cast<int>(mesh.nodes.size()) ? mesh.unknown(node + 1, 0, 0) : mesh.unknowns;
+        for (int i = mesh.unknown(node, 0, 0); i < end; ++i) node_of[static_cast<std::size_t>(i)] = node;
+    }
     const auto column = [&](int unknown) { return std::ranges::lower_bound(jump_unknowns_, unknown) - jump_unknowns_.begin(); };
     for (const FaceStation& station : stations_) {
-        for (const auto& [multiplier, value] : functions_at(station)) {
-            if (multiplier < 0) continue;
-            weight_[multiplier] += station.weight * value;
-            for (const FaceStation::Term& term : station.terms) {
-                for (int c = 0; c < 2; ++c) {
-                    B_(multiplier, column(term.unknown + c)) += station.weight * value * term.value * station.normal[c];
-                }
+        for (const FaceStation::Term& term : station.terms) {
+            const Share& share = shares.at({station.crack, branch_of(station), node_of[static_cast<std::size_t>(term.unknown)]});
+            for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
+                if (multiplier < 0) continue;
+                for (int c = 0; c < 2; ++c) B_(multiplier, column(term.unknown + c)) += station.weight * value * term.value * station.normal[c];
             }
         }
     }
-    for (const CrackSpace& entry : spaces_) {
-        for (int k = 0; k < entry.space.size(); ++k) {
-            augmentation_[entry.first_multiplier + k] = 0.1 * stiffness / entry.space.chords()[static_cast<std::size_t>(k)];
-        }
-    }
-    status_.assign(static_cast<std::size_t>(count), 0);
+    for (int k = 0; k < multipliers(); ++k) augmentation_[k] = 0.1 * stiffness / weight_[k];
 }
 
-std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(const FaceStation& station) const {
-    for (const CrackSpace& entry : spaces_) {
-        if (entry.crack != station.crack) continue;
-        auto values = entry.space.at(station.s);
-        for (auto& value : values) if (value.multiplier >= 0) value.multiplier += entry.first_multiplier;
-        return values;
-    }
-    return {MultiplierSpace::Value{-1, 0.0}, MultiplierSpace::Value{-1, 0.0}};
+const ContactInterface::CrackSpace* ContactInterface::space_of(int crack) const {
+    const auto found = std::ranges::find(spaces_, crack, &CrackSpace::crack);
+    return found != spaces_.end() ? &*found : nullptr;
+}
+
+std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, double s) const {
+    const CrackSpace* entry = space_of(crack);
+    auto values = entry->space.at(s);
+    for (auto& value : values) if (value.multiplier >= 0) value.multiplier += entry->first_multiplier;
+    return values;
 }
 
 Eigen::VectorXd ContactInterface::gaps(const Eigen::VectorXd& u) const {
@@ -122,8 +150,8 @@ ContactInterface::Rows ContactInterface::rows(const Eigen::VectorXd& pressure, c
 
 double ContactInterface::pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const {
     double sum = 0.0;
-    for (const auto& [multiplier, value] : functions_at(station)) if (multiplier >= 0) sum += value * pressure[multiplier];
-    return sum;
+    for (const auto& [multiplier, value] : functions_at(station.crack, station.s)) if (multiplier >= 0) sum += value * pressure[multiplier];
+    return std::max(sum, 0.0);
 }
 
 }  // namespace stria::fine

@@ -16,15 +16,19 @@ namespace stria::fine {
 
 class ContactInterface {
 public:
+    /// `boundary`: unknowns of the zone's boundary, ascending; every multiplier gets jumps that are not among them.
     /// `subcells`: interface elements are the crack's pieces cut by the s x s sub-quadrangles. `stiffness`: E', MPa.
-    ContactInterface(const EnrichedMesh& mesh, const std::vector<CrackSection>& cracks, int subcells, double stiffness);
+    ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary, const std::vector<CrackSection>& cracks, int subcells,
+                     double stiffness);
 
     [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
 
     /// Unknowns with a jump at some station, ascending: the columns of B that are not zero.
     [[nodiscard]] const std::vector<int>& jump_unknowns() const { return jump_unknowns_; }
 
-    /// B, one row a multiplier, one column a jump unknown: B_k = integral of Phi_k n . N, mm.
+    /// B, one row a multiplier, one column a jump unknown: B_k = integral of Phi_k n . N, lumped: Phi_k is taken at the
+    /// centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the crack follows the rows
+    /// of the mesh each multiplier then holds the jump at its own node alone, and closed faces do not overlap between nodes.
     [[nodiscard]] const Eigen::MatrixXd& operator_B() const { return B_; }
 
     /// Weighted gaps g = B u / w, mm.
@@ -72,7 +76,9 @@ private:
         int first_multiplier;
         MultiplierSpace space;
     };
-    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(const FaceStation& station) const;
+    [[nodiscard]] const CrackSpace* space_of(int crack) const;
+    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
+    void assemble(const EnrichedMesh& mesh, double stiffness);
 
     std::vector<CrackSpace> spaces_;
     std::vector<FaceStation> stations_;

@@ -1,5 +1,5 @@
-// The contact multipliers of one crack (NUMERICS 1): continuous piecewise-linear hats on a trace coarser than the mesh, which
-// keeps the pressure free of oscillations for every position of the crack in it.
+// Where the contact multipliers of one crack live: hats on a trace coarser than the mesh, which keeps the pressure free of
+// oscillations for every position of the crack in it (NUMERICS 1).
 #pragma once
 
 #include <array>
@@ -9,12 +9,17 @@
 
 namespace stria::fine {
 
+/// Continuous piecewise-linear pressure p(s) = sum of p_k Phi_k(s) with a node at each *vital* crossing: walking along the
+/// crack, a crossing of an element edge is vital if neither end of that edge belongs to a vital one before it (Bechet, Moes,
+/// Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh. Branches end at kinks:
+/// the pressure may jump there. It is constant towards a tip, and straight on towards any other end.
 class MultiplierSpace {
 public:
-    /// From the pieces of `crack` that begin at or after the arc length `notch`.
-    MultiplierSpace(const EnrichedMesh& mesh, int crack, double notch);
+    /// From the pieces of `crack` behind the arc length `notch`. `boundary`: unknowns, ascending, that are not the zone's own;
+    /// crossings whose jumps are all among them carry no multiplier.
+    MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, double notch);
 
-    [[nodiscard]] int size() const { return size_; }
+    [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
 
     struct Value {
         int multiplier;
@@ -23,35 +28,28 @@ public:
     /// The at most two multipliers that act at an arc length, adding up to one; -1: none.
     [[nodiscard]] std::array<Value, 2> at(double s) const;
 
-    /// Arc length where a multiplier has its node (the middle of its support where it is folded).
+    /// Index of the branch that holds an arc length; -1: none.
+    [[nodiscard]] int branch(double s) const;
+
+    /// Arc length of each multiplier's node.
     [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
 
-    /// Length of mesh chords: the spacing of interface nodes of the displacement mesh near a multiplier, mm.
-    [[nodiscard]] const std::vector<double>& chords() const { return chords_; }
-
 private:
-    struct Station {
-        double s;       // end of a stretch inside one element
-        double measure;  // integral of ds / chord up to there
+    struct Crossing {
+        double s;
+        std::array<int, 2> nodes;  // ends of the edge; equal at a node
     };
     struct Branch {
-        std::vector<Station> stations;  // the first is its start
+        double first_s, last_s;
         bool tip_at_start = false, tip_at_end = false;
-        std::vector<double> hats;       // arc lengths of the hats' nodes
-        int first_hat = 0, last_hat = 0;  // after folding the hats at tips into their neighbours
-        int first_multiplier = 0;
-
-        [[nodiscard]] double chords() const { return stations.back().measure - stations.front().measure; }
-        [[nodiscard]] double position(double measure) const;
+        std::vector<Crossing> crossings;
+        int first_multiplier = 0, multipliers = 0;
     };
-
     void split_into_branches(const EnrichedMesh& mesh, int crack, double notch);
-    void join_short_branches();
-    void place_hats(Branch& branch);
+    void choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch);
 
     std::vector<Branch> branches_;
-    std::vector<double> nodes_, chords_;
-    int size_ = 0;
+    std::vector<double> nodes_;
 };
 
 }  // namespace stria::fine

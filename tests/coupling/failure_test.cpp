@@ -1,0 +1,107 @@
+// What happens when one side fails: the run ends in time with the exit code users know, and exceptions keep their type.
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "common/error.hpp"
+#include "coupling/memory_transport.hpp"
+#include "coupling/remote_fine_scale.hpp"
+#include "coupling/serve.hpp"
+#include "tests/support/deadline.hpp"
+#include "tests/support/plates.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+using std::chrono::seconds;
+
+/// The process id of the one program of that name that a run has started.
+pid_t wait_for_start(const Program& run, const std::string& name) {
+    for (int k = 0; k < 2000; ++k) {
+        if (const auto found = descendants(run.pid(), name); !found.empty()) return found.front();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return -1;
+}
+
+bool wait_for_text(const Program& run, const std::string& text) {
+    for (int k = 0; k < 2000; ++k) {
+        if (run.said().find(text) != std::string::npos) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+}
+
+/// A killed component ends the run: a run that takes half a minute is shot in its first increments.
+class KilledComponent : public testing::TestWithParam<const char*> {};
+
+TEST_P(KilledComponent, EndsTheRunInTime) {
+    const TemporaryFolder folder;
+    Program run("stria", {"run", shipped_sent, "-o", folder / "results", "--set", "load.steps=400"}, folder / "log");
+    ASSERT_TRUE(wait_for_text(run, "increment    3")) << run.said();
+    const pid_t victim = wait_for_start(run, GetParam());
+    ASSERT_GT(victim, 0);
+    ASSERT_EQ(kill(victim, SIGKILL), 0);
+    EXPECT_EQ(run.wait(seconds(20)), 4) << run.said();
+    EXPECT_TRUE(descendants(run.pid(), "stria-coarse").empty());
+    EXPECT_TRUE(descendants(run.pid(), "stria-fine").empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Either, KilledComponent, testing::Values("stria-fine", "stria-coarse"),
+                         [](const auto& test) { return std::string(test.param).substr(6); });
+
+TEST(SeveralFineRanks, AreRefused) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_program("stria", {"run", shipped_sent, "-o", folder / "results", "--fine", "2"}, folder / "log"), 2);
+    EXPECT_NE(text_of(folder / "log").find("one fine rank only"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+}
+
+/// A zone of steel that is asked for a displacement beyond all numbers.
+class FailureInTheZone : public testing::Test {
+protected:
+    static std::string complaint(coupling::FineScale& fine, const coupling::Patch& patch) {
+        fine.set_patch(patch);
+        Eigen::VectorXd boundary = Eigen::VectorXd::Zero(std::ssize(patch.boundary));
+        boundary[0] = 1e300;
+        fine.request({.iteration = 0, .predictor = 0.0, .boundary = boundary});
+        try {
+            fine.collect();
+        } catch (const NumericalFailure& failure) {
+            return failure.what();
+        }
+        return "nothing failed";
+    }
+    static coupling::PatchResponse rest(coupling::FineScale& fine, const coupling::Patch& patch) {
+        fine.request({.iteration = 0, .predictor = 0.0, .boundary = Eigen::VectorXd::Zero(std::ssize(patch.boundary))});
+        return fine.collect();
+    }
+    const Deadline deadline_{seconds(20)};
+};
+
+TEST_F(FailureInTheZone, IsTheSameExceptionThroughATransport) {
+    const Case input = plate_case({{0.0, 2.4}, {3.3, 2.6}});
+    const coupling::Patch patch = plate_patch(plate_mesh(6, 5, input));
+    auto [coarse_end, fine_end] = coupling::make_memory_transports();
+    auto server = std::async(std::launch::async, [&input, end = std::move(fine_end)] {
+        fine::FineModel model(input);
+        coupling::serve(*end, model, 1);
+    });
+    fine::FineModel direct(input);
+    const std::string text = complaint(direct, patch);
+    EXPECT_NE(text, "nothing failed");
+    {
+        coupling::RemoteFineScale remote(*coarse_end, 1);
+        EXPECT_EQ(complaint(remote, patch), text);
+        remote.rollback();
+        direct.rollback();
+        EXPECT_EQ(rest(remote, patch).tangent, rest(direct, patch).tangent);  // and both work on
+    }
+    server.get();
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,165 @@
+// One analysis, three compositions: direct and over a transport bit for bit, monolithic to 1e-9 (STYLE 9).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+#include <map>
+
+#include "app/monolithic.hpp"
+#include "coupling/memory_transport.hpp"
+#include "coupling/remote_fine_scale.hpp"
+#include "coupling/serve.hpp"
+#include "tests/support/deadline.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+/// Plastic flow in tension, contact in compression, 40 increments.
+const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "solver.tolerance=1e-12"};
+
+RunHistory run_over_memory(const Case& input) {
+    auto [coarse_end, fine_end] = coupling::make_memory_transports();
+    auto server = std::async(std::launch::async, [&input, end = std::move(fine_end)] {
+        fine::FineModel model(input);
+        coupling::serve(*end, model, digest(input));
+    });
+    RunHistory history;
+    {
+        coupling::RemoteFineScale remote(*coarse_end, digest(input));
+        coarse::CondensedFactory factory(&remote);
+        history = run_analysis(input, factory);
+    }
+    server.get();
+    return history;
+}
+
+class Modes : public testing::Test {
+protected:
+    static void SetUpTestSuite() { direct = std::make_unique<RunHistory>(run_direct(sent_case(small_scene))); }
+    static void TearDownTestSuite() { direct.reset(); }
+
+    inline static std::unique_ptr<RunHistory> direct;
+    const Deadline deadline_{std::chrono::seconds(120)};
+};
+
+std::vector<double> numbers_of(const coarse::TipResult& tip) {
+    return {tip.a, tip.K_I, tip.K_II, tip.J, tip.CTOD, tip.CMOD, tip.contact_length, tip.plastic_zone, tip.plastic_zone_axis};
+}
+
+std::vector<double> numbers_of(const coupling::StepReport& report) {
+    std::vector<double> numbers{report.dissipation, static_cast<double>(report.unknowns), static_cast<double>(report.multipliers)};
+    for (const coupling::TipReport& tip : report.tips) {
+        numbers.insert(numbers.end(), {tip.J, tip.interaction_I, tip.interaction_II, tip.CTOD, tip.plastic_zone, tip.plastic_zone_axis});
+    }
+    for (const coupling::FaceSample& face : report.faces) {
+        numbers.insert(numbers.end(), {face.s, face.x, face.y, face.opening, face.slip, face.pressure, face.shear, static_cast<double>(face.status)});
+    }
+    numbers.insert(numbers.end(), report.contact_length.begin(), report.contact_length.end());
+    numbers.insert(numbers.end(), report.mouth_opening.begin(), report.mouth_opening.end());
+    return numbers;
+}
+
+TEST_F(Modes, SceneFlowsAndCloses) {
+    EXPECT_GT(direct->increments.back().zone.dissipation, 0.1);
+    EXPECT_GT(direct->at_minimum().zone.contact_length[0], 15.0);
+    EXPECT_EQ(direct->at_maximum().zone.contact_length[0], 0.0);
+    EXPECT_EQ(direct->cuts, 0);
+}
+
+TEST_F(Modes, OverATransportEveryBitIsTheSame) {
+    const RunHistory remote = run_over_memory(sent_case(small_scene));
+    ASSERT_EQ(remote.increments.size(), direct->increments.size());
+    for (std::size_t k = 0; k < remote.increments.size(); ++k) {
+        const coarse::Increment &a = direct->increments[k], &b = remote.increments[k];
+        EXPECT_EQ(a.newton.table(), b.newton.table());
+        EXPECT_EQ(a.displacement, b.displacement);
+        EXPECT_EQ(a.reactions, b.reactions);
+        EXPECT_EQ(numbers_of(a.tips[0]), numbers_of(b.tips[0]));
+        EXPECT_EQ(numbers_of(a.zone), numbers_of(b.zone));
+    }
+}
+
+TEST_F(Modes, MonolithicIsTheSameToRounding) {
+    const Case input = sent_case(small_scene);
+    MonolithicFactory factory(input);
+    const RunHistory whole = run_analysis(input, factory);
+    ASSERT_EQ(whole.increments.size(), direct->increments.size());
+    const coarse::TipResult& scale = direct->at_maximum().tips[0];
+    for (std::size_t k = 0; k < whole.increments.size(); ++k) {
+        const coarse::Increment &a = direct->increments[k], &b = whole.increments[k];
+        const coarse::TipResult &p = a.tips[0], &q = b.tips[0];
+        EXPECT_EQ(a.newton.count(), b.newton.count()) << "increment " << k + 1;
+        EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J);
+        EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I);
+        EXPECT_NEAR(p.K_II, q.K_II, 1e-9 * scale.K_I);  // zero by symmetry
+        EXPECT_NEAR(p.CMOD, q.CMOD, 1e-9 * scale.CMOD);
+        EXPECT_NEAR(p.CTOD, q.CTOD, 1e-9 * scale.CTOD);
+        EXPECT_NEAR(a.zone.contact_length[0], b.zone.contact_length[0], 1e-9 * 20.0);
+        EXPECT_NEAR(a.zone.dissipation, b.zone.dissipation, 1e-9 * direct->increments.back().zone.dissipation);
+        EXPECT_LT((a.displacement - b.displacement).lpNorm<Eigen::Infinity>(), 1e-9 * a.displacement.lpNorm<Eigen::Infinity>());
+    }
+}
+
+/// history.csv by columns; empty cells are NaN.
+std::map<std::string, std::vector<double>> columns_of(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line, cell;
+    std::getline(lines, line);
+    std::vector<std::string> names;
+    for (std::istringstream header(line); std::getline(header, cell, ',');) names.push_back(cell);
+    std::map<std::string, std::vector<double>> columns;
+    while (std::getline(lines, line)) {
+        std::istringstream row(line);
+        for (const std::string& name : names) {
+            cell.clear();
+            std::getline(row, cell, ',');
+            columns[name].push_back(cell.empty() ? std::nan("") : std::stod(cell));
+        }
+    }
+    return columns;
+}
+
+class Programs : public testing::Test {
+protected:
+    [[nodiscard]] std::string run(const std::string& mode) const {
+        std::vector<std::string> words{"run", shipped_sent, "--mode", mode, "-o", folder_ / mode, "--quiet", "--set", "output.faces=\"all\""};
+        for (const std::string& value : small_scene) words.insert(words.end(), {"--set", value});
+        EXPECT_EQ(run_program("stria", words, folder_ / (mode + ".log")), 0) << text_of(folder_ / (mode + ".log"));
+        return folder_ / mode;
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Programs, TwoProgramsAndOneLeaveTheSameBytes) {
+    const std::string two = run("mpi"), one = run("inprocess");
+    for (const char* file : {"/history.csv", "/faces.csv"}) {
+        EXPECT_GT(text_of(two + file).size(), 1000U);
+        EXPECT_TRUE(text_of(two + file) == text_of(one + file)) << file;
+    }
+}
+
+TEST_F(Programs, MonolithicLeavesTheSameColumnsToRounding) {
+    const auto one = columns_of(text_of(run("inprocess") + "/history.csv"));
+    const auto whole = columns_of(text_of(run("monolithic") + "/history.csv"));
+    ASSERT_EQ(one.size(), whole.size());
+    const auto largest = [](const std::vector<double>& values) {
+        double size = 0.0;
+        for (const double value : values) size = std::max(size, std::abs(value));
+        return size;
+    };
+    for (const auto& [name, values] : one) {
+        const double size = largest(one.at(name == "K_II" ? "K_I" : name));  // K_II is zero by symmetry
+        const std::vector<double>& other = whole.at(name);
+        ASSERT_EQ(values.size(), other.size());
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const bool both_empty = std::isnan(values[k]) && std::isnan(other[k]);
+            EXPECT_TRUE(both_empty || std::abs(values[k] - other[k]) <= 1e-9 * size) << name << ' ' << k + 1;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stria::test

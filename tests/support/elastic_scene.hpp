@@ -1,0 +1,50 @@
+// Elastic scenes put together by hand, for tests: no case file, no specimen.
+#pragma once
+
+#include "coarse/structure.hpp"
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::test {
+
+inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elasticity& elastic, coarse::Loads loads = {}) {
+    coarse::Scene scene;
+    scene.mesh = std::move(mesh);
+    scene.enriched = std::move(enriched);
+    scene.elastic = elastic;
+    scene.loads = std::move(loads);
+    coarse::put_loads_on_unknowns(scene);
+    return scene;
+}
+
+/// No fine zone: every element is the structure's.
+inline std::vector<char> no_zone(const coarse::Scene& scene) { return std::vector<char>(scene.mesh.elements.size(), 0); }
+
+/// Displacement gradient of a homogeneous in-plane stress (sigma_zz follows from plane strain) without rotation.
+inline Eigen::Matrix2d gradient_of(const Eigen::Matrix2d& stress, const Elasticity& elastic) {
+    const double mu2 = 2.0 * elastic.shear_modulus();
+    return (stress - elastic.poisson * stress.trace() * Eigen::Matrix2d::Identity()) / mu2;
+}
+
+/// The tractions of a homogeneous stress on the whole boundary of a rectangle.
+inline coarse::Loads boundary_tractions(const Mesh& mesh, const Eigen::Matrix2d& stress) {
+    coarse::Loads loads;
+    for (const auto& [name, edges] : mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) {
+            const Vec2 outward = -coarse::edge_geometry(mesh, edge).inward_normal();
+            loads.edges.push_back({edge, {.constant = stress * outward}});
+        }
+    }
+    return loads;
+}
+
+inline std::vector<int> boundary_nodes(const Mesh& mesh) {
+    std::vector<int> nodes;
+    for (const auto& [name, edges] : mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) for (const int node : coarse::edge_nodes(mesh, edge)) nodes.push_back(node);
+    }
+    std::ranges::sort(nodes);
+    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    return nodes;
+}
+
+}  // namespace stria::test

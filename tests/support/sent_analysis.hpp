@@ -1,0 +1,73 @@
+// The shipped edge-cracked plate on coarser meshes, run in process; what a run leaves as values.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coarse/fatigue_analysis.hpp"
+#include "coarse/scene.hpp"
+#include "common/io/case_file.hpp"
+#include "common/linear/sparse_lu.hpp"
+#include "fine/fine_model.hpp"
+
+namespace stria::test {
+
+inline const std::string shipped_sent = STRIA_SOURCE_DIR "/cases/sent-compression/case.toml";
+
+/// Elements of `size` at the tip, growing from there on; a run takes about a second with 0.4 mm.
+inline std::string mesh_at_tip(double size) {
+    const std::string h = std::to_string(size), outer = std::to_string(2.0 * size);
+    return "mesh.grading=[{at=[[20.0,100.0]],size=" + h + ",outer_size=" + outer + ",radius=3.0,growth=0.25}]";
+}
+
+inline Case sent_case(std::vector<std::string> overrides) { return read_case(shipped_sent, std::move(overrides)); }
+
+struct RunHistory {
+    std::vector<coarse::Increment> increments;
+    std::vector<std::pair<coarse::LoadStep, coarse::NewtonReport>> attempts;
+    int cuts = 0, extensions = 0, yield_warnings = 0;
+    std::vector<int> zone_elements;  // at the start, and after each extension
+
+    [[nodiscard]] const coarse::Increment& at_load(double factor) const {  // for the first time
+        for (const coarse::Increment& increment : increments) {
+            if (increment.step.factor == factor) return increment;
+        }
+        throw std::out_of_range("no increment at this load");
+    }
+    /// The first of them at the largest load.
+    [[nodiscard]] const coarse::Increment& at_maximum() const {
+        return *std::ranges::max_element(increments, {}, [](const coarse::Increment& i) { return i.step.factor; });
+    }
+    [[nodiscard]] const coarse::Increment& at_minimum() const {
+        return *std::ranges::min_element(increments, {}, [](const coarse::Increment& i) { return i.step.factor; });
+    }
+};
+
+/// Runs a case; `until`: the number of increments after which it may stop.
+inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& factory) {
+    use_one_thread();
+    const coarse::Scene scene = coarse::make_scene(input);
+    RunHistory history;
+    coarse::Listener listener;
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
+        history.increments.push_back(increment);
+    };
+    listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
+        history.attempts.emplace_back(step, report);
+    };
+    coarse::FatigueAnalysis analysis(scene, factory, listener);
+    analysis.run();
+    history.cuts = analysis.cuts();
+    history.extensions = analysis.zone_extensions();
+    history.yield_warnings = analysis.yield_warnings();
+    return history;
+}
+
+inline RunHistory run_direct(const Case& input) {
+    fine::FineModel fine(input);
+    coarse::CondensedFactory factory(&fine);
+    return run_analysis(input, factory);
+}
+
+}  // namespace stria::test

@@ -1,0 +1,105 @@
+// The loads of a history: ramp, cycles, blocks, halved increments, and what each increment may extrapolate.
+#include "coarse/load_controller.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stria::coarse {
+namespace {
+
+LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts = 3) {
+    return LoadController({.steps = steps, .blocks = std::move(blocks), .control = "load"}, {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
+}
+
+std::vector<LoadStep> all_steps(LoadController loads) {
+    std::vector<LoadStep> steps;
+    while (const auto step = loads.next()) {
+        steps.push_back(*step);
+        loads.accepted();
+    }
+    return steps;
+}
+
+std::vector<double> factors(const LoadController& loads) {
+    std::vector<double> result;
+    for (const LoadStep& step : all_steps(loads)) result.push_back(step.factor);
+    return result;
+}
+
+TEST(LoadController, RampsToTheMaximumThenCyclesFromItAndBack) {
+    const auto loads = controller(8, {{.cycles = 1, .max = 40.0, .min = -40.0}});
+    EXPECT_EQ(factors(loads), (std::vector<double>{10, 20, 30, 40, 20, 0, -20, -40, -20, 0, 20, 40}));
+    const std::vector<LoadStep> steps = all_steps(loads);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        EXPECT_EQ(steps[k].cycle, k < 4 ? 0 : 1);
+        EXPECT_EQ(steps[k].reversal, k % 4 == 3);
+        EXPECT_EQ(steps[k].at_maximum, k == 3 || k == 11);
+        EXPECT_EQ(steps[k].at_minimum, k == 7);
+        EXPECT_EQ(steps[k].at_zero, k == 5 || k == 9);
+        EXPECT_EQ(steps[k].ends_cycle, k == 11);
+    }
+}
+
+TEST(LoadController, ABlockStartsFromTheMaximumBeforeIt) {
+    EXPECT_EQ(factors(controller(4, {{2, 10.0, 0.0}, {1, 20.0, 10.0}, {1, 20.0, 0.0}})),
+              (std::vector<double>{5, 10, 5, 0, 5, 10, 5, 0, 5, 10, 15, 20, 15, 10, 15, 20, 10, 0, 10, 20}));
+}
+
+TEST(LoadController, KnowsTheLargestMaximum) {
+    EXPECT_EQ(controller(4, {{1, 10.0, 0.0}, {1, 30.0, 0.0}, {1, 20.0, 0.0}}).largest_maximum(), 30.0);
+}
+
+TEST(LoadController, ReachesExtremesExactly) {  // 50 / 3 and its multiples are no doubles
+    for (const LoadStep& step : all_steps(controller(14, {{.cycles = 5, .max = 50.0 / 3.0, .min = -0.1}}))) {
+        EXPECT_TRUE(!step.reversal || step.factor == 50.0 / 3.0 || step.factor == -0.1) << step.factor;
+    }
+}
+
+TEST(LoadController, ExtrapolatesButNotPastAReversal) {
+    const std::vector<LoadStep> steps = all_steps(controller(4, {{1, 10.0, -10.0}}));
+    const std::vector<double> predictors{0, 1, 0, 1, 0, 1};
+    for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_EQ(steps[k].predictor, predictors[k]) << k;
+    EXPECT_EQ(all_steps(controller(4, {{1, 10.0, -30.0}}))[2].predictor, 0.0);
+}
+
+TEST(LoadController, HalvesAndGrowsAgain) {
+    auto loads = controller(4, {{1, 16.0, 0.0}});
+    loads.accepted();  // 8
+    ASSERT_TRUE(loads.cut());
+    ASSERT_TRUE(loads.cut());
+    EXPECT_EQ(loads.next()->factor, 10.0);
+    EXPECT_EQ(loads.next()->predictor, 0.25);
+    EXPECT_FALSE(loads.next()->reversal);
+    loads.accepted();
+    EXPECT_EQ(loads.next()->factor, 14.0);
+    EXPECT_EQ(loads.next()->predictor, 2.0);
+    loads.accepted();
+    EXPECT_EQ(loads.next()->factor, 16.0);  // what is left
+    EXPECT_EQ(loads.next()->predictor, 0.5);
+    EXPECT_TRUE(loads.next()->at_maximum || loads.next()->reversal);
+    loads.accepted();
+    EXPECT_EQ(loads.next()->factor, 8.0);
+    EXPECT_EQ(loads.next()->predictor, 0.0);
+    EXPECT_EQ(loads.cuts(), 2);
+}
+
+TEST(LoadController, GivesUpAfterTheLastHalving) {
+    auto loads = controller(4, {{1, 16.0, 0.0}}, 2);
+    EXPECT_TRUE(loads.cut());
+    EXPECT_TRUE(loads.cut());
+    EXPECT_FALSE(loads.cut());
+    EXPECT_EQ(loads.factor(), 0.0);
+}
+
+TEST(LoadController, ACutIncrementStillEndsExactlyAtItsTarget) {
+    auto loads = controller(6, {{1, 0.3, -0.3}}, 8);
+    std::vector<double> reached;
+    for (int k = 0; loads.next(); ++k) {
+        EXPECT_TRUE(k % 3 != 0 || loads.cut());
+        if (loads.next()->reversal) reached.push_back(loads.next()->factor);
+        loads.accepted();
+    }
+    EXPECT_EQ(reached, (std::vector<double>{0.3, -0.3, 0.3}));
+}
+
+}  // namespace
+}  // namespace stria::coarse

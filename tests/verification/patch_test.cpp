@@ -1,0 +1,157 @@
+// Patch tests: homogeneous stress is exact in uncut, cut and tip elements, and a body cut in two moves apart without force.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/elastic_scene.hpp"
+
+namespace stria::test {
+namespace {
+
+const Elasticity steel{210e3, 0.3};
+constexpr double exact = 1e-12;
+
+const std::vector<double> graded{0.0, 0.4, 0.6, 0.68, 0.72, 0.8, 1.0};
+
+/// Nodal values of a linear field; enriched unknowns are zero.
+Eigen::VectorXd linear_field(const EnrichedMesh& mesh, const Eigen::Matrix2d& gradient) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) u.segment<2>(mesh.unknown(n, 0, 0)) = gradient * mesh.nodes[at(n)];
+    return u;
+}
+
+/// Largest force out of balance with a displacement, relative to the largest that its parts could make.
+double imbalance(const coarse::Scene& scene, const Eigen::VectorXd& u) {
+    const SparseMatrix K = coarse::Structure(scene, no_zone(scene)).stiffness();
+    const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
+    return (K * u - scene.unit_force).cwiseAbs().maxCoeff() / scale.maxCoeff();
+}
+
+TEST(PatchTest, UncutElementsOfAnyShape) {
+    const Eigen::Matrix2d gradient{{1e-3, -4e-4}, {7e-4, 2e-3}};
+    for (Mesh mesh : {coarse::grid_mesh(graded, graded), distorted(coarse::grid_mesh(graded, graded), 0.009), distorted(square_mesh(6), 0.04)}) {
+        coarse::Scene scene = make_scene(mesh, coarse::enrich(mesh, {}, {}), steel);
+        const Eigen::VectorXd u = linear_field(scene.enriched, gradient);
+        for (const int node : boundary_nodes(mesh)) {
+            for (int c = 0; c < 2; ++c) scene.prescribed.push_back({scene.enriched.unknown(node, 0, c), gradient.row(c).dot(mesh.nodes[at(node)])});
+        }
+        const Eigen::VectorXd found = coarse::Structure(scene, no_zone(scene)).expand({}, 1.0);
+        EXPECT_LT((found - u).cwiseAbs().maxCoeff(), exact * u.cwiseAbs().maxCoeff());
+    }
+}
+
+/// A straight crack and the uniaxial stress along it that leaves its faces free: every unknown is in balance with the
+/// tractions on the boundary, those of jumps and tip functions included.
+double imbalance_of_tension_along(const Mesh& mesh, const Vec2& from, const Vec2& to, int tip_functions, double exponent = 0.5) {
+    const Vec2 along = (to - from).normalized();
+    const Eigen::Matrix2d stress = 100.0 * along * along.transpose();
+    const coarse::Scene scene = make_scene(mesh, cracked(mesh, {from, to}, tip_functions, exponent), steel, boundary_tractions(mesh, stress));
+    return imbalance(scene, linear_field(scene.enriched, gradient_of(stress, steel)));
+}
+
+TEST(PatchTest, CutThroughAtManyPositionsAndAngles) {
+    for (int k = 0; k < 60; ++k) {
+        const Mesh mesh = k % 2 == 0 ? square_mesh(5) : distorted(square_mesh(5), 0.03);
+        const Vec2 centre(0.5 + 0.2 * std::sin(5.0 * k), 0.5 + 0.2 * std::cos(9.0 * k));
+        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
+        EXPECT_LT(imbalance_of_tension_along(mesh, centre - 2.0 * along, centre + 2.0 * along, 6), exact) << k;
+    }
+}
+
+TEST(PatchTest, CutThroughNodesAndAlongEdges) {
+    const Mesh mesh = square_mesh(4);
+    for (const auto& [from, to] : std::vector<std::pair<Vec2, Vec2>>{
+             {{0.0, 0.0}, {1.0, 1.0}}, {{0.0, 0.5}, {1.0, 0.5}}, {{0.25, 0.0}, {0.25, 1.0}}, {{0.0, 0.25}, {1.0, 0.75}}, {{-0.1, 0.5}, {1.1, 0.5001}}}) {
+        EXPECT_LT(imbalance_of_tension_along(mesh, from, to, 6), 2e-5 < std::abs(to.y() - 0.5001) ? exact : 1e-3);
+    }
+}
+
+class PatchWithTip : public ::testing::TestWithParam<int> {};
+
+TEST_P(PatchWithTip, AnywhereInTheBody) {
+    for (int k = 0; k < 40; ++k) {
+        const Mesh mesh = k % 2 == 0 ? square_mesh(6) : distorted(square_mesh(6), 0.02);
+        const Vec2 tip(0.5 + 0.2 * std::sin(5.0 * k), 0.5 + 0.2 * std::cos(9.0 * k));
+        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
+        EXPECT_LT(imbalance_of_tension_along(mesh, tip - 2.0 * along, tip, GetParam(), k % 3 == 0 ? 0.25 : 0.5), exact) << k;
+    }
+}
+
+TEST_P(PatchWithTip, OnEdgesAndNodes) {
+    const Mesh mesh = square_mesh(8);
+    for (const auto& [from, to] : std::vector<std::pair<Vec2, Vec2>>{
+             {{0.0, 0.5}, {0.5, 0.5}}, {{0.0, 0.5}, {0.55, 0.5}}, {{0.0, 0.45}, {0.5, 0.45}}, {{0.0, 0.0}, {0.5, 0.5}}, {{0.0, 0.0}, {0.55, 0.55}}, {{0.25, 0.25}, {0.75, 0.75}}}) {
+        EXPECT_LT(imbalance_of_tension_along(mesh, from, to, GetParam()), exact) << to.transpose();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(TipFunctions, PatchWithTip, ::testing::Values(0, 1, 6));
+
+/// Both halves' linear displacement fields; nodes are interpolated on their own side, jumps carry the difference.
+struct Halves {
+    Eigen::Matrix2d plus, minus;
+    Vec2 shift_plus, shift_minus;
+
+    [[nodiscard]] Eigen::VectorXd on(const EnrichedMesh& mesh, const Vec2& from, const Vec2& to) const {
+        Eigen::VectorXd u(mesh.unknowns);
+        for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
+            const Vec2 &x = mesh.nodes[at(n)], up = plus * x + shift_plus, down = minus * x + shift_minus;
+            const Vec2 d = to - from, r = x - from;
+            const double side = heaviside_side(mesh, n) != 0.0 ? heaviside_side(mesh, n) : d.x() * r.y() - d.y() * r.x();
+            u.segment<2>(mesh.unknown(n, 0, 0)) = side > 0.0 ? up : down;
+            if (heaviside_side(mesh, n) != 0.0) u.segment<2>(mesh.unknown(n, 1, 0)) = (up - down) / 2.0;
+        }
+        return u;
+    }
+};
+
+const std::vector<std::pair<Vec2, Vec2>> through{{{0.0, 0.47}, {1.0, 0.52}},  {{0.3, 0.0}, {0.8, 1.0}}, {{0.0, 0.0}, {1.0, 1.0}},
+                                                 {{0.0, 0.5}, {1.0, 0.5}},    {{0.0, 0.3}, {0.6, 1.0}}, {{1.0, 0.2}, {0.0, 0.2001}}};
+
+TEST(PatchTest, ABodyCutInTwoMovesApartWithoutForce) {
+    const Eigen::Matrix2d turn{{0.0, -1e-3}, {1e-3, 0.0}};
+    for (const auto& [from, to] : through) {
+        const Mesh mesh = square_mesh(4);
+        const coarse::Scene scene = make_scene(mesh, cracked(mesh, {from, to}), steel);
+        const Eigen::VectorXd u = Halves{turn, -2.0 * turn, {0.01, 0.02}, {-0.03, 0.0}}.on(scene.enriched, from, to);
+        EXPECT_LT(imbalance(scene, u), exact) << to.transpose();
+    }
+}
+
+TEST(PatchTest, EachHalfHoldsItsOwnStrain) {
+    const Eigen::Matrix2d plus{{1e-3, 4e-4}, {-2e-4, 3e-3}}, minus{{-2e-3, 1e-4}, {5e-4, 1e-3}};
+    for (const auto& [from, to] : through) {
+        const Mesh mesh = square_mesh(4);
+        const coarse::Scene scene = make_scene(mesh, cracked(mesh, {from, to}), steel);
+        const Eigen::VectorXd u = Halves{plus, minus, {0.01, 0.02}, {-0.03, 0.0}}.on(scene.enriched, from, to);
+        for (const ElementOperator& op : coarse::Structure(scene, no_zone(scene)).operators()) {
+            const Eigen::VectorXd local = gather(u, op.unknowns);
+            for (std::size_t q = 0; q < op.points.size(); ++q) {
+                const Vec2 d = to - from, r = op.points[q].x - from;
+                const Mandel strain = strain_of(d.x() * r.y() - d.y() * r.x() > 0.0 ? plus : minus);
+                EXPECT_LT((op.strain(local, q) - strain).norm(), exact);
+            }
+        }
+    }
+}
+
+// Every element's bulk is integrated by exactly one side.
+TEST(PatchTest, AreasOfStructureAndZoneAddUp) {
+    std::mt19937 random(1);
+    const Mesh mesh = distorted(square_mesh(8), 0.02);
+    const coarse::Scene scene = make_scene(mesh, cracked(mesh, {{0.0, 0.46}, {0.33, 0.48}, {0.61, 0.55}}), steel);
+    for (int trial = 0; trial < 5; ++trial) {
+        std::vector<char> in_zone(mesh.elements.size());
+        for (char& inside : in_zone) inside = static_cast<char>(random() % 2);
+        std::vector<int> zone;
+        for (int e = 0; e < static_cast<int>(in_zone.size()); ++e) if (in_zone[at(e)] != 0) zone.push_back(e);
+        double area = 0.0;
+        for (const ElementOperator& op : coarse::Structure(scene, in_zone).operators()) area += op.area;
+        const EnrichedMesh patch = extract(scene.enriched, zone);
+        for (int e = 0; e < static_cast<int>(patch.elements.size()); ++e) area += make_operator(patch, e, piece_in(patch, e), {.subcells = 3}).area;
+        EXPECT_NEAR(area, 1.0, 1e-13);
+    }
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,116 @@
+// Stress intensities of the elastic structure against handbook values (REFERENCES 2.1).
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <numbers>
+
+#include "coarse/fracture_parameters.hpp"
+#include "coarse/scene.hpp"
+#include "coarse/specimen/specimen.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr double young = 200e3, poisson = 0.3, plane_modulus = young / (1.0 - poisson * poisson);
+
+/// Plate of width 1 under tension at both ends, `cells` elements across the width.
+Case tension(const std::string& specimen, double height, int cells, std::vector<Point> crack, double stress = 1.0) {
+    Case input;
+    input.mesh = {.specimen = specimen, .width = 1.0, .height = height, .size = 1.0 / cells, .grading = {}};
+    input.material.young = young;
+    input.material.poisson = poisson;
+    input.cracks = {{.points = std::move(crack), .contact = {}}};
+    input.boundaries.resize(2);
+    input.boundaries[0].on = "top";
+    input.boundaries[0].traction = Point(0.0, stress);
+    input.boundaries[1].on = "bottom";
+    input.boundaries[1].traction = Point(0.0, -stress);
+    return input;
+}
+
+std::vector<coarse::TipResult> solve(const Case& input) {
+    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {});
+}
+
+coarse::TipResult edge_crack(double a, double height, int cells, double stress = 1.0) {
+    return solve(tension("sent", height, cells, {{0.0, height / 2.0}, {a, height / 2.0}}, stress)).front();
+}
+
+struct Handbook {
+    double a, height, F;  // K = F sigma sqrt(pi a); width 1, full height
+};
+
+class EdgeCrack : public ::testing::TestWithParam<Handbook> {};
+
+TEST_P(EdgeCrack, MatchesTheHandbook) {
+    const auto [a, height, F] = GetParam();
+    const double K = F * std::sqrt(std::numbers::pi * a);
+    const coarse::TipResult tip = edge_crack(a, height, 31);
+    EXPECT_NEAR(tip.a, a, 1e-12);
+    EXPECT_NEAR(tip.K_I, K, 0.01 * K);
+    EXPECT_NEAR(tip.J, K * K / plane_modulus, 0.01 * K * K / plane_modulus);
+    EXPECT_LT(std::abs(tip.K_II), 1e-3 * K);
+    EXPECT_GT(tip.CMOD, 0.0);
+}
+
+TEST_P(EdgeCrack, ConvergesUnderRefinement) {
+    const auto [a, height, F] = GetParam();
+    const double K = F * std::sqrt(std::numbers::pi * a);
+    std::vector<double> errors;
+    for (const int cells : {15, 31, 63}) {
+        const coarse::TipResult tip = edge_crack(a, height, cells);
+        errors.push_back(std::abs(tip.K_I / K - 1.0));
+        std::cout << fmt::format("a/W {} H/W {} cells {:3d}: K_I {:+.3f} %, J {:+.3f} %, K_II/K_I {:.1e}\n", a, height / 2.0, cells, 100.0 * (tip.K_I / K - 1.0),
+                                 100.0 * (tip.J * plane_modulus / (K * K) - 1.0), tip.K_II / K);
+    }
+    EXPECT_LT(errors[1], errors[0]);
+    EXPECT_LT(errors[2], 0.002);  // the reference itself: 1e-4
+}
+
+INSTANTIATE_TEST_SUITE_P(FiniteHeight, EdgeCrack,
+                         ::testing::Values(Handbook{0.3, 2.0, 1.6606}, Handbook{0.5, 2.0, 2.8245}, Handbook{0.3, 1.0, 1.8471}, Handbook{0.5, 1.0, 3.0078}));
+
+TEST(StressIntensity, IsNegativeUnderCompression) {  // faces without contact overlap
+    const coarse::TipResult pulled = edge_crack(0.4, 2.0, 15), pushed = edge_crack(0.4, 2.0, 15, -1.0);
+    EXPECT_LT(pushed.K_I, 0.0);
+    EXPECT_NEAR(pushed.K_I, -pulled.K_I, 1e-9 * pulled.K_I);
+    EXPECT_NEAR(pushed.J, pulled.J, 1e-9 * pulled.J);
+    EXPECT_LT(pushed.CMOD, 0.0);
+}
+
+TEST(StressIntensity, DoesNotDependOnWhereTheTipLiesInItsElement) {
+    std::vector<double> factors;
+    for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.75, 0.9}) {
+        const double a = (12.0 + fraction) / 31.0;
+        factors.push_back(edge_crack(a, 2.0, 31).K_I / (coarse::find_specimen("sent").handbook_K(1.0, a, 1.0)));
+    }
+    const auto [least, most] = std::ranges::minmax(factors);
+    std::cout << fmt::format("K over handbook, tip moved through one element: {:.5f} to {:.5f}\n", least, most);
+    EXPECT_LT(most - least, 0.005);
+}
+
+TEST(StressIntensity, InclinedCentreCrack) {  // REFERENCES 2.4, half length 0.05 of the width: nearly an infinite plate
+    for (const double degrees : {30.0, 45.0, 60.0}) {  // between the crack and the load
+        const double beta = degrees * std::numbers::pi / 180.0, a = 0.05, K = std::sqrt(std::numbers::pi * a);
+        const Vec2 centre(0.5, 0.5), half = a * Vec2(std::sin(beta), std::cos(beta));
+        for (const coarse::TipResult& tip : solve(tension("plate", 1.0, 81, {centre - half, centre + half}))) {
+            EXPECT_NEAR(tip.K_I, K * std::pow(std::sin(beta), 2), 0.02 * K) << degrees;
+            EXPECT_NEAR(std::abs(tip.K_II), K * std::sin(beta) * std::cos(beta), 0.02 * K) << degrees;
+            EXPECT_NEAR(tip.J, (tip.K_I * tip.K_I + tip.K_II * tip.K_II) / plane_modulus, 0.01 * tip.J);
+        }
+    }
+}
+
+TEST(StressIntensity, KinkedCrackReleasesWhatItsIntensitiesSay) {
+    const Case input = tension("plate", 1.0, 41, {{0.0, 0.43}, {0.21, 0.43}, {0.3, 0.46}, {0.42, 0.53}});
+    const coarse::TipResult tip = solve(input).front();
+    EXPECT_GT(tip.K_I, 0.0);
+    EXPECT_NEAR(tip.J, (tip.K_I * tip.K_I + tip.K_II * tip.K_II) / plane_modulus, 0.02 * tip.J);
+}
+
+}  // namespace
+}  // namespace stria::test
