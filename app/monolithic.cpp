@@ -16,9 +16,11 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 /// Unknowns: displacements of the whole mesh, then the contact multipliers.
 class MonolithicEquilibrium : public coarse::Equilibrium {
 public:
-    MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed, double load_factor)
-        : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()), load_factor_(load_factor),
-          whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed) {
+    MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed,
+                          double load_factor)
+        : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()),
+          load_factor_(load_factor), whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)),
+          committed_(committed) {
         for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];
         trial_ = committed_;
         last_increment_ = Eigen::VectorXd::Zero(committed_.size());
@@ -46,12 +48,14 @@ public:
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
-            if (held_[static_cast<std::size_t>(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
+            if (held_[static_cast<std::size_t>(i)] == 0)
+                result.boundary = std::max(result.boundary, std::abs(residual_[i]));
         }
         result.interior = response.interior_residual;
         result.contact = response.contact_residual;
         result.scale = std::max((load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff(), response.interior_force);
-        result.yielding_points = std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
+        result.yielding_points =
+            std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
         result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
         result.status_changes = response.digest.status_changes;
         return result;
@@ -64,14 +68,17 @@ public:
             const bool row_held = row < n && held_[at(row)] != 0, column_held = column < n && held_[at(column)] != 0;
             if (!row_held && !column_held && value != 0.0) entries.emplace_back(row, column, value);
         };
-        for (int j = 0; j < n; ++j) for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it) add(static_cast<int>(it.row()), j, it.value());
+        for (int j = 0; j < n; ++j)
+            for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it)
+                add(static_cast<int>(it.row()), j, it.value());
         const auto& operators = zone_.zone().operators();
         for (std::size_t e = 0; e < operators.size(); ++e) {
             const auto& unknowns = operators[e].unknowns;
             const Eigen::MatrixXd& K = zone_.zone().tangents()[e];
             for (std::size_t i = 0; i < unknowns.size(); ++i) {
                 for (std::size_t j = 0; j < unknowns.size(); ++j) {
-                    add(whole_[at(unknowns[i])], whole_[at(unknowns[j])], K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                    add(whole_[at(unknowns[i])], whole_[at(unknowns[j])],
+                        K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
                 }
             }
         }
@@ -125,23 +132,28 @@ public:
         Eigen::VectorXd forces = structure_.forces_on_prescribed(trial_);
         std::vector<double> zone_force(at(scene_.enriched.unknowns), 0.0);
         for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
-        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
+        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+            forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
         return forces;
     }
 
 private:
     [[nodiscard]] Eigen::VectorXd on_boundary() const {
         Eigen::VectorXd u(std::ssize(zone_.patch().boundary));
-        for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k) u[static_cast<Eigen::Index>(k)] = trial_[whole_[at(zone_.patch().boundary[k])]];
+        for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k)
+            u[static_cast<Eigen::Index>(k)] = trial_[whole_[at(zone_.patch().boundary[k])]];
         return u;
     }
 
     // Terms that no element sees have no stiffness: they stay zero.
     void hold_unused() {
         std::vector<char> used(held_.size(), 0);
-        for (const ElementOperator& op : structure_.operators()) for (const int unknown : op.unknowns) used[at(unknown)] = 1;
-        for (const ElementOperator& op : zone_.zone().operators()) for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
-        for (std::size_t i = 0; i < held_.size(); ++i) if (used[i] == 0) held_[i] = 1;
+        for (const ElementOperator& op : structure_.operators())
+            for (const int unknown : op.unknowns) used[at(unknown)] = 1;
+        for (const ElementOperator& op : zone_.zone().operators())
+            for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
+        for (std::size_t i = 0; i < held_.size(); ++i)
+            if (used[i] == 0) held_[i] = 1;
     }
 
     const coarse::Structure& structure_;
@@ -156,9 +168,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Structure& structure, const coupling::Patch* patch,
+std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Structure& structure,
+                                                             const coupling::Patch* patch,
                                                              const Eigen::VectorXd& committed, double load_factor) {
-    if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, load_factor);
+    if (patch == nullptr)
+        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, load_factor);
     zone_.set_patch(*patch);
     return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, load_factor);
 }

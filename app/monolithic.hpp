@@ -9,8 +9,8 @@ namespace stria {
 class MonolithicFactory : public coarse::EquilibriumFactory {
 public:
     explicit MonolithicFactory(const Case& input) : zone_(input) {}
-    std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed,
-                                              double load_factor) override;
+    std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
+                                              const Eigen::VectorXd& committed, double load_factor) override;
     coupling::ZoneState zone_state() override { return zone_.state(); }
 
 private:

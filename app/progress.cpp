@@ -7,7 +7,8 @@
 namespace stria {
 
 Progress::Progress(const Case& input, bool quiet, bool verbose)
-    : quiet_(quiet), verbose_(verbose), terminal_(isatty(STDOUT_FILENO) != 0 || std::getenv("STRIA_TERMINAL") != nullptr),
+    : quiet_(quiet), verbose_(verbose),
+      terminal_(isatty(STDOUT_FILENO) != 0 || std::getenv("STRIA_TERMINAL") != nullptr),
       increments_(input.load.steps / 2) {
     for (const LoadBlock& block : input.load.blocks) increments_ += block.cycles * input.load.steps;
 }
@@ -27,7 +28,8 @@ void Progress::note(const std::string& text) {
 void Progress::attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report) {
     if (!verbose_) return;
     end_live_line();
-    fmt::print("cycle {} load factor {:.6g}{}\n{}", step.cycle, step.factor, report.converged ? "" : ": " + report.failure, report.table());
+    fmt::print("cycle {} load factor {:.6g}{}\n{}", step.cycle, step.factor,
+               report.converged ? "" : ": " + report.failure, report.table());
     std::fflush(stdout);
 }
 
@@ -37,8 +39,9 @@ void Progress::accepted(const coarse::Increment& increment) {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const double left = elapsed / done_ * std::max(0, increments_ - done_);
     const double a = increment.tips.empty() ? 0.0 : increment.tips.front().a;
-    const std::string line = fmt::format("increment {:4}  cycle {:4}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  {:6.1f} s left", increment.number,
-                                         increment.step.cycle, increment.step.factor, a, increment.newton.count(), elapsed, left);
+    const std::string line = fmt::format(
+        "increment {:4}  cycle {:4}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  {:6.1f} s left",
+        increment.number, increment.step.cycle, increment.step.factor, a, increment.newton.count(), elapsed, left);
     if (terminal_) {
         fmt::print("\r{}", line);
         live_ = true;

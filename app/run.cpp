@@ -30,8 +30,8 @@ namespace {
 class Run {
 public:
     Run(const RunOptions& options, const Case& input, std::string mode, int ranks)
-        : options_(options), directory_(options.output_directory), mode_(std::move(mode)), ranks_(ranks), scene_(coarse::make_scene(input)),
-          progress_(input, options.quiet, options.verbose) {
+        : options_(options), directory_(options.output_directory), mode_(std::move(mode)), ranks_(ranks),
+          scene_(coarse::make_scene(input)), progress_(input, options.quiet, options.verbose) {
         write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
     }
 
@@ -40,7 +40,9 @@ public:
         coarse::FatigueAnalysis* running = nullptr;
         coarse::Listener listener;
         listener.note = [&](const std::string& text) { progress_.note(text); };
-        listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) { progress_.attempted(step, report); };
+        listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
+            progress_.attempted(step, report);
+        };
         listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
             recorder->record(increment, structure, running->nominal());
             progress_.accepted(increment);
@@ -86,9 +88,14 @@ private:
             summary.messages = remote->traffic().messages_sent + remote->traffic().messages_received;
             summary.bytes = remote->traffic().bytes_sent + remote->traffic().bytes_received;
         }
-        summary.timing = {.setup = analysis.setup_seconds(), .coarse_factor = analysis.coarse_factor_seconds(), .fine_constitutive = zone.constitutive_s,
-                          .fine_contact = zone.contact_s, .fine_factor = zone.factor_s, .exchange = analysis.exchange_seconds(),
-                          .output = recorder.output_seconds(), .total = seconds()};
+        summary.timing = {.setup = analysis.setup_seconds(),
+                          .coarse_factor = analysis.coarse_factor_seconds(),
+                          .fine_constitutive = zone.constitutive_s,
+                          .fine_contact = zone.contact_s,
+                          .fine_factor = zone.factor_s,
+                          .exchange = analysis.exchange_seconds(),
+                          .output = recorder.output_seconds(),
+                          .total = seconds()};
         summary.last = recorder.last_rows();
         coarse::write_json(directory_ / "summary.json", coarse::to_json(summary));
     }
@@ -109,14 +116,18 @@ void print_zone_estimate(const coarse::Scene& scene) {
     std::vector<double> K_I;
     for (const coarse::TipResult& tip : coarse::fracture_parameters(structure, structure.expand({}, 1.0), {})) {
         K_I.push_back(tip.K_I * largest);
-        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n", K_I.size(), K_I.back(), largest);
+        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
+                   K_I.size(), K_I.back(), largest);
         if (scene.input.material.yield_stress) {
-            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm\n", coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
+            fmt::print(
+                "#   radius of the zone, eq. (3): {:.4g} mm\n",
+                coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
         }
     }
     const std::vector<char> in_zone = coarse::select_zone(scene, K_I);
     const auto elements = std::ranges::count(in_zone, static_cast<char>(1));
-    fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * scene.input.fine.subcells * scene.input.fine.subcells);
+    fmt::print("# zone: {} elements, about {} points\n", elements,
+               elements * 4 * scene.input.fine.subcells * scene.input.fine.subcells);
 }
 
 }  // namespace
@@ -182,8 +193,8 @@ int check(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     const coarse::Scene scene = coarse::make_scene(input);
     fmt::print("{}\n", resolved_toml(input));
-    fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(), scene.mesh.elements.size(),
-               scene.enriched.unknowns, scene.enriched.tips.size());
+    fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
+               scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
         return 0;

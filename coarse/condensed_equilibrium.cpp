@@ -15,19 +15,22 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 
 }  // namespace
 
-CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed,
-                                           double load_factor)
+CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
+                                           const Eigen::VectorXd& committed, double load_factor)
     : structure_(structure), scene_(structure.scene()), fine_(fine), load_factor_(load_factor) {
     committed_ = gather(committed, structure_.gamma());
     trial_ = committed_;
     last_increment_ = Eigen::VectorXd::Zero(committed_.size());
     for (const PrescribedUnknown& p : scene_.prescribed) {
         const auto found = std::ranges::lower_bound(structure_.gamma(), p.unknown);
-        if (found != structure_.gamma().end() && *found == p.unknown) imposed_.emplace_back(found - structure_.gamma().begin(), p.value);
+        if (found != structure_.gamma().end() && *found == p.unknown)
+            imposed_.emplace_back(found - structure_.gamma().begin(), p.value);
     }
 }
 
-Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) const { return gather(gamma, structure_.free_places()); }
+Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) const {
+    return gather(gamma, structure_.free_places());
+}
 
 void CondensedEquilibrium::impose(Eigen::VectorXd& gamma) const {
     for (const auto& [place, value] : imposed_) gamma[place] = load_factor_ * value;
@@ -57,7 +60,8 @@ Residual CondensedEquilibrium::linearise() {
     result.interior = response_.interior_residual;
     result.contact = response_.contact_residual;
     result.scale = std::max(result.scale, response_.interior_force);
-    result.yielding_points = std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
+    result.yielding_points =
+        std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
     result.closed = static_cast<int>(std::ranges::count(response_.digest.status, std::int8_t{1}));
     result.status_changes = response_.digest.status_changes;
     return result;
@@ -69,19 +73,22 @@ double CondensedEquilibrium::solve() {
     Eigen::MatrixXd tangent = structure_.tangent();
     for (Eigen::Index j = 0; j < n; ++j) {
         for (Eigen::Index i = 0; i < n; ++i) {
-            tangent(i, j) += response_.tangent(structure_.free_places()[static_cast<std::size_t>(i)], structure_.free_places()[static_cast<std::size_t>(j)]);
+            tangent(i, j) += response_.tangent(structure_.free_places()[static_cast<std::size_t>(i)],
+                                               structure_.free_places()[static_cast<std::size_t>(j)]);
         }
     }
     const Eigen::LLT<Eigen::MatrixXd> cholesky(tangent);
     correction_ = cholesky.info() == Eigen::Success ? Eigen::VectorXd(cholesky.solve(residual_))
                                                     : Eigen::VectorXd(tangent.partialPivLu().solve(residual_));
-    if (!correction_.allFinite()) throw NumericalFailure("the tangent of the structure is singular: a part of the body moves freely");
+    if (!correction_.allFinite())
+        throw NumericalFailure("the tangent of the structure is singular: a part of the body moves freely");
     return largest(correction_) / std::max({largest(trial_), response_.interior_displacement, 1e-300});
 }
 
 void CondensedEquilibrium::apply() {
     if (fine_ == nullptr) return;
-    for (std::size_t k = 0; k < structure_.free_places().size(); ++k) trial_[structure_.free_places()[k]] += correction_[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < structure_.free_places().size(); ++k)
+        trial_[structure_.free_places()[k]] += correction_[static_cast<Eigen::Index>(k)];
     ++iteration_;
 }
 

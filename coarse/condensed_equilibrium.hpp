@@ -9,9 +9,10 @@ namespace stria::coarse {
 
 class CondensedEquilibrium : public Equilibrium {
 public:
-    /// `fine` may be null: an elastic, traction-free scene without a zone. `committed`: displacement of the whole mesh to
-    /// start from.
-    CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed, double load_factor);
+    /// `fine` may be null: an elastic, traction-free scene without a zone. `committed`: displacement of the whole mesh
+    /// to start from.
+    CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed,
+                         double load_factor);
 
     void begin(double load_factor, double predictor) override;
     Residual linearise() override;

@@ -52,13 +52,15 @@ private:
                 cracks.insert(heaviside ? term.owner : result_.tips[at(term.owner)].crack);
                 const Vec2& x = mesh_.nodes[at(node)];
                 if (cracks.size() > 1) {
-                    throw CaseError(fmt::format("crack {}: near ({}, {}) it is less than two elements from crack {}; use smaller elements",
-                                                *cracks.rbegin() + 1, x.x(), x.y(), *cracks.begin() + 1));
+                    throw CaseError(fmt::format(
+                        "crack {}: near ({}, {}) it is less than two elements from crack {}; use smaller elements",
+                        *cracks.rbegin() + 1, x.x(), x.y(), *cracks.begin() + 1));
                 }
                 if (heaviside) continue;
                 if (last_tip >= 0 && last_tip != term.owner) {
-                    throw CaseError(fmt::format("crack {}: near ({}, {}) its two tips are less than two elements apart; use smaller elements",
-                                                *cracks.begin() + 1, x.x(), x.y()));
+                    throw CaseError(fmt::format(
+                        "crack {}: near ({}, {}) its two tips are less than two elements apart; use smaller elements",
+                        *cracks.begin() + 1, x.x(), x.y()));
                 }
                 last_tip = term.owner;
             }
@@ -73,7 +75,8 @@ private:
         if (path.tip_at_end) add_tip(crack, path, false, without_jump);
         for (const CrackPiece& piece : path.pieces) note_sides(piece);
         for (const auto& [node, side] : node_side_) {
-            if (!without_jump.contains(node)) result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
+            if (!without_jump.contains(node))
+                result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
         set_element_sides(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
@@ -88,7 +91,9 @@ private:
         tip.upper = start ? -1 : 1;
         const auto n = piece.points.size();
         tip.position = start ? piece.points.front() : piece.points.back();
-        tip.direction = (start ? Vec2(piece.points[0] - piece.points[1]) : Vec2(piece.points[n - 1] - piece.points[n - 2])).normalized();
+        tip.direction =
+            (start ? Vec2(piece.points[0] - piece.points[1]) : Vec2(piece.points[n - 1] - piece.points[n - 2]))
+                .normalized();
         result_.tips.push_back(tip);
         without_jump.merge(tip_nodes(piece));
     }
@@ -112,16 +117,19 @@ private:
         on_crack_.insert(node);
     }
 
-    // Elements that touch the crack without being cut: at a node, left or right of the two pieces that meet there; beside a
-    // tip, like the nodes of its element (a kink may put them across the straight line behind the tip); along an edge.
+    // Elements that touch the crack without being cut: at a node, left or right of the two pieces that meet there;
+    // beside a tip, like the nodes of its element (a kink may put them across the straight line behind the tip); along
+    // an edge.
     void set_element_sides(const CrackPath& path) {
         std::set<int> cut;
-        for (const CrackPiece& piece : path.pieces) if (piece.neighbour < 0) cut.insert(piece.element);
+        for (const CrackPiece& piece : path.pieces)
+            if (piece.neighbour < 0) cut.insert(piece.element);
         const auto around = elements_around_nodes(mesh_.elements, mesh_.nodes.size());
         for (const int node : on_crack_) {
             const auto [before, after] = neighbours_on_crack(path, mesh_.nodes[at(node)]);
             for (const int element : around[at(node)]) {
-                if (!cut.contains(element)) result_.element_side[at(element)] = side(before, mesh_.nodes[at(node)], after, element);
+                if (!cut.contains(element))
+                    result_.element_side[at(element)] = side(before, mesh_.nodes[at(node)], after, element);
             }
         }
         if (path.tip_at_start) set_sides_beside_tip(path.pieces.front(), cut, around);
@@ -133,7 +141,8 @@ private:
         }
     }
 
-    void set_sides_beside_tip(const CrackPiece& piece, const std::set<int>& cut, const std::vector<std::vector<int>>& around) {
+    void set_sides_beside_tip(const CrackPiece& piece, const std::set<int>& cut,
+                              const std::vector<std::vector<int>>& around) {
         std::map<int, std::set<int>> sides;  // of each element's nodes; both: it lies ahead of the tip
         for (const int node : tip_nodes(piece)) {
             if (on_crack_.contains(node)) continue;
@@ -141,7 +150,8 @@ private:
         }
         for (const auto& [element, seen] : sides) {
             signed char& known = result_.element_side[at(element)];
-            if (known == 0 && seen.size() == 1 && !cut.contains(element)) known = static_cast<signed char>(*seen.begin());
+            if (known == 0 && seen.size() == 1 && !cut.contains(element))
+                known = static_cast<signed char>(*seen.begin());
         }
     }
 
@@ -176,7 +186,8 @@ private:
     [[nodiscard]] signed char side(const Vec2& before, const Vec2& x, const Vec2& after, int element) const {
         const auto c = corners(element);
         const Vec2 centre = (c[0] + c[1] + c[2] + c[3]) / 4.0;
-        const bool left_of_first = orientation(before, x, centre) > 0, left_of_second = orientation(x, after, centre) > 0;
+        const bool left_of_first = orientation(before, x, centre) > 0,
+                   left_of_second = orientation(x, after, centre) > 0;
         const bool turns_left = orientation(before, x, after) >= 0;
         return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
     }
@@ -188,7 +199,9 @@ private:
             const CrackPiece& piece = path.tip_at_start && k == 0 ? path.pieces.front() : path.pieces.back();
             for (const int node : tip_nodes(piece)) {
                 const Vec2& x = mesh_.nodes[at(node)];
-                const auto value = tip_functions(result_.tips[at(index)], x, side_near_tip(piece, node), tip_enrichment_.exponent).value;
+                const auto value =
+                    tip_functions(result_.tips[at(index)], x, side_near_tip(piece, node), tip_enrichment_.exponent)
+                        .value;
                 for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha) {
                     result_.terms[at(node)].push_back({Term::Kind::Tip, index, alpha, value[alpha]});
                 }
@@ -214,12 +227,15 @@ private:
 TipEnrichment choose_enrichment(const Case& input) {
     const double n = input.fine.enrichment_n.value_or(1.0);
     switch (input.fine.enrichment) {
-        case Enrichment::None: return {0, 0.5};
-        case Enrichment::Single: return {1, 0.5};
-        case Enrichment::Auto:
-            if (input.material.yield_stress) return {1, 0.5};
-            [[fallthrough]];
-        default: return {6, 1.0 / (n + 1.0)};
+    case Enrichment::None:
+        return {0, 0.5};
+    case Enrichment::Single:
+        return {1, 0.5};
+    case Enrichment::Auto:
+        if (input.material.yield_stress) return {1, 0.5};
+        [[fallthrough]];
+    default:
+        return {6, 1.0 / (n + 1.0)};
     }
 }
 

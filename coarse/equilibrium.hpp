@@ -9,10 +9,10 @@ namespace stria::coarse {
 
 /// How far the trial state is from equilibrium. Residuals are largest nodal forces, N/mm.
 struct Residual {
-    double boundary = 0.0;   // on the unknowns of the structure
-    double interior = 0.0;   // inside the zone
-    double contact = 0.0;    // complementarity
-    double scale = 0.0;      // the forces that balance
+    double boundary = 0.0;  // on the unknowns of the structure
+    double interior = 0.0;  // inside the zone
+    double contact = 0.0;   // complementarity
+    double scale = 0.0;     // the forces that balance
     int yielding_points = 0;
     int closed = 0;          // multipliers
     int status_changes = 0;  // since the iteration before

@@ -11,14 +11,16 @@
 
 namespace stria::coarse {
 
-std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed,
-                                                    double load_factor) {
+std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch,
+                                                    const Eigen::VectorXd& committed, double load_factor) {
     if (patch != nullptr) fine_->set_patch(*patch);
-    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed, load_factor);
+    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed,
+                                                  load_factor);
 }
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
-    : scene_(scene), factory_(factory), listener_(std::move(listener)), controller_(scene.input.load, scene.input.solver) {
+    : scene_(scene), factory_(factory), listener_(std::move(listener)),
+      controller_(scene.input.load, scene.input.solver) {
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
@@ -48,8 +50,8 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, controller_.factor());
     predicts_ = false;
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
-    listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface", in_zone.size(), zone,
-                               structure_->unknowns(), structure_->gamma().size()));
+    listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
+                               in_zone.size(), zone, structure_->unknowns(), structure_->gamma().size()));
 }
 
 void FatigueAnalysis::run() {
@@ -59,16 +61,20 @@ void FatigueAnalysis::run() {
         const NewtonReport report = find_equilibrium(*equilibrium_, step.factor, step.predictor, scene_.input.solver);
         newton_iterations_ += report.count();
         listener_.attempted(step, report);
-        if (!report.converged) cut_or_fail(step, report);
-        else if (!zone_must_grow(step)) accept(step, report);
+        if (!report.converged)
+            cut_or_fail(step, report);
+        else if (!zone_must_grow(step))
+            accept(step, report);
     }
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     equilibrium_->rollback();
     if (!controller_.cut()) {
-        throw NumericalFailure(fmt::format("increment {} (cycle {}) towards load factor {:.6g}: {} after {} halvings; the last converged load factor is {:.6g}",
-                                           increment_ + 1, step.cycle, step.factor, report.failure, scene_.input.solver.max_cuts, controller_.factor()));
+        throw NumericalFailure(fmt::format("increment {} (cycle {}) towards load factor {:.6g}: {} after {} halvings; "
+                                           "the last converged load factor is {:.6g}",
+                                           increment_ + 1, step.cycle, step.factor, report.failure,
+                                           scene_.input.solver.max_cuts, controller_.factor()));
     }
     listener_.note(fmt::format("load factor {:.6g}: {}; the increment is halved", step.factor, report.failure));
 }
@@ -76,16 +82,20 @@ void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& repo
 // The proof that "elastic outside the zone" held (DESIGN section 4).
 bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     if (!scene_.input.material.yield_stress) return false;
-    const std::vector<int> yielding = structure_->elements_beyond(*scene_.input.material.yield_stress * (1.0 + 1e-9), equilibrium_->structure_displacement());
+    const std::vector<int> yielding = structure_->elements_beyond(*scene_.input.material.yield_stress * (1.0 + 1e-9),
+                                                                  equilibrium_->structure_displacement());
     if (yielding.empty()) return false;
     if (scene_.input.fine.guard == Guard::Warn) {
         if (warnings_++ == 0) {
-            listener_.note(fmt::format("warning: load factor {:.6g}: {} elements outside the zone are beyond yield; they stay elastic (fine.guard = \"warn\")",
+            listener_.note(fmt::format("warning: load factor {:.6g}: {} elements outside the zone are beyond yield; "
+                                       "they stay elastic (fine.guard = \"warn\")",
                                        step.factor, yielding.size()));
         }
         return false;
     }
-    listener_.note(fmt::format("load factor {:.6g}: {} elements outside the zone would yield; they join it and the increment is redone", step.factor, yielding.size()));
+    listener_.note(fmt::format(
+        "load factor {:.6g}: {} elements outside the zone would yield; they join it and the increment is redone",
+        step.factor, yielding.size()));
     extend_zone(yielding);
     return true;
 }
@@ -97,7 +107,8 @@ void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     const auto around = elements_around_nodes(scene_.mesh.elements, scene_.mesh.nodes.size());
     for (const int element : yielding) {
         for (const int node : scene_.mesh.elements[static_cast<std::size_t>(element)]) {
-            for (const int neighbour : around[static_cast<std::size_t>(node)]) in_zone[static_cast<std::size_t>(neighbour)] = 1;
+            for (const int neighbour : around[static_cast<std::size_t>(node)])
+                in_zone[static_cast<std::size_t>(neighbour)] = 1;
         }
     }
     ++extensions_;

@@ -7,8 +7,8 @@
 #include "coarse/fracture_parameters.hpp"
 #include "coarse/load_controller.hpp"
 #include "coarse/newton.hpp"
-#include "coupling/fine_scale.hpp"
 #include "coarse/structure.hpp"
+#include "coupling/fine_scale.hpp"
 
 namespace stria::coarse {
 
@@ -20,8 +20,10 @@ public:
     EquilibriumFactory& operator=(const EquilibriumFactory&) = delete;
     virtual ~EquilibriumFactory() = default;
 
-    /// `patch`: null where the scene has no zone. `committed`: displacement of the whole mesh, reached at `load_factor`.
-    virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed, double load_factor) = 0;
+    /// `patch`: null where the scene has no zone. `committed`: displacement of the whole mesh, reached at
+    /// `load_factor`.
+    virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
+                                              const Eigen::VectorXd& committed, double load_factor) = 0;
 
     /// Full committed state of the zone.
     virtual coupling::ZoneState zone_state() = 0;
@@ -31,7 +33,8 @@ public:
 class CondensedFactory : public EquilibriumFactory {
 public:
     explicit CondensedFactory(coupling::FineScale* fine) : fine_(fine) {}
-    std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch, const Eigen::VectorXd& committed, double load_factor) override;
+    std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
+                                      const Eigen::VectorXd& committed, double load_factor) override;
     coupling::ZoneState zone_state() override { return fine_->state(); }
 
 private:
@@ -52,8 +55,9 @@ struct Increment {
 /// What the analysis tells as it goes. app/ and tests listen.
 struct Listener {
     std::function<void(const Increment&, const Structure&)> accepted = [](const Increment&, const Structure&) {};
-    std::function<void(const std::string&)> note = [](const std::string&) {};           // one line for the log
-    std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {};  // converged or not
+    std::function<void(const std::string&)> note = [](const std::string&) {};  // one line for the log
+    std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {
+    };  // converged or not
 };
 
 class FatigueAnalysis {

@@ -37,7 +37,8 @@ double mouth_opening(const Structure& structure, int crack, const Eigen::VectorX
 
 }  // namespace
 
-std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u, const coupling::StepReport& report) {
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const coupling::StepReport& report) {
     const Scene& scene = structure.scene();
     const EnrichedMesh& mesh = scene.enriched;
     const double half_modulus = scene.elastic.plane_modulus() / 2.0;
@@ -71,13 +72,19 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
     return results;
 }
 
-std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u, const coupling::StepReport& report) {
+std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u,
+                                               const coupling::StepReport& report) {
     const EnrichedMesh& mesh = structure.scene().enriched;
     std::vector<coupling::FaceSample> samples = report.faces;
     for (int crack = 0; crack < static_cast<int>(structure.scene().input.cracks.size()); ++crack) {
         for (const FaceStation& station : face_stations(mesh, crack, 1, 4)) {
             if (structure.in_zone()[at(station.element)] != 0) continue;
-            samples.push_back({.crack = crack, .s = station.s, .x = station.x.x(), .y = station.x.y(), .opening = station.opening(u), .slip = station.slip(u)});
+            samples.push_back({.crack = crack,
+                               .s = station.s,
+                               .x = station.x.x(),
+                               .y = station.x.y(),
+                               .opening = station.opening(u),
+                               .slip = station.slip(u)});
         }
     }
     std::ranges::stable_sort(samples, {}, [](const coupling::FaceSample& s) { return std::tuple(s.crack, s.s); });

@@ -9,18 +9,20 @@
 namespace stria::coarse {
 
 struct TipResult {
-    double a = 0.0;                     // mm, INTERFACE definitions
-    double K_I = 0.0, K_II = 0.0;       // MPa sqrt(mm)
-    double J = 0.0;                     // N/mm
-    double CTOD = 0.0, CMOD = 0.0;      // mm
-    double contact_length = 0.0;        // mm
+    double a = 0.0;                                      // mm, INTERFACE definitions
+    double K_I = 0.0, K_II = 0.0;                        // MPa sqrt(mm)
+    double J = 0.0;                                      // N/mm
+    double CTOD = 0.0, CMOD = 0.0;                       // mm
+    double contact_length = 0.0;                         // mm
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;  // mm
 };
 
 /// `u`: displacement of the whole mesh, zero inside the zone; `report`: the zone's share (empty without a zone).
-std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u, const coupling::StepReport& report);
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const coupling::StepReport& report);
 
 /// Openings of crack faces that the structure holds, joined with the zone's, ordered by crack and arc length.
-std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u, const coupling::StepReport& report);
+std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u,
+                                               const coupling::StepReport& report);
 
 }  // namespace stria::coarse

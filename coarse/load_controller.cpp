@@ -30,8 +30,9 @@ void LoadController::append_leg(int cycle, double from, double to, int steps) {
         const double factor = k == steps ? to : from + (to - from) * k / steps;
         targets_.push_back({cycle, factor, k == steps, k == steps && to > from, false, false, false});
     }
-    const auto nearest = std::min_element(targets_.begin() + first, targets_.end(),
-                                          [](const Target& a, const Target& b) { return std::abs(a.factor) < std::abs(b.factor); });
+    const auto nearest =
+        std::min_element(targets_.begin() + first, targets_.end(),
+                         [](const Target& a, const Target& b) { return std::abs(a.factor) < std::abs(b.factor); });
     if (from * to < 0.0) nearest->at_zero = true;
 }
 

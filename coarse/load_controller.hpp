@@ -1,5 +1,5 @@
-// Hands out the next load: a ramp to the first maximum, then cycles max -> min -> max, block after block; halves an increment
-// that failed and lets it grow again.
+// Hands out the next load: a ramp to the first maximum, then cycles max -> min -> max, block after block; halves an
+// increment that failed and lets it grow again.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,8 @@ struct LoadStep {
     double factor = 0.0;     // load factor to reach
     double predictor = 0.0;  // this increment over the last one; 0 at the start and after a reversal
     bool reversal = false;   // a half cycle ends here
-    bool at_maximum = false, at_minimum = false, at_zero = false;  // extremes of the cycle, and the step nearest to zero load
+    bool at_maximum = false, at_minimum = false,
+         at_zero = false;  // extremes of the cycle, and the step nearest to zero load
     bool ends_cycle = false;
 };
 

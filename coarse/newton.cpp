@@ -12,13 +12,15 @@ std::string NewtonReport::table() const {
     std::string text = "   it   residual    boundary    interior     contact  correction  yielding  closed  changes\n";
     for (std::size_t i = 0; i < iterations.size(); ++i) {
         const auto& [r, correction] = iterations[i];
-        text += fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i, r.largest() / r.scale, r.boundary,
-                            r.interior, r.contact, correction, r.yielding_points, r.closed, r.status_changes);
+        text +=
+            fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i, r.largest() / r.scale,
+                        r.boundary, r.interior, r.contact, correction, r.yielding_points, r.closed, r.status_changes);
     }
     return text;
 }
 
-NewtonReport find_equilibrium(Equilibrium& equilibrium, double load_factor, double predictor, const SolverSection& solver) {
+NewtonReport find_equilibrium(Equilibrium& equilibrium, double load_factor, double predictor,
+                              const SolverSection& solver) {
     NewtonReport report;
     try {
         equilibrium.begin(load_factor, predictor);

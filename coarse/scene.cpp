@@ -36,21 +36,25 @@ void add_edge_load(const Scene& scene, const EdgeLoad& load, const CrackPiece* p
     for (std::size_t part = 0; part + 1 < breaks.size(); ++part) {
         const double length = breaks[part + 1] - breaks[part];
         int side = 0;
-        if (piece != nullptr) side = cut_element(basis.corners(), *piece).side_of(edge.at(breaks[part] + length / 2.0) + 1e-6 * edge.length() * edge.inward_normal());
+        if (piece != nullptr)
+            side = cut_element(basis.corners(), *piece)
+                       .side_of(edge.at(breaks[part] + length / 2.0) + 1e-6 * edge.length() * edge.inward_normal());
         for (const LinePoint& point : gauss_line(basis.singular() ? 16 : 3)) {
             const Vec2 x = edge.at(breaks[part] + 0.5 * (1.0 + point.xi) * length);
             const Vec2 traction = load.traction.at(x, edge.inward_normal());
             basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
             const double weight = 0.5 * point.weight * length * edge.length();
             for (int f = 0; f < basis.functions(); ++f) {
-                for (int c = 0; c < 2; ++c) force[basis.unknowns()[at(2 * f + c)]] += weight * values.value[f] * traction[c];
+                for (int c = 0; c < 2; ++c)
+                    force[basis.unknowns()[at(2 * f + c)]] += weight * values.value[f] * traction[c];
             }
         }
     }
 }
 
 /// Enriched terms that move a supported edge: Heaviside terms where the crack crosses it, and all tip functions.
-void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>, double>& held, std::map<int, double>& prescribed) {
+void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>, double>& held,
+                         std::map<int, double>& prescribed) {
     const EnrichedMesh& mesh = scene.enriched;
     for (const auto& [name, edges] : scene.mesh.boundary) {
         for (const BoundaryEdge& edge : edges) {
@@ -65,7 +69,8 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
                         const bool crossed = std::ranges::any_of(mesh.terms[at(other)], [&](const Term& t) {
                             return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
                         });
-                        if (term.kind == Term::Kind::Tip || crossed) prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
+                        if (term.kind == Term::Kind::Tip || crossed)
+                            prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
                     }
                 }
             }
@@ -91,7 +96,9 @@ void put_loads_on_unknowns(Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     scene.unit_force = Eigen::VectorXd::Zero(mesh.unknowns);
     scene.observed.assign(at(mesh.unknowns), 0);
-    const auto observe = [&](int node) { std::fill_n(scene.observed.begin() + mesh.unknown(node, 0, 0), 2, static_cast<char>(1)); };
+    const auto observe = [&](int node) {
+        std::fill_n(scene.observed.begin() + mesh.unknown(node, 0, 0), 2, static_cast<char>(1));
+    };
     const std::vector<int> piece = piece_of_elements(mesh);
     for (const EdgeLoad& load : scene.loads.edges) {
         const int p = piece[at(load.edge.element)];

@@ -24,9 +24,10 @@ struct Scene {
     Loads loads;
     FreeMotions free_motions;
     EnrichedMesh enriched;
-    Eigen::VectorXd unit_force;                  // on all unknowns, per unit load factor, N/mm
-    std::vector<PrescribedUnknown> prescribed;   // ascending; supports, imposed displacements, and the pins of free motions
-    std::vector<char> observed;                  // per unknown: standard unknown of a node where loads are applied and reported
+    Eigen::VectorXd unit_force;  // on all unknowns, per unit load factor, N/mm
+    std::vector<PrescribedUnknown>
+        prescribed;              // ascending; supports, imposed displacements, and the pins of free motions
+    std::vector<char> observed;  // per unknown: standard unknown of a node where loads are applied and reported
 };
 
 /// Meshes, enriches and resolves a case. Throws CaseError.

@@ -30,7 +30,8 @@ Structure::Structure(const Scene& scene, std::vector<char> in_zone) : scene_(sce
 void Structure::number_unknowns() {
     const EnrichedMesh& mesh = scene_.enriched;
     std::vector<char> coarse(at(mesh.unknowns), 0), fine = coarse, prescribed = coarse;
-    for (const ElementOperator& op : operators_) for (const int unknown : op.unknowns) coarse[at(unknown)] = 1;
+    for (const ElementOperator& op : operators_)
+        for (const int unknown : op.unknowns) coarse[at(unknown)] = 1;
     const std::vector<int> piece = piece_of_elements(mesh);
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
         if (in_zone_[at(e)] == 0) continue;
@@ -41,7 +42,8 @@ void Structure::number_unknowns() {
 
     leaf_index_.assign(at(mesh.unknowns), -1);
     for (int i = 0; i < mesh.unknowns; ++i) {
-        if (fine[at(i)] != 0 && (coarse[at(i)] != 0 || prescribed[at(i)] != 0 || scene_.observed[at(i)] != 0)) gamma_.push_back(i);
+        if (fine[at(i)] != 0 && (coarse[at(i)] != 0 || prescribed[at(i)] != 0 || scene_.observed[at(i)] != 0))
+            gamma_.push_back(i);
         else if (coarse[at(i)] != 0 && prescribed[at(i)] == 0) {
             leaf_index_[at(i)] = unknowns();
             leaf_unknowns_.push_back(i);
@@ -72,7 +74,8 @@ void Structure::condense() {
             load[row] -= reaction[static_cast<Eigen::Index>(i)];
             for (std::size_t j = 0; j < op.unknowns.size(); ++j) {
                 const int column = leaf_index_[at(op.unknowns[j])];
-                if (column >= 0) entries.emplace_back(row, column, K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                if (column >= 0)
+                    entries.emplace_back(row, column, K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
             }
         }
     }
@@ -87,8 +90,10 @@ void Structure::condense() {
 Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
     Eigen::VectorXd boundary(std::ssize(free_places_));
-    for (std::size_t k = 0; k < free_places_.size(); ++k) boundary[static_cast<Eigen::Index>(k)] = gamma_displacement[free_places_[k]];
-    const Eigen::VectorXd x = leaf_->expand({load_factor * reduced_.interior, load_factor * reduced_.boundary}, boundary);
+    for (std::size_t k = 0; k < free_places_.size(); ++k)
+        boundary[static_cast<Eigen::Index>(k)] = gamma_displacement[free_places_[k]];
+    const Eigen::VectorXd x =
+        leaf_->expand({load_factor * reduced_.interior, load_factor * reduced_.boundary}, boundary);
     for (int i = 0; i < unknowns(); ++i) u[leaf_unknowns_[at(i)]] = x[i];
     for (const PrescribedUnknown& p : scene_.prescribed) u[p.unknown] = load_factor * p.value;
     return u;
@@ -108,7 +113,8 @@ std::vector<int> Structure::elements_beyond(double stress, const Eigen::VectorXd
     return found;
 }
 
-DomainIntegral Structure::ring_integral(const Tip& tip, const Eigen::VectorXd& q, const Eigen::VectorXd& u, bool want_J, bool want_K) const {
+DomainIntegral Structure::ring_integral(const Tip& tip, const Eigen::VectorXd& q, const Eigen::VectorXd& u, bool want_J,
+                                        bool want_K) const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
     DomainIntegral sum;
     std::array<double, 4> corners{};
@@ -119,14 +125,16 @@ DomainIntegral Structure::ring_integral(const Tip& tip, const Eigen::VectorXd& q
             const Mandel strain = op.strain(local, p), stress = elastic * strain;
             return std::pair{stress, 0.5 * stress.dot(strain)};
         };
-        sum += integrate_ring(op, scene_.enriched, tip, corners, local, scene_.elastic, want_J, want_K, stress_and_work);
+        sum +=
+            integrate_ring(op, scene_.enriched, tip, corners, local, scene_.elastic, want_J, want_K, stress_and_work);
     }
     return sum;
 }
 
 Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const {
     std::vector<int> row(at(scene_.enriched.unknowns), -1);
-    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) row[at(scene_.prescribed[k].unknown)] = static_cast<int>(k);
+    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+        row[at(scene_.prescribed[k].unknown)] = static_cast<int>(k);
     const MandelMatrix elastic = scene_.elastic.stiffness();
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(std::ssize(scene_.prescribed));
     for (const ElementOperator& op : operators_) {
@@ -148,7 +156,8 @@ SparseMatrix Structure::stiffness() const {
         const Eigen::MatrixXd K = op.stiffness(elastic);
         for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
             for (std::size_t j = 0; j < op.unknowns.size(); ++j) {
-                entries.emplace_back(op.unknowns[i], op.unknowns[j], K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                entries.emplace_back(op.unknowns[i], op.unknowns[j],
+                                     K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
             }
         }
     }

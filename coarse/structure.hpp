@@ -16,7 +16,8 @@ public:
     /// `in_zone`: per element, 1 where the fine component owns it. Every element belongs to exactly one side.
     Structure(const Scene& scene, std::vector<char> in_zone);
 
-    /// Gamma: unknowns of the whole mesh that zone elements share with coarse ones or that are prescribed or reported, ascending.
+    /// Gamma: unknowns of the whole mesh that zone elements share with coarse ones or that are prescribed or reported,
+    /// ascending.
     [[nodiscard]] const std::vector<int>& gamma() const { return gamma_; }
 
     /// Places in gamma() that are not prescribed: the unknowns of the condensed system, in order.
@@ -39,7 +40,8 @@ public:
     [[nodiscard]] std::vector<int> elements_beyond(double stress, const Eigen::VectorXd& u) const;
 
     /// Elastic domain integrals over the coarse part of a ring; q: one value a node of the whole mesh.
-    [[nodiscard]] DomainIntegral ring_integral(const Tip& tip, const Eigen::VectorXd& q, const Eigen::VectorXd& u, bool want_J, bool want_K) const;
+    [[nodiscard]] DomainIntegral ring_integral(const Tip& tip, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                               bool want_J, bool want_K) const;
 
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
@@ -55,10 +57,10 @@ private:
     std::vector<char> in_zone_;
     std::vector<ElementOperator> operators_;  // of coarse elements
     std::vector<int> gamma_, free_places_;
-    std::vector<int> leaf_unknowns_;          // whole-mesh unknown of each leaf unknown
-    std::vector<int> leaf_index_;             // and back; -1: prescribed or inside the zone
+    std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
+    std::vector<int> leaf_index_;     // and back; -1: prescribed or inside the zone
     std::unique_ptr<SparseLeaf> leaf_;
-    ReducedLoad reduced_;                     // of the unit load factor
+    ReducedLoad reduced_;  // of the unit load factor
 };
 
 }  // namespace stria::coarse

@@ -33,7 +33,8 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
         double radius = scene.input.fine.radius.value_or(0.0);
         if (scene.input.material.yield_stress && !scene.input.fine.radius) {
-            radius = subdivision_radius(scene.input.fine.beta, std::max(K_I[t], 0.0), *scene.input.material.yield_stress);
+            radius =
+                subdivision_radius(scene.input.fine.beta, std::max(K_I[t], 0.0), *scene.input.material.yield_stress);
         }
         if (radius <= 0.0) continue;
         for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -80,23 +81,27 @@ double largest_ring(const Scene& scene, int tip_index) {
         }
     }
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
-        if (at(tip_index) != t) radius = std::min(radius, (scene.enriched.tips[t].position - tip.position).norm() / 2.0);
+        if (at(tip_index) != t)
+            radius = std::min(radius, (scene.enriched.tips[t].position - tip.position).norm() / 2.0);
     }
     // Other cracks, and this crack where it is not the straight end at the tip.
     for (int crack = 0; crack < static_cast<int>(scene.input.cracks.size()); ++crack) {
         const auto& points = scene.input.cracks[at(crack)].points;
         for (std::size_t k = 0; k + 1 < points.size(); ++k) {
             const bool own = crack == tip.crack && (tip.upper > 0 ? k + 2 == points.size() : k == 0);
-            const double d = own ? (points[k + 1] - points[k]).norm() : distance_to_segment(tip.position, points[k], points[k + 1]);
+            const double d =
+                own ? (points[k + 1] - points[k]).norm() : distance_to_segment(tip.position, points[k], points[k + 1]);
             radius = std::min(radius, d);
         }
     }
     return 0.95 * radius;
 }
 
-coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma, const Eigen::VectorXd& displacement) {
+coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
+                           const Eigen::VectorXd& displacement) {
     std::vector<int> elements;
-    for (int e = 0; e < static_cast<int>(in_zone.size()); ++e) if (in_zone[at(e)] != 0) elements.push_back(e);
+    for (int e = 0; e < static_cast<int>(in_zone.size()); ++e)
+        if (in_zone[at(e)] != 0) elements.push_back(e);
     coupling::Patch patch;
     patch.mesh = extract(scene.enriched, elements);
     const std::vector<int> whole = whole_unknowns(scene.enriched, patch.mesh);
@@ -110,7 +115,8 @@ coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone,
     }
     for (int t = 0; t < static_cast<int>(scene.enriched.tips.size()); ++t) {
         const double outer = largest_ring(scene, t), inner = ring_inner_fraction * outer;
-        const coupling::Ring ring{t, ring_weight(patch.mesh.nodes, scene.enriched.tips[at(t)], inner, outer), inner, outer};
+        const coupling::Ring ring{t, ring_weight(patch.mesh.nodes, scene.enriched.tips[at(t)], inner, outer), inner,
+                                  outer};
         patch.j_rings.push_back(ring);
         patch.k_rings.push_back(ring);
     }

@@ -1,5 +1,5 @@
-// Which elements the fine component owns: the disk of eq. (3) around each tip, the cut elements whose faces may touch, and
-// whatever carries tip functions.
+// Which elements the fine component owns: the disk of eq. (3) around each tip, the cut elements whose faces may touch,
+// and whatever carries tip functions.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,13 @@ namespace stria::coarse {
 /// Eq. (3): R_sub = beta * (pi/16) * K_I^2 / sigma_y^2, mm.
 double subdivision_radius(double beta, double K_I, double yield_stress);
 
-/// Per element, 1 inside the zone. `K_I`: largest of the load history, one a tip. All zero in elastic, traction-free scenes.
+/// Per element, 1 inside the zone. `K_I`: largest of the load history, one a tip. All zero in elastic, traction-free
+/// scenes.
 std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I);
 
 /// The zone as the message that the fine component gets; `displacement`: of the whole mesh, committed.
-coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma, const Eigen::VectorXd& displacement);
+coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
+                           const Eigen::VectorXd& displacement);
 
 /// Unknowns of the patch's mesh in the numbering of the whole mesh.
 std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part);
@@ -24,7 +26,8 @@ std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& p
 /// The weight q of a ring falls from 1 at this fraction of its outer radius to 0 at the outer radius.
 inline constexpr double ring_inner_fraction = 0.5;
 
-/// Outer radius of the largest ring around a tip that stays in the body, off other tips and on the crack's straight end.
+/// Outer radius of the largest ring around a tip that stays in the body, off other tips and on the crack's straight
+/// end.
 double largest_ring(const Scene& scene, int tip);
 
 }  // namespace stria::coarse

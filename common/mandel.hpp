@@ -1,4 +1,5 @@
-// Symmetric second-order tensors of plane problems as 4-vectors (xx, yy, zz, sqrt(2) xy): double contractions are dot products.
+// Symmetric second-order tensors of plane problems as 4-vectors (xx, yy, zz, sqrt(2) xy): double contractions are dot
+// products.
 #pragma once
 
 #include <Eigen/Core>

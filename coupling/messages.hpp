@@ -25,18 +25,18 @@ struct Ring {
 
 /// The zone: sent once per geometry, and again when the zone is extended.
 struct Patch {
-    EnrichedMesh mesh;                 // its elements only; ids refer to the whole mesh
-    std::vector<int> boundary;         // unknowns of `mesh` shared with the structure or prescribed (Gamma), ascending
-    Eigen::VectorXd unit_load;         // on the other unknowns of `mesh`, per unit load factor, N/mm; zero on Gamma
-    Eigen::VectorXd displacement;      // committed displacement of all unknowns of `mesh`; the fine component keeps its own
-                                       // where it has one, and starts elements that are new to it from sigma = C eps(u)
-    std::vector<Ring> j_rings;         // one a tip
-    std::vector<Ring> k_rings;         // one a tip
+    EnrichedMesh mesh;             // its elements only; ids refer to the whole mesh
+    std::vector<int> boundary;     // unknowns of `mesh` shared with the structure or prescribed (Gamma), ascending
+    Eigen::VectorXd unit_load;     // on the other unknowns of `mesh`, per unit load factor, N/mm; zero on Gamma
+    Eigen::VectorXd displacement;  // committed displacement of all unknowns of `mesh`; the fine component keeps its own
+                                   // where it has one, and starts elements that are new to it from sigma = C eps(u)
+    std::vector<Ring> j_rings;     // one a tip
+    std::vector<Ring> k_rings;     // one a tip
 };
 
 /// Displacements of the zone's boundary, each Newton iteration.
 struct PatchDisplacement {
-    int iteration = 0;        // 0: first of an increment: interior = committed + predictor * last increment
+    int iteration = 0;  // 0: first of an increment: interior = committed + predictor * last increment
     double predictor = 0.0;
     double load_factor = 0.0;
     Eigen::VectorXd boundary;  // total displacement on Gamma, in the order of Patch::boundary
@@ -44,21 +44,21 @@ struct PatchDisplacement {
 
 /// Digest of the internal-variable state: crosses at every Newton step.
 struct Digest {
-    std::vector<std::int32_t> yielding_points;     // per zone element
+    std::vector<std::int32_t> yielding_points;  // per zone element
     double largest_plastic_increment = 0.0;
-    std::vector<std::int8_t> status;               // per multiplier: 0 open, 1 closed
-    std::vector<double> multiplier;                // per multiplier: pressure, MPa
-    std::int32_t status_changes = 0;               // against the iteration before
+    std::vector<std::int8_t> status;  // per multiplier: 0 open, 1 closed
+    std::vector<double> multiplier;   // per multiplier: pressure, MPa
+    std::int32_t status_changes = 0;  // against the iteration before
 };
 
 /// The zone's answer: a nonlinear superelement.
 struct PatchResponse {
-    Eigen::VectorXd force;         // condensed internal force on Gamma, N/mm
-    Eigen::MatrixXd tangent;       // condensed tangent on Gamma
-    double interior_residual = 0;  // largest interior force residual, N/mm
-    double interior_force = 0;     // largest internal nodal force, the scale of that residual
-    double contact_residual = 0;   // largest complementarity residual, as a force
-    double interior_correction = 0;  // largest change of an interior displacement since the last call, mm
+    Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
+    Eigen::MatrixXd tangent;           // condensed tangent on Gamma
+    double interior_residual = 0;      // largest interior force residual, N/mm
+    double interior_force = 0;         // largest internal nodal force, the scale of that residual
+    double contact_residual = 0;       // largest complementarity residual, as a force
+    double interior_correction = 0;    // largest change of an interior displacement since the last call, mm
     double interior_displacement = 0;  // largest interior displacement, mm
     Digest digest;
 };
@@ -72,8 +72,9 @@ struct FaceSample {
 
 /// What a tip contributes from inside the zone.
 struct TipReport {
-    double J = 0, interaction_I = 0, interaction_II = 0;  // domain integrals over zone elements, N/mm; see domain_integral.hpp
-    double CTOD = -1;                                     // mm; negative: the 90 degree intercept is not in the zone
+    double J = 0, interaction_I = 0,
+           interaction_II = 0;     // domain integrals over zone elements, N/mm; see domain_integral.hpp
+    double CTOD = -1;              // mm; negative: the 90 degree intercept is not in the zone
     double plastic_zone = 0;       // mm, largest distance of a point that flowed in this half cycle
     double plastic_zone_axis = 0;  // mm, within 15 degrees of the crack's line ahead
 };
@@ -81,10 +82,10 @@ struct TipReport {
 /// After commit.
 struct StepReport {
     std::vector<TipReport> tips;
-    std::vector<FaceSample> faces;          // ordered by crack and s
-    std::vector<double> contact_length;     // per crack, mm
-    std::vector<double> mouth_opening;      // per crack: opening at its first point if that is in the zone, else NaN
-    double dissipation = 0;                 // N, per mm of thickness: integral over the zone
+    std::vector<FaceSample> faces;       // ordered by crack and s
+    std::vector<double> contact_length;  // per crack, mm
+    std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN
+    double dissipation = 0;              // N, per mm of thickness: integral over the zone
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
     double constitutive_s = 0, contact_s = 0, factor_s = 0;  // time so far per phase
 };

@@ -8,7 +8,19 @@
 
 namespace stria::coupling {
 
-enum class Tag : std::uint32_t { Hello = 1, Patch, Displacement, Response, Commit, Report, Rollback, State, Failure, Stop, Done };
+enum class Tag : std::uint32_t {
+    Hello = 1,
+    Patch,
+    Displacement,
+    Response,
+    Commit,
+    Report,
+    Rollback,
+    State,
+    Failure,
+    Stop,
+    Done
+};
 
 struct Message {
     Tag tag;

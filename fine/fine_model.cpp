@@ -27,7 +27,8 @@ void FineModel::set_patch(const coupling::Patch& patch) {
     for (const ElementOperator& op : system_.zone().operators()) {
         layout.element_unknowns.push_back(op.unknowns);
         Vec2 centre = Vec2::Zero();
-        for (const int node : patch.mesh.elements[static_cast<std::size_t>(op.element)]) centre += patch.mesh.nodes[static_cast<std::size_t>(node)] / 4.0;
+        for (const int node : patch.mesh.elements[static_cast<std::size_t>(op.element)])
+            centre += patch.mesh.nodes[static_cast<std::size_t>(node)] / 4.0;
         layout.centres.push_back(centre);
     }
     tree_ = std::make_unique<FrontTree>(std::move(layout));
@@ -37,8 +38,10 @@ void FineModel::set_patch(const coupling::Patch& patch) {
 void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
 
 coupling::PatchResponse FineModel::collect() {
-    if (asked_.iteration == 0) system_.predict(asked_.predictor, asked_.load_factor);
-    else advance_interior(asked_.boundary);
+    if (asked_.iteration == 0)
+        system_.predict(asked_.predictor, asked_.load_factor);
+    else
+        advance_interior(asked_.boundary);
     system_.set_boundary(asked_.boundary);
     system_.linearise();
     coupling::PatchResponse response = system_.measure();
@@ -63,9 +66,11 @@ void FineModel::condense(coupling::PatchResponse& response) {
         response.force = -load;
         return;
     }
-    // Unknowns c = (jumps, multipliers), boundary b. Jumps may lie on the boundary too: B couples multipliers with both.
+    // Unknowns c = (jumps, multipliers), boundary b. Jumps may lie on the boundary too: B couples multipliers with
+    // both.
     const ContactInterface::Rows rows = system_.contact_rows();
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(j + m, j + m), A_cb = Eigen::MatrixXd::Zero(j + m, g), A_bc = Eigen::MatrixXd::Zero(g, j + m);
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(j + m, j + m), A_cb = Eigen::MatrixXd::Zero(j + m, g),
+                    A_bc = Eigen::MatrixXd::Zero(g, j + m);
     A.topLeftCorner(j, j) = S.topLeftCorner(j, j);
     A_cb.topRows(j) = S.topRightCorner(j, g);
     A_bc.leftCols(j) = S.bottomLeftCorner(g, j);
@@ -81,7 +86,8 @@ void FineModel::condense(coupling::PatchResponse& response) {
     for (std::size_t column = 0; column < interior.size(); ++column) {
         if (interior[column] != 0) continue;
         const auto& boundary = system_.patch().boundary;
-        const auto place = std::ranges::lower_bound(boundary, system_.contact().jump_unknowns()[column]) - boundary.begin();
+        const auto place =
+            std::ranges::lower_bound(boundary, system_.contact().jump_unknowns()[column]) - boundary.begin();
         A_bc.block(0, j, g, m).row(place) = -B.col(static_cast<Eigen::Index>(column)).transpose();
         A_cb.bottomRows(m).col(place) = rows.jump.col(static_cast<Eigen::Index>(column));
     }

@@ -11,8 +11,8 @@
 namespace stria::fine {
 
 /// Bulk unknowns are condensed by a tree of fronts onto the crack's jump unknowns and the boundary; jumps and contact
-/// multipliers, ordered last, are eliminated in a small dense block (DESIGN section 1). The interior follows each boundary
-/// displacement through the last factor, so the iterates are those of Newton's method on the whole system.
+/// multipliers, ordered last, are eliminated in a small dense block (DESIGN section 1). The interior follows each
+/// boundary displacement through the last factor, so the iterates are those of Newton's method on the whole system.
 class FineModel : public coupling::FineScale {
 public:
     explicit FineModel(const Case& input);

@@ -14,7 +14,8 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     operators_.reserve(count);
     for (std::size_t e = 0; e < count; ++e) {
         const CrackPiece* cut = piece[e] >= 0 ? &mesh_.pieces[static_cast<std::size_t>(piece[e])] : nullptr;
-        operators_.push_back(make_operator(mesh_, static_cast<int>(e), cut, {.subcells = subcells, .gauss = 2, .tip_points = 4}));
+        operators_.push_back(
+            make_operator(mesh_, static_cast<int>(e), cut, {.subcells = subcells, .gauss = 2, .tip_points = 4}));
         first_point_.push_back(points_);
         points_ += static_cast<int>(operators_.back().points.size());
         elastic_stiffness_.push_back(operators_.back().stiffness(stiffness));
@@ -72,7 +73,8 @@ void Zone::evaluate(const Eigen::VectorXd& u) {
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Mandel strain = op.strain(du, q);
             const auto point = static_cast<std::size_t>(first_point_[e]) + q;
-            for (std::size_t c = 0; c < 4; ++c) strain_[c * static_cast<std::size_t>(points_) + point] = strain[static_cast<Eigen::Index>(c)];
+            for (std::size_t c = 0; c < 4; ++c)
+                strain_[c * static_cast<std::size_t>(points_) + point] = strain[static_cast<Eigen::Index>(c)];
         }
     }
     law_->update(points_, points_, strain_.data(), committed_.data(), trial_.data(), tangent_.data(), yielding_.data());
@@ -109,7 +111,8 @@ void Zone::evaluate_element(std::size_t e) {
     for (std::size_t q = 0; q < op.points.size(); ++q) {
         if (yielding_[first + q] == 0) continue;
         MandelMatrix D;
-        for (std::size_t c = 0; c < 16; ++c) D(static_cast<Eigen::Index>(c / 4), static_cast<Eigen::Index>(c % 4)) = tangent_[c * n + first + q];
+        for (std::size_t c = 0; c < 16; ++c)
+            D(static_cast<Eigen::Index>(c / 4), static_cast<Eigen::Index>(c % 4)) = tangent_[c * n + first + q];
         const auto B = op.strain_matrix(q);
         K.noalias() += op.points[q].weight * B.transpose() * ((D - elastic) * B);
     }
@@ -125,14 +128,16 @@ void Zone::commit(bool reversal) {
 }
 
 Mandel Zone::committed_mandel(int component, int point) const {
-    return {committed(component, point), committed(component + 1, point), committed(component + 2, point), committed(component + 3, point)};
+    return {committed(component, point), committed(component + 1, point), committed(component + 2, point),
+            committed(component + 3, point)};
 }
 
 std::vector<std::int32_t> Zone::yielding_points() const {
     std::vector<std::int32_t> count(operators_.size(), 0);
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         const auto begin = yielding_.begin() + first_point_[e];
-        count[e] = static_cast<std::int32_t>(std::count_if(begin, begin + std::ssize(operators_[e].points), [](auto y) { return y != 0; }));
+        count[e] = static_cast<std::int32_t>(
+            std::count_if(begin, begin + std::ssize(operators_[e].points), [](auto y) { return y != 0; }));
     }
     return count;
 }
@@ -150,7 +155,8 @@ double Zone::dissipation() const {
     double sum = 0.0;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            sum += operators_[e].points[q].weight * committed(state::dissipation, first_point_[e] + static_cast<int>(q));
+            sum +=
+                operators_[e].points[q].weight * committed(state::dissipation, first_point_[e] + static_cast<int>(q));
         }
     }
     return sum;
@@ -165,8 +171,8 @@ DomainIntegral Zone::ring_integral(const Tip& tip, const Eigen::VectorXd& q, boo
             const int point = first_point_[e] + static_cast<int>(p);
             return std::pair{committed_mandel(state::stress, point), committed(state::work, point)};
         };
-        sum += integrate_ring(operators_[e], mesh_, tip, corners, gather(committed_u_, operators_[e].unknowns), elastic_, want_J,
-                              want_K, stress_and_work);
+        sum += integrate_ring(operators_[e], mesh_, tip, corners, gather(committed_u_, operators_[e].unknowns),
+                              elastic_, want_J, want_K, stress_and_work);
     }
     return sum;
 }

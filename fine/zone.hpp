@@ -17,7 +17,8 @@ class Zone {
 public:
     Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic, int subcells);
 
-    /// Elements that `old` holds too keep their points' states; the others start from sigma = C eps(u) (DESIGN section 4).
+    /// Elements that `old` holds too keep their points' states; the others start from sigma = C eps(u) (DESIGN section
+    /// 4).
     void start(const Zone* old, const Eigen::VectorXd& displacement);
 
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
@@ -43,7 +44,8 @@ public:
 
     /// Integrals of the committed state.
     [[nodiscard]] double dissipation() const;
-    [[nodiscard]] DomainIntegral ring_integral(const Tip& tip, const Eigen::VectorXd& q, bool want_J, bool want_K) const;
+    [[nodiscard]] DomainIntegral ring_integral(const Tip& tip, const Eigen::VectorXd& q, bool want_J,
+                                               bool want_K) const;
     /// Largest distance from the tip to a point that flowed since the last reversal; `half_angle` about the line ahead.
     [[nodiscard]] double plastic_extent(const Tip& tip, double half_angle) const;
     void describe(coupling::ZoneState& out) const;
@@ -51,7 +53,8 @@ public:
 private:
     void evaluate_element(std::size_t e);
     [[nodiscard]] double committed(int component, int point) const {
-        return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) + static_cast<std::size_t>(point)];
+        return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) +
+                          static_cast<std::size_t>(point)];
     }
     [[nodiscard]] Mandel committed_mandel(int component, int point) const;
 

@@ -16,8 +16,10 @@ ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_o
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
-    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, input_.fine.subcells);
-    contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells, elastic_.plane_modulus());
+    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_,
+                                   input_.fine.subcells);
+    contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
+                                                  elastic_.plane_modulus());
     keep_history(patch, old.get(), old_contact.get());
     patch_ = patch;
     trial_ = committed_;
@@ -28,13 +30,15 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
     Unknowns step{Eigen::VectorXd::Zero(patch.mesh.unknowns), next.pressure};
     if (old != nullptr) {
         std::map<int, int> old_node;  // by id
-        for (int n = 0; n < static_cast<int>(old->mesh().nodes.size()); ++n) old_node[old->mesh().node_ids[static_cast<std::size_t>(n)]] = n;
+        for (int n = 0; n < static_cast<int>(old->mesh().nodes.size()); ++n)
+            old_node[old->mesh().node_ids[static_cast<std::size_t>(n)]] = n;
         for (int n = 0; n < static_cast<int>(patch.mesh.nodes.size()); ++n) {
             const auto found = old_node.find(patch.mesh.node_ids[static_cast<std::size_t>(n)]);
             if (found == old_node.end()) continue;
             const auto& terms = patch.mesh.terms[static_cast<std::size_t>(n)];
             for (int t = 0; t <= static_cast<int>(terms.size()); ++t) {
-                const int same = t == 0 ? 0 : old->mesh().term_index(found->second, terms[static_cast<std::size_t>(t - 1)]);
+                const int same =
+                    t == 0 ? 0 : old->mesh().term_index(found->second, terms[static_cast<std::size_t>(t - 1)]);
                 if (t > 0 && same == 0) continue;
                 const int to = patch.mesh.unknown(n, t, 0), from = old->mesh().unknown(found->second, same, 0);
                 next.displacement.segment<2>(to) = committed_.displacement.segment<2>(from);
@@ -72,7 +76,8 @@ void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd
 }
 
 void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
-    for (std::size_t k = 0; k < patch_.boundary.size(); ++k) trial_.displacement[patch_.boundary[k]] = displacement[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < patch_.boundary.size(); ++k)
+        trial_.displacement[patch_.boundary[k]] = displacement[static_cast<Eigen::Index>(k)];
 }
 
 void ZoneSystem::linearise() {
@@ -94,7 +99,8 @@ coupling::PatchResponse ZoneSystem::measure() const {
     for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
     for (int i = 0; i < patch_.mesh.unknowns; ++i) {
         response.interior_force = std::max(response.interior_force, zone_->force_scale()[i]);
-        if (on_boundary[static_cast<std::size_t>(i)] == 0) response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
+        if (on_boundary[static_cast<std::size_t>(i)] == 0)
+            response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
     response.contact_residual = contact_->residual(trial_.pressure, gap_);
     response.interior_correction = largest_move_;
@@ -166,10 +172,12 @@ DomainIntegral ZoneSystem::face_integral(const Tip& tip, const coupling::Ring& r
         const double step = 1e-4 * std::min(r, station.weight);
         const FaceStation before = face_station_at(patch_.mesh, station.crack, station.s - step);
         const FaceStation after = face_station_at(patch_.mesh, station.crack, station.s + step);
-        const double slope = (after.opening(committed_.displacement) - before.opening(committed_.displacement)) / (2.0 * step);
+        const double slope =
+            (after.opening(committed_.displacement) - before.opening(committed_.displacement)) / (2.0 * step);
         sum.J -= station.weight * q * pressure * slope * towards_tip;
         for (const int mode : {1, 2}) {
-            const Eigen::Matrix2d jump = williams_field(mode, tip, station.x, 1, elastic_).gradient - williams_field(mode, tip, station.x, -1, elastic_).gradient;
+            const Eigen::Matrix2d jump = williams_field(mode, tip, station.x, 1, elastic_).gradient -
+                                         williams_field(mode, tip, station.x, -1, elastic_).gradient;
             const double term = -station.weight * q * pressure * station.normal.dot(jump * tip.direction);
             (mode == 1 ? sum.interaction_I : sum.interaction_II) += term;
         }

@@ -8,13 +8,15 @@
 
 namespace stria::coarse {
 
-RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory, std::function<coupling::ZoneState()> zone_state)
+RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
+                         std::function<coupling::ZoneState()> zone_state)
     : scene_(scene), zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
       history_(directory / "history.csv", history_columns()), cycles_(directory / "cycles.csv", cycle_columns()),
       faces_(directory / "faces.csv", face_columns()), fields_(directory, field_format(scene.input.output.format)),
       cycle_(scene.enriched.tips.size()) {}
 
-void RunRecorder::record(const Increment& increment, const Structure& structure, const std::vector<TipResult>& nominal) {
+void RunRecorder::record(const Increment& increment, const Structure& structure,
+                         const std::vector<TipResult>& nominal) {
     const Stopwatch watch(output_s_);
     zone_ = increment.zone;
     record_history(increment, structure);
@@ -26,7 +28,8 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
     }
     if (due(scene_.input.output.fields, increment.step)) {
         std::optional<coupling::ZoneState> zone;
-        if (std::ranges::find(structure.in_zone(), static_cast<char>(1)) != structure.in_zone().end()) zone = zone_state_();
+        if (std::ranges::find(structure.in_zone(), static_cast<char>(1)) != structure.in_zone().end())
+            zone = zone_state_();
         fields_.write(increment.number, make_fields(structure, increment.displacement, zone ? &*zone : nullptr));
     }
     if (increment.step.ends_cycle) finish_cycle(increment);
@@ -116,10 +119,14 @@ void RunRecorder::finish_cycle(const Increment& increment) {
 bool RunRecorder::due(Written wish, const LoadStep& step) const {
     const bool extreme = step.at_maximum || step.at_minimum || step.at_zero;
     switch (wish) {
-        case Written::All: return true;
-        case Written::None: return false;
-        case Written::Cycles: return extreme;
-        case Written::Extremes: break;
+    case Written::All:
+        return true;
+    case Written::None:
+        return false;
+    case Written::Cycles:
+        return extreme;
+    case Written::Extremes:
+        break;
     }
     int cycles = 0;
     for (const LoadBlock& block : scene_.input.load.blocks) cycles += block.cycles;
@@ -144,7 +151,8 @@ double RunRecorder::load(const Increment& increment) const {
 double RunRecorder::displacement(const Increment& increment) const {
     if (!loaded_) return missing;
     std::vector<Vec2> nodal(scene_.mesh.nodes.size());
-    for (std::size_t n = 0; n < nodal.size(); ++n) nodal[n] = increment.displacement.segment<2>(scene_.enriched.unknown(static_cast<int>(n), 0, 0));
+    for (std::size_t n = 0; n < nodal.size(); ++n)
+        nodal[n] = increment.displacement.segment<2>(scene_.enriched.unknown(static_cast<int>(n), 0, 0));
     return mean_displacement(scene_.mesh, *loaded_, nodal);
 }
 

@@ -56,7 +56,8 @@ struct Summary {
     int ranks = 1;
     std::int64_t coarse_unknowns = 0, interface_unknowns = 0, fine_unknowns = 0, fine_points = 0;
     std::int64_t newton_iterations = 0;
-    // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, and what crossed.
+    // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, and what
+    // crossed.
     std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, messages = 0, bytes = 0;
     Timing timing;
     std::vector<HistoryRow> last;  // last row of each tip

@@ -38,7 +38,8 @@ public:
         for (const ElementOperator& op : structure.operators()) {
             const Eigen::VectorXd local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
-                means_[{op.element, op.points[q].side}].add(op.points[q].weight, elastic * op.strain(local, q), Mandel::Zero(), 0.0);
+                means_[{op.element, op.points[q].side}].add(op.points[q].weight, elastic * op.strain(local, q),
+                                                            Mandel::Zero(), 0.0);
             }
         }
         if (zone != nullptr) add_zone(*zone);
@@ -47,26 +48,34 @@ public:
     FieldData build() {
         const std::vector<int> piece = piece_of_elements(mesh_);
         for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
-            if (piece[at(e)] < 0) add_plain(e);
-            else add_cut(e, mesh_.pieces[at(piece[at(e)])]);
+            if (piece[at(e)] < 0)
+                add_plain(e);
+            else
+                add_cut(e, mesh_.pieces[at(piece[at(e)])]);
         }
         data_.point_arrays = {{"displacement", 3, std::move(displacement_)}};
-        data_.cell_arrays = {{"stress", 4, std::move(stress_)},          {"von_mises", 1, std::move(von_mises_)},
-                             {"plastic_strain", 4, std::move(plastic_)}, {"accumulated_plastic_strain", 1, std::move(accumulated_)},
-                             {"zone", 1, std::move(zone_)},              {"crack_side", 1, std::move(side_)}};
+        data_.cell_arrays = {{"stress", 4, std::move(stress_)},
+                             {"von_mises", 1, std::move(von_mises_)},
+                             {"plastic_strain", 4, std::move(plastic_)},
+                             {"accumulated_plastic_strain", 1, std::move(accumulated_)},
+                             {"zone", 1, std::move(zone_)},
+                             {"crack_side", 1, std::move(side_)}};
         return std::move(data_);
     }
 
 private:
     void add_zone(const coupling::ZoneState& zone) {
         std::vector<int> elements;
-        for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) if (structure_.in_zone()[at(e)] != 0) elements.push_back(e);
+        for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)
+            if (structure_.in_zone()[at(e)] != 0) elements.push_back(e);
         const EnrichedMesh part = extract(mesh_, elements);
         const std::vector<int> whole = whole_unknowns(mesh_, part);
         for (int i = 0; i < part.unknowns; ++i) u_[whole[at(i)]] = zone.displacement[i];
         for (std::size_t q = 0; q < zone.element.size(); ++q) {
-            const Eigen::Map<const Mandel> stress(zone.stress.data() + 4 * q), plastic(zone.plastic_strain.data() + 4 * q);
-            means_[{part.element_ids[at(zone.element[q])], zone.side[q]}].add(zone.weight[q], stress, plastic, zone.accumulated[q]);
+            const Eigen::Map<const Mandel> stress(zone.stress.data() + 4 * q),
+                plastic(zone.plastic_strain.data() + 4 * q);
+            means_[{part.element_ids[at(zone.element[q])], zone.side[q]}].add(zone.weight[q], stress, plastic,
+                                                                              zone.accumulated[q]);
         }
     }
 
@@ -77,7 +86,8 @@ private:
             const int node = mesh_.elements[at(e)][at(k)];
             // A node on the crack has two displacements; elements that touch the crack have points of their own.
             const bool own = mesh_.element_side[at(e)] != 0 || basis.enriched();
-            const auto [found, added] = own ? std::pair{shared_.end(), true} : shared_.try_emplace(node, std::ssize(data_.points));
+            const auto [found, added] =
+                own ? std::pair{shared_.end(), true} : shared_.try_emplace(node, std::ssize(data_.points));
             points.push_back(own ? std::ssize(data_.points) : found->second);
             if (added) add_point(basis, mesh_.nodes[at(node)], 0);
         }
@@ -104,7 +114,8 @@ private:
         BasisValues values;
         basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
         Vec2 displacement = Vec2::Zero();
-        for (int f = 0; f < basis.functions(); ++f) displacement += values.value[f] * u_.segment<2>(basis.unknowns()[at(2 * f)]);
+        for (int f = 0; f < basis.functions(); ++f)
+            displacement += values.value[f] * u_.segment<2>(basis.unknowns()[at(2 * f)]);
         data_.points.emplace_back(x.x(), x.y(), 0.0);
         displacement_.insert(displacement_.end(), {displacement.x(), displacement.y(), 0.0});
     }

@@ -11,8 +11,8 @@
 namespace stria {
 namespace {
 
-FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, const Vec2& x, const Vec2& tangent, double s,
-                         double weight) {
+FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, const Vec2& x, const Vec2& tangent,
+                         double s, double weight) {
     FaceStation station;
     station.crack = piece.crack;
     station.element = piece.element;
@@ -28,7 +28,8 @@ FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, con
     basis.evaluate(xi, x, -1, minus);
     for (int f = 0; f < basis.functions(); ++f) {
         const double value = plus.value[f] - minus.value[f];
-        if (std::abs(value) > 1e-14) station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value});
+        if (std::abs(value) > 1e-14)
+            station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value});
     }
     return station;
 }
@@ -53,8 +54,8 @@ std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int 
             const double length = ends.s[k + 1] - ends.s[k];
             for (const LinePoint& point : gauss_line(gauss)) {
                 const double t = 0.5 * (1.0 + point.xi);
-                stations.push_back(make_station(basis, piece, ends.points[k] + t * d, d.normalized(), ends.s[k] + t * length,
-                                                0.5 * point.weight * length));
+                stations.push_back(make_station(basis, piece, ends.points[k] + t * d, d.normalized(),
+                                                ends.s[k] + t * length, 0.5 * point.weight * length));
             }
         }
     }
@@ -65,10 +66,12 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.crack != crack || s < piece.s.front() || s > piece.s.back()) continue;
         const auto after = std::ranges::upper_bound(piece.s, s);
-        const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
+        const auto k =
+            static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
         const Vec2 d = piece.points[k] - piece.points[k - 1];
         const double t = (s - piece.s[k - 1]) / (piece.s[k] - piece.s[k - 1]);
-        return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(), s, 0.0);
+        return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(),
+                            s, 0.0);
     }
     FaceStation nowhere;
     nowhere.crack = crack;

@@ -8,7 +8,8 @@
 
 namespace stria {
 
-/// Jump operator at one station: jump = sum over terms of value * (u[unknown], u[unknown + 1]), plus side minus minus side.
+/// Jump operator at one station: jump = sum over terms of value * (u[unknown], u[unknown + 1]), plus side minus minus
+/// side.
 struct FaceStation {
     struct Term {
         int unknown;
@@ -18,7 +19,8 @@ struct FaceStation {
     int element = 0;      // of the enriched mesh
     double s = 0.0;       // arc length, mm
     double weight = 0.0;  // length that the station stands for, mm
-    Vec2 x = Vec2::Zero(), tangent = Vec2::UnitX(), normal = Vec2::UnitY();  // normal from minus to plus: left of the tangent
+    Vec2 x = Vec2::Zero(), tangent = Vec2::UnitX(),
+         normal = Vec2::UnitY();                      // normal from minus to plus: left of the tangent
     Eigen::Vector4d shape = Eigen::Vector4d::Zero();  // standard functions of the element's corners
     std::vector<Term> terms;
 
@@ -27,14 +29,15 @@ struct FaceStation {
     [[nodiscard]] double slip(const Eigen::VectorXd& u) const { return jump(u).dot(tangent); }
 };
 
-/// Gauss points of the interface elements (crack pieces cut by the s x s sub-quadrangles, Fig. 2) of one crack, in order.
+/// Gauss points of the interface elements (crack pieces cut by the s x s sub-quadrangles, Fig. 2) of one crack, in
+/// order.
 std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss);
 
 /// The station at an arc length (weight 0); empty terms where no piece of the mesh holds it.
 FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s);
 
-/// Crack tip opening displacement at the 90 degree intercept: the opening where it equals twice the distance to the tip.
-/// Negative where the mesh does not hold the intercept.
+/// Crack tip opening displacement at the 90 degree intercept: the opening where it equals twice the distance to the
+/// tip. Negative where the mesh does not hold the intercept.
 double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eigen::VectorXd& u);
 
 }  // namespace stria

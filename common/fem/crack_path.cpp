@@ -16,7 +16,7 @@ namespace stria {
 namespace {
 
 struct MeshEdge {
-    int first, second;               // nodes, first < second
+    int first, second;  // nodes, first < second
     std::array<int, 2> elements{-1, -1};
 };
 
@@ -24,17 +24,19 @@ struct MeshEdge {
 struct Crossing {
     double s;
     Vec2 position;
-    int node;                 // -1: inside an edge
-    const MeshEdge* edge;     // null at a node
-    double fraction;          // along the edge from its first node
+    int node;              // -1: inside an edge
+    const MeshEdge* edge;  // null at a node
+    double fraction;       // along the edge from its first node
 };
 
 class Resolver {
 public:
     Resolver(const Mesh& mesh, int crack, const std::vector<Vec2>& points)
-        : mesh_(mesh), crack_(crack), points_(points), around_(elements_around_nodes(mesh.elements, mesh.nodes.size())) {
+        : mesh_(mesh), crack_(crack), points_(points),
+          around_(elements_around_nodes(mesh.elements, mesh.nodes.size())) {
         arc_.push_back(0.0);
-        for (std::size_t k = 1; k < points.size(); ++k) arc_.push_back(arc_.back() + (points[k] - points[k - 1]).norm());
+        for (std::size_t k = 1; k < points.size(); ++k)
+            arc_.push_back(arc_.back() + (points[k] - points[k - 1]).norm());
         collect_edges();
     }
 
@@ -63,15 +65,18 @@ private:
             for (std::size_t k = 0; k < 4; ++k) {
                 const auto key = std::minmax(mesh_.elements[e][k], mesh_.elements[e][(k + 1) % 4]);
                 const auto [found, added] = index.try_emplace(key, edges_.size());
-                if (added) edges_.push_back({key.first, key.second, {static_cast<int>(e), -1}});
-                else edges_[found->second].elements[1] = static_cast<int>(e);
+                if (added)
+                    edges_.push_back({key.first, key.second, {static_cast<int>(e), -1}});
+                else
+                    edges_[found->second].elements[1] = static_cast<int>(e);
             }
         }
     }
 
     [[nodiscard]] bool near_crack(int e) const {
         Eigen::AlignedBox2d box;
-        for (const int node : mesh_.elements[static_cast<std::size_t>(e)]) box.extend(mesh_.nodes[static_cast<std::size_t>(node)]);
+        for (const int node : mesh_.elements[static_cast<std::size_t>(e)])
+            box.extend(mesh_.nodes[static_cast<std::size_t>(node)]);
         const double margin = 1e-9 * box.diagonal().norm();
         box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
         for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
@@ -99,9 +104,12 @@ private:
         const Vec2 &a = node(edge.first), &b = node(edge.second);
         const double t = (x - a).dot(b - a) / (b - a).squaredNorm();
         const double s = arc_[segment] + (x - points_[segment]).norm();
-        if (t < snap_fraction) crossings_.push_back({s, a, edge.first, nullptr, 0.0});
-        else if (t > 1.0 - snap_fraction) crossings_.push_back({s, b, edge.second, nullptr, 0.0});
-        else crossings_.push_back({s, x, -1, &edge, t});
+        if (t < snap_fraction)
+            crossings_.push_back({s, a, edge.first, nullptr, 0.0});
+        else if (t > 1.0 - snap_fraction)
+            crossings_.push_back({s, b, edge.second, nullptr, 0.0});
+        else
+            crossings_.push_back({s, x, -1, &edge, t});
     }
 
     [[nodiscard]] static bool same_place(const Crossing& a, const Crossing& b) {
@@ -110,8 +118,8 @@ private:
         return false;
     }
 
-    // A node and a point of an edge that ends there, with no kink between: the crack grazes the node (or the whole edge), and
-    // once snapped onto the node it no longer crosses that edge.
+    // A node and a point of an edge that ends there, with no kink between: the crack grazes the node (or the whole
+    // edge), and once snapped onto the node it no longer crosses that edge.
     [[nodiscard]] bool grazes(const Crossing& a, const Crossing& b) const {
         const Crossing &at_node = a.node >= 0 ? a : b, &on_edge = a.node >= 0 ? b : a;
         if (at_node.node < 0 || on_edge.edge == nullptr || has_kink_between(a.s, b.s)) return false;
@@ -155,9 +163,8 @@ private:
     // An edge met once near the crack may have its other element farther away.
     [[nodiscard]] bool is_boundary(const MeshEdge& edge) const {
         const auto& others = around_[static_cast<std::size_t>(edge.second)];
-        return std::ranges::count_if(around_[static_cast<std::size_t>(edge.first)], [&](int e) {
-                   return std::ranges::find(others, e) != others.end();
-               }) == 1;
+        return std::ranges::count_if(around_[static_cast<std::size_t>(edge.first)],
+                                     [&](int e) { return std::ranges::find(others, e) != others.end(); }) == 1;
     }
 
     // A tip within rounding of an edge ends on that edge.
@@ -190,10 +197,11 @@ private:
         return std::nullopt;  // outside the body
     }
 
-    CrackPiece along(const Crossing& a, const Crossing& b, const std::pair<std::vector<Vec2>, std::vector<double>>& chain,
-                     const std::vector<int>& shared) {
+    CrackPiece along(const Crossing& a, const Crossing& b,
+                     const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const std::vector<int>& shared) {
         const bool whole_edge = a.node >= 0 && b.node >= 0;
-        const bool ends_at_tip = (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
+        const bool ends_at_tip =
+            (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
         if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b);
         const bool first_is_left = orientation(a.position, b.position, centre(shared[0])) > 0;
         CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
@@ -202,8 +210,10 @@ private:
     }
 
     [[noreturn]] void refuse_partial_edge(const Crossing& b) const {
-        throw CaseError(fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
-                                    "change the mesh size a little", crack_ + 1, b.position.x(), b.position.y()));
+        throw CaseError(
+            fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
+                        "change the mesh size a little",
+                        crack_ + 1, b.position.x(), b.position.y()));
     }
 
     // A piece that ends at a tip inside an element (null end), or lies wholly inside one.
@@ -211,7 +221,8 @@ private:
         const auto chain = points_between(a, b);
         const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-            if (side_of_polygon(polygon(static_cast<int>(e)), middle) > 0) return make_piece(static_cast<int>(e), chain, a, b);
+            if (side_of_polygon(polygon(static_cast<int>(e)), middle) > 0)
+                return make_piece(static_cast<int>(e), chain, a, b);
         }
         // The tip lies on an edge that the crack runs along: both elements beside it hold the tip.
         const Crossing* end = a != nullptr ? a : b;
@@ -223,7 +234,8 @@ private:
             result.neighbour = edge.elements[static_cast<std::size_t>(left)];
             return result;
         }
-        throw CaseError(fmt::format("crack {}: no element holds the crack near ({}, {})", crack_ + 1, middle.x(), middle.y()));
+        throw CaseError(
+            fmt::format("crack {}: no element holds the crack near ({}, {})", crack_ + 1, middle.x(), middle.y()));
     }
 
     CrackPiece make_piece(int e, const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const Crossing* a,
@@ -238,7 +250,8 @@ private:
         return result;
     }
 
-    [[nodiscard]] std::pair<std::vector<Vec2>, std::vector<double>> points_between(const Crossing* a, const Crossing* b) const {
+    [[nodiscard]] std::pair<std::vector<Vec2>, std::vector<double>> points_between(const Crossing* a,
+                                                                                   const Crossing* b) const {
         const double s0 = a != nullptr ? a->s : 0.0, s1 = b != nullptr ? b->s : arc_.back();
         std::pair<std::vector<Vec2>, std::vector<double>> chain;
         chain.first.push_back(a != nullptr ? a->position : points_.front());
@@ -259,8 +272,10 @@ private:
             if (crossing.node >= 0 && nodes[k] == crossing.node) return static_cast<double>(k);
             if (crossing.edge == nullptr) continue;
             const int from = nodes[k], to = nodes[(k + 1) % 4];
-            if (from == crossing.edge->first && to == crossing.edge->second) return static_cast<double>(k) + crossing.fraction;
-            if (from == crossing.edge->second && to == crossing.edge->first) return static_cast<double>(k) + 1.0 - crossing.fraction;
+            if (from == crossing.edge->first && to == crossing.edge->second)
+                return static_cast<double>(k) + crossing.fraction;
+            if (from == crossing.edge->second && to == crossing.edge->first)
+                return static_cast<double>(k) + 1.0 - crossing.fraction;
         }
         require(crossing.node < 0 && crossing.edge == nullptr, "a crossing lies on the boundary of its element");
         return -1.0;
@@ -269,14 +284,16 @@ private:
     [[nodiscard]] std::vector<int> elements_at(const Crossing& crossing) const {
         if (crossing.node >= 0) return around_[static_cast<std::size_t>(crossing.node)];
         std::vector<int> result;
-        for (const int e : crossing.edge->elements) if (e >= 0) result.push_back(e);
+        for (const int e : crossing.edge->elements)
+            if (e >= 0) result.push_back(e);
         return result;
     }
 
     [[nodiscard]] std::vector<int> common_elements(const Crossing& a, const Crossing& b) const {
         std::vector<int> result;
         const std::vector<int> others = elements_at(b);
-        for (const int e : elements_at(a)) if (std::ranges::find(others, e) != others.end()) result.push_back(e);
+        for (const int e : elements_at(a))
+            if (std::ranges::find(others, e) != others.end()) result.push_back(e);
         return result;
     }
 
@@ -296,8 +313,9 @@ private:
         for (const CrackPiece& p : path.pieces) {
             if (p.neighbour >= 0) continue;
             if (!crossed.insert(p.element).second) {
-                throw CaseError(fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there",
-                                            crack_ + 1, p.points[0].x(), p.points[0].y()));
+                throw CaseError(
+                    fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there",
+                                crack_ + 1, p.points[0].x(), p.points[0].y()));
             }
         }
     }

@@ -33,7 +33,8 @@ BoundaryHit leave(const std::array<Vec2, 4>& corners, const Vec2& tip, const Vec
 /// Corners strictly between two places of the boundary, counter-clockwise.
 void append_corners(std::vector<Vec2>& polygon, const std::array<Vec2, 4>& corners, double from, double to) {
     if (to < from) to += 4.0;
-    for (int k = static_cast<int>(std::floor(from)) + 1; k < to; ++k) polygon.push_back(corners[static_cast<std::size_t>(k % 4)]);
+    for (int k = static_cast<int>(std::floor(from)) + 1; k < to; ++k)
+        polygon.push_back(corners[static_cast<std::size_t>(k % 4)]);
 }
 
 }  // namespace
@@ -44,7 +45,8 @@ CutElement cut_element(const std::array<Vec2, 4>& corners, const CrackPiece& pie
     CutElement cut;
     std::vector<Vec2> chain = piece.points;
     double entry = piece.entry, exit = piece.exit;
-    for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) cut.segments.emplace_back(piece.points[k], piece.points[k + 1]);
+    for (std::size_t k = 0; k + 1 < piece.points.size(); ++k)
+        cut.segments.emplace_back(piece.points[k], piece.points[k + 1]);
     if (entry < 0.0) {
         const BoundaryHit hit = leave(corners, chain[0], (chain[0] - chain[1]).normalized());
         cut.tips.push_back(chain[0]);
@@ -80,7 +82,8 @@ InterfacePoints interface_elements(const std::array<Vec2, 4>& corners, const Cra
         const auto cut_by = [&](const Vec2& c, const Vec2& d) {
             const auto hit = intersect(a, b, c, d);
             if (!hit) return;
-            for (const Vec2& x : {hit->first, hit->second}) breaks.push_back(std::clamp(piece.s[k] + (x - a).norm(), piece.s[k], piece.s[k + 1]));
+            for (const Vec2& x : {hit->first, hit->second})
+                breaks.push_back(std::clamp(piece.s[k] + (x - a).norm(), piece.s[k], piece.s[k + 1]));
         };
         for (int line = 1; line < subcells; ++line) {
             cut_by(grid_corner(corners, subcells, line, 0), grid_corner(corners, subcells, line, subcells));

@@ -18,8 +18,10 @@ struct DomainIntegral {
     }
 };
 
-/// (sigma_ij u_i,1 - W delta_1j) q_,j with axis 1 along the tip: the integrand of J (faces in the ring's inside add theirs).
-inline double j_density(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work, const Vec2& dq) {
+/// (sigma_ij u_i,1 - W delta_1j) q_,j with axis 1 along the tip: the integrand of J (faces in the ring's inside add
+/// theirs).
+inline double j_density(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work,
+                        const Vec2& dq) {
     return (in_plane(stress) * dq).dot(gradient * tip.direction) - work * tip.direction.dot(dq);
 }
 
@@ -42,8 +44,9 @@ bool ring_corners(const EnrichedMesh& mesh, int element, const Eigen::VectorXd& 
 
 /// Over one element of the ring. `stress` and `work` (stress work density) at point p come from `state(p)`.
 template <class State>
-DomainIntegral integrate_ring(const ElementOperator& op, const EnrichedMesh& mesh, const Tip& tip, const std::array<double, 4>& q,
-                              const Eigen::VectorXd& u, const Elasticity& elastic, bool want_J, bool want_K, State&& state) {
+DomainIntegral integrate_ring(const ElementOperator& op, const EnrichedMesh& mesh, const Tip& tip,
+                              const std::array<double, 4>& q, const Eigen::VectorXd& u, const Elasticity& elastic,
+                              bool want_J, bool want_K, State&& state) {
     DomainIntegral sum;
     std::array<Vec2, 4> corners;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -57,10 +60,10 @@ DomainIntegral integrate_ring(const ElementOperator& op, const EnrichedMesh& mes
         if (want_J) sum.J += point.weight * j_density(tip, stress, gradient, work, dq);
         if (!want_K) continue;
         const int side = point.side;
-        sum.interaction_I +=
-            point.weight * interaction_density(tip, stress, gradient, williams_field(1, tip, point.x, side, elastic), dq);
-        sum.interaction_II +=
-            point.weight * interaction_density(tip, stress, gradient, williams_field(2, tip, point.x, side, elastic), dq);
+        sum.interaction_I += point.weight * interaction_density(tip, stress, gradient,
+                                                                williams_field(1, tip, point.x, side, elastic), dq);
+        sum.interaction_II += point.weight * interaction_density(tip, stress, gradient,
+                                                                 williams_field(2, tip, point.x, side, elastic), dq);
     }
     return sum;
 }

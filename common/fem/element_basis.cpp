@@ -15,7 +15,8 @@ ElementBasis::ElementBasis(const EnrichedMesh& mesh, int element, bool cut)
         corners_[static_cast<std::size_t>(corner)] = mesh.nodes[static_cast<std::size_t>(node)];
         const auto add = [&](int term_index, const Term& term, bool standard) {
             functions_.push_back({corner, term, standard});
-            for (int component = 0; component < 2; ++component) unknowns_.push_back(mesh.unknown(node, term_index, component));
+            for (int component = 0; component < 2; ++component)
+                unknowns_.push_back(mesh.unknown(node, term_index, component));
         };
         add(0, {}, true);
         const auto& terms = mesh.terms[static_cast<std::size_t>(node)];

@@ -1,4 +1,5 @@
-// Eq. (1) on one element: values and gradients of its functions, standard and enriched. The only place that evaluates them.
+// Eq. (1) on one element: values and gradients of its functions, standard and enriched. The only place that evaluates
+// them.
 #pragma once
 
 #include <vector>
@@ -15,7 +16,8 @@ struct BasisValues {
 
 class ElementBasis {
 public:
-    /// Functions that vanish on the whole element (Heaviside terms of nodes whose side the element shares) are left out.
+    /// Functions that vanish on the whole element (Heaviside terms of nodes whose side the element shares) are left
+    /// out.
     ElementBasis(const EnrichedMesh& mesh, int element, bool cut);
 
     [[nodiscard]] int functions() const { return static_cast<int>(functions_.size()); }

@@ -54,15 +54,19 @@ private:
         }
         for (const Vec2& tip : tips_) {
             if (side_of_polygon(quad, tip) < 0) continue;
-            for (const Vec2& corner : quad) if (!same(tip, corner, size_)) inside.emplace_back(tip, corner);
+            for (const Vec2& corner : quad)
+                if (!same(tip, corner, size_)) inside.emplace_back(tip, corner);
         }
-        if (inside.empty()) add_quad(i, j, quad);
-        else for (const auto& triangle : triangulate(with_ends_as_corners(quad, inside), inside)) add_triangle(triangle);
+        if (inside.empty())
+            add_quad(i, j, quad);
+        else
+            for (const auto& triangle : triangulate(with_ends_as_corners(quad, inside), inside)) add_triangle(triangle);
     }
 
-    // Ends that lie on an edge to within rounding become corners: the triangulation has nothing to intersect, so it cannot
-    // lose the rest of a segment whose end fell outside by one rounding.
-    [[nodiscard]] std::vector<Vec2> with_ends_as_corners(const std::array<Vec2, 4>& quad, const std::vector<Segment>& inside) const {
+    // Ends that lie on an edge to within rounding become corners: the triangulation has nothing to intersect, so it
+    // cannot lose the rest of a segment whose end fell outside by one rounding.
+    [[nodiscard]] std::vector<Vec2> with_ends_as_corners(const std::array<Vec2, 4>& quad,
+                                                         const std::vector<Segment>& inside) const {
         std::vector<Vec2> polygon;
         for (std::size_t k = 0; k < 4; ++k) {
             const Vec2 &a = quad[k], edge = quad[(k + 1) % 4] - a;
@@ -72,19 +76,24 @@ private:
                     const Vec2 d = end - a;
                     const double t = d.dot(edge) / edge.squaredNorm();
                     const bool on_line = std::abs(edge.x() * d.y() - edge.y() * d.x()) < 1e-10 * size_ * edge.norm();
-                    if (on_line && t > 0.0 && t < 1.0 && end != a && end != quad[(k + 1) % 4]) on_edge.emplace_back(t, end);
+                    if (on_line && t > 0.0 && t < 1.0 && end != a && end != quad[(k + 1) % 4])
+                        on_edge.emplace_back(t, end);
                 }
             }
             std::ranges::sort(on_edge, {}, &std::pair<double, Vec2>::first);
-            for (const auto& [t, x] : on_edge) if (polygon.empty() || polygon.back() != x) polygon.push_back(x);
+            for (const auto& [t, x] : on_edge)
+                if (polygon.empty() || polygon.back() != x) polygon.push_back(x);
         }
         return polygon;
     }
 
     // Points that rounding alone keeps apart become one.
-    [[nodiscard]] Vec2 merged(const Vec2& x, const std::array<Vec2, 4>& quad, const std::vector<Segment>& inside) const {
-        for (const Vec2& corner : quad) if (same(x, corner, size_)) return corner;
-        for (const Vec2& tip : tips_) if (same(x, tip, size_)) return tip;
+    [[nodiscard]] Vec2 merged(const Vec2& x, const std::array<Vec2, 4>& quad,
+                              const std::vector<Segment>& inside) const {
+        for (const Vec2& corner : quad)
+            if (same(x, corner, size_)) return corner;
+        for (const Vec2& tip : tips_)
+            if (same(x, tip, size_)) return tip;
         for (const Segment& segment : inside) {
             if (same(x, segment.first, size_)) return segment.first;
             if (same(x, segment.second, size_)) return segment.second;
@@ -93,9 +102,11 @@ private:
     }
 
     // The part of a segment inside the open sub-quadrangle: one that only touches its edges does not cut it.
-    void append_part_inside(const std::array<Vec2, 4>& quad, const Segment& segment, std::vector<Segment>& inside) const {
+    void append_part_inside(const std::array<Vec2, 4>& quad, const Segment& segment,
+                            std::vector<Segment>& inside) const {
         std::vector<Vec2> ends;
-        for (const Vec2& end : {segment.first, segment.second}) if (side_of_polygon(quad, end) >= 0) ends.push_back(end);
+        for (const Vec2& end : {segment.first, segment.second})
+            if (side_of_polygon(quad, end) >= 0) ends.push_back(end);
         for (std::size_t k = 0; k < 4; ++k) {
             const auto hit = intersect(segment.first, segment.second, quad[k], quad[(k + 1) % 4]);
             if (!hit) continue;
@@ -129,7 +140,8 @@ private:
         const int side = side_at((quad[0] + quad[1] + quad[2] + quad[3]) / 4.0);
         for (const SquarePoint& gauss : gauss_square(rule_.gauss)) {
             const Vec2 xi = Vec2(-1.0, -1.0) + (Vec2(2.0 * i + 1.0, 2.0 * j + 1.0) + gauss.xi) / s;
-            add_point(map_to_physical(corners_, xi), xi, gauss.weight * shape_q4(corners_, xi).jacobian / (s * s), side);
+            add_point(map_to_physical(corners_, xi), xi, gauss.weight * shape_q4(corners_, xi).jacobian / (s * s),
+                      side);
         }
     }
 
@@ -137,13 +149,15 @@ private:
         const double area = triangle_area(triangle[0], triangle[1], triangle[2]);
         if (area < 1e-16 * size_ * size_) return;
         const int side = side_at((triangle[0] + triangle[1] + triangle[2]) / 3.0);
-        for (const auto& [x, weight] : triangle_points(triangle)) add_point(x, map_to_parent(corners_, x), weight, side);
+        for (const auto& [x, weight] : triangle_points(triangle))
+            add_point(x, map_to_parent(corners_, x), weight, side);
     }
 
     [[nodiscard]] std::vector<PlacedPoint> triangle_points(const std::array<Vec2, 3>& t) const {
         for (std::size_t k = 0; k < 3; ++k) {
             for (const Vec2& tip : tips_) {
-                if (same(tip, t[k], size_)) return collapsed_rule({t[k], t[(k + 1) % 3], t[(k + 2) % 3]}, rule_.tip_points, rule_.tip_points);
+                if (same(tip, t[k], size_))
+                    return collapsed_rule({t[k], t[(k + 1) % 3], t[(k + 2) % 3]}, rule_.tip_points, rule_.tip_points);
             }
         }
         return placed_on_triangle(basis_.singular() ? triangle_degree_5() : triangle_degree_2(), t);
@@ -159,7 +173,9 @@ private:
     }
 
     // Shape functions of other quadrilaterals are not polynomials on the triangles of a cut.
-    [[nodiscard]] bool is_parallelogram() const { return same(corners_[0] + corners_[2], corners_[1] + corners_[3], size_); }
+    [[nodiscard]] bool is_parallelogram() const {
+        return same(corners_[0] + corners_[2], corners_[1] + corners_[3], size_);
+    }
 
     void correct_gradients() {
         struct Side {
@@ -182,7 +198,8 @@ private:
         }
     }
 
-    // Integral of phi n over the boundary of one side; edges are split at tips and stretched towards them (phi ~ r^p there).
+    // Integral of phi n over the boundary of one side; edges are split at tips and stretched towards them (phi ~ r^p
+    // there).
     [[nodiscard]] Gradients boundary_integral(std::span<const Vec2> polygon, int side) const {
         Gradients sum = Gradients::Zero(basis_.functions(), 2);
         for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -235,7 +252,8 @@ private:
             result_.mean[r] += point.weight * result_.gradients[q];
             area[r] += point.weight;
         }
-        for (std::size_t r = 0; r < area.size(); ++r) if (area[r] > 0.0) result_.mean[r] /= area[r];
+        for (std::size_t r = 0; r < area.size(); ++r)
+            if (area[r] > 0.0) result_.mean[r] /= area[r];
     }
 
     IntegrationRule rule_;
@@ -249,7 +267,8 @@ private:
 
 }  // namespace
 
-ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece, const IntegrationRule& rule) {
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
+                              const IntegrationRule& rule) {
     return Builder(mesh, element, piece, rule).build();
 }
 
@@ -261,7 +280,8 @@ Eigen::Matrix2d ElementOperator::displacement_gradient(const Eigen::VectorXd& u,
 Mandel ElementOperator::strain(const Eigen::VectorXd& u, std::size_t q) const {
     const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>> nodal(u.data(), 2, gradients[q].rows());
     const Eigen::Matrix2d local = nodal * gradients[q];
-    const double mean_dilatation = nodal.cwiseProduct(mean[static_cast<std::size_t>(points[q].region)].transpose()).sum();
+    const double mean_dilatation =
+        nodal.cwiseProduct(mean[static_cast<std::size_t>(points[q].region)].transpose()).sum();
     return strain_of(local) + (mean_dilatation - local.trace()) / 3.0 * mandel_identity;
 }
 

@@ -18,23 +18,23 @@ struct IntegrationPoint {
 
 /// How densely an element is integrated.
 struct IntegrationRule {
-    int subcells = 1;     // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
-    int gauss = 2;        // points per direction in an uncut sub-quadrangle
-    int tip_points = 6;   // per direction in triangles that end at a tip
+    int subcells = 1;    // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
+    int gauss = 2;       // points per direction in an uncut sub-quadrangle
+    int tip_points = 6;  // per direction in triangles that end at a tip
 };
 
 using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 /// NUMERICS 2: grad phi is replaced in the volumetric part of B by its mean over the point's crack side (over the whole
-/// element where it holds a tip), for every function; and a constant per side is added to grad phi where the points are not exact
-/// (tip functions, cut elements that are no parallelograms) so that its integral equals the boundary integral of phi n,
-/// which makes the patch test exact.
+/// element where it holds a tip), for every function; and a constant per side is added to grad phi where the points are
+/// not exact (tip functions, cut elements that are no parallelograms) so that its integral equals the boundary integral
+/// of phi n, which makes the patch test exact.
 struct ElementOperator {
     int element = 0;
-    std::vector<int> unknowns;                // 2 a function
+    std::vector<int> unknowns;  // 2 a function
     std::vector<IntegrationPoint> points;
-    std::vector<Gradients> gradients;         // per point, one row a function
-    std::vector<Gradients> mean;              // per region
+    std::vector<Gradients> gradients;  // per point, one row a function
+    std::vector<Gradients> mean;       // per region
     double area = 0.0;
 
     /// Strain with mean dilatation of element values `u` (2 a function) at point q; zz is the assumed part.
@@ -54,7 +54,8 @@ struct ElementOperator {
 };
 
 /// `piece`: the crack inside the element, or null.
-ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece, const IntegrationRule& rule);
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
+                              const IntegrationRule& rule);
 
 /// Element values of a displacement vector.
 Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns);

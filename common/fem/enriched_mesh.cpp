@@ -25,7 +25,8 @@ int EnrichedMesh::term_index(int node, const Term& term) const {
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
     std::vector<int> result(mesh.elements.size(), -1);
     for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {
-        if (mesh.pieces[p].neighbour < 0) result[static_cast<std::size_t>(mesh.pieces[p].element)] = static_cast<int>(p);
+        if (mesh.pieces[p].neighbour < 0)
+            result[static_cast<std::size_t>(mesh.pieces[p].element)] = static_cast<int>(p);
     }
     return result;
 }
@@ -45,7 +46,8 @@ void drop_unseen_terms(EnrichedMesh& mesh) {
         std::vector<Term> kept;
         const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
         for (int t = 0; t < static_cast<int>(terms.size()); ++t) {
-            if (seen[static_cast<std::size_t>(mesh.unknown(node, t + 1, 0))] != 0) kept.push_back(terms[static_cast<std::size_t>(t)]);
+            if (seen[static_cast<std::size_t>(mesh.unknown(node, t + 1, 0))] != 0)
+                kept.push_back(terms[static_cast<std::size_t>(t)]);
         }
         mesh.terms[static_cast<std::size_t>(node)] = std::move(kept);
     }

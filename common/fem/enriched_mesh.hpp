@@ -1,5 +1,6 @@
 // Eq. (1) as data: elements, the cracks through them, and which node carries which enrichment term. A value: the coarse
-// component builds it from the case; the part of it that is the fine zone is sent across (messages.hpp) and used there alike.
+// component builds it from the case; the part of it that is the fine zone is sent across (messages.hpp) and used there
+// alike.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,15 +29,16 @@ struct Term {
 /// snapped onto the node). Runs from one element boundary point to another, or ends at a tip inside the element.
 struct CrackPiece {
     int crack;
-    int element;              // index into EnrichedMesh::elements
-    int neighbour = -1;       // the other element where the piece runs along an edge (element lies right of it), else -1
+    int element;         // index into EnrichedMesh::elements
+    int neighbour = -1;  // the other element where the piece runs along an edge (element lies right of it), else -1
     std::vector<Vec2> points;  // in the order of the crack's points, kinks included, mm
     std::vector<double> s;     // arc length of each point from the crack's first point
-    double entry = -1.0;      // place on the element's boundary, edge index + fraction of it; -1: starts at a tip inside
-    double exit = -1.0;       // likewise for its last point
+    double entry = -1.0;  // place on the element's boundary, edge index + fraction of it; -1: starts at a tip inside
+    double exit = -1.0;   // likewise for its last point
 };
 
-/// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else -1.
+/// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else
+/// -1.
 struct Tip {
     int crack;
     Vec2 position;
@@ -51,14 +53,15 @@ struct EnrichedMesh {
     std::vector<int> node_ids;     // of the whole mesh
     std::vector<int> element_ids;  // of the whole mesh
 
-    std::vector<CrackPiece> pieces;     // ordered by crack, then along it
+    std::vector<CrackPiece> pieces;  // ordered by crack, then along it
     std::vector<Tip> tips;
-    double tip_exponent = 0.5;          // 1/(n+1) of eq. (2)
-    int tip_functions = 0;              // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
+    double tip_exponent = 0.5;              // 1/(n+1) of eq. (2)
+    int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
     std::vector<std::vector<Term>> terms;   // per node
     std::vector<signed char> element_side;  // side of an uncut element that touches the crack: +1, -1; else 0
 
-    /// First unknown of each node and their total: a node has 2 (1 + terms) unknowns, component fastest. Kept by number().
+    /// First unknown of each node and their total: a node has 2 (1 + terms) unknowns, component fastest. Kept by
+    /// number().
     std::vector<int> first_unknown;
     int unknowns = 0;
 
@@ -76,8 +79,8 @@ struct EnrichedMesh {
 /// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
 
-/// The part of a mesh made of the given elements (ascending), with their pieces, all tips, and the terms of their nodes that
-/// do not vanish on all of them.
+/// The part of a mesh made of the given elements (ascending), with their pieces, all tips, and the terms of their nodes
+/// that do not vanish on all of them.
 EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements);
 
 }  // namespace stria

@@ -16,12 +16,13 @@ struct BoundaryEdge {
 };
 
 struct Mesh {
-    std::vector<Eigen::Vector2d> nodes;                          // mm
-    std::vector<std::array<int, 4>> elements;                    // counter-clockwise
-    std::map<std::string, std::vector<BoundaryEdge>> boundary;   // by name: "top", "bottom", "left", "right", ...
+    std::vector<Eigen::Vector2d> nodes;                         // mm
+    std::vector<std::array<int, 4>> elements;                   // counter-clockwise
+    std::map<std::string, std::vector<BoundaryEdge>> boundary;  // by name: "top", "bottom", "left", "right", ...
 };
 
 /// For each node the elements around it, in element order.
-std::vector<std::vector<int>> elements_around_nodes(const std::vector<std::array<int, 4>>& elements, std::size_t node_count);
+std::vector<std::vector<int>> elements_around_nodes(const std::vector<std::array<int, 4>>& elements,
+                                                    std::size_t node_count);
 
 }  // namespace stria

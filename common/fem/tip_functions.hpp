@@ -10,7 +10,8 @@
 namespace stria {
 
 /// Polar coordinates of a point in a tip's frame. `side`: the crack side the point lies on (0: away from the crack); it
-/// chooses the branch of theta behind the tip, so a face point has theta = +-pi and a kink behind the tip tears nothing.
+/// chooses the branch of theta behind the tip, so a face point has theta = +-pi and a kink behind the tip tears
+/// nothing.
 struct TipPolar {
     double r, theta;
     Vec2 radial, circumferential;  // unit vectors in global axes
@@ -48,7 +49,8 @@ inline TipFunctions tip_functions(const Tip& tip, const Vec2& x, int side, doubl
     const double scale = std::pow(polar.r, exponent);
     result.value = scale * angular;
     const double rate = polar.r > 0.0 ? scale / polar.r : 0.0;
-    result.gradient = rate * (exponent * angular * polar.radial.transpose() + slope * polar.circumferential.transpose());
+    result.gradient =
+        rate * (exponent * angular * polar.radial.transpose() + slope * polar.circumferential.transpose());
     return result;
 }
 

@@ -12,9 +12,9 @@ namespace stria {
 
 /// Fields for K_I = 1 (mode 1) or K_II = 1 (mode 2), in global axes.
 struct WilliamsField {
-    Vec2 displacement;          // mm per unit K
-    Eigen::Matrix2d gradient;   // row: component
-    Mandel stress;              // MPa per unit K
+    Vec2 displacement;         // mm per unit K
+    Eigen::Matrix2d gradient;  // row: component
+    Mandel stress;             // MPa per unit K
 };
 
 inline WilliamsField williams_field(int mode, const Tip& tip, const Vec2& x, int side, const Elasticity& elastic) {
@@ -34,7 +34,8 @@ inline WilliamsField williams_field(int mode, const Tip& tip, const Vec2& x, int
     const Eigen::Matrix2d axes{{tip.direction.x(), -tip.direction.y()}, {tip.direction.y(), tip.direction.x()}};
     WilliamsField field;
     field.displacement = amplitude * (axes * a);
-    field.gradient = amplitude / r * (axes * (0.5 * a * polar.radial.transpose() + slope * polar.circumferential.transpose()));
+    field.gradient =
+        amplitude / r * (axes * (0.5 * a * polar.radial.transpose() + slope * polar.circumferential.transpose()));
     field.stress = elastic.stiffness() * strain_of(field.gradient);
     return field;
 }

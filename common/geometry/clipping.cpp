@@ -37,9 +37,12 @@ int side_of_polygon(std::span<const Vec2> polygon, const Vec2& point) {
     vertices.reserve(polygon.size());
     for (const Vec2& vertex : polygon) vertices.push_back(to_cgal(vertex));
     switch (CGAL::bounded_side_2(vertices.begin(), vertices.end(), to_cgal(point), Kernel())) {
-        case CGAL::ON_BOUNDED_SIDE: return 1;
-        case CGAL::ON_UNBOUNDED_SIDE: return -1;
-        default: return 0;
+    case CGAL::ON_BOUNDED_SIDE:
+        return 1;
+    case CGAL::ON_UNBOUNDED_SIDE:
+        return -1;
+    default:
+        return 0;
     }
 }
 

@@ -74,10 +74,10 @@ struct CrackSection {
 };
 
 struct BoundarySection {
-    std::string on;                                            // a named edge of the mesh, or "point"
-    std::optional<Point> at;                                   // mm, with on = "point"
-    std::array<std::optional<double>, 2> displacement;         // mm per unit load factor; empty: free
-    std::optional<Point> traction;                             // MPa per unit load factor
+    std::string on;                                               // a named edge of the mesh, or "point"
+    std::optional<Point> at;                                      // mm, with on = "point"
+    std::array<std::optional<double>, 2> displacement;            // mm per unit load factor; empty: free
+    std::optional<Point> traction;                                // MPa per unit load factor
     Eigen::Matrix2d traction_gradient = Eigen::Matrix2d::Zero();  // MPa/mm; t += gradient (x - origin)
     Point origin = Point::Zero();
     std::optional<double> pressure;  // MPa per unit load factor, along the inward normal
@@ -100,9 +100,9 @@ struct LoadSection {
 };
 
 struct SolverSection {
-    double tolerance = 1e-8;   // relative residual
-    int max_iterations = 25;   // Newton iterations before the increment is cut
-    int max_cuts = 8;          // successive halvings of an increment
+    double tolerance = 1e-8;  // relative residual
+    int max_iterations = 25;  // Newton iterations before the increment is cut
+    int max_cuts = 8;         // successive halvings of an increment
     bool operator==(const SolverSection&) const = default;
 };
 

@@ -7,7 +7,7 @@
 namespace stria {
 
 struct Elasticity {
-    double young;    // MPa
+    double young;  // MPa
     double poisson;
 
     [[nodiscard]] double shear_modulus() const { return young / (2.0 * (1.0 + poisson)); }

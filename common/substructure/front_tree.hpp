@@ -1,5 +1,5 @@
-// The zone as a binary tree of dense fronts (DESIGN section 1, NUMERICS 3): geometric bisection down to groups of about a
-// dozen elements; a front is recomputed only when an element below it changed.
+// The zone as a binary tree of dense fronts (DESIGN section 1, NUMERICS 3): geometric bisection down to groups of about
+// a dozen elements; a front is recomputed only when an element below it changed.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +16,12 @@ enum class Symmetry { Symmetric, General };
 class FrontTree : public Substructure {
 public:
     struct Layout {
-        int unknowns = 0;                             // numbered 0..unknowns-1
+        int unknowns = 0;                                // numbered 0..unknowns-1
         std::vector<std::vector<int>> element_unknowns;  // per element, the order of its matrix
-        std::vector<Eigen::Vector2d> centres;         // per element, mm: what is bisected
-        std::vector<int> boundary;                    // unknowns kept to the root, in this order
+        std::vector<Eigen::Vector2d> centres;            // per element, mm: what is bisected
+        std::vector<int> boundary;                       // unknowns kept to the root, in this order
         int leaf_elements = 12;
-        Symmetry symmetry = Symmetry::Symmetric;      // General: partial LU with pivoting inside the eliminated block
+        Symmetry symmetry = Symmetry::Symmetric;  // General: partial LU with pivoting inside the eliminated block
     };
 
     explicit FrontTree(Layout layout);

@@ -7,8 +7,8 @@
 
 namespace stria::fine {
 
-ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary, const std::vector<CrackSection>& cracks,
-                                   int subcells, double stiffness) {
+ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
+                                   const std::vector<CrackSection>& cracks, int subcells, double stiffness) {
     int count = 0;
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const CrackSection& section = cracks[static_cast<std::size_t>(crack)];
@@ -59,13 +59,17 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
         const int end = node + 1 < static_cast<int>(mesh.nodes.size()) ? mesh.unknown(node + 1, 0, 0) : mesh.unknowns;
         for (int i = mesh.unknown(node, 0, 0); i < end; ++i) node_of[static_cast<std::size_t>(i)] = node;
     }
-    const auto column = [&](int unknown) { return std::ranges::lower_bound(jump_unknowns_, unknown) - jump_unknowns_.begin(); };
+    const auto column = [&](int unknown) {
+        return std::ranges::lower_bound(jump_unknowns_, unknown) - jump_unknowns_.begin();
+    };
     for (const FaceStation& station : stations_) {
         for (const FaceStation::Term& term : station.terms) {
-            const Share& share = shares.at({station.crack, branch_of(station), node_of[static_cast<std::size_t>(term.unknown)]});
+            const Share& share =
+                shares.at({station.crack, branch_of(station), node_of[static_cast<std::size_t>(term.unknown)]});
             for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
                 if (multiplier < 0) continue;
-                for (int c = 0; c < 2; ++c) B_(multiplier, column(term.unknown + c)) += station.weight * value * term.value * station.normal[c];
+                for (int c = 0; c < 2; ++c)
+                    B_(multiplier, column(term.unknown + c)) += station.weight * value * term.value * station.normal[c];
             }
         }
     }
@@ -80,7 +84,8 @@ const ContactInterface::CrackSpace* ContactInterface::space_of(int crack) const 
 std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, double s) const {
     const CrackSpace* entry = space_of(crack);
     auto values = entry->space.at(s);
-    for (auto& value : values) if (value.multiplier >= 0) value.multiplier += entry->first_multiplier;
+    for (auto& value : values)
+        if (value.multiplier >= 0) value.multiplier += entry->first_multiplier;
     return values;
 }
 
@@ -90,7 +95,8 @@ Eigen::VectorXd ContactInterface::gaps(const Eigen::VectorXd& u) const {
 
 void ContactInterface::add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const {
     const Eigen::VectorXd push = B_.transpose() * pressure;
-    for (std::size_t j = 0; j < jump_unknowns_.size(); ++j) force[jump_unknowns_[j]] -= push[static_cast<Eigen::Index>(j)];
+    for (std::size_t j = 0; j < jump_unknowns_.size(); ++j)
+        force[jump_unknowns_[j]] -= push[static_cast<Eigen::Index>(j)];
 }
 
 void ContactInterface::begin_increment() {
@@ -128,13 +134,15 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& pressure, const Ei
 double ContactInterface::residual(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
     double largest = 0.0;
     for (int k = 0; k < multipliers(); ++k) {
-        largest = std::max(largest, weight_[k] * std::abs(UnilateralContact::residual(pressure[k], gap[k], augmentation_[k])));
+        largest = std::max(largest,
+                           weight_[k] * std::abs(UnilateralContact::residual(pressure[k], gap[k], augmentation_[k])));
     }
     return largest;
 }
 
 ContactInterface::Rows ContactInterface::rows(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
-    Rows result{Eigen::MatrixXd::Zero(B_.rows(), B_.cols()), Eigen::VectorXd::Zero(multipliers()), Eigen::VectorXd::Zero(multipliers())};
+    Rows result{Eigen::MatrixXd::Zero(B_.rows(), B_.cols()), Eigen::VectorXd::Zero(multipliers()),
+                Eigen::VectorXd::Zero(multipliers())};
     for (int k = 0; k < multipliers(); ++k) {
         if (status_[static_cast<std::size_t>(k)] != 0) {
             result.jump.row(k) = -B_.row(k);
@@ -150,7 +158,8 @@ ContactInterface::Rows ContactInterface::rows(const Eigen::VectorXd& pressure, c
 
 double ContactInterface::pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const {
     double sum = 0.0;
-    for (const auto& [multiplier, value] : functions_at(station.crack, station.s)) if (multiplier >= 0) sum += value * pressure[multiplier];
+    for (const auto& [multiplier, value] : functions_at(station.crack, station.s))
+        if (multiplier >= 0) sum += value * pressure[multiplier];
     return std::max(sum, 0.0);
 }
 

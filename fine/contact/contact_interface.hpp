@@ -18,8 +18,8 @@ class ContactInterface {
 public:
     /// `boundary`: unknowns of the zone's boundary, ascending; every multiplier gets jumps that are not among them.
     /// `subcells`: interface elements are the crack's pieces cut by the s x s sub-quadrangles. `stiffness`: E', MPa.
-    ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary, const std::vector<CrackSection>& cracks, int subcells,
-                     double stiffness);
+    ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
+                     const std::vector<CrackSection>& cracks, int subcells, double stiffness);
 
     [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
 
@@ -27,8 +27,9 @@ public:
     [[nodiscard]] const std::vector<int>& jump_unknowns() const { return jump_unknowns_; }
 
     /// B, one row a multiplier, one column a jump unknown: B_k = integral of Phi_k n . N, lumped: Phi_k is taken at the
-    /// centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the crack follows the rows
-    /// of the mesh each multiplier then holds the jump at its own node alone, and closed faces do not overlap between nodes.
+    /// centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the crack follows the
+    /// rows of the mesh each multiplier then holds the jump at its own node alone, and closed faces do not overlap
+    /// between nodes.
     [[nodiscard]] const Eigen::MatrixXd& operator_B() const { return B_; }
 
     /// Weighted gaps g = B u / w, mm.
@@ -37,8 +38,8 @@ public:
     /// Adds -B^T p to a vector over the zone's unknowns: the faces push each other apart.
     void add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const;
 
-    /// Chooses the statuses for the next Newton step from pressures and gaps. Where a set of statuses comes back within one
-    /// increment, only the worst multiplier is flipped from then on (NUMERICS 1.7).
+    /// Chooses the statuses for the next Newton step from pressures and gaps. Where a set of statuses comes back within
+    /// one increment, only the worst multiplier is flipped from then on (NUMERICS 1.7).
     void choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
     void begin_increment();
 
@@ -51,8 +52,8 @@ public:
     /// Rows of the semismooth system over (jump unknowns, multipliers), right-hand side for the present statuses:
     /// closed: -B_k du = B_k u;  open: -d_k dp = d_k p, with d_k = w_k/c_k.
     struct Rows {
-        Eigen::MatrixXd jump;       // m x jump unknowns
-        Eigen::VectorXd diagonal;   // on the multipliers
+        Eigen::MatrixXd jump;      // m x jump unknowns
+        Eigen::VectorXd diagonal;  // on the multipliers
         Eigen::VectorXd right_hand_side;
     };
     [[nodiscard]] Rows rows(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;

@@ -19,7 +19,9 @@ MultiplierSpace::MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int
 
 void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, double notch) {
     const auto tip_at = [&](double s) {
-        return std::ranges::any_of(mesh.tips, [&](const Tip& tip) { return tip.crack == crack && std::abs(tip.s - s) < 1e-9 * (1.0 + tip.s); });
+        return std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
+            return tip.crack == crack && std::abs(tip.s - s) < 1e-9 * (1.0 + tip.s);
+        });
     };
     Vec2 last_tangent = Vec2::Zero();
     for (const CrackPiece& piece : mesh.pieces) {
@@ -29,7 +31,8 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
             if (place < 0.0 || s < notch) return;
             const auto edge = static_cast<std::size_t>(place);
             const bool at_node = place == std::floor(place);
-            branches_.back().crossings.push_back({s, {element[edge % 4], element[at_node ? edge % 4 : (edge + 1) % 4]}});
+            branches_.back().crossings.push_back(
+                {s, {element[edge % 4], element[at_node ? edge % 4 : (edge + 1) % 4]}});
         };
         for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
             const double s0 = std::max(piece.s[k], notch), s1 = piece.s[k + 1];

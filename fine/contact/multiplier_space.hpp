@@ -1,5 +1,5 @@
-// Where the contact multipliers of one crack live: hats on a trace coarser than the mesh, which keeps the pressure free of
-// oscillations for every position of the crack in it (NUMERICS 1).
+// Where the contact multipliers of one crack live: hats on a trace coarser than the mesh, which keeps the pressure free
+// of oscillations for every position of the crack in it (NUMERICS 1).
 #pragma once
 
 #include <array>
@@ -9,14 +9,15 @@
 
 namespace stria::fine {
 
-/// Continuous piecewise-linear pressure p(s) = sum of p_k Phi_k(s) with a node at each *vital* crossing: walking along the
-/// crack, a crossing of an element edge is vital if neither end of that edge belongs to a vital one before it (Bechet, Moes,
-/// Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh. Branches end at kinks:
-/// the pressure may jump there. It is constant towards a tip, and straight on towards any other end.
+/// Continuous piecewise-linear pressure p(s) = sum of p_k Phi_k(s) with a node at each *vital* crossing: walking along
+/// the crack, a crossing of an element edge is vital if neither end of that edge belongs to a vital one before it
+/// (Bechet, Moes, Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh.
+/// Branches end at kinks: the pressure may jump there. It is constant towards a tip, and straight on towards any other
+/// end.
 class MultiplierSpace {
 public:
-    /// From the pieces of `crack` behind the arc length `notch`. `boundary`: unknowns, ascending, that are not the zone's own;
-    /// crossings whose jumps are all among them carry no multiplier.
+    /// From the pieces of `crack` behind the arc length `notch`. `boundary`: unknowns, ascending, that are not the
+    /// zone's own; crossings whose jumps are all among them carry no multiplier.
     MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, double notch);
 
     [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }

@@ -1,5 +1,6 @@
 // Small-strain material laws on blocks of points: (strain increments, committed states) -> (trial states, tangents).
-// The state of a point holds its stress: total strain is not recoverable once tip functions are frozen (DESIGN section 6).
+// The state of a point holds its stress: total strain is not recoverable once tip functions are frozen (DESIGN section
+// 6).
 #pragma once
 
 #include <memory>
@@ -30,9 +31,9 @@ public:
     /// Number of state components of a point.
     [[nodiscard]] virtual int state_size() const = 0;
 
-    /// Updates `points` points stored with `stride`: strain increments (4 components) and committed states in, trial states
-    /// and consistent tangents (16 components, row-major 4 x 4 Mandel) out; `yielding[q]` = plastic flow in this increment.
-    /// Pure: same inputs, same bits. Throws NumericalFailure where the return mapping fails.
+    /// Updates `points` points stored with `stride`: strain increments (4 components) and committed states in, trial
+    /// states and consistent tangents (16 components, row-major 4 x 4 Mandel) out; `yielding[q]` = plastic flow in this
+    /// increment. Pure: same inputs, same bits. Throws NumericalFailure where the return mapping fails.
     virtual void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                         double* tangent, unsigned char* yielding) const = 0;
 

@@ -36,7 +36,7 @@ inline EnrichedMesh plate_mesh(int columns, int rows, const Case& input, int tip
 inline coupling::Patch plate_patch(const EnrichedMesh& mesh) {
     coupling::Patch patch;
     patch.mesh = mesh;
-    patch.displacement = Eigen::VectorXd::Zero(mesh.unknowns);
+    patch.displacement = patch.unit_load = Eigen::VectorXd::Zero(mesh.unknowns);
     const Vec2 corner = mesh.nodes.back();
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         const Vec2& x = mesh.nodes[n];

@@ -1,6 +1,8 @@
 // The shipped edge-cracked plate on coarser meshes, run in process; what a run leaves as values.
 #pragma once
 
+#include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +28,8 @@ inline Case sent_case(std::vector<std::string> overrides) { return read_case(shi
 struct RunHistory {
     std::vector<coarse::Increment> increments;
     std::vector<std::pair<coarse::LoadStep, coarse::NewtonReport>> attempts;
+    std::vector<coarse::TipResult> nominal;  // elastic, for the load factor 1
     int cuts = 0, extensions = 0, yield_warnings = 0;
-    std::vector<int> zone_elements;  // at the start, and after each extension
 
     [[nodiscard]] const coarse::Increment& at_load(double factor) const {  // for the first time
         for (const coarse::Increment& increment : increments) {
@@ -44,7 +46,6 @@ struct RunHistory {
     }
 };
 
-/// Runs a case; `until`: the number of increments after which it may stop.
 inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& factory) {
     use_one_thread();
     const coarse::Scene scene = coarse::make_scene(input);
@@ -58,6 +59,7 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
+    history.nominal = analysis.nominal();
     history.cuts = analysis.cuts();
     history.extensions = analysis.zone_extensions();
     history.yield_warnings = analysis.yield_warnings();

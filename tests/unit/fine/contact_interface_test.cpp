@@ -18,7 +18,7 @@ struct Cut {
         : from(0.0, left), to(8.0, right), input(plate_case({from, to})), mesh(plate_mesh(8, 5, input)) {
         input.cracks[0].notch = notch;
     }
-    [[nodiscard]] ContactInterface contact() const { return {mesh, input.cracks, 2, stiffness}; }
+    [[nodiscard]] ContactInterface contact() const { return {mesh, {}, input.cracks, 2, stiffness}; }
     [[nodiscard]] Eigen::VectorXd opened(const Field& above) const {
         return two_sided(mesh, from, to, above, [](const Vec2&) { return Vec2::Zero().eval(); });
     }

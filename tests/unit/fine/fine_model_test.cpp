@@ -29,7 +29,7 @@ Eigen::VectorXd stretched(double strain, unsigned seed = 1) {
 /// The answer once the interior is in equilibrium. Every call is a new attempt at the same increment.
 PatchResponse settled(FineModel& model, const Eigen::VectorXd& boundary) {
     for (int iteration = 0; iteration < 30; ++iteration) {
-        model.request({iteration, 0.0, boundary});
+        model.request({.iteration = iteration, .boundary = boundary});
         PatchResponse response = model.collect();
         if (response.interior_residual + response.contact_residual < 1e-10 * response.interior_force) return response;
     }
@@ -81,7 +81,7 @@ public:
     FullNewton() : system_(scene) { system_.set_patch(patch); }
 
     PatchResponse begin(const Eigen::VectorXd& boundary, double predictor) {
-        system_.predict(predictor);
+        system_.predict(predictor, 0.0);
         return evaluate(boundary);
     }
 
@@ -131,7 +131,7 @@ TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
         for (int iteration = 0; iteration < 8; ++iteration) {
             // The boundary moves between the iterations too, as it does in a run.
             const Eigen::VectorXd boundary = stretched(strain * (1.0 + 0.1 * std::pow(0.1, iteration)));
-            model.request({iteration, predictor, boundary});
+            model.request({.iteration = iteration, .predictor = predictor, .boundary = boundary});
             const PatchResponse condensed = model.collect();
             const PatchResponse whole = iteration == 0 ? full.begin(boundary, predictor) : full.iterate(boundary);
             EXPECT_NEAR(condensed.interior_residual, whole.interior_residual, 1e-9 * whole.interior_force);
@@ -152,7 +152,7 @@ TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
     model.commit(false);
     const PatchResponse first = settled(model, stretched(2e-3));
     for (const int iteration : {0, 1, 2}) {  // far away, and not settled
-        model.request({iteration, 0.5, stretched(-1e-2)});
+        model.request({.iteration = iteration, .predictor = 0.5, .boundary = stretched(-1e-2)});
         model.collect();
     }
     model.rollback();

@@ -13,7 +13,7 @@ namespace {
 using fine::MultiplierSpace;
 
 MultiplierSpace space_of(const std::vector<Point>& crack, double notch = 0.0, int columns = 12, int rows = 6) {
-    return {plate_mesh(columns, rows, plate_case(crack)), 0, notch};
+    return {plate_mesh(columns, rows, plate_case(crack)), {}, 0, notch};
 }
 
 double sum_at(const MultiplierSpace& space, double s) {
