@@ -102,7 +102,8 @@ public:
         SparseMatrix matrix(n + m, n + m);
         matrix.setFromTriplets(entries.begin(), entries.end());
         correction_ = solve_general(matrix, right);
-        return correction_.head(n).cwiseAbs().maxCoeff() / std::max(trial_.cwiseAbs().maxCoeff(), 1e-300);
+        const double move = correction_.head(n).cwiseAbs().maxCoeff();
+        return move / std::max({trial_.cwiseAbs().maxCoeff(), move, 1e-300});
     }
 
     void apply() override {

@@ -1,15 +1,11 @@
 #include "app/progress.hpp"
 
-#include <cstdlib>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace stria {
 
-Progress::Progress(const Case& input, bool quiet, bool verbose)
-    : quiet_(quiet), verbose_(verbose),
-      terminal_(isatty(STDOUT_FILENO) != 0 || std::getenv("STRIA_TERMINAL") != nullptr),
-      increments_(input.load.steps / 2) {
+Progress::Progress(const Case& input, bool quiet, bool verbose, bool terminal)
+    : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(input.load.steps / 2) {
     for (const LoadBlock& block : input.load.blocks) increments_ += block.cycles * input.load.steps;
 }
 

@@ -10,7 +10,8 @@ namespace stria {
 
 class Progress {
 public:
-    Progress(const Case& input, bool quiet, bool verbose);
+    /// `terminal`: the user's own output is one, whatever lies between.
+    Progress(const Case& input, bool quiet, bool verbose, bool terminal);
 
     void note(const std::string& text);
     void attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report);

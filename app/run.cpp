@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "app/progress.hpp"
 #include "app/version.hpp"
 #include "coarse/condensed_equilibrium.hpp"
+#include "coarse/handbook_comparison.hpp"
 #include "coarse/results/run_recorder.hpp"
 #include "coarse/zone_selection.hpp"
 #include "common/error.hpp"
@@ -26,12 +28,15 @@
 namespace stria {
 namespace {
 
+/// mpirun puts a pipe or a terminal of its own between us and the user: the launcher knows what the user has.
+bool users_terminal() { return std::getenv("STRIA_TERMINAL") != nullptr; }
+
 /// One run from case to results, whoever finds equilibrium.
 class Run {
 public:
-    Run(const RunOptions& options, const Case& input, std::string mode, int ranks)
+    Run(const RunOptions& options, const Case& input, std::string mode, int ranks, bool terminal)
         : options_(options), directory_(options.output_directory), mode_(std::move(mode)), ranks_(ranks),
-          scene_(coarse::make_scene(input)), progress_(input, options.quiet, options.verbose) {
+          scene_(coarse::make_scene(input)), progress_(input, options.quiet, options.verbose, terminal) {
         write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
     }
 
@@ -109,12 +114,31 @@ private:
     Progress progress_;
 };
 
-void print_zone_estimate(const coarse::Scene& scene) {
+/// The elastic structure for the load factor 1, all faces traction-free.
+struct Nominal {
+    coarse::Structure structure;
+    Eigen::VectorXd u;
+    std::vector<coarse::TipResult> tips;
+
+    explicit Nominal(const coarse::Scene& scene)
+        : structure(scene, std::vector<char>(scene.mesh.elements.size(), 0)), u(structure.expand({}, 1.0)),
+          tips(coarse::fracture_parameters(structure, u, {})) {}
+};
+
+void print_handbook(const Nominal& nominal) {
+    for (const coarse::HandbookLine& line : coarse::compare_with_handbook(nominal.structure, nominal.u, nominal.tips)) {
+        fmt::print("# {}: handbook {:.6g}", line.quantity + (line.unit.empty() ? "" : ", " + line.unit), line.handbook);
+        if (std::isfinite(line.own))
+            fmt::print(", this mesh {:.6g} ({:+.2f} %)", line.own, 100.0 * (line.own / line.handbook - 1.0));
+        fmt::print("\n");
+    }
+}
+
+void print_zone_estimate(const coarse::Scene& scene, const Nominal& nominal) {
     double largest = 0.0;
     for (const LoadBlock& block : scene.input.load.blocks) largest = std::max(largest, block.max);
-    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
     std::vector<double> K_I;
-    for (const coarse::TipResult& tip : coarse::fracture_parameters(structure, structure.expand({}, 1.0), {})) {
+    for (const coarse::TipResult& tip : nominal.tips) {
         K_I.push_back(tip.K_I * largest);
         fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
                    K_I.size(), K_I.back(), largest);
@@ -137,7 +161,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         coarse::CondensedFactory alone(nullptr);
-        Run(options, input, "mpi", 1).perform(alone, nullptr);
+        Run(options, input, "mpi", 1, users_terminal()).perform(alone, nullptr);
         return 0;
     }
     const coupling::MpiSession session(coupling::Role::Coarse);
@@ -145,7 +169,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
         const std::unique_ptr<coupling::Transport> transport = session.transport();
         coupling::RemoteFineScale fine(*transport, digest(input));
         coarse::CondensedFactory factory(&fine);
-        Run(options, input, "mpi", 1 + session.peers()).perform(factory, &fine);
+        Run(options, input, "mpi", 1 + session.peers(), users_terminal()).perform(factory, &fine);
     } catch (const CaseError&) {
         throw;  // the conversation has ended in order: both sides leave
     } catch (const NumericalFailure&) {
@@ -177,7 +201,7 @@ int run_fine_with_mpi(const RunOptions& options) {
 int run_in_process(const RunOptions& options) {
     use_one_thread();
     const Case input = read_case(options.case_path, options.overrides);
-    Run run(options, input, options.mode, 1);
+    Run run(options, input, options.mode, 1, isatty(STDOUT_FILENO) != 0);
     if (options.mode == "monolithic") {
         MonolithicFactory factory(run.scene().input);
         run.perform(factory, nullptr);
@@ -195,11 +219,13 @@ int check(const RunOptions& options) {
     fmt::print("{}\n", resolved_toml(input));
     fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
+    const Nominal nominal(scene);
+    print_handbook(nominal);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
         return 0;
     }
-    print_zone_estimate(scene);
+    print_zone_estimate(scene, nominal);
     return 0;
 }
 

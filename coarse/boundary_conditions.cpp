@@ -14,10 +14,11 @@
 namespace stria::coarse {
 namespace {
 
-/// What one section acts on: named edges, or a single node.
+/// What one section acts on: named edges, a single node, or a pin.
 struct Place {
     std::vector<BoundaryEdge> edges;
     std::vector<int> nodes;  // ascending
+    const SpreadPoint* pin;  // or null
 };
 
 const Vec2& node_at(const Mesh& mesh, int node) { return mesh.nodes[static_cast<std::size_t>(node)]; }
@@ -51,12 +52,18 @@ int node_of_point(const Mesh& mesh, const Vec2& point, const std::string& key) {
 Place place_of(const Mesh& mesh, const BoundarySection& section, const std::string& key) {
     if (section.on == "point") {
         if (!section.at) throw CaseError(key + ".at: on = \"point\" needs the point, at = [x, y]");
-        return {{}, {node_of_point(mesh, *section.at, key)}};
+        return {{}, {node_of_point(mesh, *section.at, key)}, nullptr};
+    }
+    if (const auto pin = mesh.pins.find(section.on); pin != mesh.pins.end()) {
+        Place place{{}, {}, &pin->second};
+        for (const SpreadPoint::Share& share : pin->second.shares) place.nodes.push_back(share.node);
+        return place;
     }
     const auto found = mesh.boundary.find(section.on);
     if (found == mesh.boundary.end()) {
         std::string names;
         for (const auto& [name, edges] : mesh.boundary) names += name + ", ";
+        for (const auto& [name, pin] : mesh.pins) names += name + ", ";
         throw CaseError(
             fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}point", key, section.on, names));
     }
@@ -64,7 +71,7 @@ Place place_of(const Mesh& mesh, const BoundarySection& section, const std::stri
     for (const BoundaryEdge& edge : found->second) {
         for (const int node : edge_nodes(mesh, edge)) nodes.insert(node);
     }
-    return {found->second, {nodes.begin(), nodes.end()}};
+    return {found->second, {nodes.begin(), nodes.end()}, nullptr};
 }
 
 Traction traction_of(const BoundarySection& section) {
@@ -77,12 +84,15 @@ Vec2 displacement_of(const BoundarySection& section) {
     return {section.displacement[0].value_or(0.0), section.displacement[1].value_or(0.0)};
 }
 
-void validate(const BoundarySection& section, const std::string& key) {
-    const bool on_point = section.on == "point";
+void validate(const Mesh& mesh, const BoundarySection& section, const std::string& key) {
+    const bool on_point = section.on == "point", on_pin = mesh.pins.contains(section.on);
     const bool has_traction = section.traction || section.pressure || !section.traction_gradient.isZero(0.0);
-    if (on_point && has_traction) throw CaseError(key + ": a point carries no traction or pressure, give it a force");
-    if (!on_point && section.force)
-        throw CaseError(key + ".force: only a point carries a force, give an edge a traction");
+    if ((on_point || on_pin) && has_traction)
+        throw CaseError(key + ": a point or pin carries no traction or pressure, give it a force");
+    if (on_pin && (section.displacement[0] || section.displacement[1]))
+        throw CaseError(key + ".displacement: a pin turns freely and is not held, give it a force");
+    if (!on_point && !on_pin && section.force)
+        throw CaseError(key + ".force: only a point or pin carries a force, give an edge a traction");
     if (!on_point && section.at) throw CaseError(key + ".at: only with on = \"point\"");
     const Traction traction = traction_of(section);
     const bool finite = traction.constant.allFinite() && traction.gradient.allFinite() && traction.origin.allFinite() &&
@@ -127,13 +137,18 @@ Loads resolve_boundaries(const Mesh& mesh, const std::vector<BoundarySection>& s
     Prescribed prescribed;
     for (std::size_t k = 0; k < sections.size(); ++k) {
         const BoundarySection& section = sections[k];
-        validate(section, key_of(k));
         const Place place = place_of(mesh, section, key_of(k));
+        validate(mesh, section, key_of(k));
         const Traction traction = traction_of(section);
         if (!traction.is_zero()) {
             for (const BoundaryEdge& edge : place.edges) loads.edges.push_back({edge, traction});
         }
-        if (section.force) loads.forces.push_back({place.nodes.front(), *section.force});
+        if (section.force && place.pin != nullptr) {
+            for (const auto& [node, weight] : place.pin->shares)
+                loads.forces.push_back({node, weight * *section.force});
+        } else if (section.force) {
+            loads.forces.push_back({place.nodes.front(), *section.force});
+        }
         for (const int node : place.nodes) prescribe(prescribed, mesh, section, node, key_of(k));
     }
     for (const auto& [where, value] : prescribed) loads.displacements.push_back({where.first, where.second, value});
@@ -178,6 +193,14 @@ std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vecto
 
 double mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary, std::span<const Vec2> nodal) {
     const auto along = [&](int node) { return boundary.direction.dot(nodal[static_cast<std::size_t>(node)]); };
+    if (const auto pin = mesh.pins.find(boundary.name); pin != mesh.pins.end()) {
+        const auto mean = [&](const SpreadPoint& spread) {
+            double sum = 0.0;
+            for (const auto& [node, weight] : spread.shares) sum += weight * along(node);
+            return sum;
+        };
+        return mean(pin->second) - mean(mesh.pins.at(pin->second.opposite));
+    }
     if (boundary.edges.empty()) return along(boundary.nodes.front());
     double integral = 0.0, length = 0.0;
     for (const BoundaryEdge& edge : boundary.edges) {

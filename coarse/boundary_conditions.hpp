@@ -80,8 +80,8 @@ std::vector<AppliedForce> applied_forces(const Mesh& mesh, const Loads& loads);
 
 /// Where `load` and `displacement` of the history are taken (INTERFACE, definitions).
 struct LoadedBoundary {
-    std::string name;                 // of the section: an edge's name or "point"
-    std::vector<BoundaryEdge> edges;  // empty: a point
+    std::string name;                 // of the section: an edge's or pin's name, or "point"
+    std::vector<BoundaryEdge> edges;  // empty: a point or pin
     std::vector<int> nodes;           // ascending
     Vec2 direction;                   // unit: of the prescribed displacement, else of the resultant
     Vec2 resultant;                   // of the section's loads per unit load factor, N/mm; zero where only held
@@ -90,7 +90,8 @@ struct LoadedBoundary {
 /// The first listed section with a load or a non-zero displacement, if any.
 std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vector<BoundarySection>& sections);
 
-/// Mean of a nodal field (one value a mesh node, linear along edges) over a loaded boundary, along its direction.
+/// Mean of a nodal field (one value a mesh node, linear along edges) over a loaded boundary, along its direction. Of a
+/// pin: what its force does work on, relative to the opposite pin, as in a machine that holds that one.
 double mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary, std::span<const Vec2> nodal);
 
 }  // namespace stria::coarse

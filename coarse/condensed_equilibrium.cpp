@@ -54,6 +54,8 @@ Residual CondensedEquilibrium::linearise() {
         // Meanwhile the structure's part, which needs no answer.
         residual_ = load_factor_ * structure_.unit_load() - structure_.tangent() * on_free(trial_);
         response_ = fine_->collect();
+        if (scene_.input.coupling.state == "newton")
+            (void)fine_->state();  // the user pays for seeing every iterate cross
     }
     residual_ -= on_free(response_.force);
     result.boundary = largest(residual_);
@@ -82,7 +84,8 @@ double CondensedEquilibrium::solve() {
                                                     : Eigen::VectorXd(tangent.partialPivLu().solve(residual_));
     if (!correction_.allFinite())
         throw NumericalFailure("the tangent of the structure is singular: a part of the body moves freely");
-    return largest(correction_) / std::max({largest(trial_), response_.interior_displacement, 1e-300});
+    return largest(correction_) /
+           std::max({largest(trial_), largest(correction_), response_.interior_displacement, 1e-300});
 }
 
 void CondensedEquilibrium::apply() {
@@ -97,7 +100,9 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     committed_ = trial_;
     if (fine_ == nullptr) return {};
     const Stopwatch watch(exchange_s_);
-    return fine_->commit(reversal);
+    coupling::StepReport report = fine_->commit(reversal);
+    if (scene_.input.coupling.state != "auto") (void)fine_->state();
+    return report;
 }
 
 void CondensedEquilibrium::rollback() {

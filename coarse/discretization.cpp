@@ -89,11 +89,11 @@ private:
         tip.crack = crack;
         tip.s = start ? 0.0 : path.length;
         tip.upper = start ? -1 : 1;
-        const auto n = piece.points.size();
         tip.position = start ? piece.points.front() : piece.points.back();
-        tip.direction =
-            (start ? Vec2(piece.points[0] - piece.points[1]) : Vec2(piece.points[n - 1] - piece.points[n - 2]))
-                .normalized();
+        // Of the crack as given: the last piece may be short, and its other end snapped onto a node.
+        const std::vector<Point>& points = cracks_[at(crack)].points;
+        const Point& before = start ? points[1] : points[points.size() - 2];
+        tip.direction = ((start ? points.front() : points.back()) - before).normalized();
         result_.tips.push_back(tip);
         without_jump.merge(tip_nodes(piece));
     }

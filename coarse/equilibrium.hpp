@@ -33,7 +33,8 @@ public:
     /// Evaluates the trial state and its tangent.
     virtual Residual linearise() = 0;
 
-    /// Newton's correction of the linearised state: its largest displacement relative to the largest displacement.
+    /// Newton's correction of the linearised state: its largest displacement relative to the largest displacement there
+    /// is (1 at the start of a run).
     virtual double solve() = 0;
 
     /// Takes the correction.

@@ -108,7 +108,7 @@ void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     for (const int element : yielding) {
         for (const int node : scene_.mesh.elements[static_cast<std::size_t>(element)]) {
             for (const int neighbour : around[static_cast<std::size_t>(node)])
-                in_zone[static_cast<std::size_t>(neighbour)] = 1;
+                if (!scene_.mesh.in_insert(neighbour)) in_zone[static_cast<std::size_t>(neighbour)] = 1;
         }
     }
     ++extensions_;

@@ -12,8 +12,10 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Arc length from the mouth, or half of it with two tips.
-double crack_length(const EnrichedMesh& mesh, const Tip& tip) {
+/// From the load line where the specimen has one; else arc length from the mouth, or half of it with two tips.
+double crack_length(const Scene& scene, const Tip& tip) {
+    if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
+    const EnrichedMesh& mesh = scene.enriched;
     double first = 1e300, last = -1e300;
     int tips = 0;
     for (const CrackPiece& piece : mesh.pieces) {
@@ -49,7 +51,7 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
         const Eigen::VectorXd q = ring_weight(mesh.nodes, tip, ring_inner_fraction * outer, outer);
         DomainIntegral sum = structure.ring_integral(tip, q, u, true, true);
         TipResult result;
-        result.a = crack_length(mesh, tip);
+        result.a = crack_length(scene, tip);
         result.CTOD = std::nan("");
         result.CMOD = mouth_opening(structure, tip.crack, u);
         if (!report.tips.empty()) {

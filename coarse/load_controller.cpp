@@ -11,7 +11,9 @@ LoadController::LoadController(const LoadSection& load, const SolverSection& sol
     const int half = load.steps / 2;
     for (const LoadBlock& block : load.blocks) {
         maxima_.push_back(block.max);
-        if (block.max != reached) append_leg(cycle, reached, block.max, half);
+        // The first ramp belongs to no cycle, a leg from one block's maximum to the next one's to the cycle it leads
+        // to.
+        if (block.max != reached) append_leg(cycle == 0 ? 0 : cycle + 1, reached, block.max, half);
         for (int k = 0; k < block.cycles; ++k) {
             ++cycle;
             append_leg(cycle, block.max, block.min, half);
@@ -21,6 +23,18 @@ LoadController::LoadController(const LoadSection& load, const SolverSection& sol
         }
         reached = block.max;
     }
+    mark_reversals();
+}
+
+// A half cycle ends where the load turns, not where a block does.
+void LoadController::mark_reversals() {
+    double before = 0.0;
+    for (std::size_t k = 0; k < targets_.size(); ++k) {
+        const bool last = k + 1 == targets_.size();
+        targets_[k].reversal =
+            last || (targets_[k].factor - before) * (targets_[k + 1].factor - targets_[k].factor) < 0.0;
+        before = targets_[k].factor;
+    }
 }
 
 void LoadController::append_leg(int cycle, double from, double to, int steps) {
@@ -28,7 +42,7 @@ void LoadController::append_leg(int cycle, double from, double to, int steps) {
     for (int k = 1; k <= steps; ++k) {
         // The last is exact: later legs start from the same number.
         const double factor = k == steps ? to : from + (to - from) * k / steps;
-        targets_.push_back({cycle, factor, k == steps, k == steps && to > from, false, false, false});
+        targets_.push_back({cycle, factor, false, k == steps && to > from, false, false, false});
     }
     const auto nearest =
         std::min_element(targets_.begin() + first, targets_.end(),

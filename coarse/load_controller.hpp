@@ -41,6 +41,7 @@ private:
         double factor;
         bool reversal, at_maximum, at_minimum, at_zero, ends_cycle;
     };
+    void mark_reversals();
     void append_leg(int cycle, double from, double to, int steps);
 
     std::vector<Target> targets_;

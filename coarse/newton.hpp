@@ -12,7 +12,7 @@ namespace stria::coarse {
 
 struct NewtonIteration {
     Residual residual;
-    double correction;  // relative; NaN where none was needed
+    double correction;  // relative to the largest displacement
 };
 
 struct NewtonReport {

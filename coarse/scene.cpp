@@ -83,7 +83,7 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
 Scene make_scene(const Case& input) {
     Scene scene;
     scene.input = input;
-    scene.elastic = elasticity_of(input.material);
+    scene.elastic = elasticity_of(input.material, input.model.plane);
     scene.mesh = make_mesh(input);
     scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);

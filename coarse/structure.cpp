@@ -8,9 +8,14 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Elastic elements with tip functions are integrated densely; the others exactly with the fewest points.
-IntegrationRule rule_for(const EnrichedMesh& mesh, int element, bool cut) {
-    if (ElementBasis(mesh, element, cut).singular()) return {.subcells = 2, .gauss = 6, .tip_points = 10};
-    return {};
+IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
+    IntegrationRule rule{.mean_dilatation = scene.elastic.plane == PlaneState::Strain};
+    if (ElementBasis(scene.enriched, element, cut).singular()) {
+        rule.subcells = 2;
+        rule.gauss = 6;
+        rule.tip_points = 10;
+    }
+    return rule;
 }
 
 }  // namespace
@@ -21,7 +26,7 @@ Structure::Structure(const Scene& scene, std::vector<char> in_zone) : scene_(sce
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
         if (in_zone_[at(e)] != 0) continue;
         const CrackPiece* cut = piece[at(e)] >= 0 ? &mesh.pieces[at(piece[at(e)])] : nullptr;
-        operators_.push_back(make_operator(mesh, e, cut, rule_for(mesh, e, cut != nullptr)));
+        operators_.push_back(make_operator(mesh, e, cut, rule_for(scene, e, cut != nullptr)));
     }
     number_unknowns();
     condense();
@@ -103,6 +108,7 @@ std::vector<int> Structure::elements_beyond(double stress, const Eigen::VectorXd
     const MandelMatrix elastic = scene_.elastic.stiffness();
     std::vector<int> found;
     for (const ElementOperator& op : operators_) {
+        if (scene_.mesh.in_insert(op.element)) continue;
         const Eigen::VectorXd local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             if (von_mises(elastic * op.strain(local, q)) <= stress) continue;

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] int unknowns() const { return static_cast<int>(leaf_unknowns_.size()); }
     [[nodiscard]] double factor_entries() const { return leaf_->factor_entries(); }
 
-    /// Elements (of the whole mesh) whose von Mises stress exceeds a limit at some point.
+    /// Elements (of the whole mesh) whose von Mises stress exceeds a limit at some point, inserts left out.
     [[nodiscard]] std::vector<int> elements_beyond(double stress, const Eigen::VectorXd& u) const;
 
     /// Elastic domain integrals over the coarse part of a ring; q: one value a node of the whole mesh.

@@ -36,8 +36,11 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
             radius =
                 subdivision_radius(scene.input.fine.beta, std::max(K_I[t], 0.0), *scene.input.material.yield_stress);
         }
-        if (radius <= 0.0) continue;
+        // Unknowns of tip functions are the zone's own, however small the disk (full compression: none).
+        const bool touches = scene.input.cracks[at(mesh.tips[t].crack)].contact.has_value();
+        if (radius <= 0.0 && !touches && !scene.input.material.yield_stress) continue;
         for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            if (scene.mesh.in_insert(static_cast<int>(e))) continue;
             Vec2 centre = Vec2::Zero();
             bool tip_function = false;
             for (const int node : mesh.elements[e]) {
@@ -80,6 +83,8 @@ double largest_ring(const Scene& scene, int tip_index) {
             radius = std::min(radius, distance_to_segment(tip.position, ends.from, ends.to));
         }
     }
+    for (const PointForce& load : scene.loads.forces)
+        radius = std::min(radius, (scene.mesh.nodes[at(load.node)] - tip.position).norm());
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         if (at(tip_index) != t)
             radius = std::min(radius, (scene.enriched.tips[t].position - tip.position).norm() / 2.0);

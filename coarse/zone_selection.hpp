@@ -26,8 +26,8 @@ std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& p
 /// The weight q of a ring falls from 1 at this fraction of its outer radius to 0 at the outer radius.
 inline constexpr double ring_inner_fraction = 0.5;
 
-/// Outer radius of the largest ring around a tip that stays in the body, off other tips and on the crack's straight
-/// end.
+/// Outer radius of the largest ring around a tip that stays in the body, off other tips and cracks, off forces, and on
+/// the crack's straight end.
 double largest_ring(const Scene& scene, int tip);
 
 }  // namespace stria::coarse

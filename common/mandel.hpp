@@ -26,7 +26,8 @@ inline Eigen::Matrix2d in_plane(const Mandel& t) {
     return Eigen::Matrix2d{{t[0], xy}, {xy, t[1]}};
 }
 
-/// Symmetric part of a displacement gradient (row i, column j: du_i/dx_j); the zz strain is zero (plane strain).
+/// Symmetric part of a displacement gradient (row i, column j: du_i/dx_j); zz is zero: the strain of plane strain,
+/// no unknown in plane stress.
 inline Mandel strain_of(const Eigen::Matrix2d& gradient) {
     return {gradient(0, 0), gradient(1, 1), 0.0, (gradient(0, 1) + gradient(1, 0)) / std::numbers::sqrt2};
 }

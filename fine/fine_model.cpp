@@ -97,7 +97,9 @@ void FineModel::condense(coupling::PatchResponse& response) {
     block_.inverse_times_boundary = block_.factor.solve(A_cb);
     block_.inverse_times_load = block_.factor.solve(b);
     if (!block_.inverse_times_load.allFinite()) throw NumericalFailure("contact block of the zone is singular");
-    response.tangent = S.bottomRightCorner(g, g) - A_bc * block_.inverse_times_boundary;
+    // Symmetric without friction; to the last bit, so that half of it crosses the wire.
+    const Eigen::MatrixXd tangent = S.bottomRightCorner(g, g) - A_bc * block_.inverse_times_boundary;
+    response.tangent = 0.5 * (tangent + tangent.transpose());
     response.force = -(load.tail(g) - A_bc * block_.inverse_times_load);
 }
 

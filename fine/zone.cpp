@@ -10,12 +10,13 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     : mesh_(mesh), law_(std::move(law)), elastic_(elastic) {
     const std::vector<int> piece = piece_of_elements(mesh_);
     const MandelMatrix stiffness = elastic_.stiffness();
+    const IntegrationRule rule{
+        .subcells = subcells, .gauss = 2, .tip_points = 4, .mean_dilatation = elastic_.plane == PlaneState::Strain};
     const auto count = mesh_.elements.size();
     operators_.reserve(count);
     for (std::size_t e = 0; e < count; ++e) {
         const CrackPiece* cut = piece[e] >= 0 ? &mesh_.pieces[static_cast<std::size_t>(piece[e])] : nullptr;
-        operators_.push_back(
-            make_operator(mesh_, static_cast<int>(e), cut, {.subcells = subcells, .gauss = 2, .tip_points = 4}));
+        operators_.push_back(make_operator(mesh_, static_cast<int>(e), cut, rule));
         first_point_.push_back(points_);
         points_ += static_cast<int>(operators_.back().points.size());
         elastic_stiffness_.push_back(operators_.back().stiffness(stiffness));

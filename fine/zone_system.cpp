@@ -11,7 +11,7 @@
 
 namespace stria::fine {
 
-ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_of(input.material)) {}
+ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_of(input.material, input.model.plane)) {}
 
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);

@@ -19,8 +19,9 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
                          const std::vector<TipResult>& nominal) {
     const Stopwatch watch(output_s_);
     zone_ = increment.zone;
+    nominal_ = nominal;
     record_history(increment, structure);
-    record_cycle(increment, nominal);
+    record_cycle(increment);
     if (due(scene_.input.output.faces, increment.step)) {
         for (const coupling::FaceSample& sample : face_samples(structure, increment.displacement, increment.zone)) {
             faces_.row(cells_of(face_row(increment.number, sample)));
@@ -30,9 +31,14 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
         std::optional<coupling::ZoneState> zone;
         if (std::ranges::find(structure.in_zone(), static_cast<char>(1)) != structure.in_zone().end())
             zone = zone_state_();
-        fields_.write(increment.number, make_fields(structure, increment.displacement, zone ? &*zone : nullptr));
+        FieldData fields =
+            make_fields(structure, increment.displacement, zone ? &*zone : nullptr, increment.zone.faces);
+        fields.whole_arrays = {{"load_factor", 1, {increment.step.factor}},
+                               {"cycle", 1, {double(increment.step.cycle)}}};
+        fields_.write(increment.number, fields);
     }
     if (increment.step.ends_cycle) finish_cycle(increment);
+    if (increment.step.cycle == 0 && increment.step.reversal) begin_cycle();  // the ramp is over
     last_factor_ = increment.step.factor;
 }
 
@@ -66,13 +72,13 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
     for (const HistoryRow& written : last_) history_.row(cells_of(written));
 }
 
-void RunRecorder::record_cycle(const Increment& increment, const std::vector<TipResult>& nominal) {
+void RunRecorder::record_cycle(const Increment& increment) {
     cycle_iterations_ += increment.newton.count();
     const bool loading = increment.step.factor > last_factor_;
     for (std::size_t t = 0; t < increment.tips.size(); ++t) {
         CycleSoFar& cycle = cycle_[t];
         const TipResult& tip = increment.tips[t];
-        const double K = nominal[t].K_I * increment.step.factor;
+        const double K = nominal_[t].K_I * increment.step.factor;
         cycle.K_max = std::max(cycle.K_max, K);
         cycle.K_min = std::min(cycle.K_min, K);
         cycle.J_max = std::max(cycle.J_max, tip.J);
@@ -111,9 +117,20 @@ void RunRecorder::finish_cycle(const Increment& increment) {
         row.wall_s = now - cycle_start_s_;
         cycles_.row(cells_of(row));
     }
-    std::ranges::fill(cycle_, CycleSoFar{});
+    begin_cycle();
+}
+
+// A cycle runs from maximum to maximum: the one it starts from counts.
+void RunRecorder::begin_cycle() {
+    for (std::size_t t = 0; t < cycle_.size(); ++t) {
+        cycle_[t] = {};
+        const HistoryRow& row = last_[t];
+        cycle_[t].K_max = cycle_[t].K_min = nominal_[t].K_I * row.load_factor;
+        cycle_[t].J_max = row.J;
+        if (std::isfinite(row.CTOD)) cycle_[t].CTOD_max = cycle_[t].CTOD_min = row.CTOD;
+    }
     cycle_iterations_ = 0;
-    cycle_start_s_ = now;
+    cycle_start_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 bool RunRecorder::due(Written wish, const LoadStep& step) const {

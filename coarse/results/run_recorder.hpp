@@ -31,7 +31,8 @@ private:
         double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;
     };
     void record_history(const Increment& increment, const Structure& structure);
-    void record_cycle(const Increment& increment, const std::vector<TipResult>& nominal);
+    void record_cycle(const Increment& increment);
+    void begin_cycle();
     void finish_cycle(const Increment& increment);
     [[nodiscard]] bool due(Written wish, const LoadStep& step) const;
     [[nodiscard]] double load(const Increment& increment) const;
@@ -44,6 +45,7 @@ private:
     FieldWriter fields_;
     std::vector<HistoryRow> last_;
     coupling::StepReport zone_;
+    std::vector<TipResult> nominal_;
     std::vector<CycleSoFar> cycle_;
     int cycle_iterations_ = 0;
     double last_factor_ = 0.0, output_s_ = 0.0, cycle_start_s_ = 0.0;

@@ -32,7 +32,8 @@ using CellKey = std::pair<int, int>;  // element of the whole mesh, side
 
 class FieldBuilder {
 public:
-    FieldBuilder(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone)
+    FieldBuilder(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone,
+                 const std::vector<coupling::FaceSample>& faces)
         : structure_(structure), mesh_(structure.scene().enriched), u_(u) {
         const MandelMatrix elastic = structure.scene().elastic.stiffness();
         for (const ElementOperator& op : structure.operators()) {
@@ -43,6 +44,7 @@ public:
             }
         }
         if (zone != nullptr) add_zone(*zone);
+        add_faces(faces);
     }
 
     FieldData build() {
@@ -59,7 +61,8 @@ public:
                              {"plastic_strain", 4, std::move(plastic_)},
                              {"accumulated_plastic_strain", 1, std::move(accumulated_)},
                              {"zone", 1, std::move(zone_)},
-                             {"crack_side", 1, std::move(side_)}};
+                             {"crack_side", 1, std::move(side_)},
+                             {"contact_pressure", 1, std::move(contact_)}};
         return std::move(data_);
     }
 
@@ -76,6 +79,20 @@ private:
                 plastic(zone.plastic_strain.data() + 4 * q);
             means_[{part.element_ids[at(zone.element[q])], zone.side[q]}].add(zone.weight[q], stress, plastic,
                                                                               zone.accumulated[q]);
+        }
+    }
+
+    // Mean pressure on the faces inside each element that the crack crosses or runs along.
+    void add_faces(const std::vector<coupling::FaceSample>& faces) {
+        for (const CrackPiece& piece : mesh_.pieces) {
+            double sum = 0.0;
+            int count = 0;
+            for (const coupling::FaceSample& sample : faces) {
+                if (sample.crack != piece.crack || sample.s < piece.s.front() || sample.s > piece.s.back()) continue;
+                sum += sample.pressure;
+                ++count;
+            }
+            if (count > 0) pressure_of_[piece.element] = sum / count;
         }
     }
 
@@ -134,6 +151,8 @@ private:
         accumulated_.push_back(mean.accumulated / w);
         zone_.push_back(structure_.in_zone()[at(key.first)]);
         side_.push_back(key.second);
+        const auto contact = pressure_of_.find(key.first);
+        contact_.push_back(contact != pressure_of_.end() ? contact->second : 0.0);
     }
 
     const Structure& structure_;
@@ -141,14 +160,16 @@ private:
     Eigen::VectorXd u_;
     std::map<CellKey, CellMean> means_;
     std::map<int, std::int64_t> shared_;
+    std::map<int, double> pressure_of_;  // by element
     FieldData data_;
-    std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_;
+    std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_, contact_;
 };
 
 }  // namespace
 
-FieldData make_fields(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone) {
-    return FieldBuilder(structure, u, zone).build();
+FieldData make_fields(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone,
+                      const std::vector<coupling::FaceSample>& faces) {
+    return FieldBuilder(structure, u, zone, faces).build();
 }
 
 }  // namespace stria::coarse

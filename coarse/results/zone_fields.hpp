@@ -7,7 +7,8 @@
 
 namespace stria::coarse {
 
-/// `u`: displacement of the whole mesh, zero inside the zone; `zone`: null without one.
-FieldData make_fields(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone);
+/// `u`: displacement of the whole mesh, zero inside the zone; `zone`: null without one; `faces`: of the same increment.
+FieldData make_fields(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone,
+                      const std::vector<coupling::FaceSample>& faces);
 
 }  // namespace stria::coarse

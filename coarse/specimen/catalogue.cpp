@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "coarse/specimen/specimen.hpp"
+#include "coarse/specimen/compact_tension.hpp"
+#include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
 
@@ -14,45 +13,45 @@ namespace stria::coarse {
 namespace {
 
 constexpr std::array catalogue{
-    Specimen{"sent", "single-edge-notched plate, crack from the left edge", rectangle_mesh, sent_handbook_K},
-    Specimen{"plate", "rectangular plate, cracks anywhere", rectangle_mesh, nullptr},
+    Specimen{"sent", "single-edge-notched plate, crack from the left edge", rectangle, rectangle_mesh, sent_K,
+             sent_limit_load},
+    Specimen{"mt", "middle-cracked plate, crack across the middle of the width", rectangle, rectangle_mesh, mt_K,
+             mt_limit_load},
+    Specimen{"ct", "compact specimen of ASTM E647, loaded at \"pin-top\" and \"pin-bottom\"", compact_tension,
+             compact_tension_mesh, ct_K, ct_limit_load},
+    Specimen{"plate", "rectangular plate, cracks anywhere", rectangle, rectangle_mesh, nullptr, nullptr},
 };
 
-bool strictly_inside(const Point& point, const MeshSection& body) {
-    return 0.0 < point.x() && point.x() < body.width && 0.0 < point.y() && point.y() < body.height;
-}
-
-bool inside_or_on(const Point& point, const MeshSection& body) {
-    return 0.0 <= point.x() && point.x() <= body.width && 0.0 <= point.y() && point.y() <= body.height;
+std::string text_of(const Body& body) {
+    return fmt::format("[{}, {}] x [{}, {}] mm", body.low.x(), body.high.x(), body.low.y(), body.high.y());
 }
 
 /// Does the segment run through the interior? Liang and Barsky's clipping; what is left must have a middle inside.
-bool crosses_interior(const Point& from, const Point& to, const MeshSection& body) {
-    const Point limit{body.width, body.height};
+bool crosses_interior(const Point& from, const Point& to, const Body& body) {
     double enter = 0.0, leave = 1.0;
     for (int axis = 0; axis < 2; ++axis) {
         const double step = to[axis] - from[axis];
         if (step == 0.0) continue;
-        const double at_low = -from[axis] / step, at_high = (limit[axis] - from[axis]) / step;
+        const double at_low = (body.low[axis] - from[axis]) / step, at_high = (body.high[axis] - from[axis]) / step;
         enter = std::max(enter, std::min(at_low, at_high));
         leave = std::min(leave, std::max(at_low, at_high));
     }
     const Point middle = from + 0.5 * (enter + leave) * (to - from);
-    return enter < leave && strictly_inside(middle, body);
+    return enter < leave && body.holds_inside(middle);
 }
 
-void validate(const CrackSection& crack, const std::string& key, const MeshSection& body) {
+void validate(const CrackSection& crack, const std::string& key, const Body& body) {
     if (crack.points.size() < 2) throw CaseError(key + ": a crack is a polyline of two points or more");
     bool meets_body = false;
     for (std::size_t k = 0; k < crack.points.size(); ++k) {
         const Point& point = crack.points[k];
         const bool end = k == 0 || k + 1 == crack.points.size();
         if (!point.allFinite()) throw CaseError(fmt::format("{}: point {} is not finite", key, k + 1));
-        if (!end && !inside_or_on(point, body)) {
+        if (!end && !body.holds(point)) {
             throw CaseError(
-                fmt::format("{}: point {} ({}, {}) is outside the body [0, {}] x [0, {}] mm; only the first "
-                            "and the last point may be (a mouth)",
-                            key, k + 1, point.x(), point.y(), body.width, body.height));
+                fmt::format("{}: point {} ({}, {}) is outside the body {}; only the first and the last point may be (a "
+                            "mouth)",
+                            key, k + 1, point.x(), point.y(), text_of(body)));
         }
         if (k == 0) continue;
         if (point == crack.points[k - 1])
@@ -60,8 +59,20 @@ void validate(const CrackSection& crack, const std::string& key, const MeshSecti
         meets_body = meets_body || crosses_interior(crack.points[k - 1], point, body);
     }
     if (!meets_body) {
-        throw CaseError(fmt::format("{}: the crack does not run through the body [0, {}] x [0, {}] mm", key, body.width,
-                                    body.height));
+        throw CaseError(fmt::format("{}: the crack does not run through the body {}", key, text_of(body)));
+    }
+}
+
+/// The insert stays elastic and is never in the zone: what a crack needs.
+void spare_insert(const CrackSection& crack, const std::string& key, const Mesh& mesh) {
+    for (const int element : mesh.insert) {
+        const auto& nodes = mesh.elements[static_cast<std::size_t>(element)];
+        const Body cell{mesh.nodes[static_cast<std::size_t>(nodes[0])], mesh.nodes[static_cast<std::size_t>(nodes[2])]};
+        for (std::size_t k = 1; k < crack.points.size(); ++k) {
+            if (!crosses_interior(crack.points[k - 1], crack.points[k], cell)) continue;
+            throw CaseError(fmt::format("{}: the crack runs through the insert of a pin, near ({:.4g}, {:.4g})", key,
+                                        cell.low.x(), cell.low.y()));
+        }
     }
 }
 
@@ -79,17 +90,14 @@ const Specimen& find_specimen(std::string_view name) {
         fmt::format("mesh.specimen: \"{}\" is not in the catalogue, available: {}", name, fmt::join(names, ", ")));
 }
 
-double sent_handbook_K(double width, double a, double stress) {
-    const double x = a / width, half_angle = 0.5 * std::numbers::pi * x;
-    const double polynomial = 0.752 + 2.02 * x + 0.37 * std::pow(1.0 - std::sin(half_angle), 3);
-    const double F = std::sqrt(std::tan(half_angle) / half_angle) * polynomial / std::cos(half_angle);
-    return F * stress * std::sqrt(std::numbers::pi * a);
-}
-
 Mesh make_mesh(const Case& scene) {
-    Mesh mesh = find_specimen(scene.mesh.specimen).mesh(scene.mesh);
+    const Specimen& specimen = find_specimen(scene.mesh.specimen);
+    Mesh mesh = specimen.mesh(scene.mesh);
+    const Body body = specimen.body(scene.mesh);
     for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-        validate(scene.cracks[k], fmt::format("crack[{}].points", k + 1), scene.mesh);
+        const std::string key = fmt::format("crack[{}].points", k + 1);
+        validate(scene.cracks[k], key, body);
+        spare_insert(scene.cracks[k], key, mesh);
     }
     return mesh;
 }

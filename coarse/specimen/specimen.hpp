@@ -1,4 +1,4 @@
-// Specimens of the catalogue: how to mesh one, and what its handbook says of its stress intensity.
+// Specimens of the catalogue: where each lies, how to mesh it, and what its handbook says.
 #pragma once
 
 #include <span>
@@ -9,12 +9,26 @@
 
 namespace stria::coarse {
 
+/// The rectangle that a specimen fills, mm.
+struct Body {
+    Point low, high;
+
+    [[nodiscard]] bool holds(const Point& x) const {
+        return (low.array() <= x.array()).all() && (x.array() <= high.array()).all();
+    }
+    [[nodiscard]] bool holds_inside(const Point& x) const {
+        return (low.array() < x.array()).all() && (x.array() < high.array()).all();
+    }
+};
+
 struct Specimen {
     std::string_view name;
     std::string_view sentence;
+    Body (*body)(const MeshSection&);
     Mesh (*mesh)(const MeshSection&);
-    /// K_I (MPa sqrt(mm)) of an edge crack of length a under remote stress; null where no handbook formula applies.
-    double (*handbook_K)(double width, double a, double stress);
+    // Null where no handbook formula applies. Under the resultant `load`, N per mm of thickness; sources: handbook.hpp.
+    double (*handbook_K)(double width, double a, double load);  // MPa sqrt(mm)
+    double (*limit_load)(double width, double a, double yield_stress, PlaneState plane);
 };
 
 /// All specimens; a new one is one more line in catalogue.cpp.
@@ -23,11 +37,8 @@ std::span<const Specimen> specimens();
 /// Throws CaseError listing the available names.
 const Specimen& find_specimen(std::string_view name);
 
-/// Single-edge-notched plate under remote tension, any height above about one width: Tada, Paris, Irwin, The Stress
-/// Analysis of Cracks Handbook, stated accuracy 0.5 % for every a / width.
-double sent_handbook_K(double width, double a, double stress);
-
-/// Mesh of the case's specimen. Validates the mesh section and that every crack meets the body; throws CaseError.
+/// Mesh of the case's specimen. Validates the mesh section and that every crack meets the body and spares the inserts
+/// around pins; throws CaseError.
 Mesh make_mesh(const Case& scene);
 
 }  // namespace stria::coarse

@@ -19,7 +19,7 @@ void require_positive(const std::string& key, double value) {
     }
 }
 
-void validate(const Grading& grading, const std::string& key, const MeshSection& section) {
+void validate(const Grading& grading, const std::string& key, const Body& body) {
     require_positive(key + ".size", grading.size);
     if (grading.outer_size && !(std::isfinite(*grading.outer_size) && *grading.outer_size >= grading.size)) {
         throw CaseError(
@@ -35,11 +35,9 @@ void validate(const Grading& grading, const std::string& key, const MeshSection&
             fmt::format("{}.at: {} points, must be one point or the two ends of a line", key, grading.at.size()));
     }
     for (const Point& point : grading.at) {
-        const bool inside =
-            0.0 <= point.x() && point.x() <= section.width && 0.0 <= point.y() && point.y() <= section.height;
-        if (!inside) {
-            throw CaseError(fmt::format("{}.at: ({}, {}) is outside the body [0, {}] x [0, {}] mm", key, point.x(),
-                                        point.y(), section.width, section.height));
+        if (!body.holds(point)) {
+            throw CaseError(fmt::format("{}.at: ({}, {}) is outside the body [{}, {}] x [{}, {}] mm", key, point.x(),
+                                        point.y(), body.low.x(), body.high.x(), body.low.y(), body.high.y()));
         }
     }
     const Point extent = grading.at.back() - grading.at.front();
@@ -50,25 +48,35 @@ void validate(const Grading& grading, const std::string& key, const MeshSection&
     }
 }
 
-void validate(const MeshSection& section) {
-    require_positive("mesh.width", section.width);
-    require_positive("mesh.height", section.height);
+void validate(const MeshSection& section, const Body& body) {
+    require_positive("mesh.width", body.high.x() - body.low.x());
+    require_positive("mesh.height", body.high.y() - body.low.y());
     require_positive("mesh.size", section.size);
     for (std::size_t k = 0; k < section.grading.size(); ++k) {
-        validate(section.grading[k], fmt::format("mesh.grading[{}]", k + 1), section);
+        validate(section.grading[k], fmt::format("mesh.grading[{}]", k + 1), body);
     }
 }
 
-/// What the gradings ask of the axis with this index. A line keeps its size along itself, and anchors only across.
-std::vector<AxisGrading> axis_gradings(const MeshSection& section, int axis) {
+/// What the gradings ask of the axis with this index, counted from the body's lower end. A line keeps its size along
+/// itself, and anchors only across.
+std::vector<AxisGrading> axis_gradings(const MeshSection& section, const Body& body, int axis) {
     std::vector<AxisGrading> result;
     for (const Grading& grading : section.grading) {
-        const double from = grading.at.front()[axis], to = grading.at.back()[axis];
+        const double from = grading.at.front()[axis] - body.low[axis];
+        const double to = grading.at.back()[axis] - body.low[axis];
         const double outer_size = grading.radius > 0.0 ? grading.outer_size.value_or(grading.size) : grading.size;
         result.push_back({std::min(from, to), std::max(from, to), grading.size, outer_size, grading.radius,
                           grading.growth, from == to});
     }
     return result;
+}
+
+std::vector<double> axis_positions(const MeshSection& section, const Body& body, int axis) {
+    std::vector<double> positions =
+        graded_axis(body.high[axis] - body.low[axis], section.size, axis_gradings(section, body, axis));
+    for (double& position : positions) position += body.low[axis];
+    positions.back() = body.high[axis];
+    return positions;
 }
 
 }  // namespace
@@ -99,15 +107,18 @@ Mesh grid_mesh(std::span<const double> xs, std::span<const double> ys) {
     return mesh;
 }
 
-Mesh rectangle_mesh(const MeshSection& section) {
-    validate(section);
-    const std::vector<double> xs = graded_axis(section.width, section.size, axis_gradings(section, 0));
-    const std::vector<double> ys = graded_axis(section.height, section.size, axis_gradings(section, 1));
+Mesh structured_mesh(const MeshSection& section, const Body& body) {
+    validate(section, body);
+    const std::vector<double> xs = axis_positions(section, body, 0), ys = axis_positions(section, body, 1);
     if (xs.size() * ys.size() > max_elements) {
         throw CaseError(fmt::format("mesh.size: the mesh would have {} elements, at most {} are allowed",
                                     (xs.size() - 1) * (ys.size() - 1), max_elements));
     }
     return grid_mesh(xs, ys);
 }
+
+Body rectangle(const MeshSection& section) { return {Point::Zero(), Point(section.width, section.height)}; }
+
+Mesh rectangle_mesh(const MeshSection& section) { return structured_mesh(section, rectangle(section)); }
 
 }  // namespace stria::coarse

@@ -1,10 +1,9 @@
-// Rectangles [0, width] x [0, height] as structured meshes from two graded axes.
+// Rectangles as structured meshes from two graded axes.
 #pragma once
 
 #include <span>
 
-#include "common/fem/mesh.hpp"
-#include "common/io/case.hpp"
+#include "coarse/specimen/specimen.hpp"
 
 namespace stria::coarse {
 
@@ -12,7 +11,11 @@ namespace stria::coarse {
 /// axis.
 Mesh grid_mesh(std::span<const double> xs, std::span<const double> ys);
 
-/// Rectangle graded as the section asks. Throws CaseError naming the key whose value is not allowed.
+/// A body meshed as the section's size and gradings ask. Throws CaseError naming the key whose value is not allowed.
+Mesh structured_mesh(const MeshSection& section, const Body& body);
+
+/// [0, width] x [0, height].
+Body rectangle(const MeshSection& section);
 Mesh rectangle_mesh(const MeshSection& section);
 
 }  // namespace stria::coarse

@@ -19,7 +19,7 @@ bool same(const Vec2& a, const Vec2& b, double length) { return (a - b).norm() <
 class Builder {
 public:
     Builder(const EnrichedMesh& mesh, int element, const CrackPiece* piece, const IntegrationRule& rule)
-        : rule_(rule), basis_(mesh, element, piece != nullptr), corners_(basis_.corners()) {
+        : mesh_(mesh), rule_(rule), basis_(mesh, element, piece != nullptr), corners_(basis_.corners()) {
         size_ = (corners_[2] - corners_[0]).norm();
         if (piece != nullptr) cut_ = cut_element(corners_, *piece);
         if (basis_.singular()) {
@@ -37,7 +37,7 @@ public:
         }
         evaluate_gradients();
         if (basis_.singular() || (cut_ && !is_parallelogram())) correct_gradients();
-        form_means();
+        if (rule_.mean_dilatation) form_means();
         return std::move(result_);
     }
 
@@ -198,45 +198,36 @@ private:
         }
     }
 
-    // Integral of phi n over the boundary of one side; edges are split at tips and stretched towards them (phi ~ r^p
-    // there).
+    // Integral of phi n over the boundary of one side.
     [[nodiscard]] Gradients boundary_integral(std::span<const Vec2> polygon, int side) const {
         Gradients sum = Gradients::Zero(basis_.functions(), 2);
         for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-            std::optional<Vec2> split;
-            for (const Vec2& tip : tips_) {
-                if (intersect(tip, tip, a, b) && !same(tip, a, size_) && !same(tip, b, size_)) split = tip;
-            }
-            if (split) {
-                add_edge(*split, a, side, -1.0, sum);
-                add_edge(*split, b, side, 1.0, sum);
-            } else if (is_tip(b)) {
-                add_edge(b, a, side, -1.0, sum);
-            } else {
-                add_edge(a, b, side, 1.0, sum);
-            }
+            add_edge(polygon[k], polygon[(k + 1) % polygon.size()], side, sum);
         }
         return sum;
     }
 
-    [[nodiscard]] bool is_tip(const Vec2& x) const {
-        return std::ranges::any_of(tips_, [&](const Vec2& tip) { return same(tip, x, size_); });
-    }
-
-    // Adds sign * integral of phi n over a -> b, where n is the outward normal of a counter-clockwise edge a -> b.
-    void add_edge(const Vec2& a, const Vec2& b, int side, double sign, Gradients& sum) const {
+    // Adds the integral of phi n over a -> b, where n is the outward normal of a counter-clockwise edge. Halved towards
+    // tips until none is nearer than half the length: exact to rounding, so elements agree on an edge however each
+    // splits it.
+    void add_edge(const Vec2& a, const Vec2& b, int side, Gradients& sum) const {
         const Vec2 d = b - a;
-        const Eigen::RowVector2d normal(sign * d.y(), -sign * d.x());
-        const bool stretch = is_tip(a);
+        const bool near_tip = basis_.singular() && std::ranges::any_of(mesh_.tips, [&](const Tip& tip) {
+                                  const double t = std::clamp((tip.position - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+                                  return (tip.position - a - t * d).norm() < 0.5 * d.norm();
+                              });
+        if (near_tip && d.norm() > 1e-10 * size_) {
+            const Vec2 middle = a + 0.5 * d;
+            add_edge(a, middle, side, sum);
+            add_edge(middle, b, side, sum);
+            return;
+        }
+        const Eigen::RowVector2d normal(d.y(), -d.x());
         BasisValues values;
         for (const LinePoint& gauss : gauss_line(16)) {
-            const double v = 0.5 * (1.0 + gauss.xi);
-            const double t = stretch ? v * v : v;
-            const double weight = 0.5 * gauss.weight * (stretch ? 2.0 * v : 1.0);
-            const Vec2 x = a + t * d;
+            const Vec2 x = a + 0.5 * (1.0 + gauss.xi) * d;
             basis_.evaluate(map_to_parent(corners_, x), x, side, values);
-            sum += weight * values.value * normal;
+            sum += 0.5 * gauss.weight * values.value * normal;
         }
     }
 
@@ -256,6 +247,7 @@ private:
             if (area[r] > 0.0) result_.mean[r] /= area[r];
     }
 
+    const EnrichedMesh& mesh_;
     IntegrationRule rule_;
     ElementBasis basis_;
     std::array<Vec2, 4> corners_;
@@ -280,6 +272,7 @@ Eigen::Matrix2d ElementOperator::displacement_gradient(const Eigen::VectorXd& u,
 Mandel ElementOperator::strain(const Eigen::VectorXd& u, std::size_t q) const {
     const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>> nodal(u.data(), 2, gradients[q].rows());
     const Eigen::Matrix2d local = nodal * gradients[q];
+    if (mean.empty()) return strain_of(local);
     const double mean_dilatation =
         nodal.cwiseProduct(mean[static_cast<std::size_t>(points[q].region)].transpose()).sum();
     return strain_of(local) + (mean_dilatation - local.trace()) / 3.0 * mandel_identity;
@@ -287,7 +280,7 @@ Mandel ElementOperator::strain(const Eigen::VectorXd& u, std::size_t q) const {
 
 Eigen::Matrix<double, 4, Eigen::Dynamic> ElementOperator::strain_matrix(std::size_t q) const {
     const Gradients& g = gradients[q];
-    const Gradients& m = mean[static_cast<std::size_t>(points[q].region)];
+    const Gradients& m = mean.empty() ? g : mean[static_cast<std::size_t>(points[q].region)];
     Eigen::Matrix<double, 4, Eigen::Dynamic> B(4, 2 * g.rows());
     for (Eigen::Index f = 0; f < g.rows(); ++f) {
         const double dx = (m(f, 0) - g(f, 0)) / 3.0, dy = (m(f, 1) - g(f, 1)) / 3.0;
@@ -299,10 +292,11 @@ Eigen::Matrix<double, 4, Eigen::Dynamic> ElementOperator::strain_matrix(std::siz
 
 void ElementOperator::add_force(const Mandel& stress, std::size_t q, Eigen::VectorXd& force) const {
     const Gradients& g = gradients[q];
-    const double pressure = trace(stress) / 3.0;
+    const double pressure = mean.empty() ? 0.0 : trace(stress) / 3.0;
     const Eigen::Matrix2d weighted = points[q].weight * (in_plane(stress) - pressure * Eigen::Matrix2d::Identity());
     Eigen::Map<Eigen::Matrix<double, 2, Eigen::Dynamic>> nodal(force.data(), 2, g.rows());
     nodal += weighted * g.transpose();
+    if (mean.empty()) return;
     nodal += points[q].weight * pressure * mean[static_cast<std::size_t>(points[q].region)].transpose();
 }
 

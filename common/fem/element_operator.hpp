@@ -18,9 +18,10 @@ struct IntegrationPoint {
 
 /// How densely an element is integrated.
 struct IntegrationRule {
-    int subcells = 1;    // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
-    int gauss = 2;       // points per direction in an uncut sub-quadrangle
-    int tip_points = 6;  // per direction in triangles that end at a tip
+    int subcells = 1;             // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
+    int gauss = 2;                // points per direction in an uncut sub-quadrangle
+    int tip_points = 6;           // per direction in triangles that end at a tip
+    bool mean_dilatation = true;  // of plane strain: nothing keeps a volume in plane stress
 };
 
 using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
@@ -34,10 +35,10 @@ struct ElementOperator {
     std::vector<int> unknowns;  // 2 a function
     std::vector<IntegrationPoint> points;
     std::vector<Gradients> gradients;  // per point, one row a function
-    std::vector<Gradients> mean;       // per region
+    std::vector<Gradients> mean;       // per region; empty: without mean dilatation
     double area = 0.0;
 
-    /// Strain with mean dilatation of element values `u` (2 a function) at point q; zz is the assumed part.
+    /// Strain of element values `u` (2 a function) at point q; zz is the assumed part of a mean dilatation.
     [[nodiscard]] Mandel strain(const Eigen::VectorXd& u, std::size_t q) const;
 
     /// 4 x 2f strain matrix of point q.

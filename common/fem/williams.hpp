@@ -1,4 +1,5 @@
-// The singular elastic fields of a traction-free crack tip, modes I and II, plane strain (REFERENCES 2.6).
+// The singular elastic fields of a traction-free crack tip, modes I and II, plane strain or plane stress
+// (REFERENCES 2.6).
 #pragma once
 
 #include <cmath>

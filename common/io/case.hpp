@@ -32,9 +32,9 @@ struct Grading {
 };
 
 struct MeshSection {
-    std::string specimen;  // "sent" | "plate"
+    std::string specimen;  // "sent" | "mt" | "ct" | "plate"
     double width = 0.0;    // mm
-    double height = 0.0;   // mm, full height
+    double height = 0.0;   // mm, full height; ct always has 1.2 width
     double size = 0.0;     // mm, element edge far from every grading
     std::vector<Grading> grading;
     bool operator==(const MeshSection&) const = default;

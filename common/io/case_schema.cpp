@@ -1,5 +1,7 @@
 #include "common/io/case_schema.hpp"
 
+#include <map>
+
 namespace stria {
 
 namespace {
@@ -40,14 +42,31 @@ Section<Grading> grading_section() {
     return s;
 }
 
+/// Height over width of a specimen in standard proportions; 0: it has none.
+double standard_height(const std::string& specimen) {
+    static const std::map<std::string, double> proportions{{"sent", 4.0}, {"mt", 3.0}, {"ct", 1.2}};
+    const auto found = proportions.find(specimen);
+    return found == proportions.end() ? 0.0 : found->second;
+}
+
 Section<MeshSection> mesh_section() {
     Section<MeshSection> s;
     s.value("specimen", &MeshSection::specimen)
-        .one_of({"sent", "plate"})
+        .one_of({"sent", "mt", "ct", "plate"})
         .must_be_given()
         .says("A specimen of the catalogue.");
-    s.value("width", &MeshSection::width).in("mm").positive().must_be_given().says("Width of the specimen.");
-    s.value("height", &MeshSection::height).in("mm").positive().must_be_given().says("Full height, ends included.");
+    s.value("width", &MeshSection::width)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("Width of the specimen, from the origin at its lower left corner; of ct W, from the origin on the load "
+              "line "
+              "at mid-height: 1.25 width in all.");
+    s.value("height", &MeshSection::height)
+        .in("mm")
+        .positive()
+        .or_else("4 width of sent, 3 width of mt, 1.2 width of ct")
+        .says("Full height, ends included; of ct always 1.2 width.");
     s.value("size", &MeshSection::size)
         .in("mm")
         .positive()
@@ -55,6 +74,9 @@ Section<MeshSection> mesh_section() {
         .says("Element edge far from every grading.");
     s.list("grading", &MeshSection::grading, grading_section())
         .says("Wishes for smaller elements near a point or a line; the smallest wish wins.");
+    s.complete([](MeshSection& mesh) {
+        if (mesh.height == 0.0) mesh.height = standard_height(mesh.specimen) * mesh.width;
+    });
     s.check(check_mesh);
     return s;
 }
@@ -117,7 +139,8 @@ Section<BoundarySection> boundary_section() {
     Section<BoundarySection> s;
     s.value("on", &BoundarySection::on)
         .must_be_given()
-        .says("A named edge of the specimen: top, bottom, left, right; or \"point\".");
+        .says(
+            "A named edge of the specimen: top, bottom, left, right; a pin of ct: pin-top, pin-bottom; or \"point\".");
     s.value("at", &BoundarySection::at).in("mm").says("The point, with on = \"point\".");
     s.value("displacement", &BoundarySection::displacement).in("mm").says("Displacement per unit load factor.");
     s.value("traction", &BoundarySection::traction).in("MPa").says("Traction per unit load factor.");
@@ -128,7 +151,9 @@ Section<BoundarySection> boundary_section() {
     s.value("pressure", &BoundarySection::pressure)
         .in("MPa")
         .says("Pressure per unit load factor, along the inward normal.");
-    s.value("force", &BoundarySection::force).in("N/mm").says("Force at a point, per thickness and unit load factor.");
+    s.value("force", &BoundarySection::force)
+        .in("N/mm")
+        .says("Force at a point or pin, per thickness and unit load factor.");
     s.check(check_boundary);
     return s;
 }

@@ -214,6 +214,9 @@ public:
                     }});
     }
 
+    /// Defaults that follow from other keys: filled in where the key is absent, and written as values.
+    void complete(std::function<void(T&)> completion) { complete_ = std::move(completion); }
+
     /// A condition that several keys must meet together.
     void check(Check condition) { checks_.push_back(std::move(condition)); }
 
@@ -228,6 +231,7 @@ public:
             if (given == nullptr && field.always) given = &nothing;
             if (given != nullptr) field.read(object, *given, field.key, here);
         }
+        if (complete_) complete_(object);
         for (const Check& condition : checks_) condition(object, value, place);
         return object;
     }
@@ -256,6 +260,7 @@ private:
     Key& add(Field field) { return fields_.emplace_back(std::move(field)).key; }
 
     std::deque<Field> fields_;  // declarations hold references to its keys
+    std::function<void(T&)> complete_;
     std::vector<Check> checks_;
 };
 

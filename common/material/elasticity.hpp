@@ -1,4 +1,4 @@
-// Isotropic linear elasticity, plane strain, in Mandel form.
+// Isotropic linear elasticity of plane strain or plane stress, in Mandel form.
 #pragma once
 
 #include "common/io/case.hpp"
@@ -9,21 +9,36 @@ namespace stria {
 struct Elasticity {
     double young;  // MPa
     double poisson;
+    PlaneState plane = PlaneState::Strain;
 
     [[nodiscard]] double shear_modulus() const { return young / (2.0 * (1.0 + poisson)); }
     [[nodiscard]] double bulk_modulus() const { return young / (3.0 * (1.0 - 2.0 * poisson)); }
-    /// E' = E / (1 - nu^2): plane strain.
-    [[nodiscard]] double plane_modulus() const { return young / (1.0 - poisson * poisson); }
-    /// Kolosov's constant 3 - 4 nu: plane strain.
-    [[nodiscard]] double kolosov() const { return 3.0 - 4.0 * poisson; }
+    /// E': E / (1 - nu^2) in plane strain, E in plane stress.
+    [[nodiscard]] double plane_modulus() const {
+        return plane == PlaneState::Strain ? young / (1.0 - poisson * poisson) : young;
+    }
+    /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu) / (1 + nu) in plane stress.
+    [[nodiscard]] double kolosov() const {
+        return plane == PlaneState::Strain ? 3.0 - 4.0 * poisson : (3.0 - poisson) / (1.0 + poisson);
+    }
 
-    /// sigma = stiffness : eps with all of xx, yy, zz, sqrt(2) xy.
+    /// sigma = stiffness : eps with all of xx, yy, zz, sqrt(2) xy. In plane stress the zz strain is no unknown: its row
+    /// and column are zero.
     [[nodiscard]] MandelMatrix stiffness() const {
+        if (plane == PlaneState::Stress) {
+            const Mandel in_plane_identity{1.0, 1.0, 0.0, 0.0};
+            const MandelMatrix mixed = in_plane_identity * in_plane_identity.transpose();
+            MandelMatrix in_plane = MandelMatrix::Identity();
+            in_plane(2, 2) = 0.0;
+            return young / (1.0 - poisson * poisson) * (poisson * mixed + (1.0 - poisson) * in_plane);
+        }
         const MandelMatrix volumetric = mandel_identity * mandel_identity.transpose();
         return bulk_modulus() * volumetric + 2.0 * shear_modulus() * (MandelMatrix::Identity() - volumetric / 3.0);
     }
 };
 
-inline Elasticity elasticity_of(const MaterialSection& material) { return {material.young, material.poisson}; }
+inline Elasticity elasticity_of(const MaterialSection& material, PlaneState plane) {
+    return {material.young, material.poisson, plane};
+}
 
 }  // namespace stria

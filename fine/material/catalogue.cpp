@@ -7,6 +7,7 @@
 #include "common/error.hpp"
 #include "fine/material/elastic.hpp"
 #include "fine/material/j2.hpp"
+#include "fine/material/j2_plane_stress.hpp"
 
 namespace stria::fine {
 
@@ -16,8 +17,8 @@ void demand(bool met, std::string_view key, const auto& value, std::string_view 
     if (!met) throw CaseError(fmt::format("material.{} = {}: {}", key, value, allowed));
 }
 
-std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material) {
-    J2Parameters parameters{.elasticity = elasticity_of(material),
+std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material, PlaneState plane) {
+    J2Parameters parameters{.elasticity = elasticity_of(material, plane),
                             .yield_stress = *material.yield_stress,
                             .isotropic = material.isotropic.modulus,
                             .kinematic = {}};
@@ -28,12 +29,13 @@ std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material) {
         demand(gamma == 0.0, "kinematic.gamma", gamma, "this version has Prager's rule only, gamma = 0");
         parameters.kinematic.push_back(C);
     }
+    if (plane == PlaneState::Stress) return std::make_unique<J2PlaneStress>(parameters);
     return std::make_unique<J2>(parameters);
 }
 
 struct Entry {
     std::string_view isotropic_law;
-    std::unique_ptr<MaterialLaw> (*make)(const MaterialSection&);
+    std::unique_ptr<MaterialLaw> (*make)(const MaterialSection&, PlaneState);
 };
 
 constexpr std::array catalogue{Entry{"linear", make_linear}};
@@ -41,10 +43,9 @@ constexpr std::array catalogue{Entry{"linear", make_linear}};
 }  // namespace
 
 std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane) {
-    if (plane == PlaneState::Stress) throw CaseError("model.plane = stress: this version has plane strain only");
-    if (!material.yield_stress) return std::make_unique<Elastic>(elasticity_of(material));
+    if (!material.yield_stress) return std::make_unique<Elastic>(elasticity_of(material, plane));
     for (const Entry& entry : catalogue)
-        if (entry.isotropic_law == material.isotropic.law) return entry.make(material);
+        if (entry.isotropic_law == material.isotropic.law) return entry.make(material, plane);
     std::string known;
     for (const Entry& entry : catalogue) known += fmt::format(" \"{}\"", entry.isotropic_law);
     throw CaseError(fmt::format("material.isotropic.law = \"{}\": this version has{}", material.isotropic.law, known));

@@ -13,13 +13,15 @@ struct J2Parameters {
     double yield_stress;            // MPa, of the virgin material
     double isotropic = 0.0;         // MPa, H of R = H p
     std::vector<double> kinematic;  // MPa, C of each dX = 2/3 C d(eps_p)
+
+    [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
 };
 
 class J2 final : public MaterialLaw {
 public:
     explicit J2(const J2Parameters& parameters);
 
-    [[nodiscard]] int state_size() const override;
+    [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;
     [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }

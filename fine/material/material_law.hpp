@@ -37,11 +37,12 @@ public:
     virtual void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                         double* tangent, unsigned char* yielding) const = 0;
 
-    /// Elastic stiffness in Mandel form (plane strain; zz row and column included).
+    /// Elastic stiffness in Mandel form (zz row and column zero in plane stress).
     [[nodiscard]] virtual MandelMatrix elastic() const = 0;
 };
 
-/// The law of a case: J2 with linear isotropic and Prager hardening, or elastic where no yield stress is given.
+/// The law of a case, of plane strain or plane stress: J2 with linear isotropic and Prager hardening, or elastic where
+/// no yield stress is given.
 std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane);
 
 }  // namespace stria::fine

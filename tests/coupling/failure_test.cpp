@@ -1,6 +1,7 @@
 // What happens when one side fails: the run ends in time with the exit code users know, and exceptions keep their type.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <future>
 
 #include "common/error.hpp"
@@ -27,9 +28,10 @@ pid_t wait_for_start(const Program& run, const std::string& name) {
     return -1;
 }
 
-bool wait_for_text(const Program& run, const std::string& text) {
-    for (int k = 0; k < 2000; ++k) {
-        if (run.said().find(text) != std::string::npos) return true;
+/// Lines of a file, once there are that many of them.
+bool wait_for_lines(const std::string& path, std::ptrdiff_t lines) {
+    for (int k = 0; k < 4000; ++k) {
+        if (std::ranges::count(text_of(path), '\n') >= lines) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;
@@ -41,7 +43,7 @@ class KilledComponent : public testing::TestWithParam<const char*> {};
 TEST_P(KilledComponent, EndsTheRunInTime) {
     const TemporaryFolder folder;
     Program run("stria", {"run", shipped_sent, "-o", folder / "results", "--set", "load.steps=400"}, folder / "log");
-    ASSERT_TRUE(wait_for_text(run, "increment    3")) << run.said();
+    ASSERT_TRUE(wait_for_lines(folder / "results/history.csv", 3)) << run.said();
     const pid_t victim = wait_for_start(run, GetParam());
     ASSERT_GT(victim, 0);
     ASSERT_EQ(kill(victim, SIGKILL), 0);

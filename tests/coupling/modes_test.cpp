@@ -46,16 +46,27 @@ protected:
 };
 
 std::vector<double> numbers_of(const coarse::TipResult& tip) {
-    return {tip.a, tip.K_I, tip.K_II, tip.J, tip.CTOD, tip.CMOD, tip.contact_length, tip.plastic_zone, tip.plastic_zone_axis};
+    return {tip.a,
+            tip.K_I,
+            tip.K_II,
+            tip.J,
+            tip.CTOD,
+            tip.CMOD,
+            tip.contact_length,
+            tip.plastic_zone,
+            tip.plastic_zone_axis};
 }
 
 std::vector<double> numbers_of(const coupling::StepReport& report) {
-    std::vector<double> numbers{report.dissipation, static_cast<double>(report.unknowns), static_cast<double>(report.multipliers)};
+    std::vector<double> numbers{report.dissipation, static_cast<double>(report.unknowns),
+                                static_cast<double>(report.multipliers)};
     for (const coupling::TipReport& tip : report.tips) {
-        numbers.insert(numbers.end(), {tip.J, tip.interaction_I, tip.interaction_II, tip.CTOD, tip.plastic_zone, tip.plastic_zone_axis});
+        numbers.insert(numbers.end(), {tip.J, tip.interaction_I, tip.interaction_II, tip.CTOD, tip.plastic_zone,
+                                       tip.plastic_zone_axis});
     }
     for (const coupling::FaceSample& face : report.faces) {
-        numbers.insert(numbers.end(), {face.s, face.x, face.y, face.opening, face.slip, face.pressure, face.shear, static_cast<double>(face.status)});
+        numbers.insert(numbers.end(), {face.s, face.x, face.y, face.opening, face.slip, face.pressure, face.shear,
+                                       static_cast<double>(face.status)});
     }
     numbers.insert(numbers.end(), report.contact_length.begin(), report.contact_length.end());
     numbers.insert(numbers.end(), report.mouth_opening.begin(), report.mouth_opening.end());
@@ -99,7 +110,8 @@ TEST_F(Modes, MonolithicIsTheSameToRounding) {
         EXPECT_NEAR(p.CTOD, q.CTOD, 1e-9 * scale.CTOD);
         EXPECT_NEAR(a.zone.contact_length[0], b.zone.contact_length[0], 1e-9 * 20.0);
         EXPECT_NEAR(a.zone.dissipation, b.zone.dissipation, 1e-9 * direct->increments.back().zone.dissipation);
-        EXPECT_LT((a.displacement - b.displacement).lpNorm<Eigen::Infinity>(), 1e-9 * a.displacement.lpNorm<Eigen::Infinity>());
+        EXPECT_LT((a.displacement - b.displacement).lpNorm<Eigen::Infinity>(),
+                  1e-9 * a.displacement.lpNorm<Eigen::Infinity>());
     }
 }
 
@@ -125,7 +137,8 @@ std::map<std::string, std::vector<double>> columns_of(const std::string& text) {
 class Programs : public testing::Test {
 protected:
     [[nodiscard]] std::string run(const std::string& mode) const {
-        std::vector<std::string> words{"run", shipped_sent, "--mode", mode, "-o", folder_ / mode, "--quiet", "--set", "output.faces=\"all\""};
+        std::vector<std::string> words{"run",   shipped_sent,          "--mode", mode, "-o", folder_ / mode, "--quiet",
+                                       "--set", "output.faces=\"all\""};
         for (const std::string& value : small_scene) words.insert(words.end(), {"--set", value});
         EXPECT_EQ(run_program("stria", words, folder_ / (mode + ".log")), 0) << text_of(folder_ / (mode + ".log"));
         return folder_ / mode;

@@ -101,8 +101,12 @@ TEST_F(SentCompression, AtMinimumLoadOpenAtTheTipAndClosedBehind) {
     for (const coupling::FaceSample& face : least.zone.faces) {
         open = open || face.pressure == 0.0;
         EXPECT_TRUE(!open || face.pressure == 0.0) << face.s;
-        if (face.s > crack_length - element) { EXPECT_GT(face.opening, 1e-6); }
-        if (face.s < 0.9 * crack_length) { EXPECT_GT(face.pressure, 0.0); }
+        if (face.s > crack_length - element) {
+            EXPECT_GT(face.opening, 1e-6);
+        }
+        if (face.s < 0.9 * crack_length) {
+            EXPECT_GT(face.pressure, 0.0);
+        }
     }
     EXPECT_TRUE(open);
 }
@@ -119,7 +123,8 @@ TEST_F(SentCompression, FacesBearTheRemoteStressFarFromTheTip) {
 }
 
 TEST_F(SentCompression, ClosedFacesDoNotOverlap) {  // on the average over each multiplier
-    const fine::ContactInterface contact(witness->patch.mesh, witness->patch.boundary, input->cracks, input->fine.subcells, 1.0);
+    const fine::ContactInterface contact(witness->patch.mesh, witness->patch.boundary, input->cracks,
+                                         input->fine.subcells, 1.0);
     const double limit = 1e-8 * run->at_maximum().tips[0].CMOD;
     for (std::size_t k = 0; k < run->increments.size(); ++k) {
         const Eigen::VectorXd gaps = contact.gaps(witness->displacements[k]);
@@ -132,7 +137,8 @@ TEST_F(SentCompression, ClosedFacesDoNotOverlap) {  // on the average over each 
 }
 
 TEST_F(SentCompression, ConvergesQuadraticallyOnceBranchesHaveSettled) {
-    const auto onset = std::ranges::find_if(run->increments, [](const auto& i) { return i.zone.contact_length[0] > 0.0; });
+    const auto onset =
+        std::ranges::find_if(run->increments, [](const auto& i) { return i.zone.contact_length[0] > 0.0; });
     const auto reversal = std::ranges::find_if(run->increments, [](const auto& i) { return i.step.cycle == 1; });
     const std::vector<const coarse::Increment*> chosen{&run->at_maximum(), &*onset, &*reversal};
     for (const coarse::Increment* increment : chosen) {
@@ -140,7 +146,8 @@ TEST_F(SentCompression, ConvergesQuadraticallyOnceBranchesHaveSettled) {
         ASSERT_GE(residual.size(), 2U) << increment->newton.table();
         for (std::size_t k = 1; k < residual.size(); ++k) {
             // Quadratic: e' <= C e^2, or what rounding leaves.
-            EXPECT_LT(residual[k], std::max(100.0 * residual[k - 1] * residual[k - 1], rounding_floor)) << increment->newton.table();
+            EXPECT_LT(residual[k], std::max(100.0 * residual[k - 1] * residual[k - 1], rounding_floor))
+                << increment->newton.table();
         }
     }
 }

@@ -11,7 +11,8 @@ namespace {
 
 /// The shipped plate up to its maximum load, 0.2 mm at the tip; more overrides on top.
 RunHistory ramp(std::vector<std::string> overrides) {
-    overrides.insert(overrides.begin(), {mesh_at_tip(0.2), "load.blocks=[{cycles=1,max=50.0,min=49.0}]", "load.steps=20"});
+    overrides.insert(overrides.begin(),
+                     {mesh_at_tip(0.2), "load.blocks=[{cycles=1,max=50.0,min=49.0}]", "load.steps=20"});
     return run_direct(sent_case(overrides));
 }
 

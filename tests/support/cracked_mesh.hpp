@@ -40,7 +40,8 @@ inline Mesh distorted(Mesh mesh, double amount) {
     return mesh;
 }
 
-inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, int tip_functions = 6, double exponent = 0.5) {
+inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, int tip_functions = 6,
+                            double exponent = 0.5) {
     return coarse::enrich(mesh, {{.points = points, .contact = {}}}, {tip_functions, exponent});
 }
 
@@ -59,7 +60,8 @@ inline const CrackPiece* piece_in(const EnrichedMesh& mesh, int element) {
 
 inline double polygon_area(std::span<const Vec2> polygon) {
     double area = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) area += triangle_area(polygon[0], polygon[k], polygon[(k + 1) % polygon.size()]);
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+        area += triangle_area(polygon[0], polygon[k], polygon[(k + 1) % polygon.size()]);
     return area;
 }
 
@@ -69,7 +71,8 @@ inline bool has_tip_terms(const EnrichedMesh& mesh, int node) {
 
 /// The shift of a node's Heaviside term, or 0.
 inline double heaviside_side(const EnrichedMesh& mesh, int node) {
-    for (const Term& term : mesh.terms[at(node)]) if (term.kind == Term::Kind::Heaviside) return term.shift;
+    for (const Term& term : mesh.terms[at(node)])
+        if (term.kind == Term::Kind::Heaviside) return term.shift;
     return 0.0;
 }
 

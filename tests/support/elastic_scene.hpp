@@ -17,12 +17,15 @@ inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elastici
 }
 
 /// No fine zone: every element is the structure's.
-inline std::vector<char> no_zone(const coarse::Scene& scene) { return std::vector<char>(scene.mesh.elements.size(), 0); }
+inline std::vector<char> no_zone(const coarse::Scene& scene) {
+    return std::vector<char>(scene.mesh.elements.size(), 0);
+}
 
-/// Displacement gradient of a homogeneous in-plane stress (sigma_zz follows from plane strain) without rotation.
+/// Displacement gradient of a homogeneous in-plane stress (the plane state gives the rest) without rotation.
 inline Eigen::Matrix2d gradient_of(const Eigen::Matrix2d& stress, const Elasticity& elastic) {
     const double mu2 = 2.0 * elastic.shear_modulus();
-    return (stress - elastic.poisson * stress.trace() * Eigen::Matrix2d::Identity()) / mu2;
+    const double across = (3.0 - elastic.kolosov()) / 4.0;  // nu in plane strain, nu / (1 + nu) in plane stress
+    return (stress - across * stress.trace() * Eigen::Matrix2d::Identity()) / mu2;
 }
 
 /// The tractions of a homogeneous stress on the whole boundary of a rectangle.
@@ -40,7 +43,8 @@ inline coarse::Loads boundary_tractions(const Mesh& mesh, const Eigen::Matrix2d&
 inline std::vector<int> boundary_nodes(const Mesh& mesh) {
     std::vector<int> nodes;
     for (const auto& [name, edges] : mesh.boundary) {
-        for (const BoundaryEdge& edge : edges) for (const int node : coarse::edge_nodes(mesh, edge)) nodes.push_back(node);
+        for (const BoundaryEdge& edge : edges)
+            for (const int node : coarse::edge_nodes(mesh, edge)) nodes.push_back(node);
     }
     std::ranges::sort(nodes);
     nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());

@@ -35,11 +35,11 @@ inline PointUpdate update_point(const fine::MaterialLaw& law, const std::vector<
 
 class MaterialPoint {
 public:
-    explicit MaterialPoint(const MaterialSection& material)
-        : law_(fine::make_material_law(material, PlaneState::Strain)),
-          last_{.state = std::vector<double>(static_cast<std::size_t>(law_->state_size()), 0.0),
-                .tangent = law_->elastic(),
-                .yields = false} {}
+    explicit MaterialPoint(const MaterialSection& material, PlaneState plane = PlaneState::Strain)
+        : law_(fine::make_material_law(material, plane)),
+          plane_(plane), last_{.state = std::vector<double>(static_cast<std::size_t>(law_->state_size()), 0.0),
+                               .tangent = law_->elastic(),
+                               .yields = false} {}
 
     const PointUpdate& strain_by(const Mandel& increment) {
         last_ = update_point(*law_, last_.state, increment);
@@ -62,13 +62,17 @@ public:
     }
 
     /// Uniaxial stress along yy: its value at the strain `value`.
-    double uniaxial(double value) { return drive(1, value, {0, 2}).stress()[1]; }
+    double uniaxial(double value) {
+        if (plane_ == PlaneState::Stress) return drive(1, value, {0}).stress()[1];
+        return drive(1, value, {0, 2}).stress()[1];
+    }
 
     [[nodiscard]] const PointUpdate& last() const { return last_; }
     [[nodiscard]] const fine::MaterialLaw& law() const { return *law_; }
 
 private:
     std::unique_ptr<fine::MaterialLaw> law_;
+    PlaneState plane_;
     PointUpdate last_;
     Mandel strain_ = Mandel::Zero();
 };

@@ -49,8 +49,8 @@ inline coupling::Patch plate_patch(const EnrichedMesh& mesh) {
 
 using Field = std::function<Vec2(const Vec2&)>;
 
-/// Displacement `above` on the plus side and `below` on the minus side of a straight line that carries the crack; exact for
-/// linear fields where the crack runs through the whole mesh.
+/// Displacement `above` on the plus side and `below` on the minus side of a straight line that carries the crack; exact
+/// for linear fields where the crack runs through the whole mesh.
 inline Eigen::VectorXd two_sided(const EnrichedMesh& mesh, const Vec2& from, const Vec2& to, const Field& above,
                                  const Field& below) {
     const Vec2 normal(from.y() - to.y(), to.x() - from.x());
@@ -58,7 +58,9 @@ inline Eigen::VectorXd two_sided(const EnrichedMesh& mesh, const Vec2& from, con
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         const Vec2& x = mesh.nodes[n];
         const Vec2 half_jump = 0.5 * (above(x) - below(x));
-        const double side = !mesh.terms[n].empty() ? mesh.terms[n][0].shift : (x - from).dot(normal) >= 0.0 ? 1.0 : -1.0;
+        const double side = !mesh.terms[n].empty()          ? mesh.terms[n][0].shift
+                            : (x - from).dot(normal) >= 0.0 ? 1.0
+                                                            : -1.0;
         u.segment<2>(mesh.unknown(static_cast<int>(n), 0, 0)) = 0.5 * (above(x) + below(x)) + side * half_jump;
         if (!mesh.terms[n].empty()) u.segment<2>(mesh.unknown(static_cast<int>(n), 1, 0)) = half_jump;
     }

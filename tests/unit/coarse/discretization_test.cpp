@@ -18,13 +18,15 @@ int node(int column, int row) { return 5 * row + column; }
 
 Nodes heaviside_nodes(const EnrichedMesh& mesh, double side) {
     Nodes nodes;
-    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) if (heaviside_side(mesh, n) == side) nodes.insert(n);
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n)
+        if (heaviside_side(mesh, n) == side) nodes.insert(n);
     return nodes;
 }
 
 Nodes tip_nodes(const EnrichedMesh& mesh) {
     Nodes nodes;
-    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) if (has_tip_terms(mesh, n)) nodes.insert(n);
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n)
+        if (has_tip_terms(mesh, n)) nodes.insert(n);
     return nodes;
 }
 
@@ -90,6 +92,12 @@ TEST(Discretization, ACrackInsideHasTwoTipsThatFaceOutwards) {
     EXPECT_EQ(mesh.tips[1].direction, Vec2(1.0, 0.0));
     EXPECT_EQ(mesh.tips[0].upper, -1);
     EXPECT_EQ(mesh.tips[1].upper, 1);
+}
+
+TEST(Discretization, ATipJustBeyondASnappedCrossingKeepsItsDirection) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.2501}, {0.2504, 0.2502}});
+    EXPECT_EQ(mesh.pieces.back().points.front(), Vec2(0.25, 0.25));  // a last piece at 27 degrees
+    EXPECT_LT((mesh.tips[0].direction - Vec2(0.2504, 0.0001).normalized()).norm(), 1e-15);
 }
 
 TEST(Discretization, RefusesCracksAndTipsTooCloseForTheMesh) {

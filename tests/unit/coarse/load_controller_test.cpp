@@ -7,7 +7,8 @@ namespace stria::coarse {
 namespace {
 
 LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts = 3) {
-    return LoadController({.steps = steps, .blocks = std::move(blocks), .control = "load"}, {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
+    return LoadController({.steps = steps, .blocks = std::move(blocks), .control = "load"},
+                          {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
 }
 
 std::vector<LoadStep> all_steps(LoadController loads) {

@@ -1,10 +1,10 @@
-// Specimen meshes: graded axes, named edges, handbook values, and what the case may not ask.
+// Specimen meshes: graded axes, named edges, pins, and what the case may not ask.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "coarse/specimen/compact_tension.hpp"
 #include "coarse/specimen/graded_axis.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/specimen/structured.hpp"
@@ -158,13 +158,68 @@ TEST(RectangleMesh, GradesALineAcrossAndAlongItself) {
     }
 }
 
-TEST(SentHandbook, MatchesTheTable) {  // REFERENCES 2.1
-    const std::vector<std::pair<double, double>> table{{0.1, 1.1957}, {0.2, 1.3667}, {0.25, 1.4941}, {0.3, 1.6551},
-                                                       {0.4, 2.1080}, {0.5, 2.8266}, {0.6, 4.0432},  {0.7, 6.3755}};
-    for (const auto& [x, F] : table) {
-        const double a = 50.0 * x;
-        EXPECT_NEAR(sent_handbook_K(50.0, a, 3.0) / (3.0 * std::sqrt(std::numbers::pi * a)), F, 5.1e-5);
+TEST(CompactTension, HasItsOriginOnTheLoadLine) {
+    const Mesh mesh =
+        compact_tension_mesh({.specimen = "ct", .width = 40.0, .height = 48.0, .size = 1.5, .grading = {}});
+    EXPECT_EQ(mesh.nodes.front(), Point(-10.0, -24.0));
+    EXPECT_EQ(mesh.nodes.back(), Point(40.0, 24.0));
+    EXPECT_EQ(mesh.load_line, 0.0);
+}
+
+TEST(CompactTension, SpreadsItsPinForcesWithoutMoment) {
+    for (const double size : {20.0, 4.0, 0.7}) {
+        const Mesh mesh =
+            compact_tension_mesh({.specimen = "ct", .width = 40.0, .height = 48.0, .size = size, .grading = {}});
+        ASSERT_EQ(mesh.pins.size(), 2U);
+        for (const auto& [name, pin] : mesh.pins) {
+            Point centre = Point::Zero();
+            double sum = 0.0, farthest = 0.0;
+            const Point middle(0.0, name == "pin-top" ? 11.0 : -11.0);
+            for (const auto& [node, weight] : pin.shares) {
+                sum += weight;
+                centre += weight * mesh.nodes[static_cast<std::size_t>(node)];
+                farthest = std::max(farthest, (mesh.nodes[static_cast<std::size_t>(node)] - middle).norm());
+            }
+            EXPECT_NEAR(sum, 1.0, 1e-12);
+            EXPECT_NEAR(centre.x(), 0.0, 1e-10);  // on the load line
+            EXPECT_LT(std::abs(centre.y() - middle.y()), 5.0 + size);
+            EXPECT_LT(farthest, 5.0 + 1.5 * size);
+            EXPECT_TRUE(mesh.pins.contains(pin.opposite));
+        }
+        EXPECT_FALSE(mesh.insert.empty());
     }
+}
+
+TEST(CompactTension, HasOpenHolesAndNoStrayNodes) {
+    const Mesh mesh =
+        compact_tension_mesh({.specimen = "ct", .width = 40.0, .height = 48.0, .size = 0.4, .grading = {}});
+    std::vector<char> used(mesh.nodes.size(), 0);
+    double area = 0.0;
+    for (const auto& nodes : mesh.elements) {
+        const Point extent =
+            mesh.nodes[static_cast<std::size_t>(nodes[2])] - mesh.nodes[static_cast<std::size_t>(nodes[0])];
+        area += extent.x() * extent.y();
+        for (const int node : nodes) used[static_cast<std::size_t>(node)] = 1;
+    }
+    const double holes = 2.0 * (1.0 - 1.0 / 6.0) * 3.14159 * 25.0;  // but for the pins' sectors of 60 degrees
+    EXPECT_NEAR(area, 50.0 * 48.0 - holes, 0.03 * holes);
+    EXPECT_EQ(std::ranges::count(used, static_cast<char>(0)), 0);
+    for (const char* hole : {"hole-top", "hole-bottom"}) {
+        for (const BoundaryEdge& edge : mesh.boundary.at(hole)) {
+            const auto& nodes = mesh.elements[static_cast<std::size_t>(edge.element)];
+            const Point& end = mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(edge.edge)])];
+            EXPECT_LT((end - Point(0.0, end.y() > 0.0 ? 11.0 : -11.0)).norm(), 5.0 + 0.4);
+        }
+    }
+}
+
+TEST(CompactTension, RefusesACrackThroughAPin) {
+    Case scene;
+    scene.mesh = {.specimen = "ct", .width = 40.0, .height = 48.0, .size = 1.5, .grading = {}};
+    scene.cracks = {CrackSection{.points = {{-10.0, 0.0}, {20.0, 0.0}}, .contact = {}, .notch = 0.0}};
+    EXPECT_EQ(refusal(scene), "accepted");
+    scene.cracks[0].points[1] = {0.0, 12.0};
+    EXPECT_NE(refusal(scene).find("insert of a pin"), std::string::npos);
 }
 
 TEST(MakeMesh, NamesTheKeyThatIsWrong) {
@@ -173,7 +228,7 @@ TEST(MakeMesh, NamesTheKeyThatIsWrong) {
     EXPECT_EQ(refusal(scene), "accepted");
     scene.mesh.specimen = "snet";
     EXPECT_TRUE(starts(refusal(scene), "mesh.specimen"));
-    EXPECT_NE(refusal(scene).find("available: sent, plate"), std::string::npos);
+    EXPECT_NE(refusal(scene).find("available: sent, mt, ct, plate"), std::string::npos);
     scene = plain_case();
     scene.mesh.width = std::nan("");
     EXPECT_TRUE(starts(refusal(scene), "mesh.width"));

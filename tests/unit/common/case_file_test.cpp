@@ -102,6 +102,28 @@ TEST_F(CaseFile, ReadsValuesAndDefaults) {
     EXPECT_TRUE(needs_fine(scene));
 }
 
+TEST_F(CaseFile, KnowsTheProportionsOfSpecimens) {
+    std::string text = complete;
+    const std::string height = "height = 200\n";
+    text.erase(text.find(height), height.size());
+    EXPECT_EQ(read(text).mesh.height, 200.0);
+    EXPECT_EQ(read(text, {"mesh.specimen=mt"}).mesh.height, 150.0);
+    EXPECT_EQ(read(text, {"mesh.specimen=ct"}).mesh.height, 60.0);
+    EXPECT_NE(resolved_toml(read(text)).find("height = 200"), std::string::npos);
+    EXPECT_EQ(complaint(text, {"mesh.specimen=plate"}),
+              "case.toml:3: mesh needs height: a plate has no standard proportions");
+    EXPECT_EQ(complaint(complete, {"mesh.specimen=ct"}),
+              "case.toml:6: mesh.height = 200 mm must be 1.2 width, or be left out");
+}
+
+TEST_F(CaseFile, TakesForcesAtPins) {
+    const std::string pin = "[[boundary]]\non = \"pin-top\"\n";
+    EXPECT_EQ(read(complete + pin + "force = [0.0, 1.0]\n").boundaries.back().force, Point(0.0, 1.0));
+    EXPECT_NE(complaint(complete + pin + "displacement = [\"free\", 1.0]\n").find("a pin turns freely"),
+              std::string::npos);
+    EXPECT_NE(complaint(complete + pin + "traction = [0.0, 1.0]\n").find("not a point"), std::string::npos);
+}
+
 TEST_F(CaseFile, ResolvedTextGivesAnEqualCase) {
     const Case scene =
         read(complete, {"title=\"a \\\"quoted\\\" \\\\ title\"", "material.poisson=0.1234567890123456789",
@@ -182,9 +204,7 @@ TEST_F(CaseFile, SaysPlainlyWhatThisVersionHasNot) {
     EXPECT_EQ(complaint_about("friction = 0.0", "friction = 0.2"),
               "case.toml:16: crack.0.contact.friction = 0.2 is not available in this version; contact is frictionless, "
               "friction = 0");
-    EXPECT_EQ(complaint_about("\"sent\"", "\"ct\""),
-              "case.toml:4: mesh.specimen = \"ct\" is not available in this version; specimens are sent, plate");
-    for (const char* passage : {"[growth]\nlaw = \"paris\"\n", "[model]\nplane = \"stress\"\n", "[fine]\nrefine = 8\n",
+    for (const char* passage : {"[growth]\nlaw = \"paris\"\n", "[fine]\nrefine = 8\n",
                                 "[fine]\nenrichment = \"geometrical\"\n", "[regions]\nsteel = \"a\"\n",
                                 "[material.steel]\nyoung = 1.0\n", "[material.isotropic]\nlaw = \"voce\"\nQ = 1.0\n"})
         EXPECT_NE(complaint(complete + passage).find("is not available in this version"), std::string::npos) << passage;

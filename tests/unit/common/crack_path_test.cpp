@@ -54,11 +54,13 @@ TEST(CrackPath, PiecesCoverTheCrack) {
     }
 }
 
-// Whatever the position and angle, steep or nearly parallel to mesh lines: snapping moves a crack by 1e-2 of an element.
+// Whatever the position and angle, steep or nearly parallel to mesh lines: snapping moves a crack by 1e-2 of an
+// element.
 TEST(CrackPath, EveryStraightCrackIsResolved) {
     const Mesh mesh = square_mesh(10);
     for (int k = 0; k < 2000; ++k) {
-        const double slope = 0.7 * std::pow(10.0, -5.0 + 5.0 * std::fmod(k * std::numbers::sqrt2, 1.0)) * (k % 2 == 0 ? 1.0 : -1.0);
+        const double slope =
+            0.7 * std::pow(10.0, -5.0 + 5.0 * std::fmod(k * std::numbers::sqrt2, 1.0)) * (k % 2 == 0 ? 1.0 : -1.0);
         const double crosses = std::fmod(k * std::numbers::phi, 0.6);  // the mesh line at half height
         const Points crack{{-0.1, 0.5 - slope * (crosses + 0.1)}, {0.62, 0.5 + slope * (0.62 - crosses)}};
         const CrackPath path = resolve_crack(mesh, 0, crack);
@@ -142,10 +144,10 @@ TEST(CrackPath, KeepsKinksInsideElements) {
 
 TEST(CrackPath, RefusesWhatTheMeshCannotHold) {
     const Mesh mesh = square_mesh(4);
-    EXPECT_THROW(resolve_crack(mesh, 0, {{1.2, 0.5}, {1.6, 0.5}}), CaseError);                  // outside
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.4}, {0.4, 0.4}, {0.0, 0.3}}), CaseError);      // one element twice
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.5}, {0.6, 0.5}, {0.9, 0.6}}), CaseError);      // leaves an edge midway
-    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.0}, {1.0, 0.0}}), CaseError);                  // along the boundary
+    EXPECT_THROW(resolve_crack(mesh, 0, {{1.2, 0.5}, {1.6, 0.5}}), CaseError);              // outside
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.4}, {0.4, 0.4}, {0.0, 0.3}}), CaseError);  // one element twice
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.5}, {0.6, 0.5}, {0.9, 0.6}}), CaseError);  // leaves an edge midway
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.0}, {1.0, 0.0}}), CaseError);              // along the boundary
 }
 
 }  // namespace

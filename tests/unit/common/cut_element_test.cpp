@@ -74,7 +74,8 @@ TEST(InterfaceElements, EachLiesInOneSubQuadrangle) {
                 for (int cell = 0; cell < s * s; ++cell) {
                     const int i = cell % s, j = cell / s;
                     const std::array<Vec2, 4> quad{grid_corner(corners, s, i, j), grid_corner(corners, s, i + 1, j),
-                                                   grid_corner(corners, s, i + 1, j + 1), grid_corner(corners, s, i, j + 1)};
+                                                   grid_corner(corners, s, i + 1, j + 1),
+                                                   grid_corner(corners, s, i, j + 1)};
                     const auto holds = [&](double t) {
                         return side_of_polygon(quad, (1.0 - t) * ends.points[k - 1] + t * ends.points[k]) >= 0;
                     };

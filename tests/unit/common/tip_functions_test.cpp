@@ -48,7 +48,8 @@ TEST(TipFunctions, ValuesAreEquation2) {
 TEST(TipFunctions, OnlyTheFirstJumpsAcrossTheFaces) {
     for (const Tip& tip : {inclined, reversed}) {
         const Vec2 x = point(tip, 0.5, std::numbers::pi);
-        const TipFunctions upper = tip_functions(tip, x, tip.upper, 0.5), lower = tip_functions(tip, x, -tip.upper, 0.5);
+        const TipFunctions upper = tip_functions(tip, x, tip.upper, 0.5),
+                           lower = tip_functions(tip, x, -tip.upper, 0.5);
         const Eigen::VectorXd jump = upper.value - lower.value;
         EXPECT_NEAR(jump[0], 2.0 * std::sqrt(0.5), 1e-12);
         EXPECT_LT(jump.tail<5>().norm(), 1e-12);

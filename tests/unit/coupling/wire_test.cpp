@@ -36,6 +36,7 @@ EnrichedMesh small_mesh() {
 Patch small_patch() {
     return {.mesh = small_mesh(),
             .boundary = {0, 1, 6},
+            .unit_load = Eigen::VectorXd::LinSpaced(12, 0.0, 3.0),
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
             .j_rings = {{.tip = 0, .q = Eigen::VectorXd::Ones(4), .inner_radius = 1.5, .outer_radius = 2.5}},
             .k_rings = {}};
@@ -106,7 +107,7 @@ TEST(Wire, Patch) {
 }
 
 TEST(Wire, Displacement) {
-    const PatchDisplacement message{.iteration = 4, .predictor = 0.3, .boundary = Eigen::Vector2d(0.1, -0.0)};
+    const PatchDisplacement message{.iteration = 4, .predictor = 0.3, .load_factor = -0.7, .boundary = Eigen::Vector2d(0.1, -0.0)};
     const PatchDisplacement copy = there_and_back(message);
     EXPECT_EQ(copy.iteration, 4);
     EXPECT_EQ(copy.predictor, 0.3);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SVD>
+#include <algorithm>
+
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -34,7 +37,8 @@ TEST(ContactInterface, ConstantPressureDoesTheWorkOfTheOpening) {
         const ContactInterface contact = cut.contact();
         const auto above = [](const Vec2& x) { return Vec2(0.1 + 0.2 * x.x(), 0.3 - 0.05 * x.x() + 0.1 * x.y()); };
         const Eigen::VectorXd u = cut.opened(above);
-        const Vec2 along = cut.to - cut.from, normal(-along.y(), along.x());  // a linear opening: its middle times the length
+        const Vec2 along = cut.to - cut.from,
+                   normal(-along.y(), along.x());  // a linear opening: its middle times the length
         const double work = 7.0 * above(0.5 * (cut.from + cut.to)).dot(normal);
         const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(contact.multipliers(), 7.0);
         Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
@@ -58,6 +62,13 @@ TEST(ContactInterface, AUniformGapIsSeenByEveryMultiplier) {
     const Vec2 normal = Vec2(1.3 - 4.2, 8.0).normalized();
     const Eigen::VectorXd gaps = cut.contact().gaps(cut.opened([&](const Vec2&) { return 0.25 * normal; }));
     EXPECT_LT((gaps.array() - 0.25).abs().maxCoeff(), 1e-13);
+}
+
+TEST(ContactInterface, EveryMultiplierHasAJumpOfItsOwn) {  // or a pressure would do no work
+    for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}, {2.001, 3.999}}) {
+        const Eigen::MatrixXd B = Cut(left, right).contact().operator_B();
+        EXPECT_GT(Eigen::JacobiSVD<Eigen::MatrixXd>(B).singularValues().tail<1>()[0], 0.1) << left << ' ' << right;
+    }
 }
 
 /// Random pressures and gaps with statuses chosen for them: about half are closed.
@@ -88,21 +99,27 @@ TEST(ContactInterface, RowsAreTheDerivativeOfTheirRightHandSide) {
     EXPECT_GT(std::ranges::count(now.contact.statuses(), 1), 0);
 }
 
-TEST(ContactInterface, RightHandSideIsTheComplementarityResidual) {
+TEST(ContactInterface, StatusesAreTheBranchesOfTheComplementarityEquation) {
     const Cut cut;
     const Iterate now(cut);
-    const double c = 0.1 * stiffness;  // unit chords
     const Eigen::VectorXd gap = now.contact.gaps(now.u);
-    EXPECT_NEAR(now.contact.residual(now.pressure, gap), c * now.rows().right_hand_side.lpNorm<Eigen::Infinity>(), 1e-12);
-    for (Eigen::Index k = 0; k < gap.size(); ++k) {  // against differences of p - max(0, p - c g), one multiplier at a time
-        constexpr double h = 1e-7;
+    const Eigen::VectorXd lifted = cut.opened([](const Vec2&) { return Vec2(0.0, 1.0); });
+    const Eigen::VectorXd weight = now.contact.operator_B() * gather(lifted, now.contact.jump_unknowns());  // mm
+    double largest = 0.0;
+    for (Eigen::Index k = 0; k < gap.size(); ++k) {
+        const double c = 0.1 * stiffness / weight[k];
         const auto equation = [&](double p, double g) { return fine::UnilateralContact::residual(p, g, c); };
-        const double by_pressure = (equation(now.pressure[k] + h, gap[k]) - equation(now.pressure[k] - h, gap[k])) / (2 * h);
+        constexpr double h = 1e-7;
+        const double by_pressure =
+            (equation(now.pressure[k] + h, gap[k]) - equation(now.pressure[k] - h, gap[k])) / (2 * h);
         const double by_gap = (equation(now.pressure[k], gap[k] + h) - equation(now.pressure[k], gap[k] - h)) / (2 * h);
         const bool closed = now.contact.statuses()[static_cast<std::size_t>(k)] != 0;
         EXPECT_NEAR(by_pressure, closed ? 0.0 : 1.0, 1e-6);
         EXPECT_NEAR(by_gap, closed ? c : 0.0, 1e-4);
+        largest = std::max(largest, weight[k] * std::abs(equation(now.pressure[k], gap[k])));
+        EXPECT_NEAR(now.rows().right_hand_side[k], weight[k] / c * equation(now.pressure[k], gap[k]), 1e-14);
     }
+    EXPECT_NEAR(now.contact.residual(now.pressure, gap), largest, 1e-12);
 }
 
 TEST(ContactInterface, ResidualVanishesExactlyWhereTheConditionsHold) {

@@ -1,0 +1,16 @@
+// The compact specimen C(T) of ASTM E647, E399 and E1820, all of it in proportion to its width W.
+#pragma once
+
+#include "coarse/specimen/specimen.hpp"
+
+namespace stria::coarse {
+
+/// [-0.25 W, W] x [-0.6 W, 0.6 W]: the origin is on the load line at mid-height.
+Body compact_tension(const MeshSection& section);
+
+/// The notch is part of the crack (its `notch` length). The holes of radius 0.125 W at (0, +-0.275 W) are open but for
+/// a sector through which "pin-top" and "pin-bottom" press outwards: its nodes share their force. The mesh's elements
+/// are in or out of a hole as a whole. Sector and material within 0.2 W of a pin's middle never yield.
+Mesh compact_tension_mesh(const MeshSection& section);
+
+}  // namespace stria::coarse

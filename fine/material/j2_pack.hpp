@@ -1,0 +1,86 @@
+// What the J2 laws of plane strain and plane stress share: prediction, yield function and state of a pack of points.
+#pragma once
+
+#include <cmath>
+
+#include "common/error.hpp"
+#include "fine/material/j2.hpp"
+#include "fine/material/point_pack.hpp"
+
+namespace stria::fine {
+
+/// The return leaves a point on the yield surface up to rounding, and an increment of nothing must not make it flow: a
+/// point flows where its overstress exceeds this fraction of the yield stress, far above rounding and below any
+/// tolerance.
+inline constexpr double overstress_tolerance = 1e-10;
+
+/// Points handled together: 4 is fastest with the registers of plain x86-64 (bench/return_mapping.cpp; 2 and 8 tried).
+inline constexpr int pack_size = 4;
+
+/// One update: what all its packs have in common.
+struct J2Update {
+    const J2Parameters& law;
+    MandelMatrix stiffness;
+    const double* strain_increment;
+    const double* committed;
+    double* trial;
+    double* tangent;
+    unsigned char* yielding;
+};
+
+/// The increment taken as elastic.
+template <int rows> struct Prediction {
+    Tensors<rows> stress;
+    Tensors<rows> relative;      // dev(stress) - X
+    Scalars<rows> equivalent;    // sqrt(3/2) |relative|
+    Scalars<rows> yield_stress;  // sigma_y + R
+    Scalars<rows> overstress;    // equivalent - yield_stress
+    Eigen::Array<bool, rows, 1> flows;
+};
+
+/// `elastic`: what the stress changes by without flow. Throws NumericalFailure where it is not finite.
+template <int rows> Prediction<rows> predict(const J2Update& update, PackPlace<rows> at, const Tensors<rows>& elastic) {
+    Prediction<rows> prediction;
+    prediction.stress = at.tensors(update.committed, state::stress) + elastic;
+    prediction.relative = deviators<rows>(prediction.stress);
+    for (std::size_t k = 0; k < update.law.kinematic.size(); ++k)
+        prediction.relative -= at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k));
+    prediction.equivalent = (1.5 * contraction<rows>(prediction.relative, prediction.relative)).sqrt();
+    prediction.yield_stress =
+        update.law.yield_stress + update.law.isotropic * at.scalars(update.committed, state::accumulated);
+    prediction.overstress = prediction.equivalent - prediction.yield_stress;
+    prediction.flows = prediction.overstress > overstress_tolerance * prediction.yield_stress;
+    if (!std::isfinite(prediction.equivalent.sum()))
+        throw NumericalFailure("return mapping: the strain increment is not finite");
+    return prediction;
+}
+
+/// Writes the trial state for a plastic strain increment (flow direction times dp); dp = 0: elastic.
+template <int rows>
+void write_state(const J2Update& update, PackPlace<rows> at, const Tensors<rows>& strain_increment,
+                 const Tensors<rows>& stress, const Tensors<rows>& plastic, const Scalars<rows>& dp) {
+    const double* before = update.committed;
+    double* after = update.trial;
+    at.tensors(after, state::stress) = stress;
+    at.tensors(after, state::plastic_strain) = at.tensors(before, state::plastic_strain) + plastic;
+    at.scalars(after, state::accumulated) = at.scalars(before, state::accumulated) + dp;
+    const Tensors<rows> mean_stress = 0.5 * (at.tensors(before, state::stress) + stress);
+    at.scalars(after, state::work) = at.scalars(before, state::work) + contraction<rows>(mean_stress, strain_increment);
+    at.scalars(after, state::dissipation) = at.scalars(before, state::dissipation) + update.law.yield_stress * dp;
+    for (std::size_t k = 0; k < update.law.kinematic.size(); ++k) {
+        const int back_stress = state::back_stress + 4 * static_cast<int>(k);
+        at.tensors(after, back_stress) =
+            at.tensors(before, back_stress) + 2.0 / 3.0 * update.law.kinematic[k] * plastic;
+    }
+}
+
+/// Of a pack in which no point flows.
+template <int rows>
+void write_elastic(const J2Update& update, PackPlace<rows> at, const Tensors<rows>& strain_increment,
+                   const Tensors<rows>& stress) {
+    write_state<rows>(update, at, strain_increment, stress, Tensors<rows>::Zero(), Scalars<rows>::Zero());
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) at.scalars(update.tangent, 4 * i + j).setConstant(update.stiffness(i, j));
+}
+
+}  // namespace stria::fine
