@@ -96,7 +96,7 @@ PointUpdate update_without_through_stress(const fine::MaterialLaw& law, const st
                                           Mandel increment) {
     for (int iteration = 0; iteration < 100; ++iteration) {
         PointUpdate update = update_point(law, committed, increment);
-        if (std::abs(update.stress()[2]) <= 1e-12 * (1.0 + update.stress().norm())) return update;
+        if (std::abs(update.stress()[2]) <= 1e-13 * (1.0 + update.stress().norm())) return update;
         increment[2] -= update.stress()[2] / update.tangent(2, 2);
     }
     throw std::runtime_error("material point: zz strain not found");
@@ -116,7 +116,8 @@ TEST(PlaneStress, EqualsPlaneStrainWithTheThroughStressBroughtToZero) {
                 const PointUpdate found = update_point(*thin, committed, increment);
                 const PointUpdate expected = update_without_through_stress(*thick, committed, increment);
                 EXPECT_EQ(found.yields, expected.yields);
-                for (std::size_t c = 0; c < committed.size(); ++c)
+                EXPECT_LT((found.stress() - expected.stress()).norm(), 1e-10 * (1.0 + expected.stress().norm()));
+                for (std::size_t c = 4; c < committed.size(); ++c)
                     EXPECT_NEAR(found.state[c], expected.state[c], 1e-10 * (1.0 + std::abs(expected.state[c]))) << c;
                 EXPECT_LT((found.tangent - without_through_stress(expected.tangent)).norm(),
                           1e-10 * thin->elastic().norm());
@@ -159,6 +160,11 @@ double imbalance_of_tension_along(const Mesh& mesh, const Vec2& from, const Vec2
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n)
         u.segment<2>(scene.enriched.unknown(n, 0, 0)) = gradient * mesh.nodes[at(n)];
+    for (const int node : boundary_nodes(mesh)) {
+        const int first = scene.enriched.unknown(node, 0, 0);
+        for (int k = 0; k < 2 * (1 + static_cast<int>(scene.enriched.terms[at(node)].size())); ++k)
+            scene.prescribed.push_back({first + k, u[first + k]});
+    }
     const SparseMatrix K = coarse::Structure(scene, no_zone(scene)).stiffness();
     const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
     return (K * u - scene.unit_force).cwiseAbs().maxCoeff() / scale.maxCoeff();
@@ -209,10 +215,10 @@ TEST(PlaneStress, IntensityOfAnEdgeCrackIsThatOfPlaneStrain) {
         const double K = F * std::sqrt(std::numbers::pi * a);
         const coarse::TipResult thick = edge_crack(a, PlaneState::Strain), thin = edge_crack(a, PlaneState::Stress);
         EXPECT_NEAR(thin.K_I, K, 0.01 * K);
-        EXPECT_NEAR(thin.K_I, thick.K_I, 0.003 * K);  // what the mesh leaves
+        EXPECT_NEAR(thin.K_I, thick.K_I, 0.005 * K);  // what the mesh leaves
         EXPECT_NEAR(thin.J, K * K / 200e3, 0.01 * K * K / 200e3);
         EXPECT_NEAR(thin.J, thin.K_I * thin.K_I / 200e3, 0.005 * thin.J);
-        EXPECT_NEAR(thin.CMOD / thick.CMOD, 1.0 / (1.0 - 0.09), 0.005);  // E' alone
+        EXPECT_NEAR(thin.CMOD / thick.CMOD, 1.0 / (1.0 - 0.09), 0.01);  // E' alone
     }
 }
 
