@@ -28,6 +28,15 @@
 namespace stria {
 namespace {
 
+/// What only the mesh can tell is wrong names the case file too.
+coarse::Scene scene_of(const RunOptions& options, const Case& input) {
+    try {
+        return coarse::make_scene(input);
+    } catch (const CaseError& error) {
+        throw CaseError(fmt::format("{}: {}", options.case_path, error.what()));
+    }
+}
+
 /// mpirun puts a pipe or a terminal of its own between us and the user: the launcher knows what the user has.
 bool users_terminal() { return std::getenv("STRIA_TERMINAL") != nullptr; }
 
@@ -36,7 +45,7 @@ class Run {
 public:
     Run(const RunOptions& options, const Case& input, std::string mode, int ranks, bool terminal)
         : options_(options), directory_(options.output_directory), mode_(std::move(mode)), ranks_(ranks),
-          scene_(coarse::make_scene(input)), progress_(input, options.quiet, options.verbose, terminal) {
+          scene_(scene_of(options, input)), progress_(input, options.quiet, options.verbose, terminal) {
         write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
     }
 
@@ -215,7 +224,7 @@ int run_in_process(const RunOptions& options) {
 
 int check(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = scene_of(options, input);
     fmt::print("{}\n", resolved_toml(input));
     fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
