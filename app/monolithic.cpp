@@ -44,7 +44,7 @@ public:
     coarse::Residual linearise() override {
         zone_.linearise();
         const coupling::PatchResponse response = zone_.measure();
-        residual_ = load_factor_ * structure_load_ - stiffness_ * trial_;
+        residual_ = load_factor_ * structure_load_ - structure_.internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {

@@ -155,6 +155,18 @@ Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const 
     return forces;
 }
 
+Eigen::VectorXd Structure::internal_force(const Eigen::VectorXd& u) const {
+    const MandelMatrix elastic = scene_.elastic.stiffness();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
+    for (const ElementOperator& op : operators_) {
+        const Eigen::VectorXd local = gather(u, op.unknowns);
+        Eigen::VectorXd force = Eigen::VectorXd::Zero(local.size());
+        for (std::size_t q = 0; q < op.points.size(); ++q) op.add_force(elastic * op.strain(local, q), q, force);
+        for (std::size_t k = 0; k < op.unknowns.size(); ++k) sum[op.unknowns[k]] += force[static_cast<Eigen::Index>(k)];
+    }
+    return sum;
+}
+
 SparseMatrix Structure::stiffness() const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
     std::vector<Triplet> entries;

@@ -46,6 +46,10 @@ public:
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
 
+    /// Internal force of the coarse elements on all unknowns of the whole mesh, from stresses: no rounding of K u where
+    /// u is mostly rigid motion, N/mm.
+    [[nodiscard]] Eigen::VectorXd internal_force(const Eigen::VectorXd& u) const;
+
     /// The stiffness of the coarse elements over all unknowns of the whole mesh (the monolithic yardstick).
     [[nodiscard]] SparseMatrix stiffness() const;
 
