@@ -13,14 +13,14 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Unknowns: displacements of the whole mesh, then the contact multipliers.
+/// Unknowns: displacements of the whole mesh, then the contact multipliers, then the load factor.
 class MonolithicEquilibrium : public coarse::Equilibrium {
 public:
     MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed,
                           double load_factor)
         : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()),
-          load_factor_(load_factor), whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)),
-          committed_(committed) {
+          whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
+          committed_load_factor_(load_factor), load_factor_(load_factor) {
         for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];
         trial_ = committed_;
         last_increment_ = Eigen::VectorXd::Zero(committed_.size());
@@ -33,11 +33,16 @@ public:
         }
     }
 
-    void begin(double load_factor, double predictor) override {
-        load_factor_ = load_factor;
+    void begin(const coarse::Target& target, double predictor) override {
+        const bool by_load = target.control == Control::Load;
+        controlled_ = by_load ? coarse::Controlled::load_factor(scene_.enriched.unknowns)
+                              : coarse::Controlled{scene_.mean_displacement, 0.0};
+        target_ = target.value;
+        load_factor_ = by_load ? target_ : committed_load_factor_ + predictor * last_load_increment_;
         trial_ = committed_ + predictor * last_increment_;
-        for (const auto& p : scene_.prescribed) trial_[p.unknown] = load_factor * p.value;
-        zone_.predict(predictor, load_factor);
+        impose_held();
+        zone_.predict(predictor);
+        zone_.set_load_factor(load_factor_);
         zone_.set_boundary(on_boundary());
     }
 
@@ -46,6 +51,7 @@ public:
         const coupling::PatchResponse response = zone_.measure();
         residual_ = load_factor_ * structure_load_ - structure_.internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
+        off_target_ = target_ - controlled_.at(trial_, load_factor_);
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
             if (held_[static_cast<std::size_t>(i)] == 0)
@@ -54,6 +60,7 @@ public:
         result.interior = response.interior_residual;
         result.contact = response.contact_residual;
         result.scale = std::max((load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff(), response.interior_force);
+        result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         result.yielding_points =
             std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
         result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
@@ -63,43 +70,15 @@ public:
 
     double solve() override {
         const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        Eigen::VectorXd right(n + m + 1);
+        right << residual_, zone_.contact_rows().right_hand_side, off_target_;
+        for (int i = 0; i < n; ++i)
+            if (held_[at(i)] != 0) right[i] = 0.0;
         std::vector<Triplet> entries;
-        const auto add = [&](int row, int column, double value) {
-            const bool row_held = row < n && held_[at(row)] != 0, column_held = column < n && held_[at(column)] != 0;
-            if (!row_held && !column_held && value != 0.0) entries.emplace_back(row, column, value);
-        };
-        for (int j = 0; j < n; ++j)
-            for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it)
-                add(static_cast<int>(it.row()), j, it.value());
-        const auto& operators = zone_.zone().operators();
-        for (std::size_t e = 0; e < operators.size(); ++e) {
-            const auto& unknowns = operators[e].unknowns;
-            const Eigen::MatrixXd& K = zone_.zone().tangents()[e];
-            for (std::size_t i = 0; i < unknowns.size(); ++i) {
-                for (std::size_t j = 0; j < unknowns.size(); ++j) {
-                    add(whole_[at(unknowns[i])], whole_[at(unknowns[j])],
-                        K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-                }
-            }
-        }
-        const fine::ContactInterface::Rows rows = zone_.contact_rows();
-        const auto& jumps = zone_.contact().jump_unknowns();
-        for (int k = 0; k < m; ++k) {
-            for (int j = 0; j < std::ssize(jumps); ++j) {
-                const int unknown = whole_[at(jumps[at(j)])];
-                add(n + k, unknown, rows.jump(k, j));
-                add(unknown, n + k, -zone_.contact().operator_B()(k, j));
-            }
-            add(n + k, n + k, rows.diagonal[k]);
-        }
-        Eigen::VectorXd right(n + m);
-        right << residual_, rows.right_hand_side;
-        for (int i = 0; i < n; ++i) {
-            if (held_[at(i)] == 0) continue;
-            entries.emplace_back(i, i, 1.0);
-            right[i] = 0.0;
-        }
-        SparseMatrix matrix(n + m, n + m);
+        add_bulk(entries);
+        add_contact(entries);
+        add_held_and_target(entries);
+        SparseMatrix matrix(n + m + 1, n + m + 1);
         matrix.setFromTriplets(entries.begin(), entries.end());
         correction_ = solve_general(matrix, right);
         const double move = correction_.head(n).cwiseAbs().maxCoeff();
@@ -107,19 +86,29 @@ public:
     }
 
     void apply() override {
-        const int n = scene_.enriched.unknowns;
+        const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
         trial_ += correction_.head(n);
-        zone_.move(gather(correction_.head(n), whole_), correction_.tail(correction_.size() - n));
+        load_factor_ += correction_[n + m];
+        impose_held();
+        zone_.move(gather(correction_.head(n), whole_), correction_.segment(n, m));
+        zone_.set_load_factor(load_factor_);
         zone_.set_boundary(on_boundary());
     }
 
     coupling::StepReport commit(bool reversal) override {
         last_increment_ = trial_ - committed_;
+        last_load_increment_ = load_factor_ - committed_load_factor_;
         committed_ = trial_;
+        committed_load_factor_ = load_factor_;
         return zone_.commit(reversal);
     }
 
-    void rollback() override { trial_ = committed_; }
+    void rollback() override {
+        trial_ = committed_;
+        load_factor_ = committed_load_factor_;
+    }
+
+    [[nodiscard]] double load_factor() const override { return load_factor_; }
 
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
         Eigen::VectorXd u = trial_;
@@ -139,6 +128,58 @@ public:
     }
 
 private:
+    void add(std::vector<Triplet>& entries, int row, int column, double value) const {
+        const bool is_held = row < scene_.enriched.unknowns && held_[at(row)] != 0;
+        if (!is_held && value != 0.0) entries.emplace_back(row, column, value);
+    }
+
+    void add_bulk(std::vector<Triplet>& entries) const {
+        for (int j = 0; j < scene_.enriched.unknowns; ++j)
+            for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it)
+                add(entries, static_cast<int>(it.row()), j, it.value());
+        const auto& operators = zone_.zone().operators();
+        for (std::size_t e = 0; e < operators.size(); ++e) {
+            const auto& unknowns = operators[e].unknowns;
+            const Eigen::MatrixXd& K = zone_.zone().tangents()[e];
+            for (std::size_t i = 0; i < unknowns.size(); ++i) {
+                for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                    add(entries, whole_[at(unknowns[i])], whole_[at(unknowns[j])],
+                        K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                }
+            }
+        }
+    }
+
+    void add_contact(std::vector<Triplet>& entries) const {
+        const int n = scene_.enriched.unknowns;
+        const fine::ContactInterface::Rows rows = zone_.contact_rows();
+        const auto& jumps = zone_.contact().jump_unknowns();
+        for (int k = 0; k < zone_.contact().multipliers(); ++k) {
+            for (int j = 0; j < std::ssize(jumps); ++j) {
+                const int unknown = whole_[at(jumps[at(j)])];
+                add(entries, n + k, unknown, rows.jump(k, j));
+                add(entries, unknown, n + k, -zone_.contact().operator_B()(k, j));
+            }
+            add(entries, n + k, n + k, rows.diagonal[k]);
+        }
+    }
+
+    // K du - f dlambda = R; a held unknown moves with the load factor; what is controlled goes to its target.
+    void add_held_and_target(std::vector<Triplet>& entries) const {
+        const int n = scene_.enriched.unknowns, lambda = n + zone_.contact().multipliers();
+        for (int i = 0; i < n; ++i) {
+            add(entries, i, lambda, -scene_.unit_force[i]);
+            if (held_[at(i)] != 0) entries.emplace_back(i, i, 1.0);
+            if (controlled_.weights[i] != 0.0) entries.emplace_back(lambda, i, controlled_.weights[i]);
+        }
+        for (const auto& p : scene_.prescribed) entries.emplace_back(p.unknown, lambda, -p.value);
+        entries.emplace_back(lambda, lambda, controlled_.per_load_factor);
+    }
+
+    void impose_held() {
+        for (const auto& p : scene_.prescribed) trial_[p.unknown] = load_factor_ * p.value;
+    }
+
     [[nodiscard]] Eigen::VectorXd on_boundary() const {
         Eigen::VectorXd u(std::ssize(zone_.patch().boundary));
         for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k)
@@ -149,8 +190,9 @@ private:
     // Terms that no element sees have no stiffness: they stay zero.
     void hold_unused() {
         std::vector<char> used(held_.size(), 0);
-        for (const ElementOperator& op : structure_.operators())
+        structure_.for_each_operator([&](const auto& op) {
             for (const int unknown : op.unknowns) used[at(unknown)] = 1;
+        });
         for (const ElementOperator& op : zone_.zone().operators())
             for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
         for (std::size_t i = 0; i < held_.size(); ++i)
@@ -161,9 +203,11 @@ private:
     const coarse::Scene& scene_;
     fine::ZoneSystem& zone_;
     SparseMatrix stiffness_;
-    double load_factor_;
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
+    coarse::Controlled controlled_;
+    double target_ = 0.0, off_target_ = 0.0;
     Eigen::VectorXd structure_load_, committed_, trial_, last_increment_, residual_, correction_;
+    double committed_load_factor_, load_factor_, last_load_increment_ = 0.0;
     std::vector<char> held_;
 };
 

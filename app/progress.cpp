@@ -24,8 +24,8 @@ void Progress::note(const std::string& text) {
 void Progress::attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report) {
     if (!verbose_) return;
     end_live_line();
-    fmt::print("cycle {} load factor {:.6g}{}\n{}", step.cycle, step.factor,
-               report.converged ? "" : ": " + report.failure, report.table());
+    fmt::print("cycle {} {}{}\n{}", step.cycle, to_text(step.target), report.converged ? "" : ": " + report.failure,
+               report.table());
     std::fflush(stdout);
 }
 
@@ -37,7 +37,7 @@ void Progress::accepted(const coarse::Increment& increment) {
     const double a = increment.tips.empty() ? 0.0 : increment.tips.front().a;
     const std::string line = fmt::format(
         "increment {:4}  cycle {:4}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  {:6.1f} s left",
-        increment.number, increment.step.cycle, increment.step.factor, a, increment.newton.count(), elapsed, left);
+        increment.number, increment.step.cycle, increment.load_factor, a, increment.newton.count(), elapsed, left);
     if (terminal_) {
         fmt::print("\r{}", line);
         live_ = true;

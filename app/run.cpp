@@ -45,7 +45,8 @@ class Run {
 public:
     Run(const RunOptions& options, const Case& input, std::string mode, int ranks, bool terminal)
         : options_(options), directory_(options.output_directory), mode_(std::move(mode)), ranks_(ranks),
-          scene_(scene_of(options, input)), progress_(input, options.quiet, options.verbose, terminal) {
+          scene_(scene_of(options, input)), mesh_s_(seconds()),
+          progress_(input, options.quiet, options.verbose, terminal) {
         write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
     }
 
@@ -98,16 +99,20 @@ private:
         summary.step_cuts = analysis.cuts();
         summary.zone_extensions = analysis.zone_extensions();
         summary.yield_warnings = analysis.yield_warnings();
+        summary.flowing_rings = analysis.flowing_rings();
         if (remote != nullptr) {
             summary.messages = remote->traffic().messages_sent + remote->traffic().messages_received;
             summary.bytes = remote->traffic().bytes_sent + remote->traffic().bytes_received;
         }
-        summary.timing = {.setup = analysis.setup_seconds(),
+        summary.timing = {.mesh = mesh_s_,
+                          .setup = analysis.setup_seconds(),
                           .coarse_factor = analysis.coarse_factor_seconds(),
                           .fine_constitutive = zone.constitutive_s,
                           .fine_contact = zone.contact_s,
                           .fine_factor = zone.factor_s,
                           .exchange = analysis.exchange_seconds(),
+                          .coarse_solve =
+                              analysis.run_seconds() - analysis.exchange_seconds() - recorder.output_seconds(),
                           .output = recorder.output_seconds(),
                           .total = seconds()};
         summary.last = recorder.last_rows();
@@ -120,6 +125,7 @@ private:
     std::string mode_;
     int ranks_;
     coarse::Scene scene_;
+    double mesh_s_;  // and enrichment
     Progress progress_;
 };
 
@@ -144,8 +150,7 @@ void print_handbook(const Nominal& nominal) {
 }
 
 void print_zone_estimate(const coarse::Scene& scene, const Nominal& nominal) {
-    double largest = 0.0;
-    for (const LoadBlock& block : scene.input.load.blocks) largest = std::max(largest, block.max);
+    const double largest = coarse::largest_load_factor(scene.input.load, nominal.structure);
     std::vector<double> K_I;
     for (const coarse::TipResult& tip : nominal.tips) {
         K_I.push_back(tip.K_I * largest);

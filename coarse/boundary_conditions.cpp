@@ -191,25 +191,21 @@ std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vecto
     return std::nullopt;
 }
 
-double mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary, std::span<const Vec2> nodal) {
-    const auto along = [&](int node) { return boundary.direction.dot(nodal[static_cast<std::size_t>(node)]); };
+std::vector<NodalWeight> mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary) {
+    std::vector<NodalWeight> sum;
+    const auto add = [&](int node, double weight) { sum.push_back({node, weight * boundary.direction}); };
     if (const auto pin = mesh.pins.find(boundary.name); pin != mesh.pins.end()) {
-        const auto mean = [&](const SpreadPoint& spread) {
-            double sum = 0.0;
-            for (const auto& [node, weight] : spread.shares) sum += weight * along(node);
-            return sum;
-        };
-        return mean(pin->second) - mean(mesh.pins.at(pin->second.opposite));
+        for (const auto& [node, share] : pin->second.shares) add(node, share);
+        for (const auto& [node, share] : mesh.pins.at(pin->second.opposite).shares) add(node, -share);
+        return sum;
     }
-    if (boundary.edges.empty()) return along(boundary.nodes.front());
-    double integral = 0.0, length = 0.0;
+    if (boundary.edges.empty()) add(boundary.nodes.front(), 1.0);
+    double length = 0.0;
+    for (const BoundaryEdge& edge : boundary.edges) length += edge_geometry(mesh, edge).length();
     for (const BoundaryEdge& edge : boundary.edges) {
-        const auto [from, to] = edge_nodes(mesh, edge);
-        const double edge_length = edge_geometry(mesh, edge).length();
-        integral += 0.5 * (along(from) + along(to)) * edge_length;
-        length += edge_length;
+        for (const int node : edge_nodes(mesh, edge)) add(node, 0.5 * edge_geometry(mesh, edge).length() / length);
     }
-    return integral / length;
+    return sum;
 }
 
 }  // namespace stria::coarse

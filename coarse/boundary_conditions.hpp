@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -90,8 +89,14 @@ struct LoadedBoundary {
 /// The first listed section with a load or a non-zero displacement, if any.
 std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vector<BoundarySection>& sections);
 
-/// Mean of a nodal field (one value a mesh node, linear along edges) over a loaded boundary, along its direction. Of a
-/// pin: what its force does work on, relative to the opposite pin, as in a machine that holds that one.
-double mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary, std::span<const Vec2> nodal);
+struct NodalWeight {
+    int node;
+    Vec2 weight;
+};
+
+/// Mean displacement of a loaded boundary along its direction: the sum of weight . u over the nodes listed, which may
+/// come more than once. Of a pin: what its force does work on, relative to the opposite pin, as in a machine that holds
+/// that one.
+std::vector<NodalWeight> mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary);
 
 }  // namespace stria::coarse

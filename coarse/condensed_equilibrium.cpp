@@ -17,14 +17,15 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 
 CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
                                            const Eigen::VectorXd& committed, double load_factor)
-    : structure_(structure), scene_(structure.scene()), fine_(fine), load_factor_(load_factor) {
+    : structure_(structure), scene_(structure.scene()), fine_(fine), committed_load_factor_(load_factor),
+      load_factor_(load_factor) {
     committed_ = gather(committed, structure_.gamma());
     trial_ = committed_;
     last_increment_ = Eigen::VectorXd::Zero(committed_.size());
     for (const PrescribedUnknown& p : scene_.prescribed) {
         const auto found = std::ranges::lower_bound(structure_.gamma(), p.unknown);
         if (found != structure_.gamma().end() && *found == p.unknown)
-            imposed_.emplace_back(found - structure_.gamma().begin(), p.value);
+            held_.emplace_back(found - structure_.gamma().begin(), p.value);
     }
 }
 
@@ -32,27 +33,35 @@ Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) cons
     return gather(gamma, structure_.free_places());
 }
 
-void CondensedEquilibrium::impose(Eigen::VectorXd& gamma) const {
-    for (const auto& [place, value] : imposed_) gamma[place] = load_factor_ * value;
+void CondensedEquilibrium::impose_held() {
+    for (const auto& [place, value] : held_) trial_[place] = load_factor_ * value;
 }
 
-void CondensedEquilibrium::begin(double load_factor, double predictor) {
-    load_factor_ = load_factor;
+void CondensedEquilibrium::begin(const Target& target, double predictor) {
+    const auto n = std::ssize(structure_.free_places());
+    controlled_ = target.control == Control::Load ? Controlled::load_factor(n) : structure_.mean_displacement();
+    target_ = target.value;
     predictor_ = predictor;
     iteration_ = 0;
     trial_ = committed_ + predictor * last_increment_;
-    impose(trial_);
+    load_factor_ = controlled_.is_load_factor() ? target_ / controlled_.per_load_factor
+                                                : committed_load_factor_ + predictor * last_load_increment_;
+    impose_held();
 }
 
 Residual CondensedEquilibrium::linearise() {
+    const Eigen::VectorXd u = on_free(trial_);
+    residual_ = load_factor_ * structure_.unit_load();
+    off_target_ = target_ - controlled_.at(u, load_factor_);
     Residual result;
     result.scale = largest(load_factor_ * scene_.unit_force);
+    result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_), 1e-300});
     if (fine_ == nullptr) return result;
     {
         const Stopwatch watch(exchange_s_);
         fine_->request({iteration_, predictor_, load_factor_, trial_});
         // Meanwhile the structure's part, which needs no answer.
-        residual_ = load_factor_ * structure_.unit_load() - structure_.tangent() * on_free(trial_);
+        residual_ -= structure_.tangent() * u;
         response_ = fine_->collect();
         if (scene_.input.coupling.state == "newton")
             (void)fine_->state();  // the user pays for seeing every iterate cross
@@ -69,19 +78,36 @@ Residual CondensedEquilibrium::linearise() {
     return result;
 }
 
+Eigen::MatrixXd CondensedEquilibrium::tangent() const {
+    const auto& free = structure_.free_places();
+    return structure_.tangent() + response_.tangent(free, free);
+}
+
+/// Of the residual, by the load factor: loads on both sides, less what the zone's held unknowns pull along.
+Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
+    Eigen::VectorXd derivative = structure_.unit_load() + on_free(response_.unit_load);
+    for (const auto& [place, value] : held_)
+        if (value != 0.0) derivative -= value * on_free(response_.tangent.col(place));
+    return derivative;
+}
+
+// A du - b dlambda = R and w . du + k dlambda = r. At a limit load A is singular along what is controlled: sigma w
+// times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w = 0,
+// k = 1.)
 double CondensedEquilibrium::solve() {
     if (fine_ == nullptr) return 0.0;
-    const auto n = std::ssize(structure_.free_places());
-    Eigen::MatrixXd tangent = structure_.tangent();
-    for (Eigen::Index j = 0; j < n; ++j) {
-        for (Eigen::Index i = 0; i < n; ++i) {
-            tangent(i, j) += response_.tangent(structure_.free_places()[static_cast<std::size_t>(i)],
-                                               structure_.free_places()[static_cast<std::size_t>(j)]);
-        }
-    }
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(tangent);
-    correction_ = cholesky.info() == Eigen::Success ? Eigen::VectorXd(cholesky.solve(residual_))
-                                                    : Eigen::VectorXd(tangent.partialPivLu().solve(residual_));
+    const auto& [w, k] = controlled_;
+    Eigen::MatrixXd A = tangent();
+    const double sigma = controlled_.is_load_factor() ? 0.0 : A.diagonal().mean() / w.squaredNorm();
+    A.selfadjointView<Eigen::Lower>().rankUpdate(w, sigma);
+    A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+    Eigen::MatrixXd right(A.rows(), 2);
+    right << residual_ + sigma * off_target_ * w, load_derivative() - sigma * k * w;
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(A);
+    const Eigen::MatrixXd x =
+        cholesky.info() == Eigen::Success ? Eigen::MatrixXd(cholesky.solve(right)) : A.partialPivLu().solve(right);
+    load_correction_ = (off_target_ - w.dot(x.col(0))) / (k + w.dot(x.col(1)));
+    correction_ = x.col(0) + load_correction_ * x.col(1);
     if (!correction_.allFinite())
         throw NumericalFailure("the tangent of the structure is singular: a part of the body moves freely");
     return largest(correction_) /
@@ -92,12 +118,16 @@ void CondensedEquilibrium::apply() {
     if (fine_ == nullptr) return;
     for (std::size_t k = 0; k < structure_.free_places().size(); ++k)
         trial_[structure_.free_places()[k]] += correction_[static_cast<Eigen::Index>(k)];
+    load_factor_ += load_correction_;
+    impose_held();
     ++iteration_;
 }
 
 coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     last_increment_ = trial_ - committed_;
+    last_load_increment_ = load_factor_ - committed_load_factor_;
     committed_ = trial_;
+    committed_load_factor_ = load_factor_;
     if (fine_ == nullptr) return {};
     const Stopwatch watch(exchange_s_);
     coupling::StepReport report = fine_->commit(reversal);
@@ -107,6 +137,7 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
 
 void CondensedEquilibrium::rollback() {
     trial_ = committed_;
+    load_factor_ = committed_load_factor_;
     if (fine_ != nullptr) fine_->rollback();
 }
 

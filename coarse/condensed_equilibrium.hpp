@@ -14,29 +14,35 @@ public:
     CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed,
                          double load_factor);
 
-    void begin(double load_factor, double predictor) override;
+    void begin(const Target& target, double predictor) override;
     Residual linearise() override;
     double solve() override;
     void apply() override;
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
+    [[nodiscard]] double load_factor() const override { return load_factor_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override;
     [[nodiscard]] Eigen::VectorXd reactions() const override;
     [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
 
 private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
-    void impose(Eigen::VectorXd& gamma) const;
+    void impose_held();
+    [[nodiscard]] Eigen::MatrixXd tangent() const;
+    [[nodiscard]] Eigen::VectorXd load_derivative() const;
 
     const Structure& structure_;
     const Scene& scene_;
     coupling::FineScale* fine_;
-    std::vector<std::pair<int, double>> imposed_;  // place in Gamma, value per unit load factor
-    double load_factor_ = 0.0;
+    std::vector<std::pair<int, double>> held_;  // place in Gamma, value per unit load factor
     int iteration_ = 0;
     double predictor_ = 0.0;
+    Controlled controlled_;  // on the free places
+    double target_ = 0.0, off_target_ = 0.0;
     Eigen::VectorXd committed_, trial_, last_increment_;  // on Gamma
-    Eigen::VectorXd residual_, correction_;               // on its free places
+    double committed_load_factor_ = 0.0, load_factor_ = 0.0, last_load_increment_ = 0.0;
+    Eigen::VectorXd residual_, correction_;  // on the free places
+    double load_correction_ = 0.0;
     coupling::PatchResponse response_;
     double exchange_s_ = 0.0;
 };

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 
+#include "coarse/tip_reach.hpp"
 #include "common/error.hpp"
 #include "common/fem/cut_element.hpp"
 #include "common/fem/tip_functions.hpp"
@@ -194,19 +195,50 @@ private:
 
     void add_tip_terms(const CrackPath& path) {
         const int count = int(path.tip_at_start) + int(path.tip_at_end);
+        const bool gathered = tip_enrichment_.support == TipSupport::Gathered;
         for (int k = 0; k < count; ++k) {
             const int index = static_cast<int>(result_.tips.size()) - count + k;
             const CrackPiece& piece = path.tip_at_start && k == 0 ? path.pieces.front() : path.pieces.back();
-            for (const int node : tip_nodes(piece)) {
-                const Vec2& x = mesh_.nodes[at(node)];
+            for (const auto& [node, side] : enriched_nodes(result_.tips[at(index)], piece)) {
                 const auto value =
-                    tip_functions(result_.tips[at(index)], x, side_near_tip(piece, node), tip_enrichment_.exponent)
-                        .value;
+                    tip_functions(result_.tips[at(index)], mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
                 for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha) {
-                    result_.terms[at(node)].push_back({Term::Kind::Tip, index, alpha, value[alpha]});
+                    result_.terms[at(node)].push_back(
+                        {gathered ? Term::Kind::Gathered : Term::Kind::Tip, index, alpha, value[alpha]});
                 }
             }
         }
+    }
+
+    /// Nodes that carry a tip's functions, with the side of the crack that chooses the branch of theta there.
+    [[nodiscard]] std::map<int, int> enriched_nodes(const Tip& tip, const CrackPiece& piece) const {
+        std::map<int, int> nodes;
+        if (tip_enrichment_.support != TipSupport::Topological) {
+            const double radius = disk_radius(tip, piece);
+            for (int element = 0; element < static_cast<int>(mesh_.elements.size()); ++element) {
+                const auto c = corners(element);  // whole elements: there the functions are complete
+                if (((c[0] + c[1] + c[2] + c[3]) / 4.0 - tip.position).norm() > radius) continue;
+                for (const int node : mesh_.elements[at(element)]) {
+                    const auto beside = node_side_.find(node);
+                    nodes[node] = beside != node_side_.end() ? beside->second : 0;
+                }
+            }
+        }
+        for (const int node : tip_nodes(piece)) nodes[node] = side_near_tip(piece, node);
+        return nodes;
+    }
+
+    [[nodiscard]] double disk_radius(const Tip& tip, const CrackPiece& piece) const {
+        const auto c = corners(piece.element);
+        const double diagonal = (c[2] - c[0]).norm();
+        const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * diagonal);
+        // Beyond some twenty elements a larger disk costs more than it gains.
+        if (!tip_enrichment_.radius) return std::min(0.75 * reach, 20.0 * diagonal);
+        if (*tip_enrichment_.radius <= reach) return *tip_enrichment_.radius;
+        throw CaseError(fmt::format(
+            "fine.enrichment_radius: {} mm is too large for the tip at ({}, {}): the boundary, "
+            "a bend of its own crack, or the middle between it and another tip or crack lies {:.4g} mm away",
+            *tip_enrichment_.radius, tip.position.x(), tip.position.y(), reach));
     }
 
     [[nodiscard]] std::array<Vec2, 4> corners(int element) const {
@@ -225,18 +257,24 @@ private:
 }  // namespace
 
 TipEnrichment choose_enrichment(const Case& input) {
-    const double n = input.fine.enrichment_n.value_or(1.0);
+    const TipEnrichment none{0, 0.5}, single{1, 0.5};
+    const TipEnrichment topological{6, 1.0 / (input.fine.enrichment_n.value_or(1.0) + 1.0)};
+    // Four of the six span the singular fields of elasticity.
+    const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, input.fine.enrichment_radius};
     switch (input.fine.enrichment) {
     case Enrichment::None:
-        return {0, 0.5};
+        return none;
     case Enrichment::Single:
-        return {1, 0.5};
+        return single;
+    case Enrichment::Topological:
+        return topological;
+    case Enrichment::Geometrical:
+        return geometrical;
     case Enrichment::Auto:
-        if (input.material.yield_stress) return {1, 0.5};
-        [[fallthrough]];
-    default:
-        return {6, 1.0 / (n + 1.0)};
+        break;
     }
+    if (input.material.yield_stress) return single;
+    return needs_fine(input) ? topological : geometrical;
 }
 
 EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {

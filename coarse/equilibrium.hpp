@@ -1,8 +1,11 @@
-// Newton's view of a nonlinear system at one load: condensed across two components, or monolithic.
+// Newton's view of a nonlinear system on its way to one target: condensed across two components, or monolithic. The
+// load factor is one of its unknowns.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
+#include "coarse/target.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {
@@ -13,11 +16,14 @@ struct Residual {
     double interior = 0.0;  // inside the zone
     double contact = 0.0;   // complementarity
     double scale = 0.0;     // the forces that balance
+    double target = 0.0;    // of what is controlled, relative to its target
     int yielding_points = 0;
     int closed = 0;          // multipliers
     int status_changes = 0;  // since the iteration before
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
+    [[nodiscard]] bool is_finite() const { return std::isfinite(boundary + interior + contact + target); }
+    [[nodiscard]] bool within(double tolerance) const { return largest() <= tolerance * scale && target <= tolerance; }
 };
 
 class Equilibrium {
@@ -27,8 +33,8 @@ public:
     Equilibrium& operator=(const Equilibrium&) = delete;
     virtual ~Equilibrium() = default;
 
-    /// Trial state = committed + predictor * last increment, at a load factor.
-    virtual void begin(double load_factor, double predictor) = 0;
+    /// Trial state = committed + predictor * last increment, on the way to a target.
+    virtual void begin(const Target& target, double predictor) = 0;
 
     /// Evaluates the trial state and its tangent.
     virtual Residual linearise() = 0;
@@ -43,6 +49,9 @@ public:
     /// Trial becomes committed; `reversal` as in coupling::FineScale.
     virtual coupling::StepReport commit(bool reversal) = 0;
     virtual void rollback() = 0;
+
+    /// Of the trial state.
+    [[nodiscard]] virtual double load_factor() const = 0;
 
     /// Displacement of the whole mesh; unknowns inside the zone are zero.
     [[nodiscard]] virtual Eigen::VectorXd structure_displacement() const = 0;

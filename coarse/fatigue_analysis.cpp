@@ -18,23 +18,38 @@ std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, 
                                                   load_factor);
 }
 
+double largest_load_factor(const LoadSection& load, const Structure& elastic) {
+    double per_load_factor = 1.0;
+    if (load.control == Control::Displacement) {
+        per_load_factor = elastic.mean_displacement().per_load_factor;
+        if (std::abs(per_load_factor) <= 1e-9 * elastic.expand({}, 1.0).lpNorm<Eigen::Infinity>())
+            throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
+    }
+    double largest = 0.0;
+    for (const LoadBlock& block : load.blocks)
+        largest = std::max({largest, block.max / per_load_factor, block.min / per_load_factor});
+    return largest;
+}
+
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
     : scene_(scene), factory_(factory), listener_(std::move(listener)),
       controller_(scene.input.load, scene.input.solver) {
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-    solve_nominal();
-    std::vector<double> K_I;
-    for (const TipResult& tip : nominal_) K_I.push_back(tip.K_I * controller_.largest_maximum());
-    build(select_zone(scene, K_I));
+    build(select_zone(scene, solve_nominal()));
 }
 
 // K_1(a), and the K of eq. (3): an elastic solution on the coarse mesh with traction-free faces.
-void FatigueAnalysis::solve_nominal() {
-    if (scene_.enriched.tips.empty()) return;
+std::vector<double> FatigueAnalysis::solve_nominal() {
+    const LoadSection& load = scene_.input.load;
+    if (scene_.enriched.tips.empty() && load.control == Control::Load) return {};
+    note_if_large("elastic solution of the whole body");
     structure_ = std::make_unique<Structure>(scene_, std::vector<char>(scene_.mesh.elements.size(), 0));
     nominal_ = fracture_parameters(*structure_, structure_->expand({}, 1.0), {});
+    std::vector<double> largest_K_I;
+    for (const TipResult& tip : nominal_) largest_K_I.push_back(tip.K_I * largest_load_factor(load, *structure_));
+    return largest_K_I;
 }
 
 void FatigueAnalysis::build(const std::vector<char>& in_zone) {
@@ -42,23 +57,32 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     const bool reuse = structure_ && structure_->in_zone() == in_zone;  // the nominal solution's factor
     if (!reuse) {
         const Stopwatch watch(coarse_factor_s_);
+        note_if_large("condensing the structure onto the zone's boundary");
+        if (!equilibrium_) structure_.reset();  // the nominal one: two factors at once would take twice the memory
         structure_ = std::make_unique<Structure>(scene_, in_zone);
     }
     coupling::Patch patch;
     if (has_zone) patch = make_patch(scene_, in_zone, structure_->gamma(), committed_);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
-    equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, controller_.factor());
+    equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
     predicts_ = false;
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                                in_zone.size(), zone, structure_->unknowns(), structure_->gamma().size()));
 }
 
+// Where a factor takes seconds, the user should know what is going on.
+void FatigueAnalysis::note_if_large(const char* phase) const {
+    if (scene_.mesh.elements.size() > 100'000)
+        listener_.note(fmt::format("{} ({} elements) ...", phase, scene_.mesh.elements.size()));
+}
+
 void FatigueAnalysis::run() {
+    const Stopwatch watch(run_s_);
     while (const auto next = controller_.next()) {
         LoadStep step = *next;
         if (!predicts_) step.predictor = 0.0;
-        const NewtonReport report = find_equilibrium(*equilibrium_, step.factor, step.predictor, scene_.input.solver);
+        const NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, scene_.input.solver);
         newton_iterations_ += report.count();
         listener_.attempted(step, report);
         if (!report.converged)
@@ -71,12 +95,13 @@ void FatigueAnalysis::run() {
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     equilibrium_->rollback();
     if (!controller_.cut()) {
-        throw NumericalFailure(fmt::format("increment {} (cycle {}) towards load factor {:.6g}: {} after {} halvings; "
-                                           "the last converged load factor is {:.6g}",
-                                           increment_ + 1, step.cycle, step.factor, report.failure,
-                                           scene_.input.solver.max_cuts, controller_.factor()));
+        throw NumericalFailure(
+            fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; the last converged "
+                        "one is {}, load factor {:.6g}",
+                        increment_ + 1, step.cycle, to_text(step.target), report.failure, scene_.input.solver.max_cuts,
+                        to_text({step.target.control, controller_.reached()}), load_factor_));
     }
-    listener_.note(fmt::format("load factor {:.6g}: {}; the increment is halved", step.factor, report.failure));
+    listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
 }
 
 // The proof that "elastic outside the zone" held (DESIGN section 4).
@@ -87,15 +112,14 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     if (yielding.empty()) return false;
     if (scene_.input.fine.guard == Guard::Warn) {
         if (warnings_++ == 0) {
-            listener_.note(fmt::format("warning: load factor {:.6g}: {} elements outside the zone are beyond yield; "
+            listener_.note(fmt::format("warning: {}: {} elements outside the zone are beyond yield; "
                                        "they stay elastic (fine.guard = \"warn\")",
-                                       step.factor, yielding.size()));
+                                       to_text(step.target), yielding.size()));
         }
         return false;
     }
-    listener_.note(fmt::format(
-        "load factor {:.6g}: {} elements outside the zone would yield; they join it and the increment is redone",
-        step.factor, yielding.size()));
+    listener_.note(fmt::format("{}: {} elements outside the zone would yield; they join it and the increment is redone",
+                               to_text(step.target), yielding.size()));
     extend_zone(yielding);
     return true;
 }
@@ -119,15 +143,28 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report) {
     Increment increment;
     increment.number = ++increment_;
     increment.step = step;
+    increment.load_factor = load_factor_ = equilibrium_->load_factor();
     increment.newton = report;
     increment.displacement = equilibrium_->structure_displacement();
     increment.reactions = equilibrium_->reactions();
     increment.zone = equilibrium_->commit(step.reversal);
     increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
+    look_at_rings(increment);
     committed_ = increment.displacement;
     controller_.accepted();
     predicts_ = true;
     listener_.accepted(increment, *structure_);
+}
+
+void FatigueAnalysis::look_at_rings(const Increment& increment) {
+    const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
+    if (tip == increment.tips.end()) return;
+    if (flowing_rings_++ == 0) {
+        listener_.note(
+            fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no "
+                        "elastic ones from here on",
+                        increment.load_factor, tip - increment.tips.begin()));
+    }
 }
 
 }  // namespace stria::coarse

@@ -45,6 +45,7 @@ private:
 struct Increment {
     int number = 0;  // from 1
     LoadStep step;
+    double load_factor = 0.0;  // found, where a displacement is controlled
     NewtonReport newton;
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
     Eigen::VectorXd reactions;     // on prescribed unknowns
@@ -60,6 +61,10 @@ struct Listener {
     };  // converged or not
 };
 
+/// Largest load factor of a history. Where displacements are controlled it is that of the elastic body with
+/// traction-free faces: what yields bears less. Throws CaseError where the loads do not move what is controlled.
+double largest_load_factor(const LoadSection& load, const Structure& elastic);
+
 class FatigueAnalysis {
 public:
     FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener);
@@ -74,17 +79,22 @@ public:
     [[nodiscard]] int cuts() const { return controller_.cuts(); }
     [[nodiscard]] int zone_extensions() const { return extensions_; }
     [[nodiscard]] int yield_warnings() const { return warnings_; }
+    /// Increments in which some tip had no ring outside what has flowed.
+    [[nodiscard]] int flowing_rings() const { return flowing_rings_; }
     [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }
     [[nodiscard]] double setup_seconds() const { return setup_s_; }
+    [[nodiscard]] double run_seconds() const { return run_s_; }
     [[nodiscard]] double coarse_factor_seconds() const { return coarse_factor_s_; }
 
 private:
-    void solve_nominal();
+    std::vector<double> solve_nominal();
     void build(const std::vector<char>& in_zone);
+    void note_if_large(const char* phase) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     void extend_zone(const std::vector<int>& yielding);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report);
+    void look_at_rings(const Increment& increment);
 
     const Scene& scene_;
     EquilibriumFactory& factory_;
@@ -94,9 +104,10 @@ private:
     std::unique_ptr<Equilibrium> equilibrium_;
     std::vector<TipResult> nominal_;
     Eigen::VectorXd committed_;  // displacement of the whole mesh
+    double load_factor_ = 0.0;   // committed
     bool predicts_ = false;      // the equilibrium knows a last increment to extrapolate
-    int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0;
-    double setup_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
+    int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
+    double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
 };
 
 }  // namespace stria::coarse

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
-#include "coarse/zone_selection.hpp"
+#include "coarse/rings.hpp"
 #include "common/fem/crack_faces.hpp"
 
 namespace stria::coarse {
@@ -37,26 +38,71 @@ double mouth_opening(const Structure& structure, int crack, const Eigen::VectorX
     return std::nan("");
 }
 
+/// One ring's parameters.
+struct RingValues {
+    double J, K_I, K_II, T_stress;
+};
+
+std::vector<RingValues> values_on(const std::vector<Annulus>& rings, int t, const Structure& structure,
+                                  const Eigen::VectorXd& u, const coupling::StepReport& report) {
+    const Scene& scene = structure.scene();
+    RingSums sums(scene.enriched, scene.enriched.tips[at(t)], scene.elastic, rings);
+    structure.add_to(sums, u);
+    std::vector<DomainIntegral> total(sums.values().begin(), sums.values().end());
+    for (const coupling::RingReport& share : report.rings) {
+        if (share.tip == t)
+            total[at(share.number)] += {share.J, share.interaction_I, share.interaction_II, share.interaction_T};
+    }
+    const double modulus = scene.elastic.plane_modulus();
+    std::vector<RingValues> values;
+    for (const DomainIntegral& sum : total) {
+        values.push_back({sum.J, modulus / 2.0 * sum.interaction_I, modulus / 2.0 * sum.interaction_II,
+                          modulus * sum.interaction_T});
+    }
+    return values;
+}
+
+/// Largest less smallest over a scale; nothing to say with fewer than two rings or without a scale.
+double spread(std::span<const RingValues> rings, double RingValues::*value, double scale) {
+    if (rings.size() < 2 || scale == 0.0) return std::nan("");
+    const auto [least, most] = std::ranges::minmax(rings, {}, value);
+    return (most.*value - least.*value) / std::abs(scale);
+}
+
+/// J from the first ring, whatever has flowed in it. K and T from the first ring in which nothing has, or, failing
+/// that, from the one that begins farthest out; their spread over such rings alone.
+void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>& values, double plastic_reach,
+               TipResult& result) {
+    result.J = values.front().J;
+    result.J_spread = spread(values, &RingValues::J, result.J);
+    std::vector<RingValues> elastic;
+    for (std::size_t k = 0; k < rings.size(); ++k)
+        if (rings[k].inner >= plastic_reach) elastic.push_back(values[k]);
+    result.rings_flow = elastic.empty();
+    const auto farthest = std::ranges::max_element(rings, {}, &Annulus::inner) - rings.begin();
+    const RingValues& chosen = elastic.empty() ? values[static_cast<std::size_t>(farthest)] : elastic.front();
+    result.K_I = chosen.K_I;
+    result.K_II = chosen.K_II;
+    result.T_stress = chosen.T_stress;
+    const double K = std::hypot(chosen.K_I, chosen.K_II);
+    result.K_spread = std::max(spread(elastic, &RingValues::K_I, K), spread(elastic, &RingValues::K_II, K));
+}
+
 }  // namespace
 
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report) {
     const Scene& scene = structure.scene();
     const EnrichedMesh& mesh = scene.enriched;
-    const double half_modulus = scene.elastic.plane_modulus() / 2.0;
     std::vector<TipResult> results;
     for (int t = 0; t < static_cast<int>(mesh.tips.size()); ++t) {
         const Tip& tip = mesh.tips[at(t)];
-        const double outer = largest_ring(scene, t);
-        const Eigen::VectorXd q = ring_weight(mesh.nodes, tip, ring_inner_fraction * outer, outer);
-        DomainIntegral sum = structure.ring_integral(tip, q, u, true, true);
         TipResult result;
         result.a = crack_length(scene, tip);
         result.CTOD = std::nan("");
         result.CMOD = mouth_opening(structure, tip.crack, u);
         if (!report.tips.empty()) {
             const coupling::TipReport& zone = report.tips[at(t)];
-            sum += {zone.J, zone.interaction_I, zone.interaction_II};
             if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
             result.plastic_zone = zone.plastic_zone;
             result.plastic_zone_axis = zone.plastic_zone_axis;
@@ -66,9 +112,9 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
             const double opening = opening_at_intercept(mesh, tip, u);
             if (opening >= 0.0) result.CTOD = opening;
         }
-        result.J = sum.J;
-        result.K_I = half_modulus * sum.interaction_I;
-        result.K_II = half_modulus * sum.interaction_II;
+        const std::vector<Annulus> rings = rings_about(scene, t);
+        const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
+        put_rings(rings, values_on(rings, t, structure, u, report), plastic_reach, result);
         results.push_back(result);
     }
     return results;

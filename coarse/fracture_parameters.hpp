@@ -1,4 +1,5 @@
-// Stress intensities, J and openings of every tip: what the structure sees of the rings plus what the zone reports.
+// Stress intensities, T stress, J and openings of every tip: what the structure sees of the rings plus what the zone
+// reports.
 #pragma once
 
 #include <vector>
@@ -9,11 +10,14 @@
 namespace stria::coarse {
 
 struct TipResult {
-    double a = 0.0;                                      // mm, INTERFACE definitions
-    double K_I = 0.0, K_II = 0.0;                        // MPa sqrt(mm)
-    double J = 0.0;                                      // N/mm
-    double CTOD = 0.0, CMOD = 0.0;                       // mm
-    double contact_length = 0.0;                         // mm
+    double a = 0.0;                         // mm, INTERFACE definitions
+    double K_I = 0.0, K_II = 0.0;           // MPa sqrt(mm)
+    double T_stress = 0.0;                  // MPa
+    double J = 0.0;                         // N/mm
+    double J_spread = 0.0, K_spread = 0.0;  // over the rings; NaN where fewer than two tell
+    bool rings_flow = false;                // every ring holds a point that has flowed: K, T are no elastic ones
+    double CTOD = 0.0, CMOD = 0.0;          // mm
+    double contact_length = 0.0;            // mm
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;  // mm
 };
 

@@ -5,21 +5,21 @@
 
 namespace stria::coarse {
 
-LoadController::LoadController(const LoadSection& load, const SolverSection& solver) : max_cuts_(solver.max_cuts) {
+LoadController::LoadController(const LoadSection& load, const SolverSection& solver)
+    : control_(load.control), max_cuts_(solver.max_cuts) {
     double reached = 0.0;
     int cycle = 0;
     const int half = load.steps / 2;
     for (const LoadBlock& block : load.blocks) {
-        maxima_.push_back(block.max);
         // The first ramp belongs to no cycle, a leg from one block's maximum to the next one's to the cycle it leads
         // to.
         if (block.max != reached) append_leg(cycle == 0 ? 0 : cycle + 1, reached, block.max, half);
         for (int k = 0; k < block.cycles; ++k) {
             ++cycle;
             append_leg(cycle, block.max, block.min, half);
-            targets_.back().at_minimum = true;
+            stops_.back().at_minimum = true;
             append_leg(cycle, block.min, block.max, half);
-            targets_.back().at_maximum = targets_.back().ends_cycle = true;
+            stops_.back().at_maximum = stops_.back().ends_cycle = true;
         }
         reached = block.max;
     }
@@ -29,53 +29,52 @@ LoadController::LoadController(const LoadSection& load, const SolverSection& sol
 // A half cycle ends where the load turns, not where a block does.
 void LoadController::mark_reversals() {
     double before = 0.0;
-    for (std::size_t k = 0; k < targets_.size(); ++k) {
-        const bool last = k + 1 == targets_.size();
-        targets_[k].reversal =
-            last || (targets_[k].factor - before) * (targets_[k + 1].factor - targets_[k].factor) < 0.0;
-        before = targets_[k].factor;
+    for (std::size_t k = 0; k < stops_.size(); ++k) {
+        const bool last = k + 1 == stops_.size();
+        stops_[k].reversal = last || (stops_[k].value - before) * (stops_[k + 1].value - stops_[k].value) < 0.0;
+        before = stops_[k].value;
     }
 }
 
 void LoadController::append_leg(int cycle, double from, double to, int steps) {
-    const auto first = std::ssize(targets_);
+    const auto first = std::ssize(stops_);
     for (int k = 1; k <= steps; ++k) {
         // The last is exact: later legs start from the same number.
-        const double factor = k == steps ? to : from + (to - from) * k / steps;
-        targets_.push_back({cycle, factor, false, k == steps && to > from, false, false, false});
+        const double value = k == steps ? to : from + (to - from) * k / steps;
+        stops_.push_back({cycle, value, false, k == steps && to > from, false, false, false});
     }
-    const auto nearest =
-        std::min_element(targets_.begin() + first, targets_.end(),
-                         [](const Target& a, const Target& b) { return std::abs(a.factor) < std::abs(b.factor); });
+    const auto nearest = std::min_element(stops_.begin() + first, stops_.end(), [](const Stop& a, const Stop& b) {
+        return std::abs(a.value) < std::abs(b.value);
+    });
     if (from * to < 0.0) nearest->at_zero = true;
 }
 
 std::optional<LoadStep> LoadController::next() const {
-    if (target_ >= targets_.size()) return std::nullopt;
-    const Target& target = targets_[target_];
-    const double whole = target_ == 0 ? target.factor : target.factor - targets_[target_ - 1].factor;
-    double factor = factor_ + fraction_ * whole;
-    const bool arrives = std::abs(target.factor - factor_) <= fraction_ * std::abs(whole) * (1.0 + 1e-9);
-    if (arrives) factor = target.factor;
+    if (stop_ >= stops_.size()) return std::nullopt;
+    const Stop& stop = stops_[stop_];
+    const double whole = stop_ == 0 ? stop.value : stop.value - stops_[stop_ - 1].value;
+    double value = reached_ + fraction_ * whole;
+    const bool arrives = std::abs(stop.value - reached_) <= fraction_ * std::abs(whole) * (1.0 + 1e-9);
+    if (arrives) value = stop.value;
     LoadStep step;
-    step.cycle = target.cycle;
-    step.factor = factor;
-    if (last_increment_ * (factor - factor_) > 0.0) step.predictor = (factor - factor_) / last_increment_;
+    step.cycle = stop.cycle;
+    step.target = {control_, value};
+    if (last_increment_ * (value - reached_) > 0.0) step.predictor = (value - reached_) / last_increment_;
     if (arrives) {
-        step.reversal = target.reversal;
-        step.at_maximum = target.at_maximum;
-        step.at_minimum = target.at_minimum;
-        step.at_zero = target.at_zero;
-        step.ends_cycle = target.ends_cycle;
+        step.reversal = stop.reversal;
+        step.at_maximum = stop.at_maximum;
+        step.at_minimum = stop.at_minimum;
+        step.at_zero = stop.at_zero;
+        step.ends_cycle = stop.ends_cycle;
     }
     return step;
 }
 
 void LoadController::accepted() {
-    const LoadStep step = *next();
-    last_increment_ = step.factor - factor_;
-    factor_ = step.factor;
-    if (factor_ == targets_[target_].factor) ++target_;
+    const double value = next()->target.value;
+    last_increment_ = value - reached_;
+    reached_ = value;
+    if (reached_ == stops_[stop_].value) ++stop_;
     if (consecutive_cuts_ > 0) {
         fraction_ = std::min(1.0, 2.0 * fraction_);
         --consecutive_cuts_;
@@ -89,7 +88,5 @@ bool LoadController::cut() {
     fraction_ /= 2.0;
     return true;
 }
-
-double LoadController::largest_maximum() const { return maxima_.empty() ? 0.0 : std::ranges::max(maxima_); }
 
 }  // namespace stria::coarse

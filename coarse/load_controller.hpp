@@ -1,21 +1,21 @@
-// Hands out the next load: a ramp to the first maximum, then cycles max -> min -> max, block after block; halves an
-// increment that failed and lets it grow again.
+// Hands out the next target, a load factor or a displacement: a ramp to the first maximum, then cycles max -> min ->
+// max, block after block; halves an increment that failed and lets it grow again.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "common/io/case.hpp"
+#include "coarse/target.hpp"
 
 namespace stria::coarse {
 
 struct LoadStep {
-    int cycle = 0;           // 0: the ramp
-    double factor = 0.0;     // load factor to reach
+    int cycle = 0;  // 0: the ramp
+    Target target;
     double predictor = 0.0;  // this increment over the last one; 0 at the start and after a reversal
     bool reversal = false;   // a half cycle ends here
     bool at_maximum = false, at_minimum = false,
-         at_zero = false;  // extremes of the cycle, and the step nearest to zero load
+         at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;
 };
 
@@ -23,7 +23,7 @@ class LoadController {
 public:
     explicit LoadController(const LoadSection& load, const SolverSection& solver);
 
-    /// The next load, or nothing when all blocks are done.
+    /// The next target, or nothing when all blocks are done.
     [[nodiscard]] std::optional<LoadStep> next() const;
 
     void accepted();
@@ -32,25 +32,25 @@ public:
     [[nodiscard]] bool cut();
 
     [[nodiscard]] int cuts() const { return cuts_; }
-    [[nodiscard]] double factor() const { return factor_; }
-    [[nodiscard]] double largest_maximum() const;
+    /// The value reached: a load factor, or a displacement, mm.
+    [[nodiscard]] double reached() const { return reached_; }
 
 private:
-    struct Target {
+    struct Stop {  // of uncut increments
         int cycle;
-        double factor;
+        double value;
         bool reversal, at_maximum, at_minimum, at_zero, ends_cycle;
     };
     void mark_reversals();
     void append_leg(int cycle, double from, double to, int steps);
 
-    std::vector<Target> targets_;
-    std::size_t target_ = 0;
-    double factor_ = 0.0;          // reached
+    Control control_;
+    std::vector<Stop> stops_;
+    std::size_t stop_ = 0;  // the next
+    double reached_ = 0.0;
     double last_increment_ = 0.0;  // 0: nothing to extrapolate
     double fraction_ = 1.0;        // of a whole increment, after cuts
     int consecutive_cuts_ = 0, max_cuts_ = 0, cuts_ = 0;
-    std::vector<double> maxima_;
 };
 
 }  // namespace stria::coarse

@@ -1,6 +1,5 @@
 #include "coarse/newton.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -9,27 +8,28 @@
 namespace stria::coarse {
 
 std::string NewtonReport::table() const {
-    std::string text = "   it   residual    boundary    interior     contact  correction  yielding  closed  changes\n";
+    std::string text =
+        "   it   residual    boundary    interior     contact      target  correction  yielding  closed  changes\n";
     for (std::size_t i = 0; i < iterations.size(); ++i) {
         const auto& [r, correction] = iterations[i];
-        text +=
-            fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i, r.largest() / r.scale,
-                        r.boundary, r.interior, r.contact, correction, r.yielding_points, r.closed, r.status_changes);
+        text += fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i,
+                            r.largest() / r.scale, r.boundary, r.interior, r.contact, r.target, correction,
+                            r.yielding_points, r.closed, r.status_changes);
     }
     return text;
 }
 
-NewtonReport find_equilibrium(Equilibrium& equilibrium, double load_factor, double predictor,
+NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, double predictor,
                               const SolverSection& solver) {
     NewtonReport report;
     try {
-        equilibrium.begin(load_factor, predictor);
+        equilibrium.begin(target, predictor);
         for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
             const Residual residual = equilibrium.linearise();
-            if (!std::isfinite(residual.largest())) throw NumericalFailure("the residual is not a number");
+            if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
             const double correction = equilibrium.solve();
             report.iterations.push_back({residual, correction});
-            if (residual.largest() <= solver.tolerance * residual.scale && correction <= 100.0 * solver.tolerance) {
+            if (residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance) {
                 report.converged = true;
                 return report;
             }

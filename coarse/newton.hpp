@@ -25,10 +25,10 @@ struct NewtonReport {
     [[nodiscard]] std::string table() const;
 };
 
-/// Converged: the largest of the three residuals is at most `tolerance` times the force scale, and the correction that
-/// it still calls for is at most 100 `tolerance` of the largest displacement. Does not throw on failure: the caller
-/// cuts.
-NewtonReport find_equilibrium(Equilibrium& equilibrium, double load_factor, double predictor,
+/// Converged: the largest of the three residuals is at most `tolerance` times the force scale, the target is met to
+/// `tolerance`, and the correction that is still due is at most 100 `tolerance` of the largest displacement. Does not
+/// throw on failure: the caller cuts.
+NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, double predictor,
                               const SolverSection& solver);
 
 }  // namespace stria::coarse

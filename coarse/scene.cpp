@@ -5,6 +5,7 @@
 
 #include "coarse/discretization.hpp"
 #include "coarse/specimen/specimen.hpp"
+#include "common/error.hpp"
 #include "common/fem/cut_element.hpp"
 #include "common/fem/element_basis.hpp"
 #include "common/fem/element_operator.hpp"
@@ -78,6 +79,14 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
     }
 }
 
+void weigh_mean_displacement(Scene& scene) {
+    scene.mean_displacement = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    if (!loaded) return;
+    for (const auto& [node, weight] : mean_displacement(scene.mesh, *loaded))
+        scene.mean_displacement.segment<2>(scene.enriched.unknown(node, 0, 0)) += weight;
+}
+
 }  // namespace
 
 Scene make_scene(const Case& input) {
@@ -89,6 +98,8 @@ Scene make_scene(const Case& input) {
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
     put_loads_on_unknowns(scene);
+    if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
+        throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");
     return scene;
 }
 
@@ -109,6 +120,7 @@ void put_loads_on_unknowns(Scene& scene) {
         scene.unit_force.segment<2>(mesh.unknown(load.node, 0, 0)) += load.force;
         observe(load.node);
     }
+    weigh_mean_displacement(scene);
     std::map<std::pair<int, int>, double> held;
     for (const PrescribedDisplacement& d : scene.loads.displacements) held[{d.node, d.component}] = d.value;
     std::map<int, double> prescribed;

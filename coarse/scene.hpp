@@ -26,8 +26,10 @@ struct Scene {
     EnrichedMesh enriched;
     Eigen::VectorXd unit_force;  // on all unknowns, per unit load factor, N/mm
     std::vector<PrescribedUnknown>
-        prescribed;              // ascending; supports, imposed displacements, and the pins of free motions
-    std::vector<char> observed;  // per unknown: standard unknown of a node where loads are applied and reported
+        prescribed;                     // ascending; supports, imposed displacements, and the pins of free motions
+    std::vector<char> observed;         // per unknown: standard unknown of a node where loads are applied and reported
+    Eigen::VectorXd mean_displacement;  // weights on all unknowns: of the loaded boundary, along its direction; zero
+                                        // where there is none
 };
 
 /// Meshes, enriches and resolves a case. Throws CaseError.

@@ -1,50 +1,67 @@
 #include "coarse/structure.hpp"
 
 #include <algorithm>
+#include <numeric>
+
+#include "common/linear/symmetric_assembly.hpp"
+#include "common/stopwatch.hpp"
+#include "common/substructure/nested_dissection.hpp"
 
 namespace stria::coarse {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Elastic elements with tip functions are integrated densely; the others exactly with the fewest points.
 IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
-    IntegrationRule rule{.mean_dilatation = scene.elastic.plane == PlaneState::Strain};
-    if (ElementBasis(scene.enriched, element, cut).singular()) {
-        rule.subcells = 2;
-        rule.gauss = 6;
-        rule.tip_points = 10;
-    }
+    IntegrationRule rule = elastic_rule(scene.enriched, element, cut);
+    rule.mean_dilatation = mean_dilatation(scene.input.material, scene.elastic);
     return rule;
+}
+
+template <class Operator, class Values>
+Values elastic_force(const Operator& op, const Values& u, const MandelMatrix& elastic) {
+    Values force = Values::Zero(u.size());
+    for (std::size_t q = 0; q < op.points.size(); ++q) op.add_force(elastic * op.strain(u, q), q, force);
+    return force;
 }
 
 }  // namespace
 
-Structure::Structure(const Scene& scene, std::vector<char> in_zone) : scene_(scene), in_zone_(std::move(in_zone)) {
-    const EnrichedMesh& mesh = scene.enriched;
-    const std::vector<int> piece = piece_of_elements(mesh);
-    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
-        if (in_zone_[at(e)] != 0) continue;
-        const CrackPiece* cut = piece[at(e)] >= 0 ? &mesh.pieces[at(piece[at(e)])] : nullptr;
-        operators_.push_back(make_operator(mesh, e, cut, rule_for(scene, e, cut != nullptr)));
-    }
+Structure::Structure(const Scene& scene, std::vector<char> in_zone)
+    : scene_(scene), in_zone_(std::move(in_zone)),
+      mean_dilatation_(mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere) {
+    make_enriched_operators();
     number_unknowns();
     condense();
 }
 
+void Structure::make_enriched_operators() {
+    const Stopwatch watch(seconds_.assembly);
+    const EnrichedMesh& mesh = scene_.enriched;
+    const std::vector<int> piece = piece_of_elements(mesh);
+    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+        if (in_zone_[at(e)] != 0 || is_plain(mesh, e)) continue;
+        const CrackPiece* cut = piece[at(e)] >= 0 ? &mesh.pieces[at(piece[at(e)])] : nullptr;
+        enriched_.push_back(make_operator(mesh, e, cut, rule_for(scene_, e, cut != nullptr)));
+    }
+}
+
 void Structure::number_unknowns() {
+    const Stopwatch watch(seconds_.assembly);
     const EnrichedMesh& mesh = scene_.enriched;
     std::vector<char> coarse(at(mesh.unknowns), 0), fine = coarse, prescribed = coarse;
-    for (const ElementOperator& op : operators_)
-        for (const int unknown : op.unknowns) coarse[at(unknown)] = 1;
+    for (const PrescribedUnknown& p : scene_.prescribed) prescribed[at(p.unknown)] = 1;
+    for_each_coarse([&](int element, std::span<const int> unknowns) {
+        for (const int unknown : unknowns) coarse[at(unknown)] = 1;
+        if (std::ranges::any_of(unknowns, [&](int unknown) { return prescribed[at(unknown)] != 0; }))
+            supported_.push_back(element);
+    });
     const std::vector<int> piece = piece_of_elements(mesh);
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
         if (in_zone_[at(e)] == 0) continue;
         const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
         for (const int unknown : basis.unknowns()) fine[at(unknown)] = 1;
     }
-    for (const PrescribedUnknown& p : scene_.prescribed) prescribed[at(p.unknown)] = 1;
-
     leaf_index_.assign(at(mesh.unknowns), -1);
     for (int i = 0; i < mesh.unknowns; ++i) {
         if (fine[at(i)] != 0 && (coarse[at(i)] != 0 || prescribed[at(i)] != 0 || scene_.observed[at(i)] != 0))
@@ -62,34 +79,75 @@ void Structure::number_unknowns() {
     }
 }
 
+/// Renumbers the leaf's unknowns, those of Gamma last; returns the elements' unknowns with their new numbers.
+IndexLists Structure::order_elimination() {
+    const Stopwatch watch(seconds_.ordering);
+    const EnrichedMesh& mesh = scene_.enriched;
+    IndexLists of_elements;
+    std::vector<Vec2> centres;
+    for_each_coarse([&](int element, std::span<const int> unknowns) {
+        of_elements.append(unknowns);
+        centres.push_back(Vec2::Zero());
+        for (const int node : mesh.elements[at(element)]) centres.back() += mesh.nodes[at(node)] / 4.0;
+    });
+    of_elements.map([&](int unknown) { return leaf_index_[at(unknown)]; });
+    const auto boundary = static_cast<int>(free_places_.size());
+    std::vector<int> kept(at(boundary));
+    std::iota(kept.begin(), kept.end(), unknowns() - boundary);
+    const std::vector<int> order = nested_dissection(of_elements, centres, unknowns(), kept);
+
+    const std::vector<int> before = std::move(leaf_unknowns_);
+    std::vector<int> rank(before.size());
+    leaf_unknowns_.clear();
+    for (const int unknown : order) {
+        rank[at(unknown)] = unknowns();
+        leaf_index_[at(before[at(unknown)])] = unknowns();
+        leaf_unknowns_.push_back(before[at(unknown)]);
+    }
+    of_elements.map([&](int unknown) { return unknown < 0 ? -1 : rank[at(unknown)]; });
+    return of_elements;
+}
+
+SparseMatrix Structure::assemble() {
+    const IndexLists of_elements = order_elimination();
+    const Stopwatch watch(seconds_.assembly);
+    const MandelMatrix elastic = scene_.elastic.stiffness();
+    SparseMatrix lower = lower_pattern(of_elements, unknowns());
+    std::size_t k = 0;
+    for_each_operator([&](const auto& op) { add_to_lower(lower, of_elements[k++], op.stiffness(elastic)); });
+    return lower;
+}
+
 void Structure::condense() {
+    SparseMatrix lower = assemble();
+    const Stopwatch watch(seconds_.factor);
+    leaf_ = std::make_unique<SparseLeaf>(static_cast<int>(free_places_.size()), std::move(lower));
+    reduced_ = leaf_->reduce(unit_load_of_leaf());
+    condense_mean_displacement();
+}
+
+/// With what the imposed displacements do to it.
+Eigen::VectorXd Structure::unit_load_of_leaf() const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
     Eigen::VectorXd imposed = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
     for (const PrescribedUnknown& p : scene_.prescribed) imposed[p.unknown] = p.value;
-
-    std::vector<Triplet> entries;
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns());
-    for (int i = 0; i < unknowns(); ++i) load[i] = scene_.unit_force[leaf_unknowns_[at(i)]];
-    for (const ElementOperator& op : operators_) {
-        const Eigen::MatrixXd K = op.stiffness(elastic);
-        const Eigen::VectorXd reaction = K * gather(imposed, op.unknowns);
-        for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
-            const int row = leaf_index_[at(op.unknowns[i])];
-            if (row < 0) continue;
-            load[row] -= reaction[static_cast<Eigen::Index>(i)];
-            for (std::size_t j = 0; j < op.unknowns.size(); ++j) {
-                const int column = leaf_index_[at(op.unknowns[j])];
-                if (column >= 0)
-                    entries.emplace_back(row, column, K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    Eigen::VectorXd load = gather(scene_.unit_force, leaf_unknowns_);
+    for (const int element : supported_) {
+        visit_operator(element, [&](const auto& op) {
+            const auto reaction = (op.stiffness(elastic) * gather(imposed, op.unknowns)).eval();
+            for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
+                const int row = leaf_index_[at(op.unknowns[i])];
+                if (row >= 0) load[row] -= reaction[static_cast<Eigen::Index>(i)];
             }
-        }
+        });
     }
-    SparseMatrix matrix(unknowns(), unknowns());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    std::vector<int> boundary;
-    for (const int place : free_places_) boundary.push_back(leaf_index_[at(gamma_[at(place)])]);
-    leaf_ = std::make_unique<SparseLeaf>(matrix, std::move(boundary));
-    reduced_ = leaf_->reduce(load);
+    return load;
+}
+
+void Structure::condense_mean_displacement() {
+    const Eigen::VectorXd gamma_held = Eigen::VectorXd::Zero(std::ssize(gamma_));
+    mean_displacement_.weights = leaf_->reduce(gather(scene_.mean_displacement, leaf_unknowns_)).boundary;
+    mean_displacement_.per_load_factor = scene_.mean_displacement.dot(expand(gamma_held, 1.0));
 }
 
 Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
@@ -107,50 +165,43 @@ Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, dou
 std::vector<int> Structure::elements_beyond(double stress, const Eigen::VectorXd& u) const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
     std::vector<int> found;
-    for (const ElementOperator& op : operators_) {
-        if (scene_.mesh.in_insert(op.element)) continue;
-        const Eigen::VectorXd local = gather(u, op.unknowns);
+    const auto may_yield = [&](int element) { return !scene_.mesh.in_insert(element); };
+    for_each_operator(may_yield, [&](const auto& op) {
+        const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             if (von_mises(elastic * op.strain(local, q)) <= stress) continue;
             found.push_back(op.element);
             break;
         }
-    }
+    });
     return found;
 }
 
-DomainIntegral Structure::ring_integral(const Tip& tip, const Eigen::VectorXd& q, const Eigen::VectorXd& u, bool want_J,
-                                        bool want_K) const {
+void Structure::add_to(RingSums& rings, const Eigen::VectorXd& u) const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
-    DomainIntegral sum;
-    std::array<double, 4> corners{};
-    for (const ElementOperator& op : operators_) {
-        if (!ring_corners(scene_.enriched, op.element, q, corners)) continue;
-        const Eigen::VectorXd local = gather(u, op.unknowns);
-        const auto stress_and_work = [&](std::size_t p) {
-            const Mandel strain = op.strain(local, p), stress = elastic * strain;
-            return std::pair{stress, 0.5 * stress.dot(strain)};
-        };
-        sum +=
-            integrate_ring(op, scene_.enriched, tip, corners, local, scene_.elastic, want_J, want_K, stress_and_work);
-    }
-    return sum;
+    const auto enter = [&](int element) { return rings.enter(element); };
+    for_each_operator(enter, [&](const auto& op) {
+        const auto local = gather(u, op.unknowns);
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const Mandel strain = op.strain(local, q), stress = elastic * strain;
+            rings.add(op.points[q], stress, op.displacement_gradient(local, q), 0.5 * stress.dot(strain));
+        }
+    });
 }
 
 Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const {
     std::vector<int> row(at(scene_.enriched.unknowns), -1);
     for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
         row[at(scene_.prescribed[k].unknown)] = static_cast<int>(k);
-    const MandelMatrix elastic = scene_.elastic.stiffness();
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(std::ssize(scene_.prescribed));
-    for (const ElementOperator& op : operators_) {
-        if (std::ranges::none_of(op.unknowns, [&](int unknown) { return row[at(unknown)] >= 0; })) continue;
-        const Eigen::VectorXd local = gather(u, op.unknowns);
-        Eigen::VectorXd force = Eigen::VectorXd::Zero(local.size());
-        for (std::size_t q = 0; q < op.points.size(); ++q) op.add_force(elastic * op.strain(local, q), q, force);
-        for (std::size_t k = 0; k < op.unknowns.size(); ++k) {
-            if (row[at(op.unknowns[k])] >= 0) forces[row[at(op.unknowns[k])]] += force[static_cast<Eigen::Index>(k)];
-        }
+    for (const int element : supported_) {
+        visit_operator(element, [&](const auto& op) {
+            const auto force = elastic_force(op, gather(u, op.unknowns), scene_.elastic.stiffness());
+            for (std::size_t k = 0; k < op.unknowns.size(); ++k) {
+                const int own = row[at(op.unknowns[k])];
+                if (own >= 0) forces[own] += force[static_cast<Eigen::Index>(k)];
+            }
+        });
     }
     return forces;
 }
@@ -158,30 +209,20 @@ Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const 
 Eigen::VectorXd Structure::internal_force(const Eigen::VectorXd& u) const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
-    for (const ElementOperator& op : operators_) {
-        const Eigen::VectorXd local = gather(u, op.unknowns);
-        Eigen::VectorXd force = Eigen::VectorXd::Zero(local.size());
-        for (std::size_t q = 0; q < op.points.size(); ++q) op.add_force(elastic * op.strain(local, q), q, force);
+    for_each_operator([&](const auto& op) {
+        const auto force = elastic_force(op, gather(u, op.unknowns), elastic);
         for (std::size_t k = 0; k < op.unknowns.size(); ++k) sum[op.unknowns[k]] += force[static_cast<Eigen::Index>(k)];
-    }
+    });
     return sum;
 }
 
 SparseMatrix Structure::stiffness() const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
-    std::vector<Triplet> entries;
-    for (const ElementOperator& op : operators_) {
-        const Eigen::MatrixXd K = op.stiffness(elastic);
-        for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
-            for (std::size_t j = 0; j < op.unknowns.size(); ++j) {
-                entries.emplace_back(op.unknowns[i], op.unknowns[j],
-                                     K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-            }
-        }
-    }
-    SparseMatrix matrix(scene_.enriched.unknowns, scene_.enriched.unknowns);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+    IndexLists of_elements;
+    for_each_coarse([&](int, std::span<const int> unknowns) { of_elements.append(unknowns); });
+    SparseMatrix lower = lower_pattern(of_elements, scene_.enriched.unknowns);
+    for_each_operator([&](const auto& op) { add_to_lower(lower, op.unknowns, op.stiffness(elastic)); });
+    return lower.selfadjointView<Eigen::Lower>();
 }
 
 }  // namespace stria::coarse

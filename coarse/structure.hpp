@@ -1,15 +1,26 @@
 // The coarse component's elements: linear elastic, never subdivided, condensed once onto the boundary of the zone.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "coarse/scene.hpp"
+#include "coarse/target.hpp"
 #include "common/fem/domain_integral.hpp"
-#include "common/fem/element_operator.hpp"
+#include "common/fem/plain_operator.hpp"
+#include "common/index_lists.hpp"
 #include "common/linear/sparse_leaf.hpp"
 
 namespace stria::coarse {
+
+/// Seconds that a structure took to make.
+struct StructureSeconds {
+    double assembly = 0.0;  // numbering and stiffness
+    double ordering = 0.0;  // of the elimination
+    double factor = 0.0;    // analysis, factor, condensed tangent and load
+};
 
 class Structure {
 public:
@@ -27,21 +38,24 @@ public:
     [[nodiscard]] const Eigen::MatrixXd& tangent() const { return leaf_->tangent(); }
     [[nodiscard]] const Eigen::VectorXd& unit_load() const { return reduced_.boundary; }
 
+    /// The scene's mean displacement on the free places. What of it lies inside the structure acts through its
+    /// stiffness on them, and with them held gives way to the load alone.
+    [[nodiscard]] const Controlled& mean_displacement() const { return mean_displacement_; }
+
     /// All unknowns of the whole mesh that coarse elements see, given the displacement of gamma(); others are zero.
     [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const;
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
-    [[nodiscard]] const std::vector<ElementOperator>& operators() const { return operators_; }
     [[nodiscard]] const std::vector<char>& in_zone() const { return in_zone_; }
     [[nodiscard]] int unknowns() const { return static_cast<int>(leaf_unknowns_.size()); }
+    [[nodiscard]] const StructureSeconds& seconds() const { return seconds_; }
     [[nodiscard]] double factor_entries() const { return leaf_->factor_entries(); }
 
     /// Elements (of the whole mesh) whose von Mises stress exceeds a limit at some point, inserts left out.
     [[nodiscard]] std::vector<int> elements_beyond(double stress, const Eigen::VectorXd& u) const;
 
-    /// Elastic domain integrals over the coarse part of a ring; q: one value a node of the whole mesh.
-    [[nodiscard]] DomainIntegral ring_integral(const Tip& tip, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
-                                               bool want_J, bool want_K) const;
+    /// Adds the coarse elements' share to the domain integrals of a tip.
+    void add_to(RingSums& rings, const Eigen::VectorXd& u) const;
 
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
@@ -53,18 +67,62 @@ public:
     /// The stiffness of the coarse elements over all unknowns of the whole mesh (the monolithic yardstick).
     [[nodiscard]] SparseMatrix stiffness() const;
 
+    /// Calls visit(op) for each coarse element, ascending, with its PlainOperator or its ElementOperator: alike to a
+    /// generic visitor. Plain ones are made on demand and last for the visit.
+    template <class Visit> void for_each_operator(Visit&& visit) const {
+        for_each_operator([](int) { return true; }, visit);
+    }
+
+    /// Of the elements that wanted(element) picks.
+    template <class Wanted, class Visit> void for_each_operator(Wanted&& wanted, Visit&& visit) const;
+
 private:
+    template <class Visit> void visit_operator(int element, Visit&& visit) const;
+    template <class Visit> void for_each_coarse(Visit&& visit) const;  // visit(element, its unknowns), ascending
+
+    void make_enriched_operators();
     void number_unknowns();
+    [[nodiscard]] IndexLists order_elimination();
+    [[nodiscard]] Eigen::VectorXd unit_load_of_leaf() const;
+    [[nodiscard]] SparseMatrix assemble();
     void condense();
+    void condense_mean_displacement();
 
     const Scene& scene_;
     std::vector<char> in_zone_;
-    std::vector<ElementOperator> operators_;  // of coarse elements
+    bool mean_dilatation_;
+    std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
+    std::vector<int> supported_;             // coarse elements with a prescribed unknown
     std::vector<int> gamma_, free_places_;
     std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
     std::vector<int> leaf_index_;     // and back; -1: prescribed or inside the zone
     std::unique_ptr<SparseLeaf> leaf_;
     ReducedLoad reduced_;  // of the unit load factor
+    Controlled mean_displacement_;
+    StructureSeconds seconds_;
 };
+
+template <class Visit> void Structure::visit_operator(int element, Visit&& visit) const {
+    if (is_plain(scene_.enriched, element))
+        visit(plain_operator(scene_.enriched, element, mean_dilatation_));
+    else
+        visit(*std::ranges::lower_bound(enriched_, element, {}, &ElementOperator::element));
+}
+
+template <class Visit> void Structure::for_each_coarse(Visit&& visit) const {
+    auto enriched = enriched_.begin();
+    for (int element = 0; element < static_cast<int>(in_zone_.size()); ++element) {
+        if (in_zone_[static_cast<std::size_t>(element)] != 0) continue;
+        if (is_plain(scene_.enriched, element))
+            visit(element, std::span<const int>(plain_unknowns(scene_.enriched, element)));
+        else
+            visit(element, std::span<const int>((enriched++)->unknowns));
+    }
+}
+
+template <class Wanted, class Visit> void Structure::for_each_operator(Wanted&& wanted, Visit&& visit) const {
+    for (int element = 0; element < static_cast<int>(in_zone_.size()); ++element)
+        if (in_zone_[static_cast<std::size_t>(element)] == 0 && wanted(element)) visit_operator(element, visit);
+}
 
 }  // namespace stria::coarse

@@ -4,17 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/fem/domain_integral.hpp"
+#include "coarse/rings.hpp"
 
 namespace stria::coarse {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
-    const double t = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-    return (x - a - t * (b - a)).norm();
-}
 
 }  // namespace
 
@@ -74,34 +69,6 @@ std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& p
     return result;
 }
 
-double largest_ring(const Scene& scene, int tip_index) {
-    const Tip& tip = scene.enriched.tips[at(tip_index)];
-    double radius = 1e300;
-    for (const auto& [name, edges] : scene.mesh.boundary) {
-        for (const BoundaryEdge& edge : edges) {
-            const EdgeGeometry ends = edge_geometry(scene.mesh, edge);
-            radius = std::min(radius, distance_to_segment(tip.position, ends.from, ends.to));
-        }
-    }
-    for (const PointForce& load : scene.loads.forces)
-        radius = std::min(radius, (scene.mesh.nodes[at(load.node)] - tip.position).norm());
-    for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
-        if (at(tip_index) != t)
-            radius = std::min(radius, (scene.enriched.tips[t].position - tip.position).norm() / 2.0);
-    }
-    // Other cracks, and this crack where it is not the straight end at the tip.
-    for (int crack = 0; crack < static_cast<int>(scene.input.cracks.size()); ++crack) {
-        const auto& points = scene.input.cracks[at(crack)].points;
-        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-            const bool own = crack == tip.crack && (tip.upper > 0 ? k + 2 == points.size() : k == 0);
-            const double d =
-                own ? (points[k + 1] - points[k]).norm() : distance_to_segment(tip.position, points[k], points[k + 1]);
-            radius = std::min(radius, d);
-        }
-    }
-    return 0.95 * radius;
-}
-
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement) {
     std::vector<int> elements;
@@ -118,12 +85,13 @@ coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone,
         patch.unit_load[i] = shared ? 0.0 : scene.unit_force[whole[at(i)]];
         if (shared) patch.boundary.push_back(i);
     }
-    for (int t = 0; t < static_cast<int>(scene.enriched.tips.size()); ++t) {
-        const double outer = largest_ring(scene, t), inner = ring_inner_fraction * outer;
-        const coupling::Ring ring{t, ring_weight(patch.mesh.nodes, scene.enriched.tips[at(t)], inner, outer), inner,
-                                  outer};
-        patch.j_rings.push_back(ring);
-        patch.k_rings.push_back(ring);
+    for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
+        const std::vector<Annulus> rings = rings_about(scene, t);
+        for (int k = 0; k < std::ssize(rings); ++k) {
+            const auto& [inner, outer] = rings[at(k)];
+            if (reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
+                patch.rings.push_back({t, k, inner, outer});
+        }
     }
     return patch;
 }

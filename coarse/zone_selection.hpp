@@ -23,11 +23,4 @@ coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone,
 /// Unknowns of the patch's mesh in the numbering of the whole mesh.
 std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part);
 
-/// The weight q of a ring falls from 1 at this fraction of its outer radius to 0 at the outer radius.
-inline constexpr double ring_inner_fraction = 0.5;
-
-/// Outer radius of the largest ring around a tip that stays in the body, off other tips and cracks, off forces, and on
-/// the crack's straight end.
-double largest_ring(const Scene& scene, int tip);
-
 }  // namespace stria::coarse

@@ -16,10 +16,9 @@ struct Hello {
     std::uint64_t case_digest = 0;
 };
 
-/// A ring of the domain integral around one tip: weight q at the zone's nodes (1 inside, 0 outside the ring).
+/// A ring of the domain integrals about a tip (domain_integral.hpp).
 struct Ring {
-    int tip = 0;
-    Eigen::VectorXd q;
+    std::int32_t tip = 0, number = 0;               // of the tip's rings
     double inner_radius = 0.0, outer_radius = 0.0;  // mm
 };
 
@@ -30,8 +29,7 @@ struct Patch {
     Eigen::VectorXd unit_load;     // on the other unknowns of `mesh`, per unit load factor, N/mm; zero on Gamma
     Eigen::VectorXd displacement;  // committed displacement of all unknowns of `mesh`; the fine component keeps its own
                                    // where it has one, and starts elements that are new to it from sigma = C eps(u)
-    std::vector<Ring> j_rings;     // one a tip
-    std::vector<Ring> k_rings;     // one a tip
+    std::vector<Ring> rings;       // those that zone elements have a share in
 };
 
 /// Displacements of the zone's boundary, each Newton iteration.
@@ -55,6 +53,7 @@ struct Digest {
 struct PatchResponse {
     Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
     Eigen::MatrixXd tangent;           // condensed tangent on Gamma
+    Eigen::VectorXd unit_load;         // the zone's own loads condensed onto Gamma: minus d force / d load factor
     double interior_residual = 0;      // largest interior force residual, N/mm
     double interior_force = 0;         // largest internal nodal force, the scale of that residual
     double contact_residual = 0;       // largest complementarity residual, as a force
@@ -70,18 +69,24 @@ struct FaceSample {
     std::int32_t status = 0;  // 0 open, 1 stick or frictionless contact, 2 slip
 };
 
-/// What a tip contributes from inside the zone.
+/// The zone's share in the integrals over a ring: bulk and faces under pressure. Units: domain_integral.hpp.
+struct RingReport {
+    std::int32_t tip = 0, number = 0;
+    double J = 0, interaction_I = 0, interaction_II = 0, interaction_T = 0;
+};
+
+/// What a tip shows inside the zone.
 struct TipReport {
-    double J = 0, interaction_I = 0,
-           interaction_II = 0;     // domain integrals over zone elements, N/mm; see domain_integral.hpp
     double CTOD = -1;              // mm; negative: the 90 degree intercept is not in the zone
     double plastic_zone = 0;       // mm, largest distance of a point that flowed in this half cycle
     double plastic_zone_axis = 0;  // mm, within 15 degrees of the crack's line ahead
+    double plastic_reach = 0;      // mm, largest distance of a point that has ever flowed
 };
 
 /// After commit.
 struct StepReport {
     std::vector<TipReport> tips;
+    std::vector<RingReport> rings;       // one a ring of the patch
     std::vector<FaceSample> faces;       // ordered by crack and s
     std::vector<double> contact_length;  // per crack, mm
     std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN

@@ -27,8 +27,8 @@ void fields(auto& wire, Is<Commit> auto& m) {
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {
-    auto& [tip, q, inner_radius, outer_radius] = m;
-    wire(tip, q, inner_radius, outer_radius);
+    auto& [tip, number, inner_radius, outer_radius] = m;
+    wire(tip, number, inner_radius, outer_radius);
 }
 
 void fields(auto& wire, Is<Term> auto& m) {
@@ -48,14 +48,14 @@ void fields(auto& wire, Is<Tip> auto& m) {
 
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
     auto& [nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side,
-           first_unknown, unknowns] = m;
+           first_unknown, first_gathered, unknowns] = m;
     wire(nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side,
-         first_unknown, unknowns);
+         first_unknown, first_gathered, unknowns);
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, j_rings, k_rings] = m;
-    wire(mesh, boundary, unit_load, displacement, j_rings, k_rings);
+    auto& [mesh, boundary, unit_load, displacement, rings] = m;
+    wire(mesh, boundary, unit_load, displacement, rings);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
@@ -69,9 +69,9 @@ void fields(auto& wire, Is<Digest> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {
-    auto& [force, tangent, interior_residual, interior_force, contact_residual, interior_correction,
+    auto& [force, tangent, unit_load, interior_residual, interior_force, contact_residual, interior_correction,
            interior_displacement, digest] = m;
-    wire(force, tangent, interior_residual, interior_force, contact_residual, interior_correction,
+    wire(force, tangent, unit_load, interior_residual, interior_force, contact_residual, interior_correction,
          interior_displacement, digest);
 }
 
@@ -80,15 +80,20 @@ void fields(auto& wire, Is<FaceSample> auto& m) {
     wire(crack, s, x, y, opening, slip, pressure, shear, status);
 }
 
+void fields(auto& wire, Is<RingReport> auto& m) {
+    auto& [tip, number, J, interaction_I, interaction_II, interaction_T] = m;
+    wire(tip, number, J, interaction_I, interaction_II, interaction_T);
+}
+
 void fields(auto& wire, Is<TipReport> auto& m) {
-    auto& [J, interaction_I, interaction_II, CTOD, plastic_zone, plastic_zone_axis] = m;
-    wire(J, interaction_I, interaction_II, CTOD, plastic_zone, plastic_zone_axis);
+    auto& [CTOD, plastic_zone, plastic_zone_axis, plastic_reach] = m;
+    wire(CTOD, plastic_zone, plastic_zone_axis, plastic_reach);
 }
 
 void fields(auto& wire, Is<StepReport> auto& m) {
-    auto& [tips, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
+    auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
            contact_s, factor_s] = m;
-    wire(tips, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
+    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
          contact_s, factor_s);
 }
 

@@ -39,9 +39,10 @@ void FineModel::request(const coupling::PatchDisplacement& displacement) { asked
 
 coupling::PatchResponse FineModel::collect() {
     if (asked_.iteration == 0)
-        system_.predict(asked_.predictor, asked_.load_factor);
+        system_.predict(asked_.predictor);
     else
-        advance_interior(asked_.boundary);
+        advance_interior();
+    system_.set_load_factor(asked_.load_factor);
     system_.set_boundary(asked_.boundary);
     system_.linearise();
     coupling::PatchResponse response = system_.measure();
@@ -56,14 +57,19 @@ void FineModel::condense(coupling::PatchResponse& response) {
     all_changed_ = false;
     tree_->factor(system_.zone().tangents(), changed);
     reduced_ = tree_->reduce(system_.load());
+    const Eigen::VectorXd& own = system_.patch().unit_load;
+    reduced_unit_ = {Eigen::VectorXd::Zero(reduced_.interior.size()), Eigen::VectorXd::Zero(reduced_.boundary.size())};
+    if (!own.isZero(0.0)) reduced_unit_ = tree_->reduce(own);
 
     const Eigen::MatrixXd& S = tree_->tangent();
     const auto j = std::ssize(interior_jumps_), g = std::ssize(system_.patch().boundary);
     const auto m = static_cast<Eigen::Index>(system_.contact().multipliers());
-    const Eigen::VectorXd load = reduced_.boundary;
+    Eigen::MatrixXd loads(j + g, 2);
+    loads << reduced_.boundary, reduced_unit_.boundary;
     if (j + m == 0) {
         response.tangent = S;
-        response.force = -load;
+        response.force = -loads.col(0);
+        response.unit_load = loads.col(1);
         return;
     }
     // Unknowns c = (jumps, multipliers), boundary b. Jumps may lie on the boundary too: B couples multipliers with
@@ -91,27 +97,32 @@ void FineModel::condense(coupling::PatchResponse& response) {
         A_bc.block(0, j, g, m).row(place) = -B.col(static_cast<Eigen::Index>(column)).transpose();
         A_cb.bottomRows(m).col(place) = rows.jump.col(static_cast<Eigen::Index>(column));
     }
-    Eigen::VectorXd b(j + m);
-    b << load.head(j), rows.right_hand_side;
+    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(j + m, 2);
+    b.topRows(j) = loads.topRows(j);
+    b.col(0).tail(m) = rows.right_hand_side;
     block_.factor.compute(A);
     block_.inverse_times_boundary = block_.factor.solve(A_cb);
-    block_.inverse_times_load = block_.factor.solve(b);
-    if (!block_.inverse_times_load.allFinite()) throw NumericalFailure("contact block of the zone is singular");
+    block_.inverse_times_loads = block_.factor.solve(b);
+    if (!block_.inverse_times_loads.allFinite()) throw NumericalFailure("contact block of the zone is singular");
     // Symmetric without friction; to the last bit, so that half of it crosses the wire.
     const Eigen::MatrixXd tangent = S.bottomRightCorner(g, g) - A_bc * block_.inverse_times_boundary;
     response.tangent = 0.5 * (tangent + tangent.transpose());
-    response.force = -(load.tail(g) - A_bc * block_.inverse_times_load);
+    loads.bottomRows(g) -= A_bc * block_.inverse_times_loads;
+    response.force = -loads.col(0).tail(g);
+    response.unit_load = loads.col(1).tail(g);
 }
 
-void FineModel::advance_interior(const Eigen::VectorXd& boundary) {
+void FineModel::advance_interior() {
     const auto j = std::ssize(interior_jumps_);
     const auto m = static_cast<Eigen::Index>(system_.contact().multipliers());
-    const Eigen::VectorXd step = boundary - gather(system_.displacement(), system_.patch().boundary);
+    const Eigen::VectorXd step = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
+    const Eigen::Vector2d loads(1.0, asked_.load_factor - system_.load_factor());
     Eigen::VectorXd inner(j + m);
-    if (j + m > 0) inner = block_.inverse_times_load - block_.inverse_times_boundary * step;
+    if (j + m > 0) inner = block_.inverse_times_loads * loads - block_.inverse_times_boundary * step;
     Eigen::VectorXd kept(std::ssize(kept_));
     kept << inner.head(j), step;
-    system_.move(tree_->expand(reduced_, kept), inner.tail(m));
+    const ReducedLoad moving{reduced_.interior + loads[1] * reduced_unit_.interior, reduced_.boundary};
+    system_.move(tree_->expand(moving, kept), inner.tail(m));
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {

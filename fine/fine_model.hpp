@@ -29,9 +29,9 @@ private:
     struct ContactBlock {
         Eigen::PartialPivLU<Eigen::MatrixXd> factor;
         Eigen::MatrixXd inverse_times_boundary;  // A^-1 A_cb
-        Eigen::VectorXd inverse_times_load;      // A^-1 (b_j, b_multipliers)
+        Eigen::MatrixXd inverse_times_loads;     // A^-1 (b_j, b_multipliers), and A^-1 (unit load on j, 0)
     };
-    void advance_interior(const Eigen::VectorXd& boundary);
+    void advance_interior();
     void condense(coupling::PatchResponse& response);
 
     ZoneSystem system_;
@@ -39,7 +39,7 @@ private:
     std::vector<int> interior_jumps_;  // jump unknowns that are not on the boundary, as indices into jump_unknowns()
     std::vector<int> kept_;            // boundary of the tree: interior jumps, then Gamma
     ContactBlock block_;
-    ReducedLoad reduced_;
+    ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
     coupling::PatchDisplacement asked_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;

@@ -6,12 +6,11 @@
 
 namespace stria::fine {
 
-Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic, int subcells)
+Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+           const IntegrationRule& rule)
     : mesh_(mesh), law_(std::move(law)), elastic_(elastic) {
     const std::vector<int> piece = piece_of_elements(mesh_);
     const MandelMatrix stiffness = elastic_.stiffness();
-    const IntegrationRule rule{
-        .subcells = subcells, .gauss = 2, .tip_points = 4, .mean_dilatation = elastic_.plane == PlaneState::Strain};
     const auto count = mesh_.elements.size();
     operators_.reserve(count);
     for (std::size_t e = 0; e < count; ++e) {
@@ -163,19 +162,28 @@ double Zone::dissipation() const {
     return sum;
 }
 
-DomainIntegral Zone::ring_integral(const Tip& tip, const Eigen::VectorXd& q, bool want_J, bool want_K) const {
-    DomainIntegral sum;
-    std::array<double, 4> corners{};
+void Zone::add_to(RingSums& rings) const {
     for (std::size_t e = 0; e < operators_.size(); ++e) {
-        if (!ring_corners(mesh_, static_cast<int>(e), q, corners)) continue;
-        const auto stress_and_work = [&](std::size_t p) {
-            const int point = first_point_[e] + static_cast<int>(p);
-            return std::pair{committed_mandel(state::stress, point), committed(state::work, point)};
-        };
-        sum += integrate_ring(operators_[e], mesh_, tip, corners, gather(committed_u_, operators_[e].unknowns),
-                              elastic_, want_J, want_K, stress_and_work);
+        const ElementOperator& op = operators_[e];
+        if (!rings.enter(static_cast<int>(e))) continue;
+        const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const int point = first_point_[e] + static_cast<int>(q);
+            rings.add(op.points[q], committed_mandel(state::stress, point), op.displacement_gradient(u, q),
+                      committed(state::work, point));
+        }
     }
-    return sum;
+}
+
+double Zone::plastic_reach(const Tip& tip) const {
+    double largest = 0.0;
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
+            if (committed(state::accumulated, first_point_[e] + static_cast<int>(q)) > 0.0)
+                largest = std::max(largest, (operators_[e].points[q].x - tip.position).norm());
+        }
+    }
+    return largest;
 }
 
 double Zone::plastic_extent(const Tip& tip, double half_angle) const {

@@ -15,7 +15,8 @@ namespace stria::fine {
 
 class Zone {
 public:
-    Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic, int subcells);
+    Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+         const IntegrationRule& rule);
 
     /// Elements that `old` holds too keep their points' states; the others start from sigma = C eps(u) (DESIGN section
     /// 4).
@@ -44,8 +45,10 @@ public:
 
     /// Integrals of the committed state.
     [[nodiscard]] double dissipation() const;
-    [[nodiscard]] DomainIntegral ring_integral(const Tip& tip, const Eigen::VectorXd& q, bool want_J,
-                                               bool want_K) const;
+    /// Adds the share of the zone's bulk to the domain integrals of a tip.
+    void add_to(RingSums& rings) const;
+    /// Largest distance from the tip to a point that has ever flowed.
+    [[nodiscard]] double plastic_reach(const Tip& tip) const;
     /// Largest distance from the tip to a point that flowed since the last reversal; `half_angle` about the line ahead.
     [[nodiscard]] double plastic_extent(const Tip& tip, double half_angle) const;
     void describe(coupling::ZoneState& out) const;

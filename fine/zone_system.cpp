@@ -16,13 +16,28 @@ ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_o
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
-    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_,
-                                   input_.fine.subcells);
+    const IntegrationRule rule{.subcells = input_.fine.subcells,
+                               .gauss = 2,
+                               .tip_points = 4,
+                               .mean_dilatation = mean_dilatation(input_.material, elastic_)};
+    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, rule);
     contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
                                                   elastic_.plane_modulus());
     keep_history(patch, old.get(), old_contact.get());
     patch_ = patch;
     trial_ = committed_;
+    find_tip_stations();
+}
+
+void ZoneSystem::find_tip_stations() {
+    tip_stations_.assign(patch_.mesh.tips.size(), {});
+    for (std::size_t t = 0; t < tip_stations_.size(); ++t) {
+        const Tip& tip = patch_.mesh.tips[t];
+        const CrackSection& crack = input_.cracks[static_cast<std::size_t>(tip.crack)];
+        if (!crack.contact) continue;
+        tip_stations_[t] = face_stations_about(patch_.mesh, tip, input_.fine.subcells, 4);
+        std::erase_if(tip_stations_[t], [&](const FaceStation& station) { return station.s < crack.notch; });
+    }
 }
 
 void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact) {
@@ -60,8 +75,7 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
     zone_->start(old, committed_.displacement);
 }
 
-void ZoneSystem::predict(double factor, double load_factor) {
-    load_factor_ = load_factor;
+void ZoneSystem::predict(double factor) {
     trial_.displacement = committed_.displacement + factor * last_increment_.displacement;
     // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
     trial_.pressure = committed_.pressure + factor * last_increment_.pressure;
@@ -123,6 +137,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     zone_->commit(reversal);
     coupling::StepReport report;
     report_tips(report);
+    report_rings(report);
     report_faces(report);
     report.dissipation = zone_->dissipation();
     report.points = zone_->points();
@@ -136,53 +151,37 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
 void ZoneSystem::report_tips(coupling::StepReport& report) const {
     const auto tips = patch_.mesh.tips.size();
     report.tips.resize(tips);
-    for (const coupling::Ring& ring : patch_.j_rings) {
-        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(ring.tip)];
-        DomainIntegral sum = zone_->ring_integral(tip, ring.q, true, false);
-        sum += face_integral(tip, ring);
-        report.tips[static_cast<std::size_t>(ring.tip)].J = sum.J;
-    }
-    for (const coupling::Ring& ring : patch_.k_rings) {
-        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(ring.tip)];
-        DomainIntegral sum = zone_->ring_integral(tip, ring.q, false, true);
-        sum += face_integral(tip, ring);
-        report.tips[static_cast<std::size_t>(ring.tip)].interaction_I = sum.interaction_I;
-        report.tips[static_cast<std::size_t>(ring.tip)].interaction_II = sum.interaction_II;
-    }
     for (std::size_t t = 0; t < tips; ++t) {
         const Tip& tip = patch_.mesh.tips[t];
         report.tips[t].CTOD = opening_at_intercept(patch_.mesh, tip, committed_.displacement);
         report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
         report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);
+        report.tips[t].plastic_reach = zone_->plastic_reach(tip);
     }
 }
 
-// Faces under pressure inside the ring: with traction t = +-p n the terms -(t . u_,1) q of both faces add up to
-// -p d(opening)/dx1 q (J) and -p d(auxiliary opening)/dx1 q (interaction), axis 1 along the tip.
-DomainIntegral ZoneSystem::face_integral(const Tip& tip, const coupling::Ring& ring) const {
-    DomainIntegral sum;
-    for (const FaceStation& station : contact_->stations()) {
-        if (station.crack != tip.crack) continue;
-        const double pressure = contact_->pressure_at(station, committed_.pressure);
-        if (pressure <= 0.0) continue;
-        const double r = (station.x - tip.position).norm();
-        const double q = std::clamp((ring.outer_radius - r) / (ring.outer_radius - ring.inner_radius), 0.0, 1.0);
-        if (q == 0.0) continue;
-        const double towards_tip = station.tangent.dot(tip.direction);
-        const double step = 1e-4 * std::min(r, station.weight);
-        const FaceStation before = face_station_at(patch_.mesh, station.crack, station.s - step);
-        const FaceStation after = face_station_at(patch_.mesh, station.crack, station.s + step);
-        const double slope =
-            (after.opening(committed_.displacement) - before.opening(committed_.displacement)) / (2.0 * step);
-        sum.J -= station.weight * q * pressure * slope * towards_tip;
-        for (const int mode : {1, 2}) {
-            const Eigen::Matrix2d jump = williams_field(mode, tip, station.x, 1, elastic_).gradient -
-                                         williams_field(mode, tip, station.x, -1, elastic_).gradient;
-            const double term = -station.weight * q * pressure * station.normal.dot(jump * tip.direction);
-            (mode == 1 ? sum.interaction_I : sum.interaction_II) += term;
+void ZoneSystem::report_rings(coupling::StepReport& report) const {
+    for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
+        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
+        std::vector<Annulus> rings;
+        std::vector<int> numbers;
+        for (const coupling::Ring& ring : patch_.rings) {
+            if (ring.tip != t) continue;
+            rings.push_back({ring.inner_radius, ring.outer_radius});
+            numbers.push_back(ring.number);
+        }
+        if (rings.empty()) continue;
+        RingSums sums(patch_.mesh, tip, elastic_, rings);
+        zone_->add_to(sums);
+        for (const FaceStation& station : tip_stations_[static_cast<std::size_t>(t)]) {
+            const double pressure = contact_->pressure_at(station, committed_.pressure);
+            if (pressure > 0.0) sums.add_pressure(station, pressure, station.opening_slope(committed_.displacement));
+        }
+        for (std::size_t k = 0; k < rings.size(); ++k) {
+            const DomainIntegral& sum = sums.values()[k];
+            report.rings.push_back({t, numbers[k], sum.J, sum.interaction_I, sum.interaction_II, sum.interaction_T});
         }
     }
-    return sum;
 }
 
 void ZoneSystem::report_faces(coupling::StepReport& report) const {

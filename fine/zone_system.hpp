@@ -17,8 +17,12 @@ public:
     /// A new zone; elements and multipliers that the old one had keep their history.
     void set_patch(const coupling::Patch& patch);
 
-    /// Trial = committed + factor * last increment: the first iterate of an increment at a load factor.
-    void predict(double factor, double load_factor);
+    /// Trial = committed + factor * last increment: the first iterate of an increment.
+    void predict(double factor);
+
+    /// Of the trial state.
+    void set_load_factor(double load_factor) { load_factor_ = load_factor; }
+    [[nodiscard]] double load_factor() const { return load_factor_; }
 
     /// Moves the trial unknowns: displacements of the zone, pressures of the multipliers.
     void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure);
@@ -49,16 +53,18 @@ private:
     struct Unknowns {
         Eigen::VectorXd displacement, pressure;
     };
+    void find_tip_stations();
     void keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact);
     void report_tips(coupling::StepReport& report) const;
     void report_faces(coupling::StepReport& report) const;
-    [[nodiscard]] DomainIntegral face_integral(const Tip& tip, const coupling::Ring& ring) const;
+    void report_rings(coupling::StepReport& report) const;
 
     const Case& input_;
     Elasticity elastic_;
     coupling::Patch patch_;
     std::unique_ptr<Zone> zone_;
     std::unique_ptr<ContactInterface> contact_;
+    std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
     Unknowns committed_, trial_, last_increment_;
     Eigen::VectorXd gap_, load_;
     double largest_move_ = 0.0, load_factor_ = 0.0;

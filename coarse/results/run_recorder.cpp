@@ -33,20 +33,20 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
             zone = zone_state_();
         FieldData fields =
             make_fields(structure, increment.displacement, zone ? &*zone : nullptr, increment.zone.faces);
-        fields.whole_arrays = {{"load_factor", 1, {increment.step.factor}},
+        fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}},
                                {"cycle", 1, {double(increment.step.cycle)}}};
         fields_.write(increment.number, fields);
     }
     if (increment.step.ends_cycle) finish_cycle(increment);
     if (increment.step.cycle == 0 && increment.step.reversal) begin_cycle();  // the ramp is over
-    last_factor_ = increment.step.factor;
+    last_target_ = increment.step.target.value;
 }
 
 void RunRecorder::record_history(const Increment& increment, const Structure&) {
     HistoryRow row;
     row.increment = increment.number;
     row.cycle = increment.step.cycle;
-    row.load_factor = increment.step.factor;
+    row.load_factor = increment.load_factor;
     row.load = load(increment);
     row.displacement = displacement(increment);
     row.newton_iterations = increment.newton.count();
@@ -67,6 +67,9 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
         row.contact_length = tip.contact_length;
         row.plastic_zone = tip.plastic_zone;
         row.plastic_zone_axis = tip.plastic_zone_axis;
+        row.T_stress = tip.T_stress;
+        row.J_spread = tip.J_spread;
+        row.K_spread = tip.K_spread;
         last_.push_back(row);
     }
     for (const HistoryRow& written : last_) history_.row(cells_of(written));
@@ -74,11 +77,11 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
 
 void RunRecorder::record_cycle(const Increment& increment) {
     cycle_iterations_ += increment.newton.count();
-    const bool loading = increment.step.factor > last_factor_;
+    const bool loading = increment.step.target.value > last_target_;
     for (std::size_t t = 0; t < increment.tips.size(); ++t) {
         CycleSoFar& cycle = cycle_[t];
         const TipResult& tip = increment.tips[t];
-        const double K = nominal_[t].K_I * increment.step.factor;
+        const double K = nominal_[t].K_I * increment.load_factor;
         cycle.K_max = std::max(cycle.K_max, K);
         cycle.K_min = std::min(cycle.K_min, K);
         cycle.J_max = std::max(cycle.J_max, tip.J);
@@ -152,7 +155,7 @@ bool RunRecorder::due(Written wish, const LoadStep& step) const {
 
 double RunRecorder::load(const Increment& increment) const {
     if (!loaded_) return missing;
-    if (!loaded_->resultant.isZero(0.0)) return increment.step.factor * loaded_->resultant.dot(loaded_->direction);
+    if (!loaded_->resultant.isZero(0.0)) return increment.load_factor * loaded_->resultant.dot(loaded_->direction);
     double sum = 0.0;
     for (const int node : loaded_->nodes) {
         for (int c = 0; c < 2; ++c) {
@@ -166,11 +169,7 @@ double RunRecorder::load(const Increment& increment) const {
 }
 
 double RunRecorder::displacement(const Increment& increment) const {
-    if (!loaded_) return missing;
-    std::vector<Vec2> nodal(scene_.mesh.nodes.size());
-    for (std::size_t n = 0; n < nodal.size(); ++n)
-        nodal[n] = increment.displacement.segment<2>(scene_.enriched.unknown(static_cast<int>(n), 0, 0));
-    return mean_displacement(scene_.mesh, *loaded_, nodal);
+    return loaded_ ? scene_.mean_displacement.dot(increment.displacement) : missing;
 }
 
 }  // namespace stria::coarse

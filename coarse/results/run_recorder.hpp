@@ -48,7 +48,7 @@ private:
     std::vector<TipResult> nominal_;
     std::vector<CycleSoFar> cycle_;
     int cycle_iterations_ = 0;
-    double last_factor_ = 0.0, output_s_ = 0.0, cycle_start_s_ = 0.0;
+    double last_target_ = 0.0, output_s_ = 0.0, cycle_start_s_ = 0.0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -37,12 +37,14 @@ std::string escaped(const std::string& text) {
 }
 
 Json to_json(const Timing& timing) {
-    return Json::Object{{"setup", timing.setup},
+    return Json::Object{{"mesh", timing.mesh},
+                        {"setup", timing.setup},
                         {"coarse_factor", timing.coarse_factor},
                         {"fine_constitutive", timing.fine_constitutive},
                         {"fine_contact", timing.fine_contact},
                         {"fine_factor", timing.fine_factor},
                         {"exchange", timing.exchange},
+                        {"coarse_solve", timing.coarse_solve},
                         {"output", timing.output},
                         {"total", timing.total}};
 }
@@ -59,7 +61,10 @@ Json last_values(const HistoryRow& row) {
                         {"J", row.J},
                         {"CMOD", row.CMOD},
                         {"CTOD", row.CTOD},
-                        {"plastic_zone", row.plastic_zone}};
+                        {"plastic_zone", row.plastic_zone},
+                        {"T_stress", row.T_stress},
+                        {"J_spread", row.J_spread},
+                        {"K_spread", row.K_spread}};
 }
 
 }  // namespace
@@ -119,6 +124,7 @@ Json to_json(const Summary& summary) {
                         {"step_cuts", summary.step_cuts},
                         {"zone_extensions", summary.zone_extensions},
                         {"yield_warnings", summary.yield_warnings},
+                        {"flowing_rings", summary.flowing_rings},
                         {"messages", summary.messages},
                         {"bytes", summary.bytes},
                         {"tips", tips}};

@@ -43,10 +43,10 @@ struct Json::Member {
     Json value;
 };
 
-/// Seconds per phase.
+/// Seconds per phase. mesh + setup + exchange + coarse_solve + output make the total; the others are parts of those.
 struct Timing {
-    double setup = 0, coarse_factor = 0, fine_constitutive = 0, fine_contact = 0, fine_factor = 0;
-    double exchange = 0, output = 0, total = 0;
+    double mesh = 0, setup = 0, coarse_factor = 0, fine_constitutive = 0, fine_contact = 0, fine_factor = 0;
+    double exchange = 0, coarse_solve = 0, output = 0, total = 0;
 };
 
 struct Summary {
@@ -56,9 +56,10 @@ struct Summary {
     int ranks = 1;
     std::int64_t coarse_unknowns = 0, interface_unknowns = 0, fine_unknowns = 0, fine_points = 0;
     std::int64_t newton_iterations = 0;
-    // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, and what
-    // crossed.
-    std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, messages = 0, bytes = 0;
+    // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, increments in
+    // which a tip had no ring outside its plastic zone, and what crossed.
+    std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, flowing_rings = 0;
+    std::int64_t messages = 0, bytes = 0;
     Timing timing;
     std::vector<HistoryRow> last;  // last row of each tip
 };

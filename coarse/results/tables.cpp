@@ -32,6 +32,9 @@ constexpr std::array history_table{
     Column<HistoryRow>{"plastic_zone", &HistoryRow::plastic_zone},
     Column<HistoryRow>{"dissipation", &HistoryRow::dissipation},
     Column<HistoryRow>{"plastic_zone_axis", &HistoryRow::plastic_zone_axis},
+    Column<HistoryRow>{"T_stress", &HistoryRow::T_stress},
+    Column<HistoryRow>{"J_spread", &HistoryRow::J_spread},
+    Column<HistoryRow>{"K_spread", &HistoryRow::K_spread},
 };
 
 constexpr std::array cycle_table{

@@ -32,6 +32,9 @@ struct HistoryRow {
     double plastic_zone = missing;       // mm
     double dissipation = missing;        // N, per mm of thickness, total so far
     double plastic_zone_axis = missing;  // mm
+    double T_stress = missing;           // MPa
+    double J_spread = missing;           // over the rings, relative
+    double K_spread = missing;           // likewise
 };
 
 /// One cycle and tip.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "coarse/zone_selection.hpp"
 #include "common/fem/cut_element.hpp"
@@ -34,15 +35,16 @@ class FieldBuilder {
 public:
     FieldBuilder(const Structure& structure, const Eigen::VectorXd& u, const coupling::ZoneState* zone,
                  const std::vector<coupling::FaceSample>& faces)
-        : structure_(structure), mesh_(structure.scene().enriched), u_(u) {
+        : structure_(structure), mesh_(structure.scene().enriched), u_(u), whole_(mesh_.elements.size()),
+          shared_(mesh_.nodes.size(), -1) {
         const MandelMatrix elastic = structure.scene().elastic.stiffness();
-        for (const ElementOperator& op : structure.operators()) {
-            const Eigen::VectorXd local = gather(u, op.unknowns);
+        structure.for_each_operator([&](const auto& op) {
+            const auto local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
-                means_[{op.element, op.points[q].side}].add(op.points[q].weight, elastic * op.strain(local, q),
-                                                            Mandel::Zero(), 0.0);
+                mean({op.element, op.points[q].side})
+                    .add(op.points[q].weight, elastic * op.strain(local, q), Mandel::Zero(), 0.0);
             }
-        }
+        });
         if (zone != nullptr) add_zone(*zone);
         add_faces(faces);
     }
@@ -77,8 +79,8 @@ private:
         for (std::size_t q = 0; q < zone.element.size(); ++q) {
             const Eigen::Map<const Mandel> stress(zone.stress.data() + 4 * q),
                 plastic(zone.plastic_strain.data() + 4 * q);
-            means_[{part.element_ids[at(zone.element[q])], zone.side[q]}].add(zone.weight[q], stress, plastic,
-                                                                              zone.accumulated[q]);
+            mean({part.element_ids[at(zone.element[q])], zone.side[q]})
+                .add(zone.weight[q], stress, plastic, zone.accumulated[q]);
         }
     }
 
@@ -96,19 +98,24 @@ private:
         }
     }
 
+    CellMean& mean(const CellKey& key) { return key.second == 0 ? whole_[at(key.first)] : sides_[key]; }
+
     void add_plain(int e) {
-        const ElementBasis basis(mesh_, e, false);
+        // A node on the crack has two displacements; elements that touch the crack have points of their own.
+        std::optional<ElementBasis> own;
+        if (!is_plain(mesh_, e)) own.emplace(mesh_, e, false);
+        if (own && mesh_.element_side[at(e)] == 0 && !own->enriched()) own.reset();
         std::vector<std::int64_t> points;
-        for (int k = 0; k < 4; ++k) {
-            const int node = mesh_.elements[at(e)][at(k)];
-            // A node on the crack has two displacements; elements that touch the crack have points of their own.
-            const bool own = mesh_.element_side[at(e)] != 0 || basis.enriched();
-            const auto [found, added] =
-                own ? std::pair{shared_.end(), true} : shared_.try_emplace(node, std::ssize(data_.points));
-            points.push_back(own ? std::ssize(data_.points) : found->second);
-            if (added) add_point(basis, mesh_.nodes[at(node)], 0);
-        }
+        for (const int node : mesh_.elements[at(e)])
+            points.push_back(own ? add_point(*own, mesh_.nodes[at(node)], 0) : shared_point(node));
         add_cell(CellType::Quad, points, {e, 0});
+    }
+
+    // Terms vanish at nodes off the crack.
+    std::int64_t shared_point(int node) {
+        std::int64_t& point = shared_[at(node)];
+        if (point < 0) point = add_point(mesh_.nodes[at(node)], u_.segment<2>(mesh_.unknown(node, 0, 0)));
+        return point;
     }
 
     void add_cut(int e, const CrackPiece& piece) {
@@ -119,36 +126,38 @@ private:
         for (const auto& triangle : triangulate(basis.corners(), segments)) {
             const int side = cut.side_of((triangle[0] + triangle[1] + triangle[2]) / 3.0);
             std::vector<std::int64_t> points;
-            for (const Vec2& x : triangle) {
-                points.push_back(std::ssize(data_.points));
-                add_point(basis, x, side);
-            }
+            for (const Vec2& x : triangle) points.push_back(add_point(basis, x, side));
             add_cell(CellType::Triangle, points, {e, side});
         }
     }
 
-    void add_point(const ElementBasis& basis, const Vec2& x, int side) {
+    std::int64_t add_point(const ElementBasis& basis, const Vec2& x, int side) {
         BasisValues values;
         basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
         Vec2 displacement = Vec2::Zero();
         for (int f = 0; f < basis.functions(); ++f)
             displacement += values.value[f] * u_.segment<2>(basis.unknowns()[at(2 * f)]);
+        return add_point(x, displacement);
+    }
+
+    std::int64_t add_point(const Vec2& x, const Vec2& displacement) {
         data_.points.emplace_back(x.x(), x.y(), 0.0);
         displacement_.insert(displacement_.end(), {displacement.x(), displacement.y(), 0.0});
+        return std::ssize(data_.points) - 1;
     }
 
     void add_cell(CellType type, const std::vector<std::int64_t>& points, const CellKey& key) {
         data_.add_cell(type, points);
-        CellMean mean = means_[key];
-        const double w = mean.weight > 0.0 ? mean.weight : 1.0;
-        const Mandel stress = mean.stress / w, plastic = mean.plastic_strain / w;
+        const CellMean& sum = mean(key);
+        const double w = sum.weight > 0.0 ? sum.weight : 1.0;
+        const Mandel stress = sum.stress / w, plastic = sum.plastic_strain / w;
         for (int c = 0; c < 4; ++c) {
             const double scale = c == 3 ? 1.0 / std::numbers::sqrt2 : 1.0;  // tensor components xx, yy, zz, xy
             stress_.push_back(scale * stress[c]);
             plastic_.push_back(scale * plastic[c]);
         }
         von_mises_.push_back(stria::von_mises(stress));
-        accumulated_.push_back(mean.accumulated / w);
+        accumulated_.push_back(sum.accumulated / w);
         zone_.push_back(structure_.in_zone()[at(key.first)]);
         side_.push_back(key.second);
         const auto contact = pressure_of_.find(key.first);
@@ -158,8 +167,9 @@ private:
     const Structure& structure_;
     const EnrichedMesh& mesh_;
     Eigen::VectorXd u_;
-    std::map<CellKey, CellMean> means_;
-    std::map<int, std::int64_t> shared_;
+    std::vector<CellMean> whole_;  // of uncut elements
+    std::map<CellKey, CellMean> sides_;
+    std::vector<std::int64_t> shared_;   // point of each node, -1: none yet
     std::map<int, double> pressure_of_;  // by element
     FieldData data_;
     std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_, contact_;

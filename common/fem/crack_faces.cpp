@@ -28,10 +28,37 @@ FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, con
     basis.evaluate(xi, x, -1, minus);
     for (int f = 0; f < basis.functions(); ++f) {
         const double value = plus.value[f] - minus.value[f];
+        const double slope = (plus.gradient.row(f) - minus.gradient.row(f)).dot(tangent);
         if (std::abs(value) > 1e-14)
-            station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value});
+            station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value, slope});
     }
     return station;
+}
+
+/// An arc length and the length that it stands for.
+struct Place {
+    double s, weight;
+};
+
+/// Stations at the places that a rule puts between the ends of each interface element.
+template <class Rule>
+std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int subcells, const Rule& places_between) {
+    std::vector<FaceStation> stations;
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        // Both traces along an edge come from the functions of one of its elements: it counts as cut.
+        const ElementBasis basis(mesh, piece.element, true);
+        const InterfacePoints ends = interface_elements(basis.corners(), piece, subcells);
+        for (std::size_t k = 0; k + 1 < ends.points.size(); ++k) {
+            const Vec2 d = ends.points[k + 1] - ends.points[k];
+            const double length = ends.s[k + 1] - ends.s[k];
+            for (const auto& [s, weight] : places_between(ends.s[k], ends.s[k + 1])) {
+                const Vec2 x = ends.points[k] + (s - ends.s[k]) / length * d;
+                stations.push_back(make_station(basis, piece, x, d.normalized(), s, weight));
+            }
+        }
+    }
+    return stations;
 }
 
 }  // namespace
@@ -42,24 +69,33 @@ Vec2 FaceStation::jump(const Eigen::VectorXd& u) const {
     return sum;
 }
 
+double FaceStation::opening_slope(const Eigen::VectorXd& u) const {
+    double sum = 0.0;
+    for (const Term& term : terms) sum += term.slope * u.segment<2>(term.unknown).dot(normal);
+    return sum;
+}
+
 std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss) {
-    std::vector<FaceStation> stations;
-    for (const CrackPiece& piece : mesh.pieces) {
-        if (piece.crack != crack) continue;
-        // Both traces along an edge come from the functions of one of its elements: it counts as cut.
-        const ElementBasis basis(mesh, piece.element, true);
-        const InterfacePoints ends = interface_elements(basis.corners(), piece, subcells);
-        for (std::size_t k = 0; k + 1 < ends.points.size(); ++k) {
-            const Vec2 d = ends.points[k + 1] - ends.points[k];
-            const double length = ends.s[k + 1] - ends.s[k];
-            for (const LinePoint& point : gauss_line(gauss)) {
-                const double t = 0.5 * (1.0 + point.xi);
-                stations.push_back(make_station(basis, piece, ends.points[k] + t * d, d.normalized(),
-                                                ends.s[k] + t * length, 0.5 * point.weight * length));
-            }
+    return stations_of(mesh, crack, subcells, [&](double first, double last) {
+        std::vector<Place> places;
+        for (const LinePoint& point : gauss_line(gauss)) {
+            places.push_back({first + 0.5 * (1.0 + point.xi) * (last - first), 0.5 * point.weight * (last - first)});
         }
-    }
-    return stations;
+        return places;
+    });
+}
+
+std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip& tip, int subcells, int gauss) {
+    return stations_of(mesh, tip.crack, subcells, [&](double first, double last) {
+        const double v_first = std::sqrt(std::abs(first - tip.s)), v_last = std::sqrt(std::abs(last - tip.s));
+        const double sign = first + last > 2.0 * tip.s ? 1.0 : -1.0;
+        std::vector<Place> places;
+        for (const LinePoint& point : gauss_line(gauss)) {
+            const double v = v_first + 0.5 * (1.0 + point.xi) * (v_last - v_first);
+            places.push_back({tip.s + sign * v * v, point.weight * v * std::abs(v_last - v_first)});
+        }
+        return places;
+    });
 }
 
 FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {

@@ -9,11 +9,11 @@
 namespace stria {
 
 /// Jump operator at one station: jump = sum over terms of value * (u[unknown], u[unknown + 1]), plus side minus minus
-/// side.
+/// side; `slope` instead of `value` gives its derivative along the tangent.
 struct FaceStation {
     struct Term {
         int unknown;
-        double value;
+        double value, slope;
     };
     int crack = 0;
     int element = 0;      // of the enriched mesh
@@ -26,12 +26,17 @@ struct FaceStation {
 
     [[nodiscard]] Vec2 jump(const Eigen::VectorXd& u) const;
     [[nodiscard]] double opening(const Eigen::VectorXd& u) const { return jump(u).dot(normal); }
+    [[nodiscard]] double opening_slope(const Eigen::VectorXd& u) const;
     [[nodiscard]] double slip(const Eigen::VectorXd& u) const { return jump(u).dot(tangent); }
 };
 
 /// Gauss points of the interface elements (crack pieces cut by the s x s sub-quadrangles, Fig. 2) of one crack, in
 /// order.
 std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss);
+
+/// The same interface elements of a tip's crack for integrands that are singular there: r^(-1/2) times a polynomial is
+/// integrated exactly, being one in sqrt(r).
+std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip& tip, int subcells, int gauss);
 
 /// The station at an arc length (weight 0); empty terms where no piece of the mesh holds it.
 FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s);

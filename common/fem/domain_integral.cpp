@@ -5,24 +5,75 @@
 #include "common/fem/shape_q4.hpp"
 
 namespace stria {
+namespace {
 
-Vec2 weight_gradient(const std::array<Vec2, 4>& corners, const std::array<double, 4>& q, const Vec2& xi) {
-    const ShapeQ4 shape = shape_q4(corners, xi);
-    return shape.gradient.transpose() * Eigen::Map<const Eigen::Vector4d>(q.data());
-}
-
-Eigen::VectorXd ring_weight(const std::vector<Vec2>& nodes, const Tip& tip, double inner, double outer) {
-    Eigen::VectorXd q(static_cast<Eigen::Index>(nodes.size()));
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const double r = (nodes[n] - tip.position).norm();
-        q[static_cast<Eigen::Index>(n)] = std::clamp((outer - r) / (outer - inner), 0.0, 1.0);
+Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip& tip, const Annulus& ring) {
+    Eigen::Vector4d q;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int node = mesh.elements[static_cast<std::size_t>(element)][k];
+        q[static_cast<Eigen::Index>(k)] =
+            ring.weight((mesh.nodes[static_cast<std::size_t>(node)] - tip.position).norm());
     }
     return q;
 }
 
-bool ring_corners(const EnrichedMesh& mesh, int element, const Eigen::VectorXd& q, std::array<double, 4>& corners) {
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = q[mesh.elements[static_cast<std::size_t>(element)][k]];
-    return std::ranges::any_of(corners, [&](double value) { return value != corners[0]; });
+bool constant(const Eigen::Vector4d& q) { return (q.array() == q[0]).all(); }
+
+}  // namespace
+
+RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings)
+    : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()) {}
+
+bool RingSums::enter(int element) {
+    entered_.clear();
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+        const Eigen::Vector4d q = corner_weights(mesh_, element, tip_, rings_[ring]);
+        if (!constant(q)) entered_.push_back({ring, q});
+    }
+    if (entered_.empty()) return false;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int node = mesh_.elements[static_cast<std::size_t>(element)][k];
+        corners_[k] = mesh_.nodes[static_cast<std::size_t>(node)];
+    }
+    return true;
+}
+
+void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    const auto mutual = [&](const TipField& auxiliary) {
+        return mutual_energy_momentum(tip_, stress, gradient, auxiliary);
+    };
+    const Vec2 own = energy_momentum(tip_, stress, gradient, work);
+    const Vec2 I = mutual(williams_field(1, tip_, point.x, point.side, elastic_));
+    const Vec2 II = mutual(williams_field(2, tip_, point.x, point.side, elastic_));
+    const Vec2 T = mutual(point_force_field(tip_, point.x, point.side, elastic_));
+    const Eigen::Matrix<double, 4, 2> shape = shape_q4(corners_, point.xi).gradient;
+    for (const auto& [ring, q] : entered_) {
+        const Vec2 dq = point.weight * shape.transpose() * q;
+        sums_[ring] += {own.dot(dq), I.dot(dq), II.dot(dq), T.dot(dq)};
+    }
+}
+
+// With the traction +-p n on the faces, -(t . u_,1) q of both adds up to -p d(opening)/dx_1 q (J), and likewise with
+// the auxiliary opening (interaction). That of the point force is constant: it adds nothing.
+void RingSums::add_pressure(const FaceStation& station, double pressure, double slope) {
+    const double forward = station.tangent.dot(tip_.direction);
+    const auto auxiliary_slope = [&](int mode) {
+        const Eigen::Matrix2d jump = williams_field(mode, tip_, station.x, 1, elastic_).gradient -
+                                     williams_field(mode, tip_, station.x, -1, elastic_).gradient;
+        return station.normal.dot(jump * tip_.direction);
+    };
+    const double own = slope * forward, I = auxiliary_slope(1), II = auxiliary_slope(2);
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+        const double q = corner_weights(mesh_, station.element, tip_, rings_[ring]).dot(station.shape);
+        const double push = station.weight * pressure * q;
+        sums_[ring] += {-push * own, -push * I, -push * II, 0.0};
+    }
+}
+
+bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring) {
+    for (int element = 0; element < std::ssize(mesh.elements); ++element)
+        if (!constant(corner_weights(mesh, element, tip, ring))) return true;
+    return false;
 }
 
 }  // namespace stria

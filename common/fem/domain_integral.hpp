@@ -1,71 +1,87 @@
-// J and the interaction integral in domain form: kernels at a point, for a ring where the weight q falls from 1 to 0.
+// J and the interaction integrals in domain form about one tip: their integrands at a point, and the sums over several
+// rings in one pass. In each ring the weight q falls from 1 to 0.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "common/fem/crack_faces.hpp"
 #include "common/fem/element_operator.hpp"
 #include "common/fem/williams.hpp"
 
 namespace stria {
 
-/// What one side of a ring adds up, N/mm. K_I = E'/2 * interaction_I, K_II likewise (Williams fields of unit K).
+/// A ring about a tip: q is 1 at nodes up to the inner radius, falls linearly with the distance to 0 at the outer
+/// radius, and is interpolated by the standard functions in between, in the bulk and on the faces alike.
+struct Annulus {
+    double inner, outer;  // mm
+
+    [[nodiscard]] double weight(double r) const { return std::clamp((outer - r) / (outer - inner), 0.0, 1.0); }
+};
+
+/// What one side of a ring adds up: N/mm, per unit K in the interactions I and II, per N/mm of force in T.
+/// K_I = E'/2 interaction_I, K_II likewise (Williams fields); T = E' interaction_T (point force).
 struct DomainIntegral {
-    double J = 0.0, interaction_I = 0.0, interaction_II = 0.0;
+    double J = 0.0, interaction_I = 0.0, interaction_II = 0.0, interaction_T = 0.0;
 
     DomainIntegral& operator+=(const DomainIntegral& other) {
         J += other.J;
         interaction_I += other.interaction_I;
         interaction_II += other.interaction_II;
+        interaction_T += other.interaction_T;
         return *this;
     }
 };
 
-/// (sigma_ij u_i,1 - W delta_1j) q_,j with axis 1 along the tip: the integrand of J (faces in the ring's inside add
-/// theirs).
-inline double j_density(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work,
-                        const Vec2& dq) {
-    return (in_plane(stress) * dq).dot(gradient * tip.direction) - work * tip.direction.dot(dq);
+/// sigma_ij u_i,1 - W delta_1j with axis 1 along the tip: what the integrand of J dots with grad q.
+inline Vec2 energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    return in_plane(stress) * (gradient * tip.direction) - work * tip.direction;
 }
 
-/// The interaction integrand with an auxiliary Williams field.
-inline double interaction_density(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient,
-                                  const WilliamsField& auxiliary, const Vec2& dq) {
+/// Its part that is mixed of the solution and an auxiliary field.
+inline Vec2 mutual_energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient,
+                                   const TipField& auxiliary) {
     const double mutual = in_plane(stress).cwiseProduct(auxiliary.gradient).sum();
-    return (in_plane(stress) * dq).dot(auxiliary.gradient * tip.direction) +
-           (in_plane(auxiliary.stress) * dq).dot(gradient * tip.direction) - mutual * tip.direction.dot(dq);
+    return in_plane(stress) * (auxiliary.gradient * tip.direction) +
+           in_plane(auxiliary.stress) * (gradient * tip.direction) - mutual * tip.direction;
 }
 
-/// Gradient of q, interpolated by the standard functions from its values at the element's corners.
-Vec2 weight_gradient(const std::array<Vec2, 4>& corners, const std::array<double, 4>& q, const Vec2& xi);
+/// Sums over the rings of one tip. Fields are evaluated once a point, whatever the number of rings.
+class RingSums {
+public:
+    /// `mesh` must outlive the sums.
+    RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings);
 
-/// q at the mesh's nodes: 1 within `inner` of the tip, falling linearly to 0 at `outer`.
-Eigen::VectorXd ring_weight(const std::vector<Vec2>& nodes, const Tip& tip, double inner, double outer);
+    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
+    bool enter(int element);
 
-/// Corner values of q; nothing where q is constant over the element.
-bool ring_corners(const EnrichedMesh& mesh, int element, const Eigen::VectorXd& q, std::array<double, 4>& corners);
+    /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
+    void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
 
-/// Over one element of the ring. `stress` and `work` (stress work density) at point p come from `state(p)`.
-template <class State>
-DomainIntegral integrate_ring(const ElementOperator& op, const EnrichedMesh& mesh, const Tip& tip,
-                              const std::array<double, 4>& q, const Eigen::VectorXd& u, const Elasticity& elastic,
-                              bool want_J, bool want_K, State&& state) {
-    DomainIntegral sum;
-    std::array<Vec2, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) {
-        corners[k] = mesh.nodes[static_cast<std::size_t>(mesh.elements[static_cast<std::size_t>(op.element)][k])];
-    }
-    for (std::size_t p = 0; p < op.points.size(); ++p) {
-        const IntegrationPoint& point = op.points[p];
-        const auto [stress, work] = state(p);
-        const Eigen::Matrix2d gradient = op.displacement_gradient(u, p);
-        const Vec2 dq = weight_gradient(corners, q, point.xi);
-        if (want_J) sum.J += point.weight * j_density(tip, stress, gradient, work, dq);
-        if (!want_K) continue;
-        const int side = point.side;
-        sum.interaction_I += point.weight * interaction_density(tip, stress, gradient,
-                                                                williams_field(1, tip, point.x, side, elastic), dq);
-        sum.interaction_II += point.weight * interaction_density(tip, stress, gradient,
-                                                                 williams_field(2, tip, point.x, side, elastic), dq);
-    }
-    return sum;
-}
+    /// A station of the tip's crack with both faces under pressure, MPa. `slope`: d(opening)/ds along its tangent.
+    void add_pressure(const FaceStation& station, double pressure, double slope);
+
+    [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
+
+private:
+    const EnrichedMesh& mesh_;
+    Tip tip_;
+    Elasticity elastic_;
+    std::vector<Annulus> rings_;
+    std::vector<DomainIntegral> sums_;
+
+    // Of the element entered.
+    struct Entered {
+        std::size_t ring;
+        Eigen::Vector4d q;
+    };
+    std::array<Vec2, 4> corners_;
+    std::vector<Entered> entered_;
+};
+
+/// Whether any element of a mesh has something to add to a ring.
+bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring);
 
 }  // namespace stria

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/fem/enriched_mesh.hpp"
+#include "common/fem/shape_q4.hpp"
 
 namespace stria {
 
@@ -20,7 +21,7 @@ public:
     /// out.
     ElementBasis(const EnrichedMesh& mesh, int element, bool cut);
 
-    [[nodiscard]] int functions() const { return static_cast<int>(functions_.size()); }
+    [[nodiscard]] int functions() const { return static_cast<int>(unknowns_.size()) / 2; }
 
     /// Unknowns of the element: 2 a function, component fastest.
     [[nodiscard]] const std::vector<int>& unknowns() const { return unknowns_; }
@@ -28,7 +29,7 @@ public:
     [[nodiscard]] const std::array<Vec2, 4>& corners() const { return corners_; }
 
     /// Any function beyond the standard four.
-    [[nodiscard]] bool enriched() const { return functions_.size() > 4; }
+    [[nodiscard]] bool enriched() const { return functions() > 4; }
 
     /// Any tip function.
     [[nodiscard]] bool singular() const { return singular_; }
@@ -42,11 +43,24 @@ private:
         Term term;
         bool standard;
     };
+    /// Functions of one tip that all nodes of its disk share.
+    struct Gathered {
+        int tip;
+        int functions;
+        Eigen::Vector4d inside;                                 // 1 at corners within the disk, else 0
+        std::array<Eigen::Matrix<double, 4, 6>, 2> at_corners;  // psi seen from the minus and from the plus side
+    };
+    void gather_tip(int tip, int functions);
+    void add_gathered(const ShapeQ4& shape, const Vec2& x, int side, BasisValues& out) const;
+
     const EnrichedMesh* mesh_;
     std::array<Vec2, 4> corners_;
+    std::array<int, 4> nodes_;
     std::vector<Function> functions_;
+    std::vector<Gathered> gathered_;
     std::vector<int> unknowns_;
     int own_side_;  // of an uncut element that touches the crack
+    int tip_side_;  // of an uncut element with a node beside the crack: chooses the branch of theta
     bool singular_ = false;
 };
 

@@ -3,26 +3,12 @@
 
 #include <vector>
 
-#include "common/fem/cut_element.hpp"
 #include "common/fem/element_basis.hpp"
+#include "common/fem/element_points.hpp"
 #include "common/mandel.hpp"
+#include "common/material/elasticity.hpp"
 
 namespace stria {
-
-struct IntegrationPoint {
-    Vec2 x, xi;
-    double weight;  // mm2
-    int side;       // +1, -1 in a cut element; else 0
-    int region;     // of mean dilatation: index into ElementOperator::mean
-};
-
-/// How densely an element is integrated.
-struct IntegrationRule {
-    int subcells = 1;             // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
-    int gauss = 2;                // points per direction in an uncut sub-quadrangle
-    int tip_points = 6;           // per direction in triangles that end at a tip
-    bool mean_dilatation = true;  // of plane strain: nothing keeps a volume in plane stress
-};
 
 using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
@@ -53,6 +39,12 @@ struct ElementOperator {
     /// Sum over points of weight * B^T C B with one elastic stiffness.
     [[nodiscard]] Eigen::MatrixXd stiffness(const MandelMatrix& elastic) const;
 };
+
+/// Bilinear elements lock where plastic flow keeps the volume in plane strain, or nu is near 1/2.
+MeanDilatation mean_dilatation(const MaterialSection& material, const Elasticity& elastic);
+
+/// Elastic elements: exact with the fewest points where functions are polynomials, dense around tips.
+IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut);
 
 /// `piece`: the crack inside the element, or null.
 ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,

@@ -9,10 +9,24 @@ namespace stria {
 
 void EnrichedMesh::number() {
     first_unknown.assign(nodes.size(), 0);
+    first_gathered.assign(tips.size(), 0);
+    std::vector<int> gathered(tips.size(), 0);  // functions of each tip
     unknowns = 0;
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         first_unknown[node] = unknowns;
-        unknowns += 2 * (1 + static_cast<int>(terms[node].size()));
+        unknowns += 2;
+        for (const Term& term : terms[node]) {
+            if (term.kind != Term::Kind::Gathered) {
+                unknowns += 2;
+                continue;
+            }
+            int& functions = gathered[static_cast<std::size_t>(term.owner)];
+            functions = std::max(functions, term.function + 1);
+        }
+    }
+    for (std::size_t tip = 0; tip < tips.size(); ++tip) {
+        first_gathered[tip] = unknowns;
+        unknowns += 2 * gathered[tip];
     }
 }
 

@@ -11,12 +11,13 @@ namespace stria {
 
 using Vec2 = Eigen::Vector2d;
 
-/// One enrichment term of a node: N_i (psi(x) - psi(x_i)), shifted so that it vanishes at the node.
+/// One enrichment term of a node: N_i (psi(x) - psi(x_i)), shifted so that it vanishes at the node. A gathered tip
+/// function has one pair of unknowns for all nodes that carry it: sum_i N_i (psi - sum_k N_k psi(x_k)).
 struct Term {
-    enum class Kind : int { Heaviside, Tip };
+    enum class Kind : int { Heaviside, Tip, Gathered };
     Kind kind;
-    int owner;     // Heaviside: crack index; Tip: tip index
-    int function;  // Tip: alpha of eq. (2), from 0; Heaviside: 0
+    int owner;     // Heaviside: crack index; else tip index
+    int function;  // alpha of eq. (2), from 0; Heaviside: 0
     double shift;  // psi(x_i)
 
     /// The same function, whatever mesh it is written on.
@@ -57,18 +58,23 @@ struct EnrichedMesh {
     std::vector<Tip> tips;
     double tip_exponent = 0.5;              // 1/(n+1) of eq. (2)
     int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
-    std::vector<std::vector<Term>> terms;   // per node
+    std::vector<std::vector<Term>> terms;   // per node; gathered ones last
     std::vector<signed char> element_side;  // side of an uncut element that touches the crack: +1, -1; else 0
 
-    /// First unknown of each node and their total: a node has 2 (1 + terms) unknowns, component fastest. Kept by
-    /// number().
-    std::vector<int> first_unknown;
+    /// First unknown of each node, of each tip's gathered functions, and their total: a node has 2 (1 + own terms)
+    /// unknowns, component fastest. Kept by number().
+    std::vector<int> first_unknown, first_gathered;
     int unknowns = 0;
 
-    /// Numbers the unknowns, node by node.
+    /// Numbers the unknowns, node by node, then tip by tip.
     void number();
 
     [[nodiscard]] int unknown(int node, int term, int component) const {  // term 0: standard; k: terms[node][k - 1]
+        if (term > 0) {
+            const Term& t = terms[static_cast<std::size_t>(node)][static_cast<std::size_t>(term - 1)];
+            if (t.kind == Term::Kind::Gathered)
+                return first_gathered[static_cast<std::size_t>(t.owner)] + 2 * t.function + component;
+        }
         return first_unknown[static_cast<std::size_t>(node)] + 2 * term + component;
     }
 

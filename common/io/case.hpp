@@ -92,10 +92,13 @@ struct LoadBlock {
     bool operator==(const LoadBlock&) const = default;
 };
 
+/// What the extremes of the blocks are: load factors, or mean displacements of the loaded boundary, mm.
+enum class Control { Load, Displacement };
+
 struct LoadSection {
     int steps = 40;  // increments per cycle
     std::vector<LoadBlock> blocks;
-    std::string control = "load";
+    Control control = Control::Load;
     bool operator==(const LoadSection&) const = default;
 };
 
@@ -116,6 +119,7 @@ struct FineSection {
     int subcells = 2;
     Enrichment enrichment = Enrichment::Auto;
     std::optional<double> enrichment_n;
+    std::optional<double> enrichment_radius;  // mm, of geometrical enrichment
     Guard guard = Guard::Extend;
     bool operator==(const FineSection&) const = default;
 };

@@ -13,10 +13,13 @@ using schema::Value;
 
 namespace {
 
+bool moves(const BoundarySection& boundary) {
+    return boundary.displacement[0].value_or(0.0) != 0.0 || boundary.displacement[1].value_or(0.0) != 0.0;
+}
+
 bool carries_load(const BoundarySection& boundary) {
-    const auto moves = [](const std::optional<double>& component) { return component && *component != 0.0; };
-    return moves(boundary.displacement[0]) || moves(boundary.displacement[1]) || boundary.traction ||
-           boundary.pressure || boundary.force || !boundary.traction_gradient.isZero(0.0);
+    return moves(boundary) || boundary.traction || boundary.pressure || boundary.force ||
+           !boundary.traction_gradient.isZero(0.0);
 }
 
 }  // namespace
@@ -77,9 +80,41 @@ void check_block(const LoadBlock& block, const Value& table, const Place& place)
     reject(place.inside(name), least != nullptr ? *least : *ratio, {}, "must keep the minimum <= max");
 }
 
+/// Functions gathered over a fixed radius belong to the elastic structure: the zone does not take them.
+void check_enrichment(const Case& whole, const Value& root, const Place& place) {
+    const Value* fine = find(root, "fine");
+    if (fine == nullptr) return;
+    const Enrichment enrichment = whole.fine.enrichment;
+    if (enrichment == Enrichment::Geometrical && needs_fine(whole))
+        reject(place.inside("fine.enrichment"), *find(*fine, "enrichment"), {},
+               "is for elastic, traction-free scenes; others are auto, none, single, topological");
+    if (whole.fine.enrichment_radius && enrichment != Enrichment::Geometrical && enrichment != Enrichment::Auto)
+        reject(place.inside("fine.enrichment_radius"), *find(*fine, "enrichment_radius"), Key{}.in("mm"),
+               "needs enrichment = \"geometrical\" or \"auto\"");
+}
+
+namespace {
+
+/// Only where a load drives the body is there a load factor left to find.
+void check_control(const Case& whole, const Value& root, const Place& place) {
+    if (whole.load.control != Control::Displacement) return;
+    const Value& control = *find(*find(root, "load"), "control");
+    const auto driven = std::ranges::find_if(whole.boundaries, carries_load);
+    if (driven == whole.boundaries.end())
+        reject(place.inside("load.control"), control, {}, "needs a boundary that carries a load");
+    if (moves(*driven))
+        reject(place.inside("load.control"), control, {},
+               "needs a load on the first boundary that is driven: \"" + driven->on +
+                   "\" has a displacement of its own, which control = \"load\" scales");
+}
+
+}  // namespace
+
 void check_case(const Case& whole, const Value& root, const Place& place) {
+    check_enrichment(whole, root, place);
     if (whole.name.find('/') != std::string::npos || whole.name == "." || whole.name == "..")
         reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
+    check_control(whole, root, place);
     if (!whole.load.blocks.empty()) return;
     const Value* load = find(root, "load");
     for (const BoundarySection& boundary : whole.boundaries)

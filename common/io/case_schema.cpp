@@ -161,8 +161,8 @@ Section<BoundarySection> boundary_section() {
 Section<LoadBlock> block_section() {
     Section<LoadBlock> s;
     s.value("cycles", &LoadBlock::cycles).at_least(1).says("Number of cycles.");
-    s.value("max", &LoadBlock::max).must_be_given().says("Largest load factor.");
-    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest load factor.");
+    s.value("max", &LoadBlock::max).must_be_given().says("Largest load factor, or displacement: see control.");
+    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest load factor, or displacement.");
     s.input("ratio", [](LoadBlock& block, double ratio) {
          block.min = ratio * block.max;
      }).says("Stands for min: min = ratio max.");
@@ -177,7 +177,10 @@ Section<LoadSection> load_section() {
         .even()
         .says("Increments per cycle; the first ramp takes half as many more.");
     s.list("blocks", &LoadSection::blocks, block_section()).says("Blocks of equal cycles, one after the other.");
-    s.value("control", &LoadSection::control).one_of({"load"}).says("What max and min mean; load: the load factor.");
+    s.choice<Control>("control", &LoadSection::control,
+                      {{"load", Control::Load}, {"displacement", Control::Displacement}})
+        .says("What max and min mean; load: the load factor. displacement: the mean displacement, mm, of the first "
+              "listed boundary that carries a load, along it; the load factor follows, past a limit load too.");
     return s;
 }
 
@@ -215,6 +218,11 @@ Section<FineSection> fine_section() {
                           {"topological", Enrichment::Topological},
                           {"geometrical", Enrichment::Geometrical}})
         .says("Which nodes carry the singular functions of the tip.");
+    s.value("enrichment_radius", &FineSection::enrichment_radius)
+        .in("mm")
+        .positive()
+        .or_else("3/4 of the distance to the boundary, another tip or crack, or a bend; at most 20 element diagonals")
+        .says("Radius of geometrical enrichment.");
     s.value("enrichment_n", &FineSection::enrichment_n)
         .at_least(1.0)
         .or_else("from the material")

@@ -53,10 +53,9 @@ const std::vector<NotYet>& not_in_this_version() {
         named_material("material.*", one_material),
         key("regions", one_material),
         above("crack.contact.friction", 0.0, "contact is frictionless, friction = 0"),
-        word("load.control", "K", "control is \"load\""),
+        word("load.control", "K", "control is \"load\" or \"displacement\""),
         key("growth", "cracks do not grow"),
         above("fine.refine", 1.0, "refine is 1; mesh.grading makes small elements"),
-        word("fine.enrichment", "geometrical", "others are auto, none, single, topological"),
         key("output.checkpoint_every", "no checkpoints are written"),
     };
     return list;

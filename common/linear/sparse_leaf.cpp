@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -16,8 +15,6 @@
 
 namespace stria {
 namespace {
-
-constexpr int largest_for_amd = 20000;  // unknowns; above, METIS costs ten times as much to order but fills in less
 
 auto at(int i) { return static_cast<std::size_t>(i); }
 
@@ -54,47 +51,6 @@ SparseMatrix interior_block(const SparseMatrix& stiffness, const std::vector<int
     return block;
 }
 
-/// The last unknown in elimination order of each connected piece of the interior.
-std::vector<int> last_of_pieces(const SparseMatrix& stiffness, std::span<const int> order, int interior) {
-    std::vector<bool> reached(at(static_cast<int>(stiffness.rows())));
-    for (const int unknown : order.subspan(at(interior))) reached[at(unknown)] = true;
-    std::vector<int> last, pending;
-    for (int place = interior - 1; place >= 0; --place) {
-        if (reached[at(order[at(place)])]) continue;
-        last.push_back(order[at(place)]);
-        reached[at(last.back())] = true;
-        pending.assign(1, last.back());
-        while (!pending.empty()) {
-            const int unknown = pending.back();
-            pending.pop_back();
-            for (SparseMatrix::InnerIterator entry(stiffness, unknown); entry; ++entry) {
-                if (reached[at(entry.index())]) continue;
-                reached[at(entry.index())] = true;
-                pending.push_back(entry.index());
-            }
-        }
-    }
-    return last;
-}
-
-/// tau on the boundary's diagonal, and explicit zeros that make the top of the elimination tree one path along the
-/// boundary with every piece of the interior below it: no postordering can then move the boundary from its place.
-SparseMatrix boundary_ties(const SparseMatrix& stiffness, std::span<const int> order, int interior, double tau) {
-    const auto boundary = order.subspan(at(interior));
-    std::vector<Triplet> ties;
-    const auto tie = [&](int a, int b, double value) { ties.emplace_back(std::max(a, b), std::min(a, b), value); };
-    for (std::size_t i = 0; i < boundary.size(); ++i) {
-        tie(boundary[i], boundary[i], tau);
-        if (i > 0) tie(boundary[i - 1], boundary[i], 0.0);
-    }
-    if (!boundary.empty()) {
-        for (const int unknown : last_of_pieces(stiffness, order, interior)) tie(unknown, boundary.front(), 0.0);
-    }
-    SparseMatrix result(stiffness.rows(), stiffness.cols());
-    result.setFromTriplets(ties.begin(), ties.end());
-    return result;
-}
-
 }  // namespace
 
 struct SparseLeaf::Factor {
@@ -103,7 +59,8 @@ struct SparseLeaf::Factor {
         common.print = 0;
         common.supernodal = CHOLMOD_SUPERNODAL;
         common.nmethods = 1;
-        common.method[0].ordering = CHOLMOD_GIVEN;
+        common.method[0].ordering = CHOLMOD_NATURAL;
+        common.postorder = 0;  // the boundary must not leave its place; the orders we give are postorders
     }
     Factor(const Factor&) = delete;
     Factor& operator=(const Factor&) = delete;
@@ -116,7 +73,7 @@ struct SparseLeaf::Factor {
     [[nodiscard]] int boundary() const { return size() - interior; }
 
     void choose_order(const SparseMatrix& stiffness, const std::vector<int>& boundary);
-    void factor(const SparseMatrix& stiffness);
+    void factor(SparseMatrix& lower);
     void read_supernodes(const Eigen::VectorXd& diagonal);
     void check_pivot(int place, double pivot, double diagonal) const;
     Eigen::VectorXd solve(int system, Eigen::VectorXd right_hand_side);
@@ -146,9 +103,7 @@ void SparseLeaf::Factor::choose_order(const SparseMatrix& stiffness, const std::
     if (interior > 0) {
         SparseMatrix block = interior_block(stiffness, inside);
         cholmod_sparse pattern = view(block);
-        const bool ordered = interior < largest_for_amd
-                                 ? cholmod_amd(&pattern, nullptr, 0, permutation.data(), &common) != 0
-                                 : cholmod_metis(&pattern, nullptr, 0, 1, permutation.data(), &common) != 0;
+        const bool ordered = cholmod_amd(&pattern, nullptr, 0, permutation.data(), &common) != 0;
         if (!ordered) throw NumericalFailure("sparse leaf: CHOLMOD found no ordering");
     }
     order.clear();
@@ -156,20 +111,17 @@ void SparseLeaf::Factor::choose_order(const SparseMatrix& stiffness, const std::
     order.insert(order.end(), boundary.begin(), boundary.end());
 }
 
-void SparseLeaf::Factor::factor(const SparseMatrix& stiffness) {
-    const Eigen::VectorXd diagonal = stiffness.diagonal();
+// `lower`: rows and columns in the order of elimination; tau is added in place.
+void SparseLeaf::Factor::factor(SparseMatrix& lower) {
+    const Eigen::VectorXd diagonal = lower.diagonal();
     tau = boundary() > 0 ? diagonal.mean() : 0.0;
-    SparseMatrix lower = stiffness.triangularView<Eigen::Lower>();
-    lower += boundary_ties(stiffness, order, interior, tau);
-    lower.makeCompressed();
+    if (boundary() == size() && tau == 0.0) tau = 1.0;  // no stiffness at all: the zone is the whole body
+    for (int i = interior; i < size(); ++i) lower.coeffRef(i, i) += tau;
+    lower.makeCompressed();  // boundary unknowns that no element here sees had no diagonal
     cholmod_sparse matrix = view(lower);
-    cholesky = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common);
+    cholesky = cholmod_analyze(&matrix, &common);
     if (cholesky == nullptr) throw NumericalFailure("sparse leaf: CHOLMOD could not analyse the matrix");
     const bool done = cholmod_factorize(&matrix, cholesky, &common) != 0;
-    const std::span final_order(static_cast<const int*>(cholesky->Perm), cholesky->n);
-    require(std::equal(order.begin() + interior, order.end(), final_order.begin() + interior),
-            "sparse leaf: the boundary left its place");
-    order.assign(final_order.begin(), final_order.end());
     if (!done || common.status != CHOLMOD_OK) {
         const bool known = cholesky->minor < cholesky->n;
         const std::string where = known ? " at unknown " + std::to_string(order[cholesky->minor]) : "";
@@ -192,7 +144,7 @@ void SparseLeaf::Factor::read_supernodes(const Eigen::VectorXd& diagonal) {
             const double* value = values + first_value[node] + static_cast<std::ptrdiff_t>(j) * height;
             entries += height - j;
             if (column < interior) {
-                check_pivot(column, value[j] * value[j], diagonal[order[at(column)]]);
+                check_pivot(column, value[j] * value[j], diagonal[column]);
                 continue;
             }
             for (int i = j; i < height; ++i) {
@@ -224,11 +176,30 @@ Eigen::VectorXd SparseLeaf::Factor::solve(int system, Eigen::VectorXd right_hand
     return right_hand_side;
 }
 
-SparseLeaf::SparseLeaf(const SparseMatrix& stiffness, std::vector<int> boundary) : factor_(std::make_unique<Factor>()) {
+SparseLeaf::SparseLeaf(const SparseMatrix& stiffness, const std::vector<int>& boundary)
+    : factor_(std::make_unique<Factor>()) {
     require(stiffness.rows() == stiffness.cols() && stiffness.rows() > 0, "sparse leaf: a square matrix");
-    use_one_thread();  // OpenMP keeps this setting per thread of ours, and an in-process component is one
     factor_->choose_order(stiffness, boundary);
-    factor_->factor(stiffness);
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place(stiffness.rows());
+    for (int i = 0; i < factor_->size(); ++i) place.indices()[factor_->order[at(i)]] = i;
+    SparseMatrix upper(stiffness.rows(), stiffness.cols());
+    upper.selfadjointView<Eigen::Upper>() = stiffness.selfadjointView<Eigen::Lower>().twistedBy(place);
+    SparseMatrix lower = SparseMatrix(upper.transpose());  // sorts the rows of each column
+    condense(lower);
+}
+
+SparseLeaf::SparseLeaf(int boundary, SparseMatrix&& lower) : factor_(std::make_unique<Factor>()) {
+    require(lower.rows() == lower.cols() && lower.rows() > 0, "sparse leaf: a square matrix");
+    require(boundary >= 0 && boundary <= lower.rows(), "sparse leaf: no more boundary unknowns than unknowns");
+    factor_->order.resize(at(static_cast<int>(lower.rows())));
+    std::iota(factor_->order.begin(), factor_->order.end(), 0);
+    factor_->interior = factor_->size() - boundary;
+    condense(lower);
+}
+
+void SparseLeaf::condense(SparseMatrix& lower) {
+    use_one_thread();  // OpenMP keeps this setting per thread of ours, and an in-process component is one
+    factor_->factor(lower);
     const int m = factor_->boundary();
     const int stride = std::max(1, m);
     tangent_.setZero(m, m);

@@ -12,10 +12,14 @@ namespace stria {
 
 class SparseLeaf : public Substructure {
 public:
-    /// `stiffness`: symmetric, both triangles stored, unknowns 0..n-1. `boundary`: the unknowns to keep, may be empty.
-    /// A body that floats on its boundary is allowed (S is then singular, exactly). Throws NumericalFailure
+    /// `stiffness`: symmetric, its lower triangle is read, unknowns 0..n-1. `boundary`: the unknowns to keep, may be
+    /// empty. A body that floats on its boundary is allowed (S is then singular, exactly). Throws NumericalFailure
     /// where K_ii is not positive definite.
-    SparseLeaf(const SparseMatrix& stiffness, std::vector<int> boundary);
+    SparseLeaf(const SparseMatrix& stiffness, const std::vector<int>& boundary);
+
+    /// Of a lower triangle whose unknowns are numbered in a good order of elimination, the last `boundary` ones to
+    /// keep: for large structures (nested_dissection.hpp). Spoils `lower`.
+    SparseLeaf(int boundary, SparseMatrix&& lower);
     ~SparseLeaf() override;
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
@@ -26,6 +30,8 @@ public:
     [[nodiscard]] double factor_entries() const;
 
 private:
+    void condense(SparseMatrix& lower);
+
     struct Factor;  // CHOLMOD stays behind this door
     std::unique_ptr<Factor> factor_;
     Eigen::MatrixXd tangent_;

@@ -40,9 +40,13 @@ inline Mesh distorted(Mesh mesh, double amount) {
     return mesh;
 }
 
+inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, const coarse::TipEnrichment& tips) {
+    return coarse::enrich(mesh, {{.points = points, .contact = {}}}, tips);
+}
+
 inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, int tip_functions = 6,
                             double exponent = 0.5) {
-    return coarse::enrich(mesh, {{.points = points, .contact = {}}}, {tip_functions, exponent});
+    return cracked(mesh, points, {tip_functions, exponent});
 }
 
 inline std::array<Vec2, 4> corners_of(const EnrichedMesh& mesh, int element) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coarse/condensed_equilibrium.hpp"
+#include "coarse/fracture_parameters.hpp"
 #include "coarse/newton.hpp"
 #include "coarse/zone_selection.hpp"
 #include "fine/fine_model.hpp"
@@ -12,6 +13,7 @@ struct Equilibrated {
     coarse::NewtonReport newton;
     coupling::StepReport zone;
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
+    std::vector<coarse::TipResult> tips;
 };
 
 inline Equilibrated equilibrate(const coarse::Scene& scene, double load_factor) {
@@ -22,9 +24,10 @@ inline Equilibrated equilibrate(const coarse::Scene& scene, double load_factor) 
     fine.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), zero));
     coarse::CondensedEquilibrium equilibrium(structure, &fine, zero, 0.0);
     Equilibrated result;
-    result.newton = coarse::find_equilibrium(equilibrium, load_factor, 0.0, scene.input.solver);
+    result.newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, 0.0, scene.input.solver);
     result.displacement = equilibrium.structure_displacement();
     result.zone = equilibrium.commit(false);
+    result.tips = coarse::fracture_parameters(structure, result.displacement, result.zone);
     return result;
 }
 

@@ -33,16 +33,16 @@ struct RunHistory {
 
     [[nodiscard]] const coarse::Increment& at_load(double factor) const {  // for the first time
         for (const coarse::Increment& increment : increments) {
-            if (increment.step.factor == factor) return increment;
+            if (increment.load_factor == factor) return increment;
         }
         throw std::out_of_range("no increment at this load");
     }
     /// The first of them at the largest load.
     [[nodiscard]] const coarse::Increment& at_maximum() const {
-        return *std::ranges::max_element(increments, {}, [](const coarse::Increment& i) { return i.step.factor; });
+        return *std::ranges::max_element(increments, {}, &coarse::Increment::load_factor);
     }
     [[nodiscard]] const coarse::Increment& at_minimum() const {
-        return *std::ranges::min_element(increments, {}, [](const coarse::Increment& i) { return i.step.factor; });
+        return *std::ranges::min_element(increments, {}, &coarse::Increment::load_factor);
     }
 };
 

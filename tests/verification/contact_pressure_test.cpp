@@ -1,5 +1,5 @@
-// Contact pressure on cracks at arbitrary positions in the mesh. A flat patch proves nothing here (NUMERICS 1): the pressure
-// is a smooth, non-uniform, exact elastic field.
+// Contact pressure on cracks at arbitrary positions in the mesh. A flat patch proves nothing here (NUMERICS 1): the
+// pressure is a smooth, non-uniform, exact elastic field.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ namespace stria {
 namespace {
 
 /// With axes (x, y) along and across a crack through the middle of the field: sigma_yy = -p(x), sigma_xy = 0,
-/// sigma_xx = p2 y^2, p = p0 + p1 x + p2 x^2. In equilibrium and compatible (Airy: -p0 x^2/2 - p1 x^3/6 - p2 (x^4 - y^4)/12);
-/// no shear on the crack and no jump, so it is exact for frictionless contact.
+/// sigma_xx = p2 y^2, p = p0 + p1 x + p2 x^2. In equilibrium and compatible (Airy: -p0 x^2/2 - p1 x^3/6 - p2 (x^4 -
+/// y^4)/12); no shear on the crack and no jump, so it is exact for frictionless contact.
 struct QuadraticPressure {
     Vec2 origin, tangent;
     double p0 = 1.0, p1 = 0.5, p2 = -1.2;
@@ -41,7 +41,8 @@ struct QuadraticPressure {
     }
 };
 
-/// Unit square, crack from the left to the right edge: exact displacements at top and bottom, exact tractions at the sides.
+/// Unit square, crack from the left to the right edge: exact displacements at top and bottom, exact tractions at the
+/// sides.
 coarse::Scene cut_square(int elements, double left, double right, QuadraticPressure& field) {
     Case input;
     input.mesh = {.specimen = "plate", .width = 1.0, .height = 1.0, .size = 1.0 / elements, .grading = {}};
@@ -73,7 +74,8 @@ coarse::Scene cut_square(int elements, double left, double right, QuadraticPress
             for (const BoundaryEdge& e : scene.mesh.boundary.at(edge)) {
                 for (const int node : coarse::edge_nodes(scene.mesh, e)) {
                     for (int c = 0; c < 2; ++c) {
-                        if (p.unknown == scene.enriched.unknown(node, 0, c)) p.value = field.displacement(scene.mesh.nodes[size_t(node)])[c];
+                        if (p.unknown == scene.enriched.unknown(node, 0, c))
+                            p.value = field.displacement(scene.mesh.nodes[size_t(node)])[c];
                     }
                 }
             }
@@ -88,19 +90,24 @@ coarse::Scene cut_square(int elements, double left, double right, QuadraticPress
             const CrackPiece* cut = index >= 0 ? &scene.enriched.pieces[size_t(index)] : nullptr;
             const ElementBasis basis(scene.enriched, e.element, cut != nullptr);
             std::vector<double> breaks{0.0, 1.0};
-            if (cut != nullptr) for (const double place : {cut->entry, cut->exit}) if (place > e.edge && place < e.edge + 1) breaks.push_back(place - e.edge);
+            if (cut != nullptr)
+                for (const double place : {cut->entry, cut->exit})
+                    if (place > e.edge && place < e.edge + 1) breaks.push_back(place - e.edge);
             std::ranges::sort(breaks);
             BasisValues values;
             for (size_t part = 0; part + 1 < breaks.size(); ++part) {
                 const Vec2 middle = edge.at((breaks[part] + breaks[part + 1]) / 2.0);
-                const int side = cut != nullptr ? cut_element(basis.corners(), *cut).side_of(middle + 1e-7 * edge.inward_normal()) : 0;
+                const int side = cut != nullptr
+                                     ? cut_element(basis.corners(), *cut).side_of(middle + 1e-7 * edge.inward_normal())
+                                     : 0;
                 for (const LinePoint& g : gauss_line(4)) {
                     const double length = breaks[part + 1] - breaks[part];
                     const Vec2 x = edge.at(breaks[part] + 0.5 * (1.0 + g.xi) * length);
                     const Vec2 t = field.traction(x, -edge.inward_normal());
                     basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
                     for (int f = 0; f < basis.functions(); ++f) {
-                        scene.unit_force.segment<2>(basis.unknowns()[size_t(2 * f)]) += 0.5 * g.weight * length * edge.length() * values.value[f] * t;
+                        scene.unit_force.segment<2>(basis.unknowns()[size_t(2 * f)]) +=
+                            0.5 * g.weight * length * edge.length() * values.value[f] * t;
                     }
                 }
             }
@@ -139,8 +146,9 @@ PressureError pressure_error(int elements, int cuts) {
         error.iterations = std::max(error.iterations, result.newton.count());
         error.penetration = std::max(error.penetration, deepest * elements * field.elastic.plane_modulus() / 1.05);
     }
-    std::printf("%d x %d, %d cuts: pressure error mean %.3f %%, worst %.3f %%, iterations at most %d, penetration %.4f h p/E'\n", elements, elements, cuts,
-                100.0 * error.mean, 100.0 * error.worst, error.iterations, error.penetration);
+    std::printf("%d x %d, %d cuts: pressure error mean %.3f %%, worst %.3f %%, iterations at most %d, penetration %.4f "
+                "h p/E'\n",
+                elements, elements, cuts, 100.0 * error.mean, 100.0 * error.worst, error.iterations, error.penetration);
     return error;
 }
 

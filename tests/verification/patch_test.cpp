@@ -150,14 +150,14 @@ TEST(PatchTest, EachHalfHoldsItsOwnStrain) {
         const Eigen::VectorXd u = Halves{plus, minus, {0.01, 0.02}, {-0.03, 0.0}}.on(scene.enriched, from, to);
         hold_boundary(scene, u);
         const coarse::Structure structure(scene, no_zone(scene));
-        for (const ElementOperator& op : structure.operators()) {
-            const Eigen::VectorXd local = gather(u, op.unknowns);
+        structure.for_each_operator([&](const auto& op) {
+            const auto local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
                 const Vec2 d = to - from, r = op.points[q].x - from;
                 const Mandel strain = strain_of(d.x() * r.y() - d.y() * r.x() > 0.0 ? plus : minus);
                 EXPECT_LT((op.strain(local, q) - strain).norm(), exact);
             }
-        }
+        });
     }
 }
 
@@ -175,7 +175,7 @@ TEST(PatchTest, AreasOfStructureAndZoneAddUp) {
             if (in_zone[at(e)] != 0) zone.push_back(e);
         double area = 0.0;
         const coarse::Structure structure(scene, in_zone);
-        for (const ElementOperator& op : structure.operators()) area += op.area;
+        structure.for_each_operator([&](const auto& op) { area += op.area; });
         const EnrichedMesh patch = extract(scene.enriched, zone);
         for (int e = 0; e < static_cast<int>(patch.elements.size()); ++e)
             area += make_operator(patch, e, piece_in(patch, e), {.subcells = 3}).area;

@@ -37,17 +37,27 @@ void expect_within(const PercentOff& off, double limit) {
     EXPECT_LT(std::abs(off.J), limit);
 }
 
+struct Strip {
+    double x, F;  // a/W, K_I / (sigma sqrt(pi a))
+};
+
+// Edge crack in a long strip under tension from its integral equation: A. C. Kaya, F. Erdogan, Q. Appl. Math. 45 (1987)
+// 105. Our own K on 321 elements across lies within 0.005 % of each; the handbook's formula (REFERENCES 2.1) is off by
+// up to 0.55 %.
+constexpr std::array strips{Strip{0.1, 1.1892}, Strip{0.2, 1.3673}, Strip{0.3, 1.6599}, Strip{0.4, 2.1114},
+                            Strip{0.5, 2.8246}, Strip{0.6, 4.0332}, Strip{0.7, 6.3549}};
+
 TEST(Specimens, EdgeCrackFreeToTurn) {
-    for (const double x : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}) {
-        // Where there are converged finite elements, they are nearer to the truth than the handbook's 0.5 %.
-        const double F = x == 0.3 ? 1.6593 : x == 0.5 ? 2.8236 : coarse::sent_factor(x), K = F * std::sqrt(pi * x);
+    for (const auto& [x, F] : strips) {
+        const double K = F * std::sqrt(pi * x);
+        EXPECT_NEAR(coarse::sent_factor(x), F, 0.006 * F);
         const ElasticSolution graded(graded_to_tips(edge_crack(x, 4.0, End::Pulled)));
-        expect_within(compare(fmt::format("sent a/W {}, graded", x), graded, graded.tips[0], K), x == 0.1 ? 0.6 : 0.3);
+        expect_within(compare(fmt::format("sent a/W {}, graded", x), graded, graded.tips[0], K), 0.2);
         // An odd number of rows: the crack runs through the middles of elements.
         const ElasticSolution middles(uniform(edge_crack(x, 163.0 / 41.0, End::Pulled)));
-        expect_within(compare(fmt::format("sent a/W {}, uniform", x), middles, middles.tips[0], K), 0.4);
+        expect_within(compare(fmt::format("sent a/W {}, uniform", x), middles, middles.tips[0], K), 0.2);
         const ElasticSolution edges(uniform(edge_crack(x, 4.0, End::Pulled)));
-        expect_within(compare(fmt::format("sent a/W {}, along edges", x), edges, edges.tips[0], K), 2.5);
+        expect_within(compare(fmt::format("sent a/W {}, along edges", x), edges, edges.tips[0], K), 0.2);
     }
 }
 
@@ -110,11 +120,8 @@ TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     const auto loaded = coarse::loaded_boundary(solution.scene.mesh, solution.scene.input.boundaries);
     ASSERT_TRUE(loaded);
     EXPECT_LT((loaded->resultant - Vec2(0.0, 1.0)).norm(), 1e-12);
-    std::vector<Vec2> nodal;
-    for (int n = 0; n < static_cast<int>(solution.scene.mesh.nodes.size()); ++n)
-        nodal.emplace_back(solution.u.segment<2>(solution.scene.enriched.unknown(n, 0, 0)));
     // Between the pins a little more than on the load line: they press into their holes.
-    const double between_pins = plane_modulus * coarse::mean_displacement(solution.scene.mesh, *loaded, nodal);
+    const double between_pins = plane_modulus * solution.scene.mean_displacement.dot(solution.u);
     EXPECT_GT(between_pins, coarse::ct_load_line_compliance(0.5));
     EXPECT_LT(between_pins, 1.3 * coarse::ct_load_line_compliance(0.5));
     // The work of the forces is twice the energy.

@@ -1,6 +1,8 @@
 // The exact singular fields on the boundary of a square with a crack to its middle: energy-norm and K errors.
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <fmt/format.h>
 
 #include <iostream>
@@ -25,28 +27,27 @@ TEST(WilliamsField, FacesAreFreeOfTraction) {
     const Tip tip{.crack = 0, .position = {0.2, 0.1}, .direction = {0.6, 0.8}, .s = 0.0, .upper = 1};
     for (const int mode : {1, 2}) {
         for (const int side : {1, -1}) {
-            const WilliamsField field = williams_field(mode, tip, tip.position - 0.7 * tip.direction, side, unit);
+            const TipField field = williams_field(mode, tip, tip.position - 0.7 * tip.direction, side, unit);
             EXPECT_LT((in_plane(field.stress) * Vec2(-0.8, 0.6)).norm(), 1e-14);
         }
     }
 }
 
-/// Holds every boundary unknown at the exact field: standard ones at the nodes, jumps on the edge that the crack
-/// crosses.
+/// Holds every boundary unknown at the exact field: standard ones at the nodes, and the jump of either side's field
+/// continued to the node.
 void impose(coarse::Scene& scene, int mode) {
     const EnrichedMesh& mesh = scene.enriched;
-    const Tip& tip = mesh.tips.front();
+    const auto exact = [&](const Vec2& x, int side) {
+        return williams_field(mode, mesh.tips.front(), x, side, scene.elastic).displacement;
+    };
     std::vector<coarse::PrescribedUnknown> held;
     for (const int node : boundary_nodes(scene.mesh)) {
         const Vec2& x = mesh.nodes[at(node)];
-        const Vec2 u = williams_field(mode, tip, x, 0, scene.elastic).displacement;
-        for (int c = 0; c < 2; ++c) held.push_back({mesh.unknown(node, 0, c), u[c]});
-        if (heaviside_side(mesh, node) == 0.0) continue;
-        const CrackPiece& mouth = mesh.pieces.front();  // the jump is nearly the same on both nodes of its edge
-        const Vec2& m = mouth.points.front();
-        const Vec2 jump = williams_field(mode, tip, m, 1, scene.elastic).displacement -
-                          williams_field(mode, tip, m, -1, scene.elastic).displacement;
-        for (int c = 0; c < 2; ++c) held.push_back({mesh.unknown(node, 1, c), jump[c] / 2.0});
+        const Vec2 u = exact(x, 0), half_jump = (exact(x, 1) - exact(x, -1)) / 2.0;
+        for (int c = 0; c < 2; ++c) {
+            held.push_back({mesh.unknown(node, 0, c), u[c]});
+            if (heaviside_side(mesh, node) != 0.0) held.push_back({mesh.unknown(node, 1, c), half_jump[c]});
+        }
     }
     std::ranges::sort(held, {}, &coarse::PrescribedUnknown::unknown);
     scene.prescribed = held;
@@ -57,22 +58,28 @@ struct Errors {
 };
 
 struct Setting {
-    int tip_functions, mode;
+    coarse::TipEnrichment tips;
+    int mode;
     bool along_edges;  // or through the middle of the elements
 };
 
-Errors errors(int n, const Setting& setting) {
-    const int mode = setting.mode;
+coarse::Scene exact_boundary(int n, const Setting& setting) {
     const Mesh mesh = coarse::grid_mesh(equal_cells(n), equal_cells(setting.along_edges ? n + 1 : n));
     const std::vector<Vec2> crack{{0.0, 0.5}, {0.5, 0.5}};
-    coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, setting.tip_functions), unit);
+    coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, setting.tips), unit);
     scene.input.cracks = {{.points = crack, .contact = {}}};
-    impose(scene, mode);
+    impose(scene, setting.mode);
+    return scene;
+}
+
+Errors errors(int n, const Setting& setting) {
+    const int mode = setting.mode;
+    const coarse::Scene scene = exact_boundary(n, setting);
     const coarse::Structure structure(scene, no_zone(scene));
     const Eigen::VectorXd u = structure.expand({}, 1.0);
     double wrong = 0.0, whole = 0.0;
-    for (const ElementOperator& op : structure.operators()) {
-        const Eigen::VectorXd local = gather(u, op.unknowns);
+    structure.for_each_operator([&](const auto& op) {
+        const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const IntegrationPoint& point = op.points[q];
             const Mandel strain =
@@ -81,42 +88,127 @@ Errors errors(int n, const Setting& setting) {
             wrong += point.weight * difference.dot(unit.stiffness() * difference);
             whole += point.weight * strain.dot(unit.stiffness() * strain);
         }
-    }
+    });
     const coarse::TipResult tip = coarse::fracture_parameters(structure, u, {}).front();
     return {std::sqrt(wrong / whole), std::hypot(tip.K_I - (mode == 1), tip.K_II - (mode == 2))};
+}
+
+struct Rates {
+    double energy = 0.0, K = 0.0;
+};
+
+/// Errors at each size and the rates of the last refinement, printed.
+std::pair<std::vector<Errors>, Rates> convergence(const std::string& name, const std::vector<int>& sizes,
+                                                  const Setting& setting) {
+    std::vector<Errors> found;
+    Rates rates;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+        found.push_back(errors(sizes[k], setting));
+        if (k > 0) {
+            const double refinement = std::log(double(sizes[k]) / sizes[k - 1]);
+            rates = {std::log(found[k - 1].energy / found[k].energy) / refinement,
+                     std::log(found[k - 1].K / found[k].K) / refinement};
+        }
+        std::cout << fmt::format("{} mode {} {} n {:3d}: energy {:.4f} rate {:.2f}, K {:.4f} % rate {:.2f}\n", name,
+                                 setting.mode, setting.along_edges ? "along" : "across", sizes[k], found[k].energy,
+                                 rates.energy, 100.0 * found[k].K, rates.K);
+    }
+    return {found, rates};
 }
 
 class ExactBoundary : public ::testing::TestWithParam<Setting> {};
 
 TEST_P(ExactBoundary, ConvergesLikeTopologicalEnrichment) {  // h^(1/2) in the energy norm, h in K
-    const auto& [functions, mode, along_edges] = GetParam();
-    const std::vector<int> sizes{11, 21, 41, 81};
-    std::vector<Errors> found;
-    for (const int n : sizes) found.push_back(errors(n, GetParam()));
-    double energy_rate = 0.0, K_rate = 0.0;
-    for (std::size_t k = 0; k < sizes.size(); ++k) {
-        if (k > 0) {
-            const double refinement = std::log(double(sizes[k]) / sizes[k - 1]);
-            energy_rate = std::log(found[k - 1].energy / found[k].energy) / refinement;
-            K_rate = std::log(found[k - 1].K / found[k].K) / refinement;
-        }
-        std::cout << fmt::format("mode {} functions {} {} n {:2d}: energy {:.4f} rate {:.2f}, K {:.3f} % rate {:.2f}\n",
-                                 mode, functions, along_edges ? "along" : "across", sizes[k], found[k].energy,
-                                 energy_rate, 100.0 * found[k].K, K_rate);
-    }
-    EXPECT_GT(energy_rate, 0.45);
-    EXPECT_GT(K_rate, 0.9);
+    const std::string name = fmt::format("{} functions", GetParam().tips.functions);
+    const auto [found, rates] = convergence(name, {11, 21, 41, 81}, GetParam());
+    EXPECT_GT(rates.energy, 0.45);
+    EXPECT_GT(rates.K, 0.9);
     EXPECT_LT(found.back().K, 0.005);
 }
 
+constexpr coarse::TipEnrichment six{6, 0.5}, single{1, 0.5};
+
 INSTANTIATE_TEST_SUITE_P(Settings, ExactBoundary,
-                         ::testing::Values(Setting{6, 1, false}, Setting{6, 2, false}, Setting{1, 1, false},
-                                           Setting{1, 2, false}, Setting{6, 1, true}, Setting{6, 2, true},
-                                           Setting{1, 1, true}, Setting{1, 2, true}),
+                         ::testing::Values(Setting{six, 1, false}, Setting{six, 2, false}, Setting{single, 1, false},
+                                           Setting{single, 2, false}, Setting{six, 1, true}, Setting{six, 2, true},
+                                           Setting{single, 1, true}, Setting{single, 2, true}),
                          [](const auto& setting) {
-                             return fmt::format("{}functions_mode{}_{}", setting.param.tip_functions,
+                             return fmt::format("{}functions_mode{}_{}", setting.param.tips.functions,
                                                 setting.param.mode, setting.param.along_edges ? "along" : "across");
                          });
+
+/// Of the free unknowns' stiffness, every diagonal entry scaled to 1: largest over smallest eigenvalue, by power
+/// iterations.
+double condition_number(const coarse::Scene& scene) {
+    const SparseMatrix whole = coarse::Structure(scene, no_zone(scene)).stiffness();
+    std::vector<char> held(at(scene.enriched.unknowns), 0);
+    for (const coarse::PrescribedUnknown& p : scene.prescribed) held[at(p.unknown)] = 1;
+    std::vector<Triplet> entries;
+    for (int j = 0; j < whole.outerSize(); ++j) {
+        for (SparseMatrix::InnerIterator entry(whole, j); entry; ++entry) {
+            const auto i = static_cast<int>(entry.row());
+            const double scale = std::sqrt(whole.coeff(i, i) * whole.coeff(j, j));
+            if (held[at(i)] == 0 && held[at(j)] == 0) entries.emplace_back(i, j, entry.value() / scale);
+            if (i == j && held[at(i)] != 0) entries.emplace_back(i, i, 1.0);
+        }
+    }
+    SparseMatrix K(whole.rows(), whole.cols());
+    K.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<SparseMatrix> factor(K);
+    Eigen::VectorXd large = Eigen::VectorXd::Random(K.rows()), small = large;
+    double largest = 0.0, smallest = 0.0;
+    for (int k = 0; k < 60; ++k) {
+        large = K * large.normalized();
+        small = factor.solve(small.normalized());
+        largest = large.norm();
+        smallest = 1.0 / small.norm();
+    }
+    return largest / smallest;
+}
+
+class FixedRadius : public ::testing::TestWithParam<std::tuple<double, int, bool>> {
+protected:
+    static std::pair<std::vector<Errors>, Rates> over(const std::vector<int>& sizes) {
+        const auto [radius, mode, along] = GetParam();
+        const Setting setting{{4, 0.5, coarse::TipSupport::Gathered, radius}, mode, along};
+        return convergence(fmt::format("gathered radius {}", radius), sizes, setting);
+    }
+};
+
+// The disk is made of whole elements: on a coarser mesh it is larger by part of one, and the rates of plain elements, 1
+// and 2, are approached from below.
+TEST_P(FixedRadius, ConvergesLikePlainElements) {
+    const auto [found, rates] = over({41, 81});
+    EXPECT_GT(rates.energy, 0.88);
+    EXPECT_GT(rates.K, 1.8);
+    EXPECT_LT(found.back().energy, 0.015);
+    EXPECT_LT(found.back().K, 1e-4);
+}
+
+TEST_P(FixedRadius, ReachesTheRatesOfPlainElementsLong) {
+    const auto [found, rates] = over({81, 161, 321});
+    EXPECT_GT(rates.energy, 0.95);
+    EXPECT_GT(rates.K, 1.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radii, FixedRadius,
+                         ::testing::Combine(::testing::Values(0.1, 0.2), ::testing::Values(1, 2), ::testing::Bool()));
+
+TEST(FixedRadius, IsAsWellConditionedAsPlainElements) {
+    const auto rate_of = [](coarse::TipSupport support) {
+        double last = 0.0, rate = 0.0;
+        for (const int n : {11, 21, 41}) {
+            const double found = condition_number(exact_boundary(n, {{4, 0.5, support, 0.2}, 1, false}));
+            rate = last > 0.0 ? std::log(found / last) / std::log(double(n) / (n == 21 ? 11 : 21)) : 0.0;
+            std::cout << fmt::format("{} n {:2d}: condition number {:.3e}, rate {:.2f}\n",
+                                     support == coarse::TipSupport::Nodal ? "nodal" : "gathered", n, found, rate);
+            last = found;
+        }
+        return rate;
+    };
+    EXPECT_LT(rate_of(coarse::TipSupport::Gathered), 2.1);
+    EXPECT_GT(rate_of(coarse::TipSupport::Nodal), 5.5);
+}
 
 }  // namespace
 }  // namespace stria::test

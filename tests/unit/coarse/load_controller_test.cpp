@@ -6,8 +6,8 @@
 namespace stria::coarse {
 namespace {
 
-LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts = 3) {
-    return LoadController({.steps = steps, .blocks = std::move(blocks), .control = "load"},
+LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts = 3, Control control = Control::Load) {
+    return LoadController({.steps = steps, .blocks = std::move(blocks), .control = control},
                           {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
 }
 
@@ -22,7 +22,7 @@ std::vector<LoadStep> all_steps(LoadController loads) {
 
 std::vector<double> factors(const LoadController& loads) {
     std::vector<double> result;
-    for (const LoadStep& step : all_steps(loads)) result.push_back(step.factor);
+    for (const LoadStep& step : all_steps(loads)) result.push_back(step.target.value);
     return result;
 }
 
@@ -45,13 +45,17 @@ TEST(LoadController, ABlockStartsFromTheMaximumBeforeIt) {
               (std::vector<double>{5, 10, 5, 0, 5, 10, 5, 0, 5, 10, 15, 20, 15, 10, 15, 20, 10, 0, 10, 20}));
 }
 
-TEST(LoadController, KnowsTheLargestMaximum) {
-    EXPECT_EQ(controller(4, {{1, 10.0, 0.0}, {1, 30.0, 0.0}, {1, 20.0, 0.0}}).largest_maximum(), 30.0);
+TEST(LoadController, SaysWhatItsTargetsAre) {
+    EXPECT_EQ(to_text(controller(4, {{1, 10.0, 0.0}}).next()->target), "load factor 5");
+    const auto stretched = controller(4, {{1, 0.5, 0.0}}, 3, Control::Displacement);
+    EXPECT_EQ(stretched.next()->target.control, Control::Displacement);
+    EXPECT_EQ(to_text(stretched.next()->target), "displacement 0.25 mm");
 }
 
 TEST(LoadController, ReachesExtremesExactly) {  // 50 / 3 and its multiples are no doubles
     for (const LoadStep& step : all_steps(controller(14, {{.cycles = 5, .max = 50.0 / 3.0, .min = -0.1}}))) {
-        EXPECT_TRUE(!step.reversal || step.factor == 50.0 / 3.0 || step.factor == -0.1) << step.factor;
+        EXPECT_TRUE(!step.reversal || step.target.value == 50.0 / 3.0 || step.target.value == -0.1)
+            << step.target.value;
     }
 }
 
@@ -67,18 +71,18 @@ TEST(LoadController, HalvesAndGrowsAgain) {
     loads.accepted();  // 8
     ASSERT_TRUE(loads.cut());
     ASSERT_TRUE(loads.cut());
-    EXPECT_EQ(loads.next()->factor, 10.0);
+    EXPECT_EQ(loads.next()->target.value, 10.0);
     EXPECT_EQ(loads.next()->predictor, 0.25);
     EXPECT_FALSE(loads.next()->reversal);
     loads.accepted();
-    EXPECT_EQ(loads.next()->factor, 14.0);
+    EXPECT_EQ(loads.next()->target.value, 14.0);
     EXPECT_EQ(loads.next()->predictor, 2.0);
     loads.accepted();
-    EXPECT_EQ(loads.next()->factor, 16.0);  // what is left
+    EXPECT_EQ(loads.next()->target.value, 16.0);  // what is left
     EXPECT_EQ(loads.next()->predictor, 0.5);
     EXPECT_TRUE(loads.next()->at_maximum || loads.next()->reversal);
     loads.accepted();
-    EXPECT_EQ(loads.next()->factor, 8.0);
+    EXPECT_EQ(loads.next()->target.value, 8.0);
     EXPECT_EQ(loads.next()->predictor, 0.0);
     EXPECT_EQ(loads.cuts(), 2);
 }
@@ -88,7 +92,7 @@ TEST(LoadController, GivesUpAfterTheLastHalving) {
     EXPECT_TRUE(loads.cut());
     EXPECT_TRUE(loads.cut());
     EXPECT_FALSE(loads.cut());
-    EXPECT_EQ(loads.factor(), 0.0);
+    EXPECT_EQ(loads.reached(), 0.0);
 }
 
 TEST(LoadController, ACutIncrementStillEndsExactlyAtItsTarget) {
@@ -96,7 +100,7 @@ TEST(LoadController, ACutIncrementStillEndsExactlyAtItsTarget) {
     std::vector<double> reached;
     for (int k = 0; loads.next(); ++k) {
         EXPECT_TRUE(k % 3 != 0 || loads.cut());
-        if (loads.next()->reversal) reached.push_back(loads.next()->factor);
+        if (loads.next()->reversal) reached.push_back(loads.next()->target.value);
         loads.accepted();
     }
     EXPECT_EQ(reached, (std::vector<double>{0.3, -0.3, 0.3}));

@@ -19,8 +19,8 @@ public:
     double u = 0.0, start = 0.0;
     int applied = 0;
 
-    void begin(double load_factor, double predictor) override {
-        load_ = load_factor;
+    void begin(const Target& target, double predictor) override {
+        load_ = target.value;
         u = start + predictor;
     }
     Residual linearise() override {
@@ -37,6 +37,7 @@ public:
     }
     coupling::StepReport commit(bool) override { return {}; }
     void rollback() override {}
+    [[nodiscard]] double load_factor() const override { return load_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
     [[nodiscard]] Eigen::VectorXd reactions() const override { return {}; }
 
@@ -48,7 +49,7 @@ const SolverSection solver{.tolerance = 1e-10, .max_iterations = 12, .max_cuts =
 
 TEST(Newton, ConvergesQuadratically) {
     Spring spring;
-    const NewtonReport report = find_equilibrium(spring, 2.0, 0.6, solver);
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver);
     ASSERT_TRUE(report.converged);
     EXPECT_NEAR(spring.u, 1.0, 1e-10);
     for (std::size_t k = 2; k < report.iterations.size(); ++k) {
@@ -60,7 +61,7 @@ TEST(Newton, ConvergesQuadratically) {
 TEST(Newton, StartsFromThePredictedState) {
     Spring spring;
     spring.start = 0.25;
-    const NewtonReport report = find_equilibrium(spring, 2.0, 0.75, solver);
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.75, solver);
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.count(), 1);
     EXPECT_EQ(spring.applied, 0);  // what is converged is not moved
@@ -70,7 +71,7 @@ TEST(Newton, AsksForASmallResidual) {
     Spring spring;
     spring.force = [](double u) { return 1e9 * (u - 1.0); };  // stiff: a small correction proves nothing
     spring.stiffness = [](double) { return 1.05e9; };
-    const NewtonReport report = find_equilibrium(spring, 0.0, 0.9, solver);
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 0.0}, 0.9, solver);
     ASSERT_TRUE(report.converged);
     EXPECT_LT(report.iterations.back().residual.boundary, 1e-10);
     EXPECT_LT(report.iterations[report.iterations.size() - 2].correction, 1e-8);
@@ -80,7 +81,7 @@ TEST(Newton, AsksForASmallCorrection) {
     Spring spring;
     spring.force = [](double u) { return 1e-12 * u * u; };  // soft: a small residual proves nothing
     spring.stiffness = [](double u) { return 2e-12 * u; };
-    const NewtonReport report = find_equilibrium(spring, 4e-12, 1.0, solver);
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 4e-12}, 1.0, solver);
     ASSERT_TRUE(report.converged);
     EXPECT_LT(report.iterations.front().residual.boundary, 1e-10);
     EXPECT_NEAR(spring.u, 2.0, 1e-8);
@@ -91,7 +92,7 @@ TEST(Newton, AsksForAllThreeResiduals) {
         Spring spring;
         spring.interior = interior;
         spring.contact = contact;
-        EXPECT_FALSE(find_equilibrium(spring, 2.0, 0.0, solver).converged);
+        EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 0.0, solver).converged);
     }
 }
 
@@ -99,14 +100,14 @@ TEST(Newton, MeasuresResidualsByTheForceScale) {
     Spring spring;
     spring.scale = 1e9;
     spring.interior = 1e-3;
-    EXPECT_TRUE(find_equilibrium(spring, 2.0, 0.6, solver).converged);
+    EXPECT_TRUE(find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver).converged);
 }
 
 TEST(Newton, ReportsThatItDidNotConverge) {
     Spring spring;
     spring.force = [](double u) { return std::cbrt(u); };  // each step overshoots to -2 u
     spring.stiffness = [](double u) { return 1.0 / (3.0 * std::cbrt(u * u)); };
-    const NewtonReport report = find_equilibrium(spring, 0.0, 1.0, solver);
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 0.0}, 1.0, solver);
     EXPECT_FALSE(report.converged);
     EXPECT_EQ(report.failure, "no convergence in 12 iterations");
     EXPECT_EQ(report.count(), 13);
@@ -115,7 +116,7 @@ TEST(Newton, ReportsThatItDidNotConverge) {
 TEST(Newton, ReportsWhatFailedOnTheOtherSide) {
     Spring spring;
     spring.force = [](double) -> double { throw NumericalFailure("a spring broke"); };
-    const NewtonReport report = find_equilibrium(spring, 1.0, 0.0, solver);
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 1.0}, 0.0, solver);
     EXPECT_FALSE(report.converged);
     EXPECT_EQ(report.failure, "a spring broke");
 }
@@ -123,13 +124,13 @@ TEST(Newton, ReportsWhatFailedOnTheOtherSide) {
 TEST(Newton, AResidualThatIsNoNumberFails) {
     Spring spring;
     spring.force = [](double) { return std::nan(""); };
-    EXPECT_EQ(find_equilibrium(spring, 1.0, 0.0, solver).failure, "the residual is not a number");
+    EXPECT_EQ(find_equilibrium(spring, {Control::Load, 1.0}, 0.0, solver).failure, "the residual is not a number");
 }
 
 TEST(Newton, OurOwnMistakesAreNotItsFailures) {
     Spring spring;
     spring.force = [](double) -> double { throw std::logic_error("a bug"); };
-    EXPECT_THROW(find_equilibrium(spring, 1.0, 0.0, solver), std::logic_error);
+    EXPECT_THROW(find_equilibrium(spring, {Control::Load, 1.0}, 0.0, solver), std::logic_error);
 }
 
 }  // namespace

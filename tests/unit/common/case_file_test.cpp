@@ -200,16 +200,36 @@ TEST_F(CaseFile, RefusesWhatKeysSayTogether) {
     EXPECT_EQ(complaint_about("at = [25.0, 0.0]\n", ""), "case.toml:20: boundary.1 on = \"point\" needs at = [x, y]");
 }
 
+TEST_F(CaseFile, DisplacementControlNeedsALoad) {
+    EXPECT_EQ(read(complete, {"load.control=displacement"}).load.control, Control::Displacement);
+    EXPECT_EQ(complaint(complete, {"load.control=displacement", "boundary.0.displacement=[\"free\", 1.0]"}),
+              "--set: load.control = \"displacement\" needs a load on the first boundary that is driven: \"top\" has a "
+              "displacement of its own, which control = \"load\" scales");
+    const std::string held = complete.substr(0, complete.find("traction")) + "displacement = [0.0, 0.0]\n" +
+                             complete.substr(complete.find("[load]")) + "control = \"displacement\"\n";
+    EXPECT_EQ(complaint(held), "case.toml:22: load.control = \"displacement\" needs a boundary that carries a load");
+    EXPECT_EQ(complaint(complete + "control = \"stroke\"\n").substr(0, 44),
+              "case.toml:26: load.control = \"stroke\" must b");
+}
+
 TEST_F(CaseFile, SaysPlainlyWhatThisVersionHasNot) {
     EXPECT_EQ(complaint_about("friction = 0.0", "friction = 0.2"),
               "case.toml:16: crack.0.contact.friction = 0.2 is not available in this version; contact is frictionless, "
               "friction = 0");
-    for (const char* passage : {"[growth]\nlaw = \"paris\"\n", "[fine]\nrefine = 8\n",
-                                "[fine]\nenrichment = \"geometrical\"\n", "[regions]\nsteel = \"a\"\n",
+    for (const char* passage : {"[growth]\nlaw = \"paris\"\n", "[fine]\nrefine = 8\n", "[regions]\nsteel = \"a\"\n",
                                 "[material.steel]\nyoung = 1.0\n", "[material.isotropic]\nlaw = \"voce\"\nQ = 1.0\n"})
         EXPECT_NE(complaint(complete + passage).find("is not available in this version"), std::string::npos) << passage;
     EXPECT_NE(complaint(complete, {"load.control=K"}).find("is not available in this version"), std::string::npos);
     EXPECT_NE(complaint(complete, {"material.kinematic.0.gamma=5"}).find("not available"), std::string::npos);
+}
+
+TEST_F(CaseFile, GeometricalEnrichmentIsForElasticTractionFreeScenes) {
+    EXPECT_NE(
+        complaint(complete + "[fine]\nenrichment = \"geometrical\"\n").find("fine.enrichment = \"geometrical\" is for"),
+        std::string::npos);
+    EXPECT_NE(
+        complaint(complete + "[fine]\nenrichment = \"single\"\nenrichment_radius = 1.0\n").find("needs enrichment"),
+        std::string::npos);
 }
 
 TEST_F(CaseFile, PointsAtErrorsOfSyntax) {

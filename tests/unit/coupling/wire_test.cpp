@@ -38,14 +38,14 @@ Patch small_patch() {
             .boundary = {0, 1, 6},
             .unit_load = Eigen::VectorXd::LinSpaced(12, 0.0, 3.0),
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
-            .j_rings = {{.tip = 0, .q = Eigen::VectorXd::Ones(4), .inner_radius = 1.5, .outer_radius = 2.5}},
-            .k_rings = {}};
+            .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}}};
 }
 
 PatchResponse small_response() {
     PatchResponse response;
     response.force = Eigen::Vector3d(1.0, -2.0, 1e-300);
     response.tangent = Eigen::Matrix3d{{1.0, 2.0, 3.0}, {2.5, 4.0, 5.0}, {3.0, 5.0, 6.0}};
+    response.unit_load = Eigen::Vector3d(0.0, 0.5, -0.25);
     response.interior_residual = 1e-9;
     response.contact_residual = 2e-9;
     response.digest = {.yielding_points = {0, 4, 2},
@@ -58,7 +58,8 @@ PatchResponse small_response() {
 
 StepReport small_report() {
     StepReport report;
-    report.tips = {{.J = 1.0, .interaction_I = 2.0, .interaction_II = 3.0, .CTOD = -1, .plastic_zone = 4.0}};
+    report.tips = {{.CTOD = -1, .plastic_zone = 4.0, .plastic_reach = 5.0}};
+    report.rings = {{.tip = 0, .number = 2, .J = 1.0, .interaction_I = 2.0, .interaction_T = 3.0}};
     report.faces = {{.crack = 0, .s = 0.5, .opening = 1e-3, .pressure = 20.0, .status = 2}, {.crack = 1}};
     report.contact_length = {0.1, 0.2};
     report.mouth_opening = {std::numeric_limits<double>::quiet_NaN(), 0.3};
@@ -102,8 +103,9 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.mesh.unknowns, 12);
     EXPECT_EQ(copy.boundary, small_patch().boundary);
     EXPECT_EQ(copy.displacement, small_patch().displacement);
-    EXPECT_EQ(copy.j_rings.at(0).outer_radius, 2.5);
-    EXPECT_TRUE(copy.k_rings.empty());
+    EXPECT_EQ(copy.unit_load, small_patch().unit_load);
+    EXPECT_EQ(copy.rings.at(0).number, 1);
+    EXPECT_EQ(copy.rings.at(0).outer_radius, 2.5);
 }
 
 TEST(Wire, Displacement) {
@@ -111,6 +113,7 @@ TEST(Wire, Displacement) {
     const PatchDisplacement copy = there_and_back(message);
     EXPECT_EQ(copy.iteration, 4);
     EXPECT_EQ(copy.predictor, 0.3);
+    EXPECT_EQ(copy.load_factor, -0.7);
     EXPECT_EQ(copy.boundary, message.boundary);
     EXPECT_TRUE(std::signbit(copy.boundary[1]));
 }
@@ -119,6 +122,7 @@ TEST(Wire, Response) {
     const PatchResponse copy = there_and_back(small_response());
     EXPECT_EQ(copy.force, small_response().force);
     EXPECT_EQ(copy.tangent, small_response().tangent);
+    EXPECT_EQ(copy.unit_load, small_response().unit_load);
     EXPECT_EQ(copy.contact_residual, 2e-9);
     EXPECT_EQ(copy.digest.yielding_points, small_response().digest.yielding_points);
     EXPECT_EQ(copy.digest.multiplier, small_response().digest.multiplier);

@@ -93,7 +93,7 @@ public:
     FullNewton() : system_(scene) { system_.set_patch(patch); }
 
     PatchResponse begin(const Eigen::VectorXd& boundary, double predictor) {
-        system_.predict(predictor, 0.0);
+        system_.predict(predictor);
         return evaluate(boundary);
     }
 

@@ -20,7 +20,7 @@ const EnrichedMesh plate = plate_mesh(5, 5, scene);
 
 Zone make_zone(const EnrichedMesh& mesh, const Case& input) {
     return {mesh, fine::make_material_law(input.material, input.model.plane),
-            elasticity_of(input.material, input.model.plane), 2};
+            elasticity_of(input.material, input.model.plane), IntegrationRule{.subcells = 2, .tip_points = 4}};
 }
 
 ZoneState state_of(const Zone& zone) {

@@ -1,0 +1,93 @@
+#include "common/substructure/nested_dissection.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "common/error.hpp"
+
+namespace stria {
+namespace {
+
+constexpr std::ptrdiff_t leaf_elements = 2;
+
+auto at(int i) { return static_cast<std::size_t>(i); }
+
+struct Place {
+    Eigen::Vector2d centre;
+    int element;
+};
+
+/// Sorts places into the order of the leaves of a median bisection along the longer direction; ties are broken by the
+/// other coordinate and the number, so that the order is the same on every machine.
+void bisect(std::span<Place> places) {
+    if (std::ssize(places) <= leaf_elements) return;
+    Eigen::Array2d low = places.front().centre, high = low;
+    for (const Place& place : places) {
+        low = low.min(place.centre.array());
+        high = high.max(place.centre.array());
+    }
+    const int axis = high.y() - low.y() > high.x() - low.x() ? 1 : 0;
+    const auto half = places.begin() + std::ssize(places) / 2;
+    std::nth_element(places.begin(), half, places.end(), [axis](const Place& a, const Place& b) {
+        if (a.centre[axis] != b.centre[axis]) return a.centre[axis] < b.centre[axis];
+        if (a.centre[1 - axis] != b.centre[1 - axis]) return a.centre[1 - axis] < b.centre[1 - axis];
+        return a.element < b.element;
+    });
+    bisect({places.begin(), half});
+    bisect({half, places.end()});
+}
+
+/// The first and the last of an unknown's elements in the order of the leaves.
+struct Reach {
+    int first = std::numeric_limits<int>::max();
+    int last = -1;
+};
+
+/// Sorts the unknowns of the part [begin, end): those of each half alone, then those that the halves share.
+void sort_by_parts(int begin, int end, const std::vector<Reach>& reach, std::span<int> unknowns) {
+    if (end - begin <= leaf_elements || unknowns.size() < 2) {
+        std::ranges::sort(unknowns);
+        return;
+    }
+    const int half = begin + (end - begin) / 2;
+    const auto right = std::ranges::partition(unknowns, [&](int i) { return reach[at(i)].last < half; });
+    const auto shared = std::ranges::partition(right, [&](int i) { return reach[at(i)].first >= half; });
+    sort_by_parts(begin, half, reach, {unknowns.begin(), right.begin()});
+    sort_by_parts(half, end, reach, {right.begin(), shared.begin()});
+    std::ranges::sort(shared);
+}
+
+std::vector<Place> bisected(const std::vector<Eigen::Vector2d>& centres) {
+    std::vector<Place> places;
+    places.reserve(centres.size());
+    for (std::size_t e = 0; e < centres.size(); ++e) places.push_back({centres[e], static_cast<int>(e)});
+    bisect(places);
+    return places;
+}
+
+}  // namespace
+
+std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Eigen::Vector2d>& centres,
+                                   int unknowns, const std::vector<int>& kept) {
+    require(centres.size() == element_unknowns.size(), "nested dissection: one centre an element");
+    const std::vector<Place> places = bisected(centres);
+    std::vector<Reach> reach(at(unknowns));
+    for (int position = 0; position < static_cast<int>(places.size()); ++position) {
+        for (const int unknown : element_unknowns[at(places[at(position)].element)]) {
+            if (unknown < 0) continue;
+            reach[at(unknown)].first = std::min(reach[at(unknown)].first, position);
+            reach[at(unknown)].last = position;
+        }
+    }
+    for (const int unknown : kept) reach[at(unknown)].last = -1;
+    std::vector<int> order;
+    order.reserve(at(unknowns));
+    for (int unknown = 0; unknown < unknowns; ++unknown)
+        if (reach[at(unknown)].last >= 0) order.push_back(unknown);
+    sort_by_parts(0, static_cast<int>(places.size()), reach, order);
+    order.insert(order.end(), kept.begin(), kept.end());
+    return order;
+}
+
+}  // namespace stria

@@ -1,0 +1,18 @@
+// An order of elimination for a large plane structure, from where its elements lie: no search in the graph.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "common/index_lists.hpp"
+
+namespace stria {
+
+/// Elements are bisected by their centres down to pairs; an unknown is eliminated as soon as all its elements are in
+/// one part, so that what both halves of a part share comes after them. `kept`: unknowns that come last, in this order;
+/// -1 in the lists: no unknown.
+/// Returns the unknowns that some element holds, in order of elimination. Time n log n.
+std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Eigen::Vector2d>& centres,
+                                   int unknowns, const std::vector<int>& kept);
+
+}  // namespace stria

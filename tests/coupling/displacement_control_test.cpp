@@ -1,0 +1,168 @@
+// The load factor as an unknown: the equilibria are those of load control, whoever solves for them, wherever the loaded
+// boundary lies.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "app/monolithic.hpp"
+#include "coarse/condensed_equilibrium.hpp"
+#include "coarse/zone_selection.hpp"
+#include "tests/support/sent_analysis.hpp"
+
+namespace stria::test {
+namespace {
+
+/// 10 mm elements, 1 mm at the tip: plastic flow at the load factor 100, half of what the plate bears.
+Case small_sent(std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), {mesh_at_tip(1.0), "mesh.size=10.0", "solver.tolerance=1e-12", "load.steps=8",
+                                       "load.blocks=[{max=100.0,ratio=-0.5}]"});
+    return sent_case(std::move(overrides));
+}
+
+/// A compact specimen: its loads act inside the insert, which is never in the zone.
+Case small_ct() {
+    Case input = small_sent({});
+    input.mesh = {.specimen = "ct", .width = 50.0, .height = 60.0, .size = 5.0, .grading = {}};
+    input.mesh.grading = {{.at = {{25.0, 0.0}}, .size = 1.0, .outer_size = 1.0, .radius = 3.0}};
+    input.cracks[0].points = {{-12.5, 0.0}, {25.0, 0.0}};
+    for (const double sign : {1.0, -1.0}) {
+        BoundarySection& pin = input.boundaries[sign > 0.0 ? 0 : 1];
+        pin = {};
+        pin.on = sign > 0.0 ? "pin-top" : "pin-bottom";
+        pin.force = Point(0.0, sign);
+    }
+    input.load.blocks = {{.cycles = 1, .max = 1200.0, .min = -200.0}};
+    return input;
+}
+
+/// The traction on the top and, beside it, an edge that moves with the load factor.
+Case traction_and_displacement() {
+    Case input = small_sent({"fine.radius=60.0"});
+    BoundarySection right;
+    right.on = "right";
+    right.displacement[0] = 1e-4;
+    input.boundaries.push_back(right);
+    return input;
+}
+
+/// The sides pulled too, across the crack's mouth: its jump bears a load inside the zone.
+Case loaded_mouth() {
+    Case input = small_sent({"fine.radius=30.0"});
+    for (const double sign : {-1.0, 1.0}) {
+        BoundarySection side;
+        side.on = sign < 0.0 ? "left" : "right";
+        side.traction = Point(0.5 * sign, 0.0);
+        input.boundaries.push_back(side);
+    }
+    return input;
+}
+
+struct Scenery {
+    const char* name;
+    std::function<Case()> input;
+};
+
+/// One run under load control, and one that follows its displacements.
+class DisplacementControl : public testing::TestWithParam<Scenery> {
+protected:
+    static RunHistory follow(const Case& input, coarse::EquilibriumFactory& factory, Control control,
+                             const std::vector<double>& targets) {
+        const coarse::Scene scene = coarse::make_scene(input);
+        const coarse::Structure structure(scene, coarse::select_zone(scene, {1500.0}));
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+        const coupling::Patch patch = coarse::make_patch(scene, structure.in_zone(), structure.gamma(), zero);
+        const auto equilibrium = factory.make(structure, &patch, zero, 0.0);
+        RunHistory history;
+        for (const double target : targets) {
+            coarse::Increment increment;
+            increment.newton = find_equilibrium(*equilibrium, {control, target}, 0.0, input.solver);
+            EXPECT_TRUE(increment.newton.converged) << increment.newton.failure << increment.newton.table();
+            increment.load_factor = equilibrium->load_factor();
+            increment.displacement = equilibrium->structure_displacement();
+            mean_.push_back(scene.mean_displacement.dot(increment.displacement));
+            increment.zone = equilibrium->commit(false);
+            history.increments.push_back(increment);
+        }
+        return history;
+    }
+
+    static RunHistory follow_direct(const Case& input, Control control, const std::vector<double>& targets) {
+        fine::FineModel fine(input);
+        coarse::CondensedFactory factory(&fine);
+        return follow(input, factory, control, targets);
+    }
+
+    static void expect_same(const RunHistory& one, const RunHistory& other) {
+        const double load = one.at_maximum().load_factor;
+        for (std::size_t k = 0; k < one.increments.size(); ++k) {
+            const coarse::Increment &a = one.increments[k], &b = other.increments[k];
+            EXPECT_NEAR(a.load_factor, b.load_factor, 1e-9 * load) << "increment " << k + 1;
+            EXPECT_LT((a.displacement - b.displacement).lpNorm<Eigen::Infinity>(),
+                      1e-9 * one.at_maximum().displacement.lpNorm<Eigen::Infinity>());
+            EXPECT_NEAR(a.zone.dissipation, b.zone.dissipation, 1e-8 * one.increments.back().zone.dissipation);
+        }
+    }
+
+    void SetUp() override { mean_.clear(); }
+
+    inline static std::vector<double> mean_;  // displacements of the increments followed
+};
+
+TEST_P(DisplacementControl, FindsTheLoadsOfLoadControl) {
+    const Case input = GetParam().input();
+    const LoadBlock& block = input.load.blocks[0];
+    std::vector<double> loads;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) loads.push_back(share * block.max);
+    for (const double share : {0.5, 0.0}) loads.push_back(share * block.max);
+    loads.insert(loads.end(), {0.5 * block.min, block.min});
+    const RunHistory by_load = follow_direct(input, Control::Load, loads);
+    EXPECT_GT(by_load.increments.back().zone.dissipation, 0.0);
+    EXPECT_GT(by_load.increments.back().zone.contact_length[0], 0.0);
+
+    const std::vector<double> displacements = mean_;
+    mean_.clear();
+    const RunHistory direct = follow_direct(input, Control::Displacement, displacements);
+    expect_same(by_load, direct);
+    for (std::size_t k = 0; k < displacements.size(); ++k)
+        EXPECT_NEAR(mean_[k], displacements[k], 1e-12 * displacements[3]);
+
+    MonolithicFactory factory(input);
+    const RunHistory whole = follow(input, factory, Control::Displacement, displacements);
+    expect_same(direct, whole);
+    for (std::size_t k = 0; k < displacements.size(); ++k)
+        EXPECT_EQ(direct.increments[k].newton.count(), whole.increments[k].newton.count()) << "increment " << k + 1;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sceneries, DisplacementControl,
+    testing::Values(Scenery{"loads_on_the_structure", [] { return small_sent({"fine.radius=15.0"}); }},
+                    Scenery{"loads_on_the_zone", [] { return small_sent({"fine.radius=200.0"}); }},
+                    Scenery{"pins", small_ct}, Scenery{"an_edge_moves_too", traction_and_displacement},
+                    Scenery{"loads_inside_the_zone", loaded_mouth}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(ElasticDisplacementControl, NeedsNoNewton) {
+    Case input = small_sent({});
+    input.material.yield_stress.reset();
+    input.cracks[0].contact.reset();
+    input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 0.1, .min = 0.0}}, .control = Control::Displacement};
+    coarse::CondensedFactory factory(nullptr);
+    const RunHistory run = run_analysis(input, factory);
+    const coarse::Scene scene = coarse::make_scene(input);
+    const double compliance =
+        coarse::Structure(scene, std::vector<char>(scene.mesh.elements.size(), 0)).mean_displacement().per_load_factor;
+    EXPECT_EQ(run.increments[0].newton.count(), 1);
+    EXPECT_NEAR(run.increments[0].load_factor, 0.1 / compliance, 1e-12 * 0.1 / compliance);
+    EXPECT_NEAR(scene.mean_displacement.dot(run.increments[0].displacement), 0.1, 1e-12);
+    EXPECT_NEAR(run.increments[0].tips[0].K_I, run.nominal[0].K_I * run.increments[0].load_factor, 1e-6);
+}
+
+TEST(ElasticDisplacementControl, RefusesWhatNoLoadMoves) {
+    Case input = small_sent({"load.control=\"displacement\""});
+    for (BoundarySection& boundary : input.boundaries) boundary.traction = Point::Zero();
+    EXPECT_THROW(coarse::make_scene(input), CaseError);
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,146 @@
+// J and K do not depend on the ring: elastic specimens, faces held closed by pressure, plasticity within the rings.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <numbers>
+
+#include "coarse/rings.hpp"
+#include "tests/support/one_equilibrium.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+using std::numbers::pi;
+
+TEST(Rings, ElasticSpecimens) {
+    const auto expect_alike = [](const std::string& name, const Case& input) {
+        Case graded = graded_to_tips(input);
+        graded.mesh.size /= 3.0;  // the largest ring lies among the largest elements
+        for (Grading& grading : graded.mesh.grading) grading.growth = 0.25;
+        const ElasticSolution solution(graded);
+        const coarse::TipResult& tip = solution.tips[0];
+        std::cout << fmt::format("{:12s} {} rings: spread of J {:.3f} %, of K {:.3f} %\n", name,
+                                 coarse::rings_about(solution.scene, 0).size(), 100.0 * tip.J_spread,
+                                 100.0 * tip.K_spread);
+        EXPECT_LT(tip.J_spread, 0.002);
+        EXPECT_LT(tip.K_spread, 0.002);
+    };
+    for (const double x : {0.3, 0.5, 0.7}) {
+        expect_alike(fmt::format("sent a/W {}", x), edge_crack(x, 4.0, End::Pulled));
+        expect_alike(fmt::format("ct a/W {}", x), compact_tension(x));
+    }
+    expect_alike("mt 2a/W 0.5", middle_crack(0.5, 3.0));
+}
+
+/// Crack of half length a in the middle of a square of width 1, with contact; its ends pulled by `middle` +
+/// `gradient` (x - 1/2).
+Case touching_crack(double a, double middle, double gradient) {
+    Case input = specimen("plate", 1.0, {{0.5 - a, 0.5}, {0.5 + a, 0.5}});
+    input.cracks[0].contact = ContactSection{};
+    input.mesh.size = 0.05;
+    input.mesh.grading = {{.at = {{0.5, 0.5}}, .size = a / 30.0, .outer_size = {}, .radius = 1.5 * a}};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    for (BoundarySection& end : input.boundaries) {
+        const double sign = end.traction->y();
+        end.traction = Point(0.0, sign * middle);
+        end.traction_gradient << 0.0, 0.0, sign * gradient, 0.0;
+        end.origin = Point(0.5, 0.0);
+    }
+    return input;
+}
+
+// The solution is that without a crack: sigma_yy = -1. T = sigma_xx - sigma_yy = 1.
+TEST(Rings, ACrackHeldClosedReleasesNothing) {
+    const double a = 0.05, K = std::sqrt(pi * a);
+    const coarse::Scene scene = coarse::make_scene(touching_crack(a, -1.0, 0.0));
+    const Equilibrated result = equilibrate(scene, 1.0);
+    ASSERT_TRUE(result.newton.converged);
+    EXPECT_NEAR(result.zone.contact_length[0], 2.0 * a, 1e-9);
+    for (const coarse::TipResult& tip : result.tips) {
+        std::cout << fmt::format(
+            "closed: K_I {:+.2e}, K_II {:+.2e} of sigma sqrt(pi a), J E' {:+.2e} of its square, T {:.5f}\n",
+            tip.K_I / K, tip.K_II / K, tip.J * plane_modulus / (K * K), tip.T_stress);
+        EXPECT_NEAR(tip.K_I, 0.0, 1e-3 * K);
+        EXPECT_NEAR(tip.K_II, 0.0, 1e-3 * K);
+        EXPECT_NEAR(tip.J * plane_modulus, 0.0, 1e-3 * K * K);
+        EXPECT_NEAR(tip.T_stress, 1.0, 1e-3);
+    }
+}
+
+// Bending, sigma_yy = sigma_0 x / a on the line of the crack: it closes smoothly from its end at -a up to -a/3, where K
+// of the rest alone, of half length 2 a/3, vanishes. At the other end K_I = (2/3)^(3/2) sigma_0 sqrt(pi a), T =
+// -sigma_0.
+TEST(Rings, ACrackThatBendingClosesInPart) {
+    const double a = 0.05, K = std::pow(2.0 / 3.0, 1.5) * std::sqrt(pi * a);
+    const coarse::Scene scene = coarse::make_scene(touching_crack(a, 0.0, 1.0 / a));
+    const Equilibrated result = equilibrate(scene, 1.0);
+    ASSERT_TRUE(result.newton.converged);
+    const auto open = std::ranges::find_if(scene.enriched.tips, [](const Tip& tip) { return tip.direction.x() > 0.0; });
+    const auto index = static_cast<std::size_t>(open - scene.enriched.tips.begin());
+    const coarse::TipResult &tip = result.tips[index], &other = result.tips[1 - index];
+    std::cout << fmt::format(
+        "half closed: contact over {:.4f} a (2/3), K_I {:+.3f} %, by J {:+.3f} %, T {:.4f}; spread of J "
+        "{:.3f} %, of K {:.3f} %\n",
+        result.zone.contact_length[0] / a, 100.0 * (tip.K_I / K - 1.0),
+        100.0 * (std::sqrt(tip.J * plane_modulus) / K - 1.0), tip.T_stress, 100.0 * tip.J_spread, 100.0 * tip.K_spread);
+    std::cout << fmt::format("   closed end: K_I {:+.2e}, J E' {:+.2e}, T {:.4f}\n", other.K_I / K,
+                             other.J * plane_modulus / (K * K), other.T_stress);
+    EXPECT_NEAR(result.zone.contact_length[0], 2.0 / 3.0 * a, a / 15.0);
+    EXPECT_NEAR(tip.K_I, K, 0.01 * K);
+    EXPECT_NEAR(std::sqrt(tip.J * plane_modulus), K, 0.01 * K);
+    EXPECT_NEAR(tip.T_stress, -1.0, 0.02);
+    EXPECT_LT(tip.J_spread, 0.003);
+    EXPECT_LT(tip.K_spread, 0.003);
+    EXPECT_NEAR(other.K_I, 0.0, 0.01 * K);
+    EXPECT_NEAR(other.J * plane_modulus, 0.0, 0.01 * K * K);
+}
+
+// Pushed at an angle beta to a crack whose faces touch without friction: they bear the pressure sin^2 beta and slide,
+// K_II = sin beta cos beta sqrt(pi a), and along the crack stands what stands far from it: T = -cos 2 beta.
+TEST(Rings, AnInclinedCrackPushedShutSlides) {
+    const double a = 0.05, beta = pi / 3.0, K = std::sqrt(pi * a);
+    Case input = touching_crack(a, -1.0, 0.0);
+    const Vec2 half = a * Vec2(std::sin(beta), std::cos(beta));
+    input.cracks[0].points = {Vec2(0.5, 0.5) - half, Vec2(0.5, 0.5) + half};
+    const coarse::Scene scene = coarse::make_scene(input);
+    const Equilibrated result = equilibrate(scene, 1.0);
+    ASSERT_TRUE(result.newton.converged);
+    for (const coarse::TipResult& tip : result.tips) {
+        std::cout << fmt::format(
+            "sliding: K_I {:+.2e}, K_II {:.4f} ({:.4f}), J {:.4f} ({:.4f}), T {:.4f} ({:.4f}); spread of J "
+            "{:.3f} %, of K {:.3f} %\n",
+            tip.K_I / K, std::abs(tip.K_II) / K, std::sin(beta) * std::cos(beta), tip.J * plane_modulus / (K * K),
+            std::pow(std::sin(beta) * std::cos(beta), 2), tip.T_stress, -std::cos(2.0 * beta), 100.0 * tip.J_spread,
+            100.0 * tip.K_spread);
+        const double K_II = std::sin(beta) * std::cos(beta) * K;
+        EXPECT_NEAR(tip.K_I, 0.0, 0.01 * K);
+        EXPECT_NEAR(std::abs(tip.K_II), K_II, 0.02 * K);
+        EXPECT_NEAR(tip.J * plane_modulus, K_II * K_II, 0.02 * K * K);
+        EXPECT_NEAR(tip.T_stress, -std::cos(2.0 * beta), 0.02);
+        EXPECT_LT(tip.J_spread, 0.003);
+        EXPECT_LT(tip.K_spread, 0.003);
+    }
+}
+
+// The shipped plate: in tension its plastic zone lies within all rings, in compression the faces bear the load.
+TEST(Rings, PlasticityWithinThem) {
+    const RunHistory run = run_direct(sent_case({mesh_at_tip(0.2), "load.steps=16"}));
+    for (const coarse::Increment* increment : {&run.at_maximum(), &run.at_minimum()}) {
+        const coarse::TipResult& tip = increment->tips[0];
+        std::cout << fmt::format(
+            "load {:+.0f}: K_I {:.2f}, J {:.5f}, T {:.2f}; spread of J {:.3f} %, of K {:.3f} %; flow reaches "
+            "{:.2f} mm\n",
+            increment->load_factor, tip.K_I, tip.J, tip.T_stress, 100.0 * tip.J_spread, 100.0 * tip.K_spread,
+            increment->zone.tips[0].plastic_reach);
+        EXPECT_FALSE(tip.rings_flow);
+    }
+    EXPECT_LT(run.at_maximum().tips[0].J_spread, 0.005);
+    EXPECT_LT(run.at_maximum().tips[0].K_spread, 0.005);
+}
+
+}  // namespace
+}  // namespace stria::test
