@@ -7,12 +7,20 @@
 namespace stria {
 namespace {
 
+// Between the ends of its edge at a hanging node, so that q is continuous.
+double nodal_weight(const EnrichedMesh& mesh, int node, const Tip& tip, const Annulus& ring) {
+    const auto at_node = [&](int n) {
+        return ring.weight((mesh.nodes[static_cast<std::size_t>(n)] - tip.position).norm());
+    };
+    const TiedNode* const tied = mesh.tied.empty() ? nullptr : mesh.tie(node);
+    return tied != nullptr ? (at_node(tied->ends[0]) + at_node(tied->ends[1])) / 2.0 : at_node(node);
+}
+
 Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip& tip, const Annulus& ring) {
     Eigen::Vector4d q;
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh.elements[static_cast<std::size_t>(element)][k];
-        q[static_cast<Eigen::Index>(k)] =
-            ring.weight((mesh.nodes[static_cast<std::size_t>(node)] - tip.position).norm());
+        q[static_cast<Eigen::Index>(k)] = nodal_weight(mesh, node, tip, ring);
     }
     return q;
 }
