@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "coarse/condensed_equilibrium.hpp"
+#include "coarse/crack_growth.hpp"
 #include "coarse/zone_selection.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -32,7 +33,7 @@ double largest_load_factor(const LoadSection& load, const Structure& elastic) {
 }
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
-    : scene_(scene), factory_(factory), listener_(std::move(listener)),
+    : scene_(&scene), factory_(factory), listener_(std::move(listener)),
       controller_(scene.input.load, scene.input.solver) {
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
@@ -42,10 +43,10 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
 
 // K_1(a), and the K of eq. (3): an elastic solution on the coarse mesh with traction-free faces.
 std::vector<double> FatigueAnalysis::solve_nominal() {
-    const LoadSection& load = scene_.input.load;
-    if (scene_.enriched.tips.empty() && load.control == Control::Load) return {};
+    const LoadSection& load = scene_->input.load;
+    if (scene_->enriched.tips.empty() && load.control == Control::Load) return {};
     note_if_large("elastic solution of the whole body");
-    structure_ = std::make_unique<Structure>(scene_, std::vector<char>(scene_.mesh.elements.size(), 0));
+    structure_ = std::make_unique<Structure>(*scene_, std::vector<char>(scene_->mesh.elements.size(), 0));
     nominal_ = fracture_parameters(*structure_, structure_->expand({}, 1.0), {});
     std::vector<double> largest_K_I;
     for (const TipResult& tip : nominal_) largest_K_I.push_back(tip.K_I * largest_load_factor(load, *structure_));
@@ -59,10 +60,10 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
         const Stopwatch watch(coarse_factor_s_);
         note_if_large("condensing the structure onto the zone's boundary");
         if (!equilibrium_) structure_.reset();  // the nominal one: two factors at once would take twice the memory
-        structure_ = std::make_unique<Structure>(scene_, in_zone);
+        structure_ = std::make_unique<Structure>(*scene_, in_zone);
     }
     coupling::Patch patch;
-    if (has_zone) patch = make_patch(scene_, in_zone, structure_->gamma(), committed_);
+    if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
     equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
     predicts_ = false;
@@ -73,8 +74,8 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
 
 // Where a factor takes seconds, the user should know what is going on.
 void FatigueAnalysis::note_if_large(const char* phase) const {
-    if (scene_.mesh.elements.size() > 100'000)
-        listener_.note(fmt::format("{} ({} elements) ...", phase, scene_.mesh.elements.size()));
+    if (scene_->mesh.elements.size() > 100'000)
+        listener_.note(fmt::format("{} ({} elements) ...", phase, scene_->mesh.elements.size()));
 }
 
 void FatigueAnalysis::run() {
@@ -82,14 +83,50 @@ void FatigueAnalysis::run() {
     while (const auto next = controller_.next()) {
         LoadStep step = *next;
         if (!predicts_) step.predictor = 0.0;
-        const NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, scene_.input.solver);
-        newton_iterations_ += report.count();
-        listener_.attempted(step, report);
-        if (!report.converged)
+        const NewtonReport report = attempt(step);
+        if (!report.converged) {
             cut_or_fail(step, report);
-        else if (!zone_must_grow(step))
+        } else if (!zone_must_grow(step)) {
             accept(step, report);
+            controller_.accepted();
+            if (scene_->input.growth && grows_at(*scene_->input.growth, step)) grow(step);
+        }
     }
+}
+
+NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
+    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, scene_->input.solver);
+    newton_iterations_ += report.count();
+    listener_.attempted(step, report);
+    return report;
+}
+
+// Figure 3: (a) the cracks are longer, and nothing else changes: no stress, no displacement, no internal variable; (b)
+// at constant load the body finds equilibrium with them.
+void FatigueAnalysis::grow(const LoadStep& reached) {
+    Case input = scene_->input;
+    for (const Tip& tip : scene_->enriched.tips)
+        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, tip.direction, input.growth->increment);
+    auto next = std::make_unique<Scene>(make_scene(input, scene_->mesh));
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
+    committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);
+    std::vector<char> in_zone = structure_->in_zone();
+    scene_ = next.get();
+    const std::vector<char> about_tips = select_zone(*scene_, solve_nominal());
+    for (std::size_t e = 0; e < in_zone.size(); ++e) in_zone[e] = static_cast<char>(in_zone[e] | about_tips[e]);
+    build(in_zone);
+    grown_ = std::move(next);
+
+    LoadStep step;
+    step.cycle = reached.cycle;
+    step.target = reached.target;
+    NewtonReport report = attempt(step);
+    while (report.converged && zone_must_grow(step)) report = attempt(step);
+    if (!report.converged) {
+        throw NumericalFailure(fmt::format("after the crack has grown in cycle {}: {} at {}", step.cycle,
+                                           report.failure, to_text(step.target)));
+    }
+    accept(step, report, true);
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
@@ -98,7 +135,7 @@ void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& repo
         throw NumericalFailure(
             fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; the last converged "
                         "one is {}, load factor {:.6g}",
-                        increment_ + 1, step.cycle, to_text(step.target), report.failure, scene_.input.solver.max_cuts,
+                        increment_ + 1, step.cycle, to_text(step.target), report.failure, scene_->input.solver.max_cuts,
                         to_text({step.target.control, controller_.reached()}), load_factor_));
     }
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
@@ -106,11 +143,11 @@ void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& repo
 
 // The proof that "elastic outside the zone" held (DESIGN section 4).
 bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
-    if (!scene_.input.material.yield_stress) return false;
-    const std::vector<int> yielding = structure_->elements_beyond(*scene_.input.material.yield_stress * (1.0 + 1e-9),
+    if (!scene_->input.material.yield_stress) return false;
+    const std::vector<int> yielding = structure_->elements_beyond(*scene_->input.material.yield_stress * (1.0 + 1e-9),
                                                                   equilibrium_->structure_displacement());
     if (yielding.empty()) return false;
-    if (scene_.input.fine.guard == Guard::Warn) {
+    if (scene_->input.fine.guard == Guard::Warn) {
         if (warnings_++ == 0) {
             listener_.note(fmt::format("warning: {}: {} elements outside the zone are beyond yield; "
                                        "they stay elastic (fine.guard = \"warn\")",
@@ -128,21 +165,22 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
 void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     equilibrium_->rollback();
     std::vector<char> in_zone = structure_->in_zone();
-    const auto around = elements_around_nodes(scene_.mesh);
+    const auto around = elements_around_nodes(scene_->mesh);
     for (const int element : yielding) {
-        for (const int node : scene_.mesh.elements[static_cast<std::size_t>(element)]) {
+        for (const int node : scene_->mesh.elements[static_cast<std::size_t>(element)]) {
             for (const int neighbour : around[static_cast<std::size_t>(node)])
-                if (!scene_.mesh.in_insert(neighbour)) in_zone[static_cast<std::size_t>(neighbour)] = 1;
+                if (!scene_->mesh.in_insert(neighbour)) in_zone[static_cast<std::size_t>(neighbour)] = 1;
         }
     }
     ++extensions_;
     build(in_zone);
 }
 
-void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report) {
+void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, bool after_growth) {
     Increment increment;
     increment.number = ++increment_;
     increment.step = step;
+    increment.after_growth = after_growth;
     increment.load_factor = load_factor_ = equilibrium_->load_factor();
     increment.newton = report;
     increment.displacement = equilibrium_->structure_displacement();
@@ -151,8 +189,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report) {
     increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
     look_at_rings(increment);
     committed_ = increment.displacement;
-    controller_.accepted();
-    predicts_ = true;
+    predicts_ = !after_growth;
     listener_.accepted(increment, *structure_);
 }
 

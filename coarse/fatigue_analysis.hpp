@@ -45,7 +45,8 @@ private:
 struct Increment {
     int number = 0;  // from 1
     LoadStep step;
-    double load_factor = 0.0;  // found, where a displacement is controlled
+    double load_factor = 0.0;   // found, where a displacement is controlled
+    bool after_growth = false;  // at the load of the increment before, with longer cracks
     NewtonReport newton;
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
     Eigen::VectorXd reactions;     // on prescribed unknowns
@@ -93,10 +94,13 @@ private:
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     void extend_zone(const std::vector<int>& yielding);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
-    void accept(const LoadStep& step, const NewtonReport& report);
+    [[nodiscard]] NewtonReport attempt(const LoadStep& step);
+    void accept(const LoadStep& step, const NewtonReport& report, bool after_growth = false);
+    void grow(const LoadStep& reached);
     void look_at_rings(const Increment& increment);
 
-    const Scene& scene_;
+    const Scene* scene_;
+    std::unique_ptr<Scene> grown_;  // the present one, once a crack has grown
     EquilibriumFactory& factory_;
     Listener listener_;
     LoadController controller_;

@@ -17,6 +17,12 @@ Edge edge_of(const Mesh& mesh, int element, int k) {
     return std::minmax(nodes[at(k)], nodes[at((k + 1) % 4)]);
 }
 
+double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
+    const double length2 = (b - a).squaredNorm();
+    const double t = length2 > 0.0 ? std::clamp((x - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
+    return (x - a - t * (b - a)).norm();
+}
+
 bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     if (mesh.level[at(element)] >= disk.levels) return false;
     Vec2 centre = Vec2::Zero();
@@ -27,7 +33,7 @@ bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
         longest = std::max(longest, (mesh.nodes[at(nodes[(k + 1) % 4])] - mesh.nodes[at(nodes[k])]).norm());
     }
     const double half_diagonal = (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm() / 2.0;
-    const double distance = std::max(0.0, (centre - disk.centre).norm() - half_diagonal);
+    const double distance = std::max(0.0, distance_to_segment(centre, disk.from, disk.to) - half_diagonal);
     return distance <= disk.radius && longest > disk.growth * distance;
 }
 

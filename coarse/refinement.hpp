@@ -7,11 +7,12 @@
 
 namespace stria::coarse {
 
-/// Where small elements are asked for: at its centre elements split `levels` times; away from there an element within
-/// `radius` is small enough if its longest edge is at most `growth` times its distance (0: all split alike).
+/// Where small elements are asked for: along the way of a disk's centre elements split `levels` times; away from it an
+/// element within `radius` is small enough if its longest edge is at most `growth` times its distance (0: all split
+/// alike).
 struct RefinedDisk {
-    Eigen::Vector2d centre;  // mm
-    double radius;           // mm
+    Eigen::Vector2d from, to;  // of the centre, mm
+    double radius;             // mm
     int levels;
     double growth;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "coarse/crack_growth.hpp"
 #include "coarse/fatigue_analysis.hpp"
 #include "coarse/tip_reach.hpp"
 #include "coarse/zone_selection.hpp"
@@ -22,7 +23,10 @@ std::vector<RefinedDisk> disks_to_refine(const Scene& scene) {
     std::vector<RefinedDisk> disks;
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
         const double smallest = tip_element_size(mesh, mesh.tips[t]) / fine.refine;
-        disks.push_back({mesh.tips[t].position, std::max(zone_radius(scene.input, K_I[t]), 3.0 * smallest),
+        const Tip& tip = mesh.tips[t];
+        const double way = scene.input.growth ? planned_growth(*scene.input.growth, scene.input.load) : 0.0;
+        disks.push_back({tip.position, tip.position + way * tip.direction,
+                         std::max(zone_radius(scene.input, K_I[t]), 3.0 * smallest),
                          std::countr_zero(static_cast<unsigned>(fine.refine)), fine.growth});
     }
     return disks;

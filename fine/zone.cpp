@@ -2,66 +2,124 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+
+#include "common/fem/moment_fit.hpp"
 
 namespace stria::fine {
 
 Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
-           const IntegrationRule& rule)
-    : mesh_(mesh), law_(std::move(law)), elastic_(elastic) {
-    const std::vector<int> piece = piece_of_elements(mesh_);
-    const MandelMatrix stiffness = elastic_.stiffness();
-    const auto count = mesh_.elements.size();
-    operators_.reserve(count);
-    for (std::size_t e = 0; e < count; ++e) {
-        const CrackPiece* cut = piece[e] >= 0 ? &mesh_.pieces[static_cast<std::size_t>(piece[e])] : nullptr;
-        operators_.push_back(make_operator(mesh_, static_cast<int>(e), cut, rule));
-        first_point_.push_back(points_);
-        points_ += static_cast<int>(operators_.back().points.size());
-        elastic_stiffness_.push_back(operators_.back().stiffness(stiffness));
-    }
+           const IntegrationRule& rule, const Zone* old, const Eigen::VectorXd& displacement)
+    : mesh_(mesh), law_(std::move(law)), elastic_(elastic), piece_(piece_of_elements(mesh_)) {
+    for (std::size_t e = 0; e < mesh_.element_ids.size(); ++e) element_of_id_[mesh_.element_ids[e]] = e;
+    make_operators(rule, old);
     const auto n = static_cast<std::size_t>(points_), components = static_cast<std::size_t>(law_->state_size());
     committed_.assign(components * n, 0.0);
-    trial_ = committed_;
     strain_.assign(4 * n, 0.0);
     tangent_.assign(16 * n, 0.0);
     yielding_.assign(n, 0);
     flowed_.assign(n, 0);
     tangents_ = elastic_stiffness_;
-    changed_.assign(count, 1);
-    was_plastic_.assign(count, 0);
-    committed_u_ = trial_u_ = force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
+    changed_.assign(operators_.size(), 1);
+    was_plastic_.assign(operators_.size(), 0);
+    force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
+    committed_u_ = trial_u_ = displacement;
+    start(old);
 }
 
-void Zone::start(const Zone* old, const Eigen::VectorXd& displacement) {
-    committed_u_ = trial_u_ = displacement;
-    std::map<int, std::size_t> known;
-    if (old != nullptr) {
-        for (std::size_t e = 0; e < old->mesh_.element_ids.size(); ++e) known[old->mesh_.element_ids[e]] = e;
+void Zone::make_operators(const IntegrationRule& rule, const Zone* old) {
+    const MandelMatrix stiffness = elastic_.stiffness();
+    operators_.reserve(mesh_.elements.size());
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+        const int element = static_cast<int>(e);
+        const CrackPiece* cut = piece_[e] >= 0 ? &mesh_.pieces[static_cast<std::size_t>(piece_[e])] : nullptr;
+        bool known = false;
+        if (old != nullptr) {
+            const auto found = old->element_of_id_.find(mesh_.element_ids[e]);
+            known = found != old->element_of_id_.end();
+            if (known) {
+                const std::array<Vec2, 4> corners = ElementBasis(mesh_, element, cut != nullptr).corners();
+                operators_.push_back(
+                    make_operator(mesh_, element, cut, rule, points_kept(cut, *old, found->second, corners)));
+            }
+        }
+        if (!known) operators_.push_back(make_operator(mesh_, element, cut, rule));
+        first_point_.push_back(points_);
+        points_ += static_cast<int>(operators_.back().points.size());
+        elastic_stiffness_.push_back(operators_.back().stiffness(stiffness));
     }
-    const int components = law_->state_size();
+}
+
+// While a tip stands in the element nothing jumps there yet, and the weights stay.
+std::vector<IntegrationPoint> Zone::points_kept(const CrackPiece* cut, const Zone& old, std::size_t old_element,
+                                                const std::array<Vec2, 4>& corners) const {
+    std::vector<IntegrationPoint> points = old.operators_[old_element].points;
+    const int old_piece = old.piece_[old_element];
+    if (cut == nullptr ||
+        (old_piece >= 0 && old.mesh_.pieces[static_cast<std::size_t>(old_piece)].points == cut->points))
+        return points;
+    const CutElement sides = cut_element(corners, *cut);
+    if (sides.tips.empty())
+        fit_weights(sides, corners, points);
+    else
+        for (IntegrationPoint& point : points) point.side = sides.side_of(point.x);
+    return points;
+}
+
+void Zone::start(const Zone* old) {
+    if (old != nullptr) half_cycle_ended_ = old->half_cycle_ended_;
     const auto put = [&](int component, int point, double value) {
         committed_[static_cast<std::size_t>(component * points_ + point)] = value;
     };
     for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (old != nullptr) {
+            const auto found = old->element_of_id_.find(mesh_.element_ids[e]);
+            if (found != old->element_of_id_.end()) {
+                take_state(*old, found->second, e);
+                continue;
+            }
+        }
         const ElementOperator& op = operators_[e];
-        const auto found = known.find(mesh_.element_ids[e]);
         const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const int point = first_point_[e] + static_cast<int>(q);
-            if (found != known.end()) {
-                const int source = old->first_point_[found->second] + static_cast<int>(q);
-                for (int c = 0; c < components; ++c) put(c, point, old->committed(c, source));
-                flowed_[static_cast<std::size_t>(point)] = old->flowed_[static_cast<std::size_t>(source)];
-                half_cycle_ended_ = old->half_cycle_ended_;
-            } else {
-                const Mandel strain = op.strain(u, q), stress = elastic_.stiffness() * strain;
-                for (int c = 0; c < 4; ++c) put(state::stress + c, point, stress[c]);
-                put(state::work, point, 0.5 * stress.dot(strain));
-            }
+            const Mandel strain = op.strain(u, q), stress = elastic_.stiffness() * strain;
+            for (int c = 0; c < 4; ++c) put(state::stress + c, point, stress[c]);
+            put(state::work, point, 0.5 * stress.dot(strain));
         }
     }
     trial_ = committed_;
+}
+
+// Old points come first and in their order; one that is new has the history of the nearest. What the functions no
+// longer say of the displacement's gradient is kept beside them.
+void Zone::take_state(const Zone& old, std::size_t old_element, std::size_t element) {
+    const ElementOperator &before = old.operators_[old_element], &now = operators_[element];
+    const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
+    for (std::size_t q = 0; q < now.points.size(); ++q) {
+        std::size_t from = q;
+        if (q >= before.points.size()) {
+            const auto distance = [&](const IntegrationPoint& p) { return (p.x - now.points[q].x).squaredNorm(); };
+            from =
+                static_cast<std::size_t>(std::ranges::min_element(before.points, {}, distance) - before.points.begin());
+        }
+        const int source = old.first_point_[old_element] + static_cast<int>(from);
+        const auto point = static_cast<std::size_t>(first_point_[element]) + q;
+        for (int c = 0; c < law_->state_size(); ++c)
+            committed_[static_cast<std::size_t>(c * points_) + point] = old.committed(c, source);
+        flowed_[point] = old.flowed_[static_cast<std::size_t>(source)];
+        const Eigen::Matrix2d rest = old.total_gradient(old_element, from, old_u) - now.displacement_gradient(u, q);
+        if (frozen_gradient_.empty()) {
+            if (rest.cwiseAbs().maxCoeff() < 1e-14) continue;
+            frozen_gradient_.assign(static_cast<std::size_t>(points_), Eigen::Matrix2d::Zero());
+        }
+        frozen_gradient_[point] = rest;
+    }
+}
+
+Eigen::Matrix2d Zone::total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const {
+    Eigen::Matrix2d gradient = operators_[e].displacement_gradient(element_u, q);
+    if (!frozen_gradient_.empty()) gradient += frozen_gradient_[static_cast<std::size_t>(first_point_[e]) + q];
+    return gradient;
 }
 
 void Zone::evaluate(const Eigen::VectorXd& u) {
@@ -169,7 +227,7 @@ void Zone::add_to(RingSums& rings) const {
         const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const int point = first_point_[e] + static_cast<int>(q);
-            rings.add(op.points[q], committed_mandel(state::stress, point), op.displacement_gradient(u, q),
+            rings.add(op.points[q], committed_mandel(state::stress, point), total_gradient(e, q, u),
                       committed(state::work, point));
         }
     }

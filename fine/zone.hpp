@@ -1,6 +1,7 @@
 // The bulk of the fine zone: sub-quadrangle points with their history, internal forces and element tangents.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,12 +16,11 @@ namespace stria::fine {
 
 class Zone {
 public:
+    /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
+    /// newly cut them, and the points' states; the others start from sigma = C eps(displacement) (DESIGN section 4).
+    /// `displacement`: committed, of all unknowns.
     Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
-         const IntegrationRule& rule);
-
-    /// Elements that `old` holds too keep their points' states; the others start from sigma = C eps(u) (DESIGN section
-    /// 4).
-    void start(const Zone* old, const Eigen::VectorXd& displacement);
+         const IntegrationRule& rule, const Zone* old, const Eigen::VectorXd& displacement);
 
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
     void evaluate(const Eigen::VectorXd& u);
@@ -54,7 +54,14 @@ public:
     void describe(coupling::ZoneState& out) const;
 
 private:
+    void make_operators(const IntegrationRule& rule, const Zone* old);
+    [[nodiscard]] std::vector<IntegrationPoint> points_kept(const CrackPiece* cut, const Zone& old,
+                                                            std::size_t old_element,
+                                                            const std::array<Vec2, 4>& corners) const;
+    void start(const Zone* old);
+    void take_state(const Zone& old, std::size_t old_element, std::size_t element);
     void evaluate_element(std::size_t e);
+    [[nodiscard]] Eigen::Matrix2d total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const;
     [[nodiscard]] double committed(int component, int point) const {
         return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) +
                           static_cast<std::size_t>(point)];
@@ -65,6 +72,9 @@ private:
     std::unique_ptr<MaterialLaw> law_;
     Elasticity elastic_;
     std::vector<ElementOperator> operators_;
+    std::vector<int> piece_;  // of each element, -1: none
+    std::map<int, std::size_t> element_of_id_;
+    std::vector<Eigen::Matrix2d> frozen_gradient_;  // per point, of displacements that left the unknowns; empty: none
     std::vector<int> first_point_;
     std::vector<Eigen::MatrixXd> elastic_stiffness_;
     int points_ = 0;

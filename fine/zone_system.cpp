@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <tuple>
 
 #include "common/stopwatch.hpp"
 
@@ -16,17 +14,27 @@ ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_o
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
+    if (old) freeze_tips_left_by(patch.mesh);
     const IntegrationRule rule{.subcells = input_.fine.subcells,
                                .gauss = 2,
                                .tip_points = 4,
                                .mean_dilatation = mean_dilatation(input_.material, elastic_)};
-    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, rule);
     contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
-                                                  elastic_.plane_modulus());
-    keep_history(patch, old.get(), old_contact.get());
+                                                  elastic_.plane_modulus(), frozen_);
+    carry_unknowns(patch, old_contact.get());
+    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, rule,
+                                   old.get(), committed_.displacement);
     patch_ = patch;
     trial_ = committed_;
     find_tip_stations();
+}
+
+void ZoneSystem::freeze_tips_left_by(const EnrichedMesh& next) {
+    for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
+        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
+        if (std::ranges::none_of(next.tips, [&](const Tip& other) { return same_place(tip, other); }))
+            frozen_.freeze(patch_.mesh, t, committed_.displacement);
+    }
 }
 
 void ZoneSystem::find_tip_stations() {
@@ -40,26 +48,12 @@ void ZoneSystem::find_tip_stations() {
     }
 }
 
-void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact) {
+void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact) {
     Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
     Unknowns step{Eigen::VectorXd::Zero(patch.mesh.unknowns), next.pressure};
-    if (old != nullptr) {
-        std::map<int, int> old_node;  // by id
-        for (int n = 0; n < static_cast<int>(old->mesh().nodes.size()); ++n)
-            old_node[old->mesh().node_ids[static_cast<std::size_t>(n)]] = n;
-        for (const auto& [node, term, to] : patch.mesh.own_unknowns()) {
-            const auto n = static_cast<std::size_t>(node);
-            const auto found = old_node.find(patch.mesh.node_ids[n]);
-            if (found == old_node.end()) continue;
-            const int same =
-                term == 0
-                    ? 0
-                    : old->mesh().term_index(found->second, patch.mesh.terms[n][static_cast<std::size_t>(term - 1)]);
-            if (term > 0 && same == 0) continue;
-            const int from = old->mesh().unknown(found->second, same, 0);
-            next.displacement.segment<2>(to) = committed_.displacement.segment<2>(from);
-            step.displacement.segment<2>(to) = last_increment_.displacement.segment<2>(from);
-        }
+    if (old_contact != nullptr) {
+        next.displacement = carry_over(patch_.mesh, committed_.displacement, patch.mesh, next.displacement);
+        step.displacement = carry_over(patch_.mesh, last_increment_.displacement, patch.mesh, step.displacement);
         for (int k = 0; k < contact_->multipliers(); ++k) {
             const auto same = [&](const ContactInterface::Key& key) {
                 const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
@@ -72,7 +66,6 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
     }
     committed_ = std::move(next);
     last_increment_ = std::move(step);
-    zone_->start(old, committed_.displacement);
 }
 
 void ZoneSystem::predict(double factor) {
@@ -153,7 +146,10 @@ void ZoneSystem::report_tips(coupling::StepReport& report) const {
     report.tips.resize(tips);
     for (std::size_t t = 0; t < tips; ++t) {
         const Tip& tip = patch_.mesh.tips[t];
-        report.tips[t].CTOD = opening_at_intercept(patch_.mesh, tip, committed_.displacement);
+        report.tips[t].CTOD = opening_at_intercept(patch_.mesh, tip, [&](const FaceStation& station) {
+            return station.opening(committed_.displacement) +
+                   frozen_.jump(station.crack, station.s).dot(station.normal);
+        });
         report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
         report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);
         report.tips[t].plastic_reach = zone_->plastic_reach(tip);

@@ -54,7 +54,8 @@ private:
         Eigen::VectorXd displacement, pressure;
     };
     void find_tip_stations();
-    void keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact);
+    void freeze_tips_left_by(const EnrichedMesh& next);
+    void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
     void report_tips(coupling::StepReport& report) const;
     void report_faces(coupling::StepReport& report) const;
     void report_rings(coupling::StepReport& report) const;
@@ -64,6 +65,7 @@ private:
     coupling::Patch patch_;
     std::unique_ptr<Zone> zone_;
     std::unique_ptr<ContactInterface> contact_;
+    FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
     Unknowns committed_, trial_, last_increment_;
     Eigen::VectorXd gap_, load_;

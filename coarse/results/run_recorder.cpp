@@ -20,6 +20,7 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
     const Stopwatch watch(output_s_);
     zone_ = increment.zone;
     nominal_ = nominal;
+    present_ = &structure.scene();
     record_history(increment, structure);
     record_cycle(increment);
     if (due(scene_.input.output.faces, increment.step)) {
@@ -56,8 +57,8 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
     for (std::size_t t = 0; t < increment.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
         row.tip = static_cast<std::int64_t>(t);
-        row.x = scene_.enriched.tips[t].position.x();
-        row.y = scene_.enriched.tips[t].position.y();
+        row.x = present_->enriched.tips[t].position.x();
+        row.y = present_->enriched.tips[t].position.y();
         row.a = tip.a;
         row.K_I = tip.K_I;
         row.K_II = tip.K_II;
@@ -159,17 +160,17 @@ double RunRecorder::load(const Increment& increment) const {
     double sum = 0.0;
     for (const int node : loaded_->nodes) {
         for (int c = 0; c < 2; ++c) {
-            const int unknown = scene_.enriched.unknown(node, 0, c);
-            const auto found = std::ranges::lower_bound(scene_.prescribed, unknown, {}, &PrescribedUnknown::unknown);
-            if (found == scene_.prescribed.end() || found->unknown != unknown) continue;
-            sum += loaded_->direction[c] * increment.reactions[found - scene_.prescribed.begin()];
+            const int unknown = present_->enriched.unknown(node, 0, c);
+            const auto found = std::ranges::lower_bound(present_->prescribed, unknown, {}, &PrescribedUnknown::unknown);
+            if (found == present_->prescribed.end() || found->unknown != unknown) continue;
+            sum += loaded_->direction[c] * increment.reactions[found - present_->prescribed.begin()];
         }
     }
     return sum;
 }
 
 double RunRecorder::displacement(const Increment& increment) const {
-    return loaded_ ? scene_.mean_displacement.dot(increment.displacement) : missing;
+    return loaded_ ? present_->mean_displacement.dot(increment.displacement) : missing;
 }
 
 }  // namespace stria::coarse

@@ -39,6 +39,7 @@ private:
     [[nodiscard]] double displacement(const Increment& increment) const;
 
     const Scene& scene_;
+    const Scene* present_ = nullptr;  // of the increment at hand: cracks grow
     std::function<coupling::ZoneState()> zone_state_;
     std::optional<LoadedBoundary> loaded_;
     CsvWriter history_, cycles_, faces_;

@@ -64,7 +64,7 @@ std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int su
 }  // namespace
 
 Vec2 FaceStation::jump(const Eigen::VectorXd& u) const {
-    Vec2 sum = Vec2::Zero();
+    Vec2 sum = fixed_jump;
     for (const Term& term : terms) sum += term.value * u.segment<2>(term.unknown);
     return sum;
 }
@@ -116,6 +116,11 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
 }
 
 double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eigen::VectorXd& u) {
+    return opening_at_intercept(mesh, tip, [&](const FaceStation& station) { return station.opening(u); });
+}
+
+double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip,
+                            const std::function<double(const FaceStation&)>& opening) {
     double first = 1e300, last = -1e300;  // arc lengths that the mesh holds
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.crack != tip.crack) continue;
@@ -127,7 +132,7 @@ double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eige
     const double reach = last - first;
     const auto excess = [&](double r) {
         const FaceStation station = face_station_at(mesh, tip.crack, tip.s + direction * r);
-        return station.opening(u) - 2.0 * r;
+        return opening(station) - 2.0 * r;
     };
     // The opening starts like r^p, above 2 r; walk outwards geometrically to the first change of sign, then bisect.
     double inner = 1e-9 * reach;

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "common/fem/enriched_mesh.hpp"
 
 namespace stria {
 
-/// Jump operator at one station: jump = sum over terms of value * (u[unknown], u[unknown + 1]), plus side minus minus
-/// side; `slope` instead of `value` gives its derivative along the tangent.
+/// Jump operator at one station: jump = fixed jump + sum over terms of value * (u[unknown], u[unknown + 1]), plus side
+/// minus minus side; `slope` instead of `value` gives its derivative along the tangent.
 struct FaceStation {
     struct Term {
         int unknown;
@@ -23,6 +24,7 @@ struct FaceStation {
          normal = Vec2::UnitY();                      // normal from minus to plus: left of the tangent
     Eigen::Vector4d shape = Eigen::Vector4d::Zero();  // standard functions of the element's corners
     std::vector<Term> terms;
+    Vec2 fixed_jump = Vec2::Zero();  // that is not of the unknowns, mm
 
     [[nodiscard]] Vec2 jump(const Eigen::VectorXd& u) const;
     [[nodiscard]] double opening(const Eigen::VectorXd& u) const { return jump(u).dot(normal); }
@@ -44,5 +46,9 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s);
 /// Crack tip opening displacement at the 90 degree intercept: the opening where it equals twice the distance to the
 /// tip. Negative where the mesh does not hold the intercept.
 double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eigen::VectorXd& u);
+
+/// The same where the opening at a station is not of the unknowns alone.
+double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip,
+                            const std::function<double(const FaceStation&)>& opening);
 
 }  // namespace stria

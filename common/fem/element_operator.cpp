@@ -29,7 +29,11 @@ public:
     }
 
     ElementOperator build() {
-        result_.points = place_points(corners_, cut_ ? &*cut_ : nullptr, tips_, basis_.singular(), rule_);
+        return build(place_points(corners_, cut_ ? &*cut_ : nullptr, tips_, basis_.singular(), rule_));
+    }
+
+    ElementOperator build(std::vector<IntegrationPoint> points) {
+        result_.points = std::move(points);
         for (const IntegrationPoint& point : result_.points) result_.area += point.weight;
         evaluate_gradients();
         if (basis_.singular() || (cut_ && !is_parallelogram())) correct_gradients();
@@ -163,6 +167,11 @@ IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut) {
 ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
                               const IntegrationRule& rule) {
     return Builder(mesh, element, piece, rule).build();
+}
+
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
+                              const IntegrationRule& rule, std::vector<IntegrationPoint> points) {
+    return Builder(mesh, element, piece, rule).build(std::move(points));
 }
 
 Eigen::Matrix2d ElementOperator::displacement_gradient(const Eigen::VectorXd& u, std::size_t q) const {

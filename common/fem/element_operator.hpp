@@ -50,6 +50,10 @@ IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut);
 ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
                               const IntegrationRule& rule);
 
+/// On points that the element has already.
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
+                              const IntegrationRule& rule, std::vector<IntegrationPoint> points);
+
 /// Element values of a displacement vector.
 Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns);
 

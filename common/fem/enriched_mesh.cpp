@@ -63,6 +63,32 @@ int EnrichedMesh::term_index(int node, const Term& term) const {
     return found != own.end() ? static_cast<int>(found - own.begin()) + 1 : 0;
 }
 
+bool same_place(const Tip& a, const Tip& b) {
+    return a.crack == b.crack && a.upper == b.upper && a.position == b.position && a.direction == b.direction;
+}
+
+Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
+                           Eigen::VectorXd initial) {
+    std::map<int, int> old_node;  // by id
+    for (int n = 0; n < std::ssize(from.nodes); ++n) old_node[from.node_ids[static_cast<std::size_t>(n)]] = n;
+    for (const auto& [node, term, unknown] : to.own_unknowns()) {
+        const auto n = static_cast<std::size_t>(node);
+        const auto found = old_node.find(to.node_ids[n]);
+        if (found == old_node.end()) continue;
+        int same = 0;
+        if (term > 0) {
+            const Term& own = to.terms[n][static_cast<std::size_t>(term - 1)];
+            same = from.term_index(found->second, own);
+            const bool of_tip = own.kind != Term::Kind::Heaviside;
+            const auto tip = static_cast<std::size_t>(own.owner);
+            if (same == 0 || (of_tip && !same_place(from.tips[tip], to.tips[tip]))) continue;
+        }
+        if (from.follows(found->second, same)) continue;
+        initial.segment<2>(unknown) = values.segment<2>(from.unknown(found->second, same, 0));
+    }
+    return initial;
+}
+
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
     std::vector<int> result(mesh.elements.size(), -1);
     for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {

@@ -111,6 +111,14 @@ struct EnrichedMesh {
     [[nodiscard]] int term_index(int node, const Term& term) const;
 };
 
+/// Whether a tip has stayed where it was.
+bool same_place(const Tip& a, const Tip& b);
+
+/// Values of unknowns that both meshes have (the same node, the same function of the same crack or tip), carried from
+/// one numbering to the other; elsewhere `initial`.
+Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
+                           Eigen::VectorXd initial);
+
 /// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
 

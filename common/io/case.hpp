@@ -102,6 +102,17 @@ struct LoadSection {
     bool operator==(const LoadSection&) const = default;
 };
 
+/// With the maximum of a cycle, or its minimum, just reached.
+enum class GrowthAt { Maximum, Minimum };
+
+struct GrowthSection {
+    std::string law = "prescribed";
+    double increment = 0.0;  // mm
+    int every = 1;           // cycles
+    GrowthAt at = GrowthAt::Maximum;
+    bool operator==(const GrowthSection&) const = default;
+};
+
 struct SolverSection {
     double tolerance = 1e-8;  // relative residual
     int max_iterations = 25;  // Newton iterations before the increment is cut
@@ -148,6 +159,7 @@ struct Case {
     std::vector<CrackSection> cracks;
     std::vector<BoundarySection> boundaries;
     LoadSection load;
+    std::optional<GrowthSection> growth;
     SolverSection solver;
     CouplingSection coupling;
     FineSection fine;

@@ -184,6 +184,20 @@ Section<LoadSection> load_section() {
     return s;
 }
 
+Section<GrowthSection> growth_section() {
+    Section<GrowthSection> s;
+    s.value("law", &GrowthSection::law).one_of({"prescribed"}).says("prescribed: by the increment.");
+    s.value("increment", &GrowthSection::increment)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("What every tip advances at a time.");
+    s.value("every", &GrowthSection::every).at_least(1).says("Cycles from one advance to the next.");
+    s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
+        .says("At which extreme of the cycle the crack grows.");
+    return s;
+}
+
 Section<SolverSection> solver_section() {
     Section<SolverSection> s;
     s.value("tolerance", &SolverSection::tolerance).positive().below(1.0).says("Relative residual at equilibrium.");
@@ -261,6 +275,7 @@ Section<Case> whole_case() {
     s.list("crack", &Case::cracks, crack_section()).says("Cracks.");
     s.list("boundary", &Case::boundaries, boundary_section()).says("Supports and loads.");
     s.table("load", &Case::load, load_section()).says("The history of the load factor.");
+    s.table("growth", &Case::growth, growth_section()).says("How cracks grow; absent: they do not.");
     s.table("solver", &Case::solver, solver_section()).says("Newton's method.");
     s.table("coupling", &Case::coupling, coupling_section()).says("The exchange between the two components.");
     s.table("fine", &Case::fine, fine_section()).says("The zones around the tips with plasticity and contact.");

@@ -54,7 +54,8 @@ const std::vector<NotYet>& not_in_this_version() {
         key("regions", one_material),
         above("crack.contact.friction", 0.0, "contact is frictionless, friction = 0"),
         word("load.control", "K", "control is \"load\" or \"displacement\""),
-        key("growth", "cracks do not grow"),
+        word("growth.law", "paris", "law is \"prescribed\""),
+        word("growth.law", "ctod", "law is \"prescribed\""),
         key("output.checkpoint_every", "no checkpoints are written"),
     };
     return list;

@@ -8,7 +8,8 @@
 namespace stria::fine {
 
 ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
-                                   const std::vector<CrackSection>& cracks, int subcells, double stiffness) {
+                                   const std::vector<CrackSection>& cracks, int subcells, double stiffness,
+                                   const FrozenTips& frozen) {
     int count = 0;
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const CrackSection& section = cracks[static_cast<std::size_t>(crack)];
@@ -18,7 +19,9 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
         count += space.size();
         for (const double s : space.nodes()) keys_.push_back({crack, s});
         for (FaceStation& station : face_stations(mesh, crack, subcells, 4)) {
-            if (station.s >= section.notch) stations_.push_back(std::move(station));
+            if (station.s < section.notch) continue;
+            station.fixed_jump = frozen.jump(crack, station.s);
+            stations_.push_back(std::move(station));
         }
     }
     std::set<int> jumping;
@@ -28,7 +31,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
     jump_unknowns_.assign(jumping.begin(), jumping.end());
 
     B_ = Eigen::MatrixXd::Zero(count, std::ssize(jump_unknowns_));
-    weight_ = augmentation_ = Eigen::VectorXd::Zero(count);
+    weight_ = augmentation_ = fixed_gap_ = Eigen::VectorXd::Zero(count);
     status_.assign(static_cast<std::size_t>(count), 0);
     assemble(mesh, stiffness);
 }
@@ -72,6 +75,11 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
             }
         }
     }
+    for (const FaceStation& station : stations_) {
+        for (const auto& [multiplier, value] : functions_at(station.crack, station.s))
+            if (multiplier >= 0)
+                fixed_gap_[multiplier] += station.weight * value * station.fixed_jump.dot(station.normal);
+    }
     for (int k = 0; k < multipliers(); ++k) augmentation_[k] = 0.1 * stiffness / weight_[k];
 }
 
@@ -89,7 +97,7 @@ std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, 
 }
 
 Eigen::VectorXd ContactInterface::gaps(const Eigen::VectorXd& u) const {
-    return (B_ * gather(u, jump_unknowns_)).cwiseQuotient(weight_);
+    return (B_ * gather(u, jump_unknowns_) + fixed_gap_).cwiseQuotient(weight_);
 }
 
 void ContactInterface::add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const {

@@ -11,6 +11,7 @@
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_law.hpp"
 #include "fine/contact/multiplier_space.hpp"
+#include "fine/frozen_tips.hpp"
 
 namespace stria::fine {
 
@@ -18,8 +19,9 @@ class ContactInterface {
 public:
     /// `boundary`: unknowns of the zone's boundary, ascending; every multiplier gets jumps that are not among them.
     /// `subcells`: interface elements are the crack's pieces cut by the s x s sub-quadrangles. `stiffness`: E', MPa.
+    /// `frozen`: adds to the jump.
     ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
-                     const std::vector<CrackSection>& cracks, int subcells, double stiffness);
+                     const std::vector<CrackSection>& cracks, int subcells, double stiffness, const FrozenTips& frozen);
 
     [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
 
@@ -32,7 +34,7 @@ public:
     /// between nodes.
     [[nodiscard]] const Eigen::MatrixXd& operator_B() const { return B_; }
 
-    /// Weighted gaps g = B u / w, mm.
+    /// Weighted gaps g = (B u + g_0) / w, mm, with g_0 of the fixed jumps.
     [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& u) const;
 
     /// Adds -B^T p to a vector over the zone's unknowns: the faces push each other apart.
@@ -86,7 +88,7 @@ private:
     std::vector<Key> keys_;
     std::vector<int> jump_unknowns_;
     Eigen::MatrixXd B_;
-    Eigen::VectorXd weight_, augmentation_;
+    Eigen::VectorXd weight_, augmentation_, fixed_gap_;
     std::vector<std::int8_t> status_;
     std::set<std::vector<std::int8_t>> visited_;
     bool one_at_a_time_ = false;

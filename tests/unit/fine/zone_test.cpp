@@ -18,9 +18,18 @@ using fine::Zone;
 const Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});  // ends inside the plate: cut, tip and plain elements
 const EnrichedMesh plate = plate_mesh(5, 5, scene);
 
+Zone make_zone(const EnrichedMesh& mesh, const Case& input, const Eigen::VectorXd& displacement,
+               const Zone* old = nullptr) {
+    return {mesh,
+            fine::make_material_law(input.material, input.model.plane),
+            elasticity_of(input.material, input.model.plane),
+            IntegrationRule{.subcells = 2, .tip_points = 4},
+            old,
+            displacement};
+}
+
 Zone make_zone(const EnrichedMesh& mesh, const Case& input) {
-    return {mesh, fine::make_material_law(input.material, input.model.plane),
-            elasticity_of(input.material, input.model.plane), IntegrationRule{.subcells = 2, .tip_points = 4}};
+    return make_zone(mesh, input, Eigen::VectorXd::Zero(mesh.unknowns));
 }
 
 ZoneState state_of(const Zone& zone) {
@@ -32,7 +41,6 @@ ZoneState state_of(const Zone& zone) {
 /// A zone that flowed and unloaded in part.
 Zone strained_zone(const EnrichedMesh& mesh) {
     Zone zone = make_zone(mesh, scene);
-    zone.start(nullptr, Eigen::VectorXd::Zero(mesh.unknowns));
     for (const unsigned seed : {1U, 2U}) {
         zone.evaluate(random_vector(mesh.unknowns, 4e-3, seed));
         zone.commit(false);
@@ -99,9 +107,8 @@ TEST(Zone, TangentIsTheDerivativeOfTheForce) {
 
 TEST(Zone, ElasticZoneIsLinear) {
     const Case elastic = plate_case(scene.cracks[0].points, false);
-    Zone zone = make_zone(plate, elastic);
     const Eigen::VectorXd u = random_vector(plate.unknowns, 1e-2, 1);
-    zone.start(nullptr, u);
+    Zone zone = make_zone(plate, elastic, u);
     zone.evaluate(u);
     const Eigen::VectorXd force = times_tangent(zone, u);
     EXPECT_LT((zone.internal_force() - force).norm(), 1e-13 * force.norm());
@@ -127,8 +134,7 @@ TEST(Zone, ExtensionKeepsHistoryBitForBit) {
     for (int e = 0; e < 25; ++e) outer[static_cast<std::size_t>(e)] = e;
     const Zone old = strained_zone(extract(plate, inner));
     const EnrichedMesh larger = extract(plate, outer);
-    Zone zone = make_zone(larger, scene);
-    zone.start(&old, random_vector(larger.unknowns, 1e-3, 8));
+    const Zone zone = make_zone(larger, scene, random_vector(larger.unknowns, 1e-3, 8), &old);
 
     const ZoneState before = state_of(old), now = state_of(zone);
     std::vector<char> known(outer.size(), 0);
@@ -158,7 +164,6 @@ TEST_P(TwoSidedPatch, EachSideHasItsOwnUniformStress) {
     const Case input = plate_case({from, to});
     const EnrichedMesh mesh = plate_mesh(5, 5, input);
     Zone zone = make_zone(mesh, input);
-    zone.start(nullptr, Eigen::VectorXd::Zero(mesh.unknowns));
     std::array<MaterialPoint, 2> expected{MaterialPoint(input.material), MaterialPoint(input.material)};
     using Gradient = Eigen::Matrix2d;
     const std::array above{Gradient{{4e-3, 1e-3}, {-2e-3, 1e-3}}, Gradient{{-2e-3, 3e-3}, {1e-3, 6e-3}}};
