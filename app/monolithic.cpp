@@ -65,6 +65,7 @@ public:
             std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
         result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
         result.status_changes = response.digest.status_changes;
+        result.contact_reach = response.digest.contact_reach;
         return result;
     }
 

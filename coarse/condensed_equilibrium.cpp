@@ -75,6 +75,7 @@ Residual CondensedEquilibrium::linearise() {
         std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
     result.closed = static_cast<int>(std::ranges::count(response_.digest.status, std::int8_t{1}));
     result.status_changes = response_.digest.status_changes;
+    result.contact_reach = response_.digest.contact_reach;
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "coarse/target.hpp"
 #include "coupling/messages.hpp"
@@ -18,8 +19,9 @@ struct Residual {
     double scale = 0.0;     // the forces that balance
     double target = 0.0;    // of what is controlled, relative to its target
     int yielding_points = 0;
-    int closed = 0;          // multipliers
-    int status_changes = 0;  // since the iteration before
+    int closed = 0;                          // multipliers
+    int status_changes = 0;                  // since the iteration before
+    std::vector<double> contact_reach = {};  // per tip: how far behind it the farthest contact lies, mm; < 0: none
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
     [[nodiscard]] bool is_finite() const { return std::isfinite(boundary + interior + contact + target); }

@@ -38,7 +38,9 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-    build(select_zone(scene, solve_nominal()));
+    const std::vector<double> largest_K_I = solve_nominal();
+    closure_ = ClosureMeter(scene.input, largest_K_I);
+    build(select_zone(scene, largest_K_I));
 }
 
 // K_1(a), and the K of eq. (3): an elastic solution on the coarse mesh with traction-free faces.
@@ -83,11 +85,12 @@ void FatigueAnalysis::run() {
     while (const auto next = controller_.next()) {
         LoadStep step = *next;
         if (!predicts_) step.predictor = 0.0;
-        const NewtonReport report = attempt(step);
+        NewtonReport report = attempt(step);
         if (!report.converged) {
             cut_or_fail(step, report);
         } else if (!zone_must_grow(step)) {
-            accept(step, report);
+            const std::vector<ContactChange> changes = measure_closure(step, report);
+            accept(step, report, changes);
             controller_.accepted();
             if (scene_->input.growth && grows_at(*scene_->input.growth, step)) grow(step);
         }
@@ -99,6 +102,29 @@ NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
     newton_iterations_ += report.count();
     listener_.attempted(step, report);
     return report;
+}
+
+// K_op and K_cl by sub-stepping: contact that came or went within the increment is looked for between its ends, and
+// then the increment is made as it was.
+std::vector<ContactChange> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
+    const std::vector<char> now = closure_.closed(report);
+    if (step.cycle == 0 || closed_.size() != now.size() || now == closed_) return {};
+    const double from = controller_.reached(), to = step.target.value;
+    const auto changes = closure_.locate(closed_, now, from, to, [&](double target) {
+        equilibrium_->rollback();
+        LoadStep trial = step;
+        trial.target.value = target;
+        trial.predictor *= (target - from) / (to - from);
+        ClosureMeter::Trial found{attempt(trial), 0.0};
+        found.load_factor = equilibrium_->load_factor();
+        return found;
+    });
+    equilibrium_->rollback();
+    report = attempt(step);
+    if (!report.converged)
+        throw NumericalFailure(
+            fmt::format("an increment that had converged, to {}, did not again", to_text(step.target)));
+    return changes;
 }
 
 // Figure 3: (a) the cracks are longer, and nothing else changes: no stress, no displacement, no internal variable; (b)
@@ -126,7 +152,8 @@ void FatigueAnalysis::grow(const LoadStep& reached) {
         throw NumericalFailure(fmt::format("after the crack has grown in cycle {}: {} at {}", step.cycle,
                                            report.failure, to_text(step.target)));
     }
-    accept(step, report, true);
+    accept(step, report, {});
+    predicts_ = false;
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
@@ -176,11 +203,12 @@ void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     build(in_zone);
 }
 
-void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, bool after_growth) {
+void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
+                             const std::vector<ContactChange>& changes) {
     Increment increment;
     increment.number = ++increment_;
     increment.step = step;
-    increment.after_growth = after_growth;
+    increment.contact_changes = changes;
     increment.load_factor = load_factor_ = equilibrium_->load_factor();
     increment.newton = report;
     increment.displacement = equilibrium_->structure_displacement();
@@ -189,7 +217,8 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, b
     increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
     look_at_rings(increment);
     committed_ = increment.displacement;
-    predicts_ = !after_growth;
+    closed_ = closure_.closed(report);
+    predicts_ = true;
     listener_.accepted(increment, *structure_);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "coarse/closure.hpp"
 #include "coarse/fracture_parameters.hpp"
 #include "coarse/load_controller.hpp"
 #include "coarse/newton.hpp"
@@ -45,8 +46,8 @@ private:
 struct Increment {
     int number = 0;  // from 1
     LoadStep step;
-    double load_factor = 0.0;   // found, where a displacement is controlled
-    bool after_growth = false;  // at the load of the increment before, with longer cracks
+    double load_factor = 0.0;                    // found, where a displacement is controlled
+    std::vector<ContactChange> contact_changes;  // on the way to this increment
     NewtonReport newton;
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
     Eigen::VectorXd reactions;     // on prescribed unknowns
@@ -95,8 +96,9 @@ private:
     void extend_zone(const std::vector<int>& yielding);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
-    void accept(const LoadStep& step, const NewtonReport& report, bool after_growth = false);
+    void accept(const LoadStep& step, const NewtonReport& report, const std::vector<ContactChange>& changes);
     void grow(const LoadStep& reached);
+    [[nodiscard]] std::vector<ContactChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 
     const Scene* scene_;
@@ -109,7 +111,9 @@ private:
     std::vector<TipResult> nominal_;
     Eigen::VectorXd committed_;  // displacement of the whole mesh
     double load_factor_ = 0.0;   // committed
-    bool predicts_ = false;      // the equilibrium knows a last increment to extrapolate
+    ClosureMeter closure_;
+    std::vector<char> closed_;  // per tip, committed: contact beyond the measuring distance
+    bool predicts_ = false;     // the equilibrium knows a last increment to extrapolate
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
     double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
 };

@@ -44,9 +44,10 @@ struct PatchDisplacement {
 struct Digest {
     std::vector<std::int32_t> yielding_points;  // per zone element
     double largest_plastic_increment = 0.0;
-    std::vector<std::int8_t> status;  // per multiplier: 0 open, 1 closed
-    std::vector<double> multiplier;   // per multiplier: pressure, MPa
-    std::int32_t status_changes = 0;  // against the iteration before
+    std::vector<std::int8_t> status;    // per multiplier: 0 open, 1 closed
+    std::vector<double> multiplier;     // per multiplier: pressure, MPa
+    std::int32_t status_changes = 0;    // against the iteration before
+    std::vector<double> contact_reach;  // per tip: distance of the farthest closed multiplier behind it, mm; < 0: none
 };
 
 /// The zone's answer: a nonlinear superelement.

@@ -69,8 +69,8 @@ void fields(auto& wire, Is<PatchDisplacement> auto& m) {
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
-    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes] = m;
-    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes);
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach] = m;
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach);
 }
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {

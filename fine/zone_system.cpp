@@ -117,6 +117,7 @@ coupling::PatchResponse ZoneSystem::measure() const {
     response.digest.status = contact_->statuses();
     response.digest.multiplier.assign(trial_.pressure.begin(), trial_.pressure.end());
     response.digest.status_changes = contact_->status_changes();
+    for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
     return response;
 }
 

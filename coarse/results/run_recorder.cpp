@@ -78,6 +78,11 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
 
 void RunRecorder::record_cycle(const Increment& increment) {
     cycle_iterations_ += increment.newton.count();
+    for (const ContactChange& change : increment.contact_changes) {
+        const auto t = static_cast<std::size_t>(change.tip);
+        (change.closes ? cycle_[t].K_cl : cycle_[t].K_op) = nominal_[t].K_I * change.load_factor;
+        cycle_[t].touched = true;
+    }
     const bool loading = increment.step.target.value > last_target_;
     for (std::size_t t = 0; t < increment.tips.size(); ++t) {
         CycleSoFar& cycle = cycle_[t];
@@ -105,10 +110,15 @@ void RunRecorder::finish_cycle(const Increment& increment) {
         row.cycle = increment.step.cycle;
         row.tip = static_cast<std::int64_t>(t);
         row.a = increment.tips[t].a;
-        row.da = 0.0;
+        row.da = increment.tips[t].a - cycle.a;
         row.dN = 1.0;
         row.K_max = cycle.K_max;
         row.K_min = cycle.K_min;
+        // A crack that never closes is open down to the minimum.
+        row.K_op = cycle.touched ? cycle.K_op : cycle.K_min;
+        row.K_cl = cycle.touched ? cycle.K_cl : cycle.K_min;
+        row.U = (row.K_max - row.K_op) / (row.K_max - row.K_min);
+        row.dK_eff = row.K_max - row.K_op;
         row.J_max = cycle.J_max;
         if (cycle.CTOD_max >= cycle.CTOD_min) row.CTOD_range = cycle.CTOD_max - cycle.CTOD_min;
         row.forward_zone = cycle.forward;
@@ -131,6 +141,7 @@ void RunRecorder::begin_cycle() {
         const HistoryRow& row = last_[t];
         cycle_[t].K_max = cycle_[t].K_min = nominal_[t].K_I * row.load_factor;
         cycle_[t].J_max = row.J;
+        cycle_[t].a = row.a;
         if (std::isfinite(row.CTOD)) cycle_[t].CTOD_max = cycle_[t].CTOD_min = row.CTOD;
     }
     cycle_iterations_ = 0;

@@ -113,6 +113,11 @@ struct GrowthSection {
     bool operator==(const GrowthSection&) const = default;
 };
 
+struct ClosureSection {
+    std::optional<double> distance;  // mm behind the tip
+    bool operator==(const ClosureSection&) const = default;
+};
+
 struct SolverSection {
     double tolerance = 1e-8;  // relative residual
     int max_iterations = 25;  // Newton iterations before the increment is cut
@@ -160,6 +165,7 @@ struct Case {
     std::vector<BoundarySection> boundaries;
     LoadSection load;
     std::optional<GrowthSection> growth;
+    ClosureSection closure;
     SolverSection solver;
     CouplingSection coupling;
     FineSection fine;

@@ -198,6 +198,16 @@ Section<GrowthSection> growth_section() {
     return s;
 }
 
+Section<ClosureSection> closure_section() {
+    Section<ClosureSection> s;
+    s.value("distance", &ClosureSection::distance)
+        .in("mm")
+        .positive()
+        .or_else("a tenth of the radius of eq. (3) with beta = 1")
+        .says("Opening and closing: the last, and the first, contact of a cycle farther behind the tip than this.");
+    return s;
+}
+
 Section<SolverSection> solver_section() {
     Section<SolverSection> s;
     s.value("tolerance", &SolverSection::tolerance).positive().below(1.0).says("Relative residual at equilibrium.");
@@ -276,6 +286,7 @@ Section<Case> whole_case() {
     s.list("boundary", &Case::boundaries, boundary_section()).says("Supports and loads.");
     s.table("load", &Case::load, load_section()).says("The history of the load factor.");
     s.table("growth", &Case::growth, growth_section()).says("How cracks grow; absent: they do not.");
+    s.table("closure", &Case::closure, closure_section()).says("How opening and closing loads are measured.");
     s.table("solver", &Case::solver, solver_section()).says("Newton's method.");
     s.table("coupling", &Case::coupling, coupling_section()).says("The exchange between the two components.");
     s.table("fine", &Case::fine, fine_section()).says("The zones around the tips with plasticity and contact.");

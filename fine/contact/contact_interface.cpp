@@ -163,6 +163,13 @@ ContactInterface::Rows ContactInterface::rows(const Eigen::VectorXd& pressure, c
     return result;
 }
 
+double ContactInterface::reach_behind(const Tip& tip) const {
+    double reach = -1.0;
+    for (std::size_t k = 0; k < keys_.size(); ++k)
+        if (status_[k] != 0 && keys_[k].crack == tip.crack) reach = std::max(reach, std::abs(tip.s - keys_[k].s));
+    return reach;
+}
+
 double ContactInterface::pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const {
     double sum = 0.0;
     for (const auto& [multiplier, value] : functions_at(station.crack, station.s))

@@ -21,7 +21,8 @@ public:
     /// `subcells`: interface elements are the crack's pieces cut by the s x s sub-quadrangles. `stiffness`: E', MPa.
     /// `frozen`: adds to the jump.
     ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
-                     const std::vector<CrackSection>& cracks, int subcells, double stiffness, const FrozenTips& frozen);
+                     const std::vector<CrackSection>& cracks, int subcells, double stiffness,
+                     const FrozenTips& frozen = {});
 
     [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
 
@@ -59,6 +60,9 @@ public:
         Eigen::VectorXd right_hand_side;
     };
     [[nodiscard]] Rows rows(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+
+    /// How far behind a tip the farthest closed multiplier of its crack lies, mm; negative: none is closed.
+    [[nodiscard]] double reach_behind(const Tip& tip) const;
 
     /// Pressure at a station from the multipliers, MPa.
     [[nodiscard]] double pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const;
