@@ -24,6 +24,11 @@ const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "
 const std::vector<std::string> refined_scene{"mesh.grading=[]", "mesh.size=7.4", "fine.refine=16", "fine.growth=0.25",
                                              "solver.tolerance=1e-12"};
 
+/// The crack grows through elements and across their edges, at the maximum of three cycles.
+const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.size=10.0",
+                                             "solver.tolerance=1e-12", "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
+                                             "load.steps=20",          "growth.increment=0.25"};
+
 struct Scenery {
     const char* name;
     std::vector<std::string> settings;
@@ -134,7 +139,8 @@ TEST_P(Modes, MonolithicIsTheSameToRounding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
-                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene}),
+                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
+                                         Scenery{"growing", growing_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
 /// history.csv by columns; empty cells are NaN.
