@@ -1,14 +1,12 @@
 // The exact singular fields on the boundary of a square with a crack to its middle: energy-norm and K errors.
 #include <gtest/gtest.h>
 
-#include <Eigen/SparseCholesky>
-
 #include <fmt/format.h>
 
 #include <iostream>
 
 #include "coarse/fracture_parameters.hpp"
-#include "tests/support/elastic_scene.hpp"
+#include "tests/support/condition_number.hpp"
 
 namespace stria::test {
 namespace {
@@ -137,35 +135,6 @@ INSTANTIATE_TEST_SUITE_P(Settings, ExactBoundary,
                                                 setting.param.mode, setting.param.along_edges ? "along" : "across");
                          });
 
-/// Of the free unknowns' stiffness, every diagonal entry scaled to 1: largest over smallest eigenvalue, by power
-/// iterations.
-double condition_number(const coarse::Scene& scene) {
-    const SparseMatrix whole = coarse::Structure(scene, no_zone(scene)).stiffness();
-    std::vector<char> held(at(scene.enriched.unknowns), 0);
-    for (const coarse::PrescribedUnknown& p : scene.prescribed) held[at(p.unknown)] = 1;
-    std::vector<Triplet> entries;
-    for (int j = 0; j < whole.outerSize(); ++j) {
-        for (SparseMatrix::InnerIterator entry(whole, j); entry; ++entry) {
-            const auto i = static_cast<int>(entry.row());
-            const double scale = std::sqrt(whole.coeff(i, i) * whole.coeff(j, j));
-            if (held[at(i)] == 0 && held[at(j)] == 0) entries.emplace_back(i, j, entry.value() / scale);
-            if (i == j && held[at(i)] != 0) entries.emplace_back(i, i, 1.0);
-        }
-    }
-    SparseMatrix K(whole.rows(), whole.cols());
-    K.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<SparseMatrix> factor(K);
-    Eigen::VectorXd large = Eigen::VectorXd::Random(K.rows()), small = large;
-    double largest = 0.0, smallest = 0.0;
-    for (int k = 0; k < 60; ++k) {
-        large = K * large.normalized();
-        small = factor.solve(small.normalized());
-        largest = large.norm();
-        smallest = 1.0 / small.norm();
-    }
-    return largest / smallest;
-}
-
 class FixedRadius : public ::testing::TestWithParam<std::tuple<double, int, bool>> {
 protected:
     static std::pair<std::vector<Errors>, Rates> over(const std::vector<int>& sizes) {
@@ -198,7 +167,8 @@ TEST(FixedRadius, IsAsWellConditionedAsPlainElements) {
     const auto rate_of = [](coarse::TipSupport support) {
         double last = 0.0, rate = 0.0;
         for (const int n : {11, 21, 41}) {
-            const double found = condition_number(exact_boundary(n, {{4, 0.5, support, 0.2}, 1, false}));
+            const coarse::Scene scene = exact_boundary(n, {{4, 0.5, support, 0.2}, 1, false});
+            const double found = condition_number(coarse::Structure(scene, no_zone(scene)));
             rate = last > 0.0 ? std::log(found / last) / std::log(double(n) / (n == 21 ? 11 : 21)) : 0.0;
             std::cout << fmt::format("{} n {:2d}: condition number {:.3e}, rate {:.2f}\n",
                                      support == coarse::TipSupport::Nodal ? "nodal" : "gathered", n, found, rate);
