@@ -7,11 +7,10 @@
 
 #include "coarse/fracture_parameters.hpp"
 #include "tests/support/condition_number.hpp"
+#include "tests/support/exact_field.hpp"
 
 namespace stria::test {
 namespace {
-
-const Elasticity unit{1.0, 0.3};
 
 TEST(WilliamsField, MatchesReferenceValues) {  // REFERENCES 2.6: K = 1, r = 1
     const Tip tip{.crack = 0, .position = {0.0, 0.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = 1};
@@ -31,64 +30,17 @@ TEST(WilliamsField, FacesAreFreeOfTraction) {
     }
 }
 
-/// Holds every boundary unknown at the exact field: standard ones at the nodes, and the jump of either side's field
-/// continued to the node.
-void impose(coarse::Scene& scene, int mode) {
-    const EnrichedMesh& mesh = scene.enriched;
-    const auto exact = [&](const Vec2& x, int side) {
-        return williams_field(mode, mesh.tips.front(), x, side, scene.elastic).displacement;
-    };
-    std::vector<coarse::PrescribedUnknown> held;
-    for (const int node : boundary_nodes(scene.mesh)) {
-        const Vec2& x = mesh.nodes[at(node)];
-        const Vec2 u = exact(x, 0), half_jump = (exact(x, 1) - exact(x, -1)) / 2.0;
-        for (int c = 0; c < 2; ++c) {
-            held.push_back({mesh.unknown(node, 0, c), u[c]});
-            if (heaviside_side(mesh, node) != 0.0) held.push_back({mesh.unknown(node, 1, c), half_jump[c]});
-        }
-    }
-    std::ranges::sort(held, {}, &coarse::PrescribedUnknown::unknown);
-    scene.prescribed = held;
-}
-
 struct Errors {
     double energy, K;
 };
 
-struct Setting {
-    coarse::TipEnrichment tips;
-    int mode;
-    bool along_edges;  // or through the middle of the elements
-};
-
-coarse::Scene exact_boundary(int n, const Setting& setting) {
-    const Mesh mesh = coarse::grid_mesh(equal_cells(n), equal_cells(setting.along_edges ? n + 1 : n));
-    const std::vector<Vec2> crack{{0.0, 0.5}, {0.5, 0.5}};
-    coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, setting.tips), unit);
-    scene.input.cracks = {{.points = crack, .contact = {}}};
-    impose(scene, setting.mode);
-    return scene;
-}
-
 Errors errors(int n, const Setting& setting) {
-    const int mode = setting.mode;
     const coarse::Scene scene = exact_boundary(n, setting);
     const coarse::Structure structure(scene, no_zone(scene));
     const Eigen::VectorXd u = structure.expand({}, 1.0);
-    double wrong = 0.0, whole = 0.0;
-    structure.for_each_operator([&](const auto& op) {
-        const auto local = gather(u, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const IntegrationPoint& point = op.points[q];
-            const Mandel strain =
-                strain_of(williams_field(mode, scene.enriched.tips[0], point.x, point.side, unit).gradient);
-            const Mandel difference = op.strain(local, q) - strain;
-            wrong += point.weight * difference.dot(unit.stiffness() * difference);
-            whole += point.weight * strain.dot(unit.stiffness() * strain);
-        }
-    });
     const coarse::TipResult tip = coarse::fracture_parameters(structure, u, {}).front();
-    return {std::sqrt(wrong / whole), std::hypot(tip.K_I - (mode == 1), tip.K_II - (mode == 2))};
+    return {energy_error(structure, u, setting.mode),
+            std::hypot(tip.K_I - (setting.mode == 1), tip.K_II - (setting.mode == 2))};
 }
 
 struct Rates {
