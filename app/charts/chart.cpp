@@ -65,8 +65,7 @@ std::vector<Point> shown_points(const LineChart& chart, const Curve& curve) {
     return points;
 }
 
-Scale make_scale(const std::vector<std::vector<Point>>& curves, double Point::*coordinate, bool logarithmic,
-                 Range pixels) {
+Range range_of(const std::vector<std::vector<Point>>& curves, double Point::*coordinate) {
     Range range{INFINITY, -INFINITY};
     for (const std::vector<Point>& points : curves) {
         for (const Point& point : points) {
@@ -74,6 +73,10 @@ Scale make_scale(const std::vector<std::vector<Point>>& curves, double Point::*c
             range.high = std::max(range.high, point.*coordinate);
         }
     }
+    return range;
+}
+
+Scale make_scale(Range range, bool logarithmic, Range pixels) {
     return {logarithmic ? log_ticks(range) : linear_ticks(range, 5), logarithmic, pixels};
 }
 
@@ -107,15 +110,17 @@ std::string frame_of(const LineChart& chart, const Scale& x, const Scale& y) {
     return text + text_at(0.5 * (left + width - right), bottom + 33.0, "middle", chart.x_label);
 }
 
-std::string drawn(const Curve& curve, std::size_t number, const std::vector<Point>& points, const Scale& x,
-                  const Scale& y) {
+std::string line_through(std::size_t number, const std::vector<Point>& points, const Scale& x, const Scale& y) {
     std::vector<std::string> corners;
     for (const Point& point : points) corners.push_back(fmt::format("{:.1f},{:.1f}", x(point.x), y(point.y)));
-    std::string text =
-        fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" "
-                    "stroke-dasharray=\"{}\"/>\n",
-                    fmt::join(corners, " "), colours[number % colours.size()], dashes[number % dashes.size()]);
-    if (!curve.markers) return text;
+    return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" "
+                       "stroke-dasharray=\"{}\"/>\n",
+                       fmt::join(corners, " "), colours[number % colours.size()], dashes[number % dashes.size()]);
+}
+
+std::string markers_of(const Curve& curve, std::size_t number, const std::vector<Point>& points, const Scale& x,
+                       const Scale& y) {
+    std::string text;
     for (const Point& point : points) {
         text += marker_at(number, x(point.x), y(point.y));
         text += fmt::format("<title>{}{:.6g}, {:.6g}</title>", curve.name.empty() ? "" : escaped(curve.name) + ": ",
@@ -128,23 +133,30 @@ std::string drawn(const Curve& curve, std::size_t number, const std::vector<Poin
 std::string legend_of(const LineChart& chart, double y) {
     std::string text;
     for (std::size_t k = 0; k < chart.curves.size(); ++k, y += legend_line) {
-        text += fmt::format("<path d=\"M{:.1f} {:.1f}h28\" stroke=\"{}\" stroke-width=\"1.6\" "
-                            "stroke-dasharray=\"{}\"/>\n",
-                            left, y, colours[k % colours.size()], dashes[k % dashes.size()]);
+        if (chart.words.empty())
+            text += fmt::format("<path d=\"M{:.1f} {:.1f}h28\" stroke=\"{}\" stroke-width=\"1.6\" "
+                                "stroke-dasharray=\"{}\"/>\n",
+                                left, y, colours[k % colours.size()], dashes[k % dashes.size()]);
         if (chart.curves[k].markers) text += marker_at(k, left + 14.0, y) + end_of_marker(k);
         text += text_at(left + 36.0, y + 4.0, "start", chart.curves[k].name);
     }
     return text;
 }
 
-std::string bar_legend(const BarChart& chart, double y) {
+/// One entry after the other, in as many lines as it takes; `y` ends at the last one.
+std::string bar_legend(const BarChart& chart, double& y) {
     std::string text;
     double x = left;
     for (std::size_t k = 0; k < chart.parts.size(); ++k) {
+        const double room = 30.0 + letter * static_cast<double>(chart.parts[k].size());
+        if (x + room > width) {
+            x = left;
+            y += legend_line;
+        }
         text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"11\" height=\"11\" fill=\"{}\"/>\n", x, y - 9.0,
                             colours[k % colours.size()]);
         text += text_at(x + 15.0, y, "start", chart.parts[k]);
-        x += 30.0 + letter * static_cast<double>(chart.parts[k].size());
+        x += room;
     }
     return text;
 }
@@ -189,11 +201,16 @@ std::string svg(const LineChart& chart) {
     for (const Curve& curve : chart.curves) points.push_back(shown_points(chart, curve));
     if (std::ranges::all_of(points, [](const auto& of_curve) { return of_curve.empty(); })) return "";
     const Range columns{left, width - right};
-    const Scale x = chart.words.empty() ? make_scale(points, &Point::x, chart.log_x, columns)
+    const Scale x = chart.words.empty() ? make_scale(range_of(points, &Point::x), chart.log_x, columns)
                                         : word_scale(chart.words.size(), columns);
-    const Scale y = make_scale(points, &Point::y, chart.log_y, {top + plot_height, top});
+    Range heights = range_of(points, &Point::y);
+    if (chart.from_zero && !chart.log_y) heights = {std::min(0.0, heights.low), std::max(0.0, heights.high)};
+    const Scale y = make_scale(heights, chart.log_y, {top + plot_height, top});
     std::string body = frame_of(chart, x, y);
-    for (std::size_t k = 0; k < points.size(); ++k) body += drawn(chart.curves[k], k, points[k], x, y);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (chart.words.empty()) body += line_through(k, points[k], x, y);
+        if (chart.curves[k].markers) body += markers_of(chart.curves[k], k, points[k], x, y);
+    }
     const double bottom = top + plot_height + below;
     if (chart.curves.size() < 2) return framed(chart.title, bottom, body);
     body += legend_of(chart, bottom + 8.0);
@@ -209,15 +226,16 @@ std::string svg(const BarChart& chart) {
     }
     if (longest == 0.0) return "";
     const Scale x(linear_ticks({0.0, longest}, 5), false, {bar_left, width - right});
-    const double bottom = top + 20.0 + bar_pitch * static_cast<double>(chart.bars.size());
-    std::string body = bar_legend(chart, top + 4.0);
+    double y = top + 4.0;
+    std::string body = bar_legend(chart, y);
+    const double first = y + 16.0, bottom = first + bar_pitch * static_cast<double>(chart.bars.size());
     const std::vector<std::string> labels = tick_labels(x.ticks());
     for (std::size_t k = 0; k < labels.size(); ++k) {
         const double at = x(x.ticks()[k]);
-        body += fmt::format("<path d=\"M{:.1f} {:.1f}V{:.1f}\" stroke=\"#ddd\"/>\n", at, top + 14.0, bottom);
+        body += fmt::format("<path d=\"M{:.1f} {:.1f}V{:.1f}\" stroke=\"#ddd\"/>\n", at, first - 4.0, bottom);
         body += text_at(at, bottom + 15.0, "middle", labels[k]);
     }
-    double y = top + 20.0;
+    y = first;
     for (const Bar& bar : chart.bars) {
         body += drawn(bar, chart, y, x);
         y += bar_pitch;

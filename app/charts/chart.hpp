@@ -17,6 +17,7 @@ struct LineChart {
     std::string x_label = {};
     std::vector<std::string> words = {};  // where x is no number but stands for these: 0, 1, 2, ...
     bool log_x = false, log_y = false;    // points that are not positive are left out
+    bool from_zero = false;               // the vertical axis, where it is not logarithmic
     std::vector<Curve> curves = {};
 };
 

@@ -10,7 +10,10 @@ namespace stria::charts {
 
 namespace {
 
-constexpr double slack = 1e-9;  // of a step: a bound that is a tick up to rounding is that tick
+constexpr double slack = 1e-9;     // relative: rounding of powers of ten
+constexpr double beyond = 1e-3;    // of a step: what a value may lie beyond the last tick, too little to be seen
+constexpr double rounding = 1e-6;  // of a value: ranges below it are widened, or rounding would look like a result
+constexpr std::size_t most_ticks = 8;
 
 double round_step(double step) {
     const double power = std::pow(10.0, std::floor(std::log10(step)));
@@ -22,14 +25,15 @@ double round_step(double step) {
 }  // namespace
 
 std::vector<double> linear_ticks(Range range, int wanted) {
-    if (range.high <= range.low) {  // one value: some room about it
-        const double room = range.low != 0.0 ? 0.1 * std::abs(range.low) : 1.0;
-        range = {range.low - room, range.low + room};
+    const double size = std::max(std::abs(range.low), std::abs(range.high));
+    if (range.high - range.low <= rounding * size) {
+        const double room = size > 0.0 ? 0.1 * size : 1.0;
+        range = {range.low - room, range.high + room};
     }
     const double step = round_step((range.high - range.low) / std::max(1, wanted));
-    const double first = std::floor(range.low / step + slack), last = std::ceil(range.high / step - slack);
+    const double first = std::floor(range.low / step + beyond), last = std::ceil(range.high / step - beyond);
     std::vector<double> ticks;
-    for (double k = first; k <= last; ++k) ticks.push_back(k * step);
+    for (double k = first; k <= last; ++k) ticks.push_back(k * step + 0.0);  // no -0
     return ticks;
 }
 
@@ -38,7 +42,8 @@ std::vector<double> log_ticks(Range range) {
     const bool narrow = range.high < 100.0 * range.low;
     const double first = std::floor(std::log10(range.low) + slack), last = std::ceil(std::log10(range.high) - slack);
     std::vector<double> ticks;
-    for (double decade = first; decade <= last; ++decade)
+    const double stride = std::max(1.0, std::ceil((last - first) / static_cast<double>(most_ticks)));
+    for (double decade = first; decade < last + stride; decade += stride)
         for (const double digit : {1.0, 2.0, 5.0})
             if (digit == 1.0 || narrow) ticks.push_back(digit * std::pow(10.0, decade));
     // No more on either side than it takes to enclose the range.
@@ -49,13 +54,10 @@ std::vector<double> log_ticks(Range range) {
 }
 
 std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
-    double step = 0.0;
-    for (std::size_t k = 1; k < ticks.size(); ++k) step = std::max(step, ticks[k] - ticks[k - 1]);
     std::vector<std::string> labels;
     for (int digits = 6; digits < 16; ++digits) {
         labels.clear();
-        for (const double tick : ticks)
-            labels.push_back(fmt::format("{:.{}g}", std::abs(tick) < slack * step ? 0.0 : tick, digits));
+        for (const double tick : ticks) labels.push_back(fmt::format("{:.{}g}", tick, digits));
         if (std::ranges::adjacent_find(labels) == labels.end()) break;
     }
     return labels;

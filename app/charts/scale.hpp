@@ -10,10 +10,11 @@ struct Range {
     double low, high;
 };
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) that enclose the range, about `wanted` of them.
+/// Round numbers (1, 2 or 5 times a power of ten apart) that enclose the range but for a thousandth of their distance,
+/// about `wanted` of them. A range of less than a millionth of its values is rounding and is widened.
 std::vector<double> linear_ticks(Range range, int wanted);
 
-/// Powers of ten that enclose the range; with 2 and 5 times them, just enclosing it, where it spans less than two
+/// Powers of ten that enclose the range, some eight at most; with 2 and 5 times them where it spans less than two
 /// decades. Throws std::logic_error unless the range is positive.
 std::vector<double> log_ticks(Range range);
 

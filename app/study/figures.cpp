@@ -80,8 +80,13 @@ std::vector<Curve> curves_along(const Report& report, std::size_t along, const N
     return curves;
 }
 
-/// One quantity along each axis that varies.
+bool all_zero(const Report& report, const Number& y) {
+    return std::ranges::all_of(report.rows, [&](const Row& row) { return y(row) == 0.0; });
+}
+
+/// One quantity along each axis that varies; nothing of what the scene does not have.
 void add_along_axes(const Report& report, const std::string& label, const Number& y, bool is_size, Figure& figure) {
+    if (all_zero(report, y)) return;
     for (std::size_t k = 0; k < report.axes.size(); ++k) {
         const Axis& axis = report.axes[k];
         if (axis.values.size() < 2) continue;
@@ -95,6 +100,7 @@ void add_along_axes(const Report& report, const std::string& label, const Number
                                               .words = words ? axis.values : std::vector<std::string>(),
                                               .log_x = log_x,
                                               .log_y = log_y,
+                                              .from_zero = is_size,
                                               .curves = std::move(curves)}));
     }
 }
@@ -143,17 +149,26 @@ Figure openings(const Report& report) {
                        profiles(report, &Outcome::at_minimum, "Opening at the smallest load, mm")}};
 }
 
+/// The values alone: beside a bar there is no room for keys.
+std::string values_of(const Settings& settings) {
+    std::string text;
+    for (const Setting& setting : settings) text += (text.empty() ? "" : ", ") + setting.value;
+    return text;
+}
+
 /// Phases of the total that do not overlap; a part of `exchange` is the zone's work, the rest waiting and the wire.
 std::string time_by_phase(const Report& report) {
-    BarChart chart{.title = "Time by phase",
+    std::string keys;
+    for (const Axis& axis : report.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
+    BarChart chart{.title = "Time by phase for " + keys,
                    .x_label = "s",
-                   .parts = {"mesh", "setup", "points", "contact", "fronts", "wire", "coarse solve", "output"}};
+                   .parts = {"setup", "points", "contact", "fronts", "wire", "coarse solve", "output"}};
     for (const Row& row : report.rows) {
         const Outcome& run = row.outcome;
         const double points = run.value("fine_constitutive"), contact = run.value("fine_contact");
         const double fronts = run.value("fine_factor");
-        chart.bars.push_back({.name = to_text(row.settings),
-                              .lengths = {run.value("mesh"), run.value("setup"), points, contact, fronts,
+        chart.bars.push_back({.name = values_of(row.settings),
+                              .lengths = {run.value("mesh") + run.value("setup"), points, contact, fronts,
                                           run.value("exchange") - points - contact - fronts, run.value("coarse_solve"),
                                           run.value("output")}});
     }
@@ -162,8 +177,9 @@ std::string time_by_phase(const Report& report) {
 
 Figure time_along_axes(const Report& report) {
     Figure figure{.title = "Time",
-                  .sentence = "By phase: points, contact and fronts are the work of the zone, wire is what the "
-                              "structure waits for beyond it.",
+                  .sentence =
+                      "Set-up includes the mesh; points, contact and fronts are the work of the zone, wire is what the "
+                      "structure waits for beyond it.",
                   .charts = {time_by_phase(report)}};
     add_along_axes(report, "Total time, s", value_of("total"), true, figure);
     add_along_axes(report, "Time of a Newton iteration, ms", value_of("ms_per_iteration"), true, figure);

@@ -50,7 +50,15 @@ std::vector<Axis> read_axes(const StudyOptions& options) {
 /// Whatever is wrong with a case is better said before the first run than after the last.
 void check_case(const RunOptions& shared, const Settings& settings) {
     const RunOptions options = run_options(shared, settings);
-    static_cast<void>(read_case(options.case_path, options.overrides));
+    try {
+        static_cast<void>(read_case(options.case_path, options.overrides));
+    } catch (const CaseError& error) {
+        // A value of the command line has no place in a file: the variant that has it stands for that.
+        constexpr std::string_view command_line = "--set: ";
+        const std::string_view text = error.what();
+        if (!text.starts_with(command_line)) throw;
+        throw CaseError(fmt::format("{}: {}", to_text(settings), text.substr(command_line.size())));
+    }
 }
 
 /// A reference is the variant with some settings replaced: a run of its own, unless that is a variant too.
