@@ -78,7 +78,7 @@ void perform(const RunOptions& options, Row& row) {
     row.outcome = read_outcome(folder);
     row.outcome.exit_code = code;
     row.outcome.status = status_of(code);
-    if (code != Done) row.outcome.message = complaint_in(folder / log_name);
+    if (code != Done && code != Interrupted) row.outcome.message = complaint_in(folder / log_name);
 }
 
 }  // namespace
