@@ -39,6 +39,7 @@ bool RingSums::enter(int element) {
         if (!constant(q)) entered_.push_back({ring, q});
     }
     if (entered_.empty()) return false;
+    side_ = mesh_.element_side[static_cast<std::size_t>(element)];
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh_.elements[static_cast<std::size_t>(element)][k];
         corners_[k] = mesh_.nodes[static_cast<std::size_t>(node)];
@@ -47,13 +48,14 @@ bool RingSums::enter(int element) {
 }
 
 void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    const int side = point.side != 0 ? point.side : side_;
     const auto mutual = [&](const TipField& auxiliary) {
         return mutual_energy_momentum(tip_, stress, gradient, auxiliary);
     };
     const Vec2 own = energy_momentum(tip_, stress, gradient, work);
-    const Vec2 I = mutual(williams_field(1, tip_, point.x, point.side, elastic_));
-    const Vec2 II = mutual(williams_field(2, tip_, point.x, point.side, elastic_));
-    const Vec2 T = mutual(point_force_field(tip_, point.x, point.side, elastic_));
+    const Vec2 I = mutual(williams_field(1, tip_, point.x, side, elastic_));
+    const Vec2 II = mutual(williams_field(2, tip_, point.x, side, elastic_));
+    const Vec2 T = mutual(point_force_field(tip_, point.x, side, elastic_));
     const Eigen::Matrix<double, 4, 2> shape = shape_q4(corners_, point.xi).gradient;
     for (const auto& [ring, q] : entered_) {
         const Vec2 dq = point.weight * shape.transpose() * q;

@@ -79,6 +79,7 @@ private:
     };
     std::array<Vec2, 4> corners_;
     std::vector<Entered> entered_;
+    int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
 };
 
 /// Whether any element of a mesh has something to add to a ring.
