@@ -1,11 +1,11 @@
 #include "coarse/condensed_equilibrium.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
 #include "common/error.hpp"
+#include "common/linear/dense_cholesky.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
@@ -99,13 +99,11 @@ double CondensedEquilibrium::solve() {
     const auto& [w, k] = controlled_;
     Eigen::MatrixXd A = tangent();
     const double sigma = controlled_.is_load_factor() ? 0.0 : A.diagonal().mean() / w.squaredNorm();
-    A.selfadjointView<Eigen::Lower>().rankUpdate(w, sigma);
-    A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+    if (sigma != 0.0) A.noalias() += sigma * w * w.transpose();
     Eigen::MatrixXd right(A.rows(), 2);
     right << residual_ + sigma * off_target_ * w, load_derivative() - sigma * k * w;
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(A);
-    const Eigen::MatrixXd x =
-        cholesky.info() == Eigen::Success ? Eigen::MatrixXd(cholesky.solve(right)) : A.partialPivLu().solve(right);
+    DenseCholesky cholesky;
+    const Eigen::MatrixXd x = cholesky.factor(A) ? cholesky.solve(right) : A.partialPivLu().solve(right);
     load_correction_ = (off_target_ - w.dot(x.col(0))) / (k + w.dot(x.col(1)));
     correction_ = x.col(0) + load_correction_ * x.col(1);
     if (!correction_.allFinite())

@@ -38,6 +38,7 @@ public:
     [[nodiscard]] const ContactInterface& contact() const { return *contact_; }
     [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
+    [[nodiscard]] const Eigen::VectorXd& pressure() const { return trial_.pressure; }
     [[nodiscard]] ContactInterface::Rows contact_rows() const { return contact_->rows(trial_.pressure, gap_); }
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
