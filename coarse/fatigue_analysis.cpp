@@ -65,7 +65,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     if (has_zone) patch = make_patch(scene_, in_zone, structure_->gamma(), committed_);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
     equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
-    predicts_ = false;
+    controller_.forget_increments();
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                                in_zone.size(), zone, structure_->unknowns(), structure_->gamma().size()));
@@ -80,8 +80,7 @@ void FatigueAnalysis::note_if_large(const char* phase) const {
 void FatigueAnalysis::run() {
     const Stopwatch watch(run_s_);
     while (const auto next = controller_.next()) {
-        LoadStep step = *next;
-        if (!predicts_) step.predictor = 0.0;
+        const LoadStep& step = *next;
         const NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, scene_.input.solver);
         newton_iterations_ += report.count();
         listener_.attempted(step, report);
@@ -152,7 +151,6 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report) {
     look_at_rings(increment);
     committed_ = increment.displacement;
     controller_.accepted();
-    predicts_ = true;
     listener_.accepted(increment, *structure_);
 }
 

@@ -177,16 +177,10 @@ std::vector<int> Structure::elements_beyond(double stress, const Eigen::VectorXd
     return found;
 }
 
-void Structure::add_to(RingSums& rings, const Eigen::VectorXd& u) const {
-    const MandelMatrix elastic = scene_.elastic.stiffness();
-    const auto enter = [&](int element) { return rings.enter(element); };
-    for_each_operator(enter, [&](const auto& op) {
-        const auto local = gather(u, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const Mandel strain = op.strain(local, q), stress = elastic * strain;
-            rings.add(op.points[q], stress, op.displacement_gradient(local, q), 0.5 * stress.dot(strain));
-        }
-    });
+const RingForms& Structure::rings(int tip) const {
+    rings_.resize(scene_.enriched.tips.size());
+    if (!rings_[at(tip)]) rings_[at(tip)] = std::make_unique<RingForms>(*this, tip);
+    return *rings_[at(tip)];
 }
 
 Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const {

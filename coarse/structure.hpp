@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/ring_forms.hpp"
 #include "coarse/scene.hpp"
 #include "coarse/target.hpp"
 #include "common/fem/domain_integral.hpp"
@@ -54,8 +55,8 @@ public:
     /// Elements (of the whole mesh) whose von Mises stress exceeds a limit at some point, inserts left out.
     [[nodiscard]] std::vector<int> elements_beyond(double stress, const Eigen::VectorXd& u) const;
 
-    /// Adds the coarse elements' share to the domain integrals of a tip.
-    void add_to(RingSums& rings, const Eigen::VectorXd& u) const;
+    /// The rings about a tip and the coarse elements' share in their domain integrals; made when first asked for.
+    [[nodiscard]] const RingForms& rings(int tip) const;
 
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
@@ -100,6 +101,7 @@ private:
     ReducedLoad reduced_;  // of the unit load factor
     Controlled mean_displacement_;
     StructureSeconds seconds_;
+    mutable std::vector<std::unique_ptr<RingForms>> rings_;  // per tip
 };
 
 template <class Visit> void Structure::visit_operator(int element, Visit&& visit) const {

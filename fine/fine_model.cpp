@@ -53,6 +53,7 @@ void FineModel::plant_tree() {
     }
     tree_ = std::make_unique<FrontTree>(std::move(layout));
     all_changed_ = true;
+    changed_.assign(patch.mesh.elements.size(), 1);
 }
 
 // With some neighbours more, so that a contact zone that grows does not ask again at once.
@@ -88,12 +89,30 @@ coupling::PatchResponse FineModel::collect() {
     return response;
 }
 
+// Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
+bool FineModel::last_factor_serves(const coupling::PatchResponse& response) const {
+    return !all_changed_ && response.digest.status_changes == 0 &&
+           std::max(response.interior_residual, response.contact_residual) <= asked_.settled_below;
+}
+
+void FineModel::factor() {
+    if (all_changed_) std::ranges::fill(changed_, static_cast<char>(1));
+    const long before = tree_->refactored();
+    tree_->factor(system_.zone().tangents(), changed_);
+    fronts_refactored_ += tree_->refactored() - before;
+    std::ranges::fill(changed_, static_cast<char>(0));
+    all_changed_ = false;
+}
+
 void FineModel::condense(coupling::PatchResponse& response) {
     const Stopwatch watch(factor_s_);
-    std::vector<char> changed(system_.zone().changed().begin(), system_.zone().changed().end());
-    if (all_changed_) std::ranges::fill(changed, static_cast<char>(1));
-    all_changed_ = false;
-    tree_->factor(system_.zone().tangents(), changed);
+    const std::span<const char> changed = system_.zone().changed();
+    for (std::size_t e = 0; e < changed.size(); ++e) changed_[e] = static_cast<char>(changed_[e] | changed[e]);
+    response.same_tangent = last_factor_serves(response);
+    if (response.same_tangent)
+        ++factors_reused_;
+    else
+        factor();
 
     // An open multiplier loses its pressure whatever else moves: only closed ones are unknowns.
     const ContactInterface& contact = system_.contact();
@@ -123,7 +142,7 @@ void FineModel::condense(coupling::PatchResponse& response) {
                                                           .B = std::move(B),
                                                           .h = rows.right_hand_side(touching_),
                                                           .loads = std::move(loads)});
-    response.tangent = std::move(condensed.stiffness);
+    if (!response.same_tangent) response.tangent = std::move(condensed.stiffness);
     response.force = -condensed.loads.col(0);
     response.unit_load = condensed.loads.col(1);
 }
@@ -142,6 +161,8 @@ void FineModel::advance_interior() {
 coupling::StepReport FineModel::commit(bool reversal) {
     coupling::StepReport report = system_.commit(reversal);
     report.factor_s = factor_s_;
+    report.fronts_refactored = fronts_refactored_;
+    report.factors_reused = factors_reused_;
     committed_at_root_ = at_root_;
     return report;
 }

@@ -31,6 +31,8 @@ private:
     void plant_tree();
     void keep_touching_to_root();
     void advance_interior();
+    [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
+    void factor();
     void condense(coupling::PatchResponse& response);
 
     ZoneSystem system_;
@@ -45,6 +47,8 @@ private:
     coupling::PatchDisplacement asked_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;
+    std::vector<char> changed_;  // per element: its tangent is not that of the last factor
+    std::int64_t fronts_refactored_ = 0, factors_reused_ = 0;
 };
 
 }  // namespace stria::fine

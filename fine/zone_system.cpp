@@ -11,7 +11,9 @@
 
 namespace stria::fine {
 
-ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_of(input.material, input.model.plane)) {}
+ZoneSystem::ZoneSystem(const Case& input)
+    : input_(input), elastic_(elasticity_of(input.material, input.model.plane)),
+      increments_(remembered_increments(input.load.steps)) {}
 
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
@@ -20,7 +22,8 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
                                .gauss = 2,
                                .tip_points = 4,
                                .mean_dilatation = mean_dilatation(input_.material, elastic_)};
-    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, rule);
+    zone_ = std::make_unique<Zone>(
+        patch.mesh, make_material_law(input_.material, input_.model.plane, input_.fine.substeps), elastic_, rule);
     contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
                                                   elastic_.plane_modulus());
     keep_history(patch, old.get(), old_contact.get());
@@ -42,7 +45,6 @@ void ZoneSystem::find_tip_stations() {
 
 void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, const ContactInterface* old_contact) {
     Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
-    Unknowns step{Eigen::VectorXd::Zero(patch.mesh.unknowns), next.pressure};
     if (old != nullptr) {
         std::map<int, int> old_node;  // by id
         for (int n = 0; n < static_cast<int>(old->mesh().nodes.size()); ++n)
@@ -57,7 +59,6 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
                 if (t > 0 && same == 0) continue;
                 const int to = patch.mesh.unknown(n, t, 0), from = old->mesh().unknown(found->second, same, 0);
                 next.displacement.segment<2>(to) = committed_.displacement.segment<2>(from);
-                step.displacement.segment<2>(to) = last_increment_.displacement.segment<2>(from);
             }
         }
         for (int k = 0; k < contact_->multipliers(); ++k) {
@@ -71,14 +72,17 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
         }
     }
     committed_ = std::move(next);
-    last_increment_ = std::move(step);
+    increments_.clear();
     zone_->start(old, committed_.displacement);
 }
 
-void ZoneSystem::predict(double factor) {
-    trial_.displacement = committed_.displacement + factor * last_increment_.displacement;
-    // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
-    trial_.pressure = committed_.pressure + factor * last_increment_.pressure;
+void ZoneSystem::predict(const Predictor& predictor) {
+    trial_ = committed_;
+    if (const Unknowns* earlier = increments_.find(predictor)) {
+        trial_.displacement += predictor.factor * earlier->displacement;
+        // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
+        trial_.pressure += predictor.factor * earlier->pressure;
+    }
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
 }
@@ -132,7 +136,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
         if (contact_->statuses()[static_cast<std::size_t>(k)] == 0) trial_.pressure[k] = 0.0;
     }
-    last_increment_ = {trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
+    increments_.push({trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure});
     committed_ = trial_;
     zone_->commit(reversal);
     coupling::StepReport report;

@@ -17,8 +17,8 @@ public:
     /// A new zone; elements and multipliers that the old one had keep their history.
     void set_patch(const coupling::Patch& patch);
 
-    /// Trial = committed + factor * last increment: the first iterate of an increment.
-    void predict(double factor);
+    /// The first iterate of an increment.
+    void predict(const Predictor& predictor);
 
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
@@ -66,7 +66,8 @@ private:
     std::unique_ptr<Zone> zone_;
     std::unique_ptr<ContactInterface> contact_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
-    Unknowns committed_, trial_, last_increment_;
+    Unknowns committed_, trial_;
+    IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd gap_, load_;
     double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
