@@ -54,7 +54,7 @@ public:
     void describe(coupling::ZoneState& out) const;
 
 private:
-    void evaluate_element(std::size_t e);
+    template <class Kernel> void evaluate_element(std::size_t e, const Kernel& kernel);
     [[nodiscard]] double committed(int component, int point) const {
         return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) +
                           static_cast<std::size_t>(point)];
