@@ -69,7 +69,7 @@ public:
     [[nodiscard]] SparseMatrix stiffness() const;
 
     /// Calls visit(op) for each coarse element, ascending, with its PlainOperator or its ElementOperator: alike to a
-    /// generic visitor. Plain ones are made on demand and last for the visit.
+    /// generic visitor. Plain ones are made on demand and last for the visit, unless there are few enough to keep.
     template <class Visit> void for_each_operator(Visit&& visit) const {
         for_each_operator([](int) { return true; }, visit);
     }
@@ -82,6 +82,7 @@ private:
     template <class Visit> void for_each_coarse(Visit&& visit) const;  // visit(element, its unknowns), ascending
 
     void make_enriched_operators();
+    void keep_plain_operators();
     void number_unknowns();
     [[nodiscard]] IndexLists order_elimination();
     [[nodiscard]] Eigen::VectorXd unit_load_of_leaf() const;
@@ -93,6 +94,8 @@ private:
     std::vector<char> in_zone_;
     bool mean_dilatation_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
+    std::vector<PlainOperator> plain_;       // of those that are, ascending; empty: made on demand
+    std::vector<int> plain_place_;           // per element: in plain_
     std::vector<int> supported_;             // coarse elements with a prescribed unknown
     std::vector<int> gamma_, free_places_;
     std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
@@ -105,7 +108,9 @@ private:
 };
 
 template <class Visit> void Structure::visit_operator(int element, Visit&& visit) const {
-    if (is_plain(scene_.enriched, element))
+    if (!plain_.empty() && plain_place_[static_cast<std::size_t>(element)] >= 0)
+        visit(plain_[static_cast<std::size_t>(plain_place_[static_cast<std::size_t>(element)])]);
+    else if (is_plain(scene_.enriched, element))
         visit(plain_operator(scene_.enriched, element, mean_dilatation_));
     else
         visit(*std::ranges::lower_bound(enriched_, element, {}, &ElementOperator::element));
