@@ -19,6 +19,12 @@ void add_case(CLI::App& app, RunOptions& options) {
         ->allow_extra_args(false);
 }
 
+void add_manners(CLI::App& app, RunOptions& options) {
+    app.add_flag("--force", options.force, "Write into a folder that holds results");
+    app.add_flag("--quiet", options.quiet, "Say nothing but errors");
+    app.add_flag("--verbose", options.verbose, "Say more");
+}
+
 void add_run_options(CLI::App& app, RunOptions& options) {
     add_case(app, options);
     app.add_option("-o,--output", options.output_directory, "Folder of the results; default runs/<case name>")
@@ -30,17 +36,36 @@ void add_run_options(CLI::App& app, RunOptions& options) {
     app.add_option("--fine", options.fine_ranks, "Number of fine ranks")
         ->type_name("N")
         ->check(CLI::Range(1, max_ranks));
-    app.add_flag("--force", options.force, "Write into a folder that holds results");
-    app.add_flag("--quiet", options.quiet, "Say nothing but errors");
-    app.add_flag("--verbose", options.verbose, "Say more");
+    add_manners(app, options);
+}
+
+void add_study_options(CLI::App& app, study::StudyOptions& options) {
+    add_case(app, options.run);
+    const auto repeatable = [&](const char* name, std::vector<std::string>& values, const char* sentence) {
+        return app.add_option(name, values, sentence)->allow_extra_args(false);
+    };
+    repeatable("--over", options.over, "Run the case with each of these values; several: every combination")
+        ->type_name("KEY=V1,V2,...");
+    repeatable("--mode", options.modes, "As in stria run; several vary it")->type_name("MODE,...")->delimiter(',');
+    repeatable("--fine", options.fine_ranks, "Number of fine ranks; several vary it")
+        ->type_name("N,...")
+        ->delimiter(',');
+    app.add_option("--reference", options.reference,
+                   "What errors are relative to: each variant with these settings instead, or the folder of a run")
+        ->type_name("KEY=VALUE,...|DIR");
+    repeatable("--reference-value", options.reference_values, "Errors relative to this value, e.g. J=3.28")
+        ->type_name("RESULT=VALUE");
+    app.add_option("-o,--output", options.run.output_directory, "Folder of the study; default runs/<case name>-study")
+        ->type_name("DIR");
+    app.add_flag("--resume", options.resume, "Keep the variants that are done");
+    add_manners(app, options.run);
 }
 
 /// Words of the command line that have a meaning, but not yet: nothing is ever silently ignored.
 void add_not_yet(CLI::App& app) {
-    for (const char* name : {"study", "report"}) {
-        CLI::App* command = app.add_subcommand(name, "Not in this version")->prefix_command();
-        command->callback([name] { throw CaseError(fmt::format("{} is not in this version", name)); });
-    }
+    app.add_subcommand("report", "Not in this version")->prefix_command()->callback([] {
+        throw CaseError("report is not in this version");
+    });
     app.add_subcommand("test", "Build and run the tests: a command of the script ./stria alone")
         ->prefix_command()
         ->callback([] { throw CaseError("test is a command of the script ./stria at the top of the source tree"); });
@@ -89,6 +114,8 @@ std::optional<Command> parse_stria(int argc, const char* const* argv) {
     add_resume(*run);
     CLI::App* check = app.add_subcommand("check", "Read and check everything, solve nothing");
     add_case(*check, command.run);
+    CLI::App* study = app.add_subcommand("study", "Run a case with every combination of some values, and compare");
+    add_study_options(*study, command.study);
     CLI::App* explain = app.add_subcommand("explain", "Explain a key of the case file, or all");
     explain->add_option("key", command.key, "A key such as material.young, or a section");
     explain->add_flag("--markdown", command.markdown, "The whole reference as docs/case-reference.md has it");

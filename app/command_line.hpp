@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/run.hpp"
+#include "app/study/study.hpp"
 
 #include <optional>
 #include <string>
@@ -9,8 +10,9 @@
 namespace stria {
 
 struct Command {
-    std::string name;  // run | check | explain
+    std::string name;  // run | check | study | explain
     RunOptions run;
+    study::StudyOptions study;
     std::string key;        // of explain; empty: all keys
     bool markdown = false;  // of explain
 };

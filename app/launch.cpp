@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,12 +51,17 @@ void listen_for_signals() {
     sigaction(SIGTERM, &action, nullptr);
 }
 
-std::vector<std::string> component_command(const RunOptions& options, const std::string& program) {
-    std::vector<std::string> command = {program, options.case_path, "-o", options.output_directory};
+void append_common_options(const RunOptions& options, std::vector<std::string>& command) {
+    command.insert(command.end(), {options.case_path, "-o", options.output_directory});
     for (const std::string& value : options.overrides) command.insert(command.end(), {"--set", value});
     if (options.force) command.emplace_back("--force");
     if (options.quiet) command.emplace_back("--quiet");
     if (options.verbose) command.emplace_back("--verbose");
+}
+
+std::vector<std::string> component_command(const RunOptions& options, const std::string& program) {
+    std::vector<std::string> command = {program};
+    append_common_options(options, command);
     return command;
 }
 
@@ -70,6 +76,15 @@ std::vector<std::string> component_command(const RunOptions& options, const std:
     _exit(InternalError);
 }
 
+/// Output and errors of this process go to the file from here on.
+void write_into(const char* log) {
+    const int file = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (file < 0) return;  // rather on the terminal than nowhere
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    close(file);
+}
+
 int wait_for(pid_t process) {
     int status = 0;
     while (waitpid(process, &status, 0) < 0)
@@ -79,6 +94,22 @@ int wait_for(pid_t process) {
     if (code <= LostComponent || code == Interrupted) return code;
     throw ComponentLost(fmt::format("a component was lost (exit code {})", code));
 }
+
+pid_t start(const std::vector<std::string>& command, const char* log) {
+    std::fflush(nullptr);
+    listen_for_signals();
+    const pid_t process = fork();
+    if (process < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
+    if (process == 0) {
+        if (log != nullptr) write_into(log);
+        become(command);
+    }
+    child = static_cast<std::sig_atomic_t>(process);
+    return process;
+}
+
+/// Where this program and its components are.
+std::string programs_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path().string(); }
 
 }  // namespace
 
@@ -109,19 +140,24 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
 
 int launch(const RunOptions& options) {
     const bool with_fine = needs_fine(read_case(options.case_path, options.overrides));
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-    const std::vector<std::string> command = launch_command(options, self.parent_path().string(), with_fine);
+    const std::vector<std::string> command = launch_command(options, programs_folder(), with_fine);
     if (options.verbose) fmt::print("{}\n", fmt::join(command, " "));
-    std::fflush(nullptr);
     for (const auto& [name, value] : environment) setenv(name, value, 0);
     // Under mpirun a component writes into a pipe and cannot see the terminal.
     if (isatty(STDOUT_FILENO) != 0) setenv("STRIA_TERMINAL", "1", 0);
-    listen_for_signals();
-    const pid_t process = fork();
-    if (process < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
-    if (process == 0) become(command);
-    child = static_cast<std::sig_atomic_t>(process);
-    return wait_for(process);
+    return wait_for(start(command, nullptr));
+}
+
+int launch_logged(const RunOptions& options, const std::string& log) {
+    if (interruption != 0) return Interrupted;
+    std::vector<std::string> command = {programs_folder() + "/stria", "run"};
+    append_common_options(options, command);
+    command.insert(command.end(), {"--mode", options.mode, "--fine", std::to_string(options.fine_ranks)});
+    try {
+        return wait_for(start(command, log.c_str()));
+    } catch (const ComponentLost&) {
+        return LostComponent;
+    }
 }
 
 }  // namespace stria

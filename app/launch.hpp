@@ -18,4 +18,8 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
 /// Runs it with the environment Open MPI needs and returns its exit code: 4 where a component was lost.
 int launch(const RunOptions& options);
 
+/// `stria run` with these options as a child whose output goes to the file `log`; its exit code: 4 where it crashed,
+/// 130 where the user has interrupted it or, before it was started, us.
+int launch_logged(const RunOptions& options, const std::string& log);
+
 }  // namespace stria

@@ -2,6 +2,7 @@
 #include "app/command_line.hpp"
 #include "app/exit_code.hpp"
 #include "app/launch.hpp"
+#include "app/study/study.hpp"
 #include "common/io/case_file.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ int work(int argc, const char* const* argv) {
     const std::optional<stria::Command> command = stria::parse_stria(argc, argv);
     if (!command) return stria::Done;
     if (command->name == "check") return stria::check(command->run);
+    if (command->name == "study") return stria::study::run_study(command->study);
     if (command->name == "explain") return explain(*command);
     return run(command->run);
 }

@@ -38,6 +38,7 @@ public:
             add_crack(crack, path);
         }
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(e);
+        for (const HangingNode& hanging : mesh_.hanging) result_.tied.push_back(tie(hanging));
         result_.number();
         return std::move(result_);
     }
@@ -68,6 +69,34 @@ private:
         }
     }
 
+    [[nodiscard]] TiedNode tie(const HangingNode& hanging) const {
+        const auto [node, ends, larger] = hanging;
+        for (const int n : {node, ends[0], ends[1]})
+            require(!has_tip_function(n), "tip functions end within the smallest elements");
+        const auto meets = [&](int a, int b) { return crossed_edges_.contains(std::minmax(a, b)); };
+        const bool jump =
+            met_nodes_.contains(node) || meets(ends[0], ends[1]) || meets(ends[0], node) || meets(node, ends[1]);
+        return {node, ends, side_at(hanging), jump};
+    }
+
+    // Of the edge at the node: an end on the crack counts as +, whatever the side of the edge.
+    [[nodiscard]] double side_at(const HangingNode& hanging) const {
+        const auto side_of = [&](int node) {
+            for (const Term& term : result_.terms[at(node)])
+                if (term.kind == Term::Kind::Heaviside) return term.shift;
+            return 0.0;
+        };
+        if (const double own = side_of(hanging.node); own != 0.0) return own;
+        for (const int end : hanging.ends)
+            if (side_of(end) != 0.0 && !met_nodes_.contains(end)) return side_of(end);
+        return result_.element_side[at(hanging.larger)];
+    }
+
+    [[nodiscard]] bool has_tip_function(int node) const {
+        return std::ranges::any_of(result_.terms[at(node)],
+                                   [](const Term& term) { return term.kind != Term::Kind::Heaviside; });
+    }
+
     void add_crack(int crack, const CrackPath& path) {
         node_side_.clear();
         on_crack_.clear();
@@ -80,6 +109,7 @@ private:
                 result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
         set_element_sides(path);
+        note_met_edges(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
         add_tip_terms(path);
     }
@@ -111,6 +141,18 @@ private:
         }
     }
 
+    void note_met_edges(const CrackPath& path) {
+        met_nodes_.insert(on_crack_.begin(), on_crack_.end());
+        for (const CrackPiece& piece : path.pieces) {
+            for (const double place : {piece.entry, piece.exit}) {
+                if (place < 0.0 || place == std::floor(place)) continue;
+                const auto& nodes = mesh_.elements[at(piece.element)];
+                const int edge = static_cast<int>(place);
+                crossed_edges_.insert(std::minmax(nodes[at(edge)], nodes[at((edge + 1) % 4)]));
+            }
+        }
+    }
+
     void note_if_node(const CrackPiece& piece, double place) {
         if (place < 0.0 || place != std::floor(place)) return;
         const int node = mesh_.elements[at(piece.element)][at(static_cast<int>(place) % 4)];
@@ -125,7 +167,7 @@ private:
         std::set<int> cut;
         for (const CrackPiece& piece : path.pieces)
             if (piece.neighbour < 0) cut.insert(piece.element);
-        const auto around = elements_around_nodes(mesh_.elements, mesh_.nodes.size());
+        const auto around = elements_around_nodes(mesh_);
         for (const int node : on_crack_) {
             const auto [before, after] = neighbours_on_crack(path, mesh_.nodes[at(node)]);
             for (const int element : around[at(node)]) {
@@ -252,6 +294,8 @@ private:
     EnrichedMesh result_;
     std::map<int, int> node_side_;  // of the present crack
     std::set<int> on_crack_;
+    std::set<int> met_nodes_;  // of all cracks so far
+    std::set<std::pair<int, int>> crossed_edges_;
 };
 
 }  // namespace

@@ -127,7 +127,7 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
 void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     equilibrium_->rollback();
     std::vector<char> in_zone = structure_->in_zone();
-    const auto around = elements_around_nodes(scene_.mesh.elements, scene_.mesh.nodes.size());
+    const auto around = elements_around_nodes(scene_.mesh);
     for (const int element : yielding) {
         for (const int node : scene_.mesh.elements[static_cast<std::size_t>(element)]) {
             for (const int neighbour : around[static_cast<std::size_t>(node)])

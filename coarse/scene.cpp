@@ -4,7 +4,9 @@
 #include <map>
 
 #include "coarse/discretization.hpp"
+#include "coarse/refinement.hpp"
 #include "coarse/specimen/specimen.hpp"
+#include "coarse/zone_refinement.hpp"
 #include "common/error.hpp"
 #include "common/fem/cut_element.hpp"
 #include "common/fem/element_basis.hpp"
@@ -90,10 +92,16 @@ void weigh_mean_displacement(Scene& scene) {
 }  // namespace
 
 Scene make_scene(const Case& input) {
+    if (input.fine.refine == 1) return make_scene(input, make_mesh(input));
+    const Scene unrefined = make_scene(input, make_mesh(input));
+    return make_scene(input, refine(unrefined.mesh, disks_to_refine(unrefined)));
+}
+
+Scene make_scene(const Case& input, Mesh mesh) {
     Scene scene;
     scene.input = input;
     scene.elastic = elasticity_of(input.material, input.model.plane);
-    scene.mesh = make_mesh(input);
+    scene.mesh = std::move(mesh);
     scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));

@@ -32,8 +32,11 @@ struct Scene {
                                         // where there is none
 };
 
-/// Meshes, enriches and resolves a case. Throws CaseError.
+/// Meshes, refines, enriches and resolves a case. Throws CaseError.
 Scene make_scene(const Case& input);
+
+/// The same on a given mesh.
+Scene make_scene(const Case& input, Mesh mesh);
 
 /// Loads and supports on the unknowns of an enriched mesh: enriched terms included, the jump held on supported edges.
 void put_loads_on_unknowns(Scene& scene);

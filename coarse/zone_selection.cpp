@@ -17,20 +17,23 @@ double subdivision_radius(double beta, double K_I, double yield_stress) {
     return beta * (std::numbers::pi / 16.0) * (K_I * K_I) / (yield_stress * yield_stress);
 }
 
+double zone_radius(const Case& input, double K_I) {
+    if (input.fine.radius) return *input.fine.radius;
+    if (!input.material.yield_stress) return 0.0;
+    return subdivision_radius(input.fine.beta, std::max(K_I, 0.0), *input.material.yield_stress);
+}
+
 std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I) {
     const EnrichedMesh& mesh = scene.enriched;
     std::vector<char> in_zone(mesh.elements.size(), 0);
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) in_zone[at(e)] = static_cast<char>(scene.mesh.is_split(e));
     for (const CrackPiece& piece : mesh.pieces) {
         if (!scene.input.cracks[at(piece.crack)].contact) continue;
         in_zone[at(piece.element)] = 1;
         if (piece.neighbour >= 0) in_zone[at(piece.neighbour)] = 1;
     }
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
-        double radius = scene.input.fine.radius.value_or(0.0);
-        if (scene.input.material.yield_stress && !scene.input.fine.radius) {
-            radius =
-                subdivision_radius(scene.input.fine.beta, std::max(K_I[t], 0.0), *scene.input.material.yield_stress);
-        }
+        const double radius = zone_radius(scene.input, K_I[t]);
         // Unknowns of tip functions are the zone's own, however small the disk (full compression: none).
         const bool touches = scene.input.cracks[at(mesh.tips[t].crack)].contact.has_value();
         if (radius <= 0.0 && !touches && !scene.input.material.yield_stress) continue;
@@ -58,13 +61,11 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
 
 std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part) {
     std::vector<int> result(at(part.unknowns));
-    for (int n = 0; n < static_cast<int>(part.nodes.size()); ++n) {
-        const int id = part.node_ids[at(n)];
-        for (int t = 0; t <= static_cast<int>(part.terms[at(n)].size()); ++t) {
-            // The part may have dropped terms that none of its elements sees.
-            const int same = t == 0 ? 0 : whole.term_index(id, part.terms[at(n)][at(t - 1)]);
-            for (int c = 0; c < 2; ++c) result[at(part.unknown(n, t, c))] = whole.unknown(id, same, c);
-        }
+    for (const auto& [node, term, unknown] : part.own_unknowns()) {
+        const int id = part.node_ids[at(node)];
+        // The part may have dropped terms that none of its elements sees.
+        const int same = term == 0 ? 0 : whole.term_index(id, part.terms[at(node)][at(term - 1)]);
+        for (int c = 0; c < 2; ++c) result[at(unknown + c)] = whole.unknown(id, same, c);
     }
     return result;
 }

@@ -12,6 +12,9 @@ namespace stria::coarse {
 /// Eq. (3): R_sub = beta * (pi/16) * K_I^2 / sigma_y^2, mm.
 double subdivision_radius(double beta, double K_I, double yield_stress);
 
+/// Radius of the zone about a tip, mm: the case's own, or eq. (3); 0 in elastic scenes without one.
+double zone_radius(const Case& input, double K_I);
+
 /// Per element, 1 inside the zone. `K_I`: largest of the load history, one a tip. All zero in elastic, traction-free
 /// scenes.
 std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I);

@@ -46,10 +46,15 @@ void fields(auto& wire, Is<Tip> auto& m) {
     wire(crack, position, direction, s, upper);
 }
 
+void fields(auto& wire, Is<TiedNode> auto& m) {
+    auto& [node, ends, side, jump_tied] = m;
+    wire(node, ends, side, jump_tied);
+}
+
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
-    auto& [nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side,
+    auto& [nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side, tied,
            first_unknown, first_gathered, unknowns] = m;
-    wire(nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side,
+    wire(nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side, tied,
          first_unknown, first_gathered, unknowns);
 }
 

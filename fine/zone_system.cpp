@@ -49,17 +49,17 @@ void ZoneSystem::keep_history(const coupling::Patch& patch, const Zone* old, con
         std::map<int, int> old_node;  // by id
         for (int n = 0; n < static_cast<int>(old->mesh().nodes.size()); ++n)
             old_node[old->mesh().node_ids[static_cast<std::size_t>(n)]] = n;
-        for (int n = 0; n < static_cast<int>(patch.mesh.nodes.size()); ++n) {
-            const auto found = old_node.find(patch.mesh.node_ids[static_cast<std::size_t>(n)]);
+        for (const auto& [node, term, to] : patch.mesh.own_unknowns()) {
+            const auto n = static_cast<std::size_t>(node);
+            const auto found = old_node.find(patch.mesh.node_ids[n]);
             if (found == old_node.end()) continue;
-            const auto& terms = patch.mesh.terms[static_cast<std::size_t>(n)];
-            for (int t = 0; t <= static_cast<int>(terms.size()); ++t) {
-                const int same =
-                    t == 0 ? 0 : old->mesh().term_index(found->second, terms[static_cast<std::size_t>(t - 1)]);
-                if (t > 0 && same == 0) continue;
-                const int to = patch.mesh.unknown(n, t, 0), from = old->mesh().unknown(found->second, same, 0);
-                next.displacement.segment<2>(to) = committed_.displacement.segment<2>(from);
-            }
+            const int same =
+                term == 0
+                    ? 0
+                    : old->mesh().term_index(found->second, patch.mesh.terms[n][static_cast<std::size_t>(term - 1)]);
+            if (term > 0 && same == 0) continue;
+            const int from = old->mesh().unknown(found->second, same, 0);
+            next.displacement.segment<2>(to) = committed_.displacement.segment<2>(from);
         }
         for (int k = 0; k < contact_->multipliers(); ++k) {
             const auto same = [&](const ContactInterface::Key& key) {

@@ -24,6 +24,7 @@ DOORS = [
     ("HDF5", r"(hdf5|hdf5_hl|H5\w*)\.h$", ["common/io/hdf5.cpp"]),
     ("toml++", r"(toml\+\+/|toml\.hpp$)", ["common/io/case_file.cpp"]),
     ("CLI11", r"CLI/", ["app/command_line.cpp"]),
+    ("nlohmann-json", r"nlohmann/", ["app/study/run_files.cpp"]),
 ]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

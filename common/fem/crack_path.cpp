@@ -32,8 +32,9 @@ struct Crossing {
 class Resolver {
 public:
     Resolver(const Mesh& mesh, int crack, const std::vector<Vec2>& points)
-        : mesh_(mesh), crack_(crack), points_(points),
-          around_(elements_around_nodes(mesh.elements, mesh.nodes.size())) {
+        : mesh_(mesh), crack_(crack), points_(points), around_(elements_around_nodes(mesh)) {
+        for (const HangingNode& hanging : mesh.hanging)
+            middle_[edge_key(hanging.ends[0], hanging.ends[1])] = hanging.node;
         arc_.push_back(0.0);
         for (std::size_t k = 1; k < points.size(); ++k)
             arc_.push_back(arc_.back() + (points[k] - points[k - 1]).norm());
@@ -62,15 +63,29 @@ private:
         std::map<std::pair<int, int>, std::size_t> index;
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
             if (!near_crack(static_cast<int>(e))) continue;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const auto key = std::minmax(mesh_.elements[e][k], mesh_.elements[e][(k + 1) % 4]);
+            const auto add = [&](int from, int to) {
+                const auto key = edge_key(from, to);
                 const auto [found, added] = index.try_emplace(key, edges_.size());
                 if (added)
                     edges_.push_back({key.first, key.second, {static_cast<int>(e), -1}});
                 else
                     edges_[found->second].elements[1] = static_cast<int>(e);
+            };
+            for (std::size_t k = 0; k < 4; ++k) {
+                const int from = mesh_.elements[e][k], to = mesh_.elements[e][(k + 1) % 4],
+                          middle = middle_of(from, to);
+                add(from, middle >= 0 ? middle : to);
+                if (middle >= 0) add(middle, to);
             }
         }
+    }
+
+    static std::pair<int, int> edge_key(int a, int b) { return std::minmax(a, b); }
+
+    /// The hanging node in the middle of an edge, or -1.
+    [[nodiscard]] int middle_of(int a, int b) const {
+        const auto found = middle_.find(edge_key(a, b));
+        return found != middle_.end() ? found->second : -1;
     }
 
     [[nodiscard]] bool near_crack(int e) const {
@@ -269,16 +284,27 @@ private:
     [[nodiscard]] double place(int e, const Crossing& crossing) const {
         const auto& nodes = mesh_.elements[static_cast<std::size_t>(e)];
         for (std::size_t k = 0; k < 4; ++k) {
-            if (crossing.node >= 0 && nodes[k] == crossing.node) return static_cast<double>(k);
+            const int from = nodes[k], to = nodes[(k + 1) % 4], middle = middle_of(from, to);
+            const auto edge = static_cast<double>(k);
+            if (crossing.node >= 0 && crossing.node == from) return edge;
+            if (crossing.node >= 0 && crossing.node == middle) return edge + 0.5;
             if (crossing.edge == nullptr) continue;
-            const int from = nodes[k], to = nodes[(k + 1) % 4];
-            if (from == crossing.edge->first && to == crossing.edge->second)
-                return static_cast<double>(k) + crossing.fraction;
-            if (from == crossing.edge->second && to == crossing.edge->first)
-                return static_cast<double>(k) + 1.0 - crossing.fraction;
+            if (middle < 0) {
+                if (const auto t = fraction(crossing, from, to)) return edge + *t;
+                continue;
+            }
+            if (const auto t = fraction(crossing, from, middle)) return edge + 0.5 * *t;
+            if (const auto t = fraction(crossing, middle, to)) return edge + 0.5 + 0.5 * *t;
         }
         require(crossing.node < 0 && crossing.edge == nullptr, "a crossing lies on the boundary of its element");
         return -1.0;
+    }
+
+    /// Of the way along an edge, where the crossing lies on it.
+    [[nodiscard]] static std::optional<double> fraction(const Crossing& crossing, int from, int to) {
+        if (from == crossing.edge->first && to == crossing.edge->second) return crossing.fraction;
+        if (from == crossing.edge->second && to == crossing.edge->first) return 1.0 - crossing.fraction;
+        return std::nullopt;
     }
 
     [[nodiscard]] std::vector<int> elements_at(const Crossing& crossing) const {
@@ -336,6 +362,7 @@ private:
     int crack_;
     const std::vector<Vec2>& points_;
     std::vector<std::vector<int>> around_;
+    std::map<std::pair<int, int>, int> middle_;  // hanging node of an edge
     std::vector<double> arc_;
     std::vector<MeshEdge> edges_;
     std::vector<Crossing> crossings_;

@@ -4,12 +4,20 @@
 namespace stria {
 namespace {
 
+// Between the ends of its edge at a hanging node, so that q is continuous.
+double nodal_weight(const EnrichedMesh& mesh, int node, const Tip& tip, const Annulus& ring) {
+    const auto at_node = [&](int n) {
+        return ring.weight((mesh.nodes[static_cast<std::size_t>(n)] - tip.position).norm());
+    };
+    const TiedNode* const tied = mesh.tied.empty() ? nullptr : mesh.tie(node);
+    return tied != nullptr ? (at_node(tied->ends[0]) + at_node(tied->ends[1])) / 2.0 : at_node(node);
+}
+
 Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip& tip, const Annulus& ring) {
     Eigen::Vector4d q;
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh.elements[static_cast<std::size_t>(element)][k];
-        q[static_cast<Eigen::Index>(k)] =
-            ring.weight((mesh.nodes[static_cast<std::size_t>(node)] - tip.position).norm());
+        q[static_cast<Eigen::Index>(k)] = nodal_weight(mesh, node, tip, ring);
     }
     return q;
 }
@@ -28,6 +36,7 @@ bool RingSums::enter(int element) {
         if (!constant(q)) entered_.push_back({ring, q});
     }
     if (entered_.empty()) return false;
+    side_ = mesh_.element_side[static_cast<std::size_t>(element)];
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh_.elements[static_cast<std::size_t>(element)][k];
         corners_[k] = mesh_.nodes[static_cast<std::size_t>(node)];
@@ -36,9 +45,9 @@ bool RingSums::enter(int element) {
 }
 
 std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const {
-    return {williams_field(1, tip_, point.x, point.side, elastic_),
-            williams_field(2, tip_, point.x, point.side, elastic_),
-            point_force_field(tip_, point.x, point.side, elastic_)};
+    const int side = point.side != 0 ? point.side : side_;
+    return {williams_field(1, tip_, point.x, side, elastic_), williams_field(2, tip_, point.x, side, elastic_),
+            point_force_field(tip_, point.x, side, elastic_)};
 }
 
 void RingSums::add_J(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient,

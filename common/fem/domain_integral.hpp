@@ -100,6 +100,7 @@ private:
     };
     std::array<Vec2, 4> corners_;
     std::vector<Entered> entered_;
+    int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
 };
 
 template <class Visit> void RingSums::for_each_ring(const IntegrationPoint& point, Visit&& visit) const {

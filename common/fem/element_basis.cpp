@@ -1,6 +1,6 @@
 #include "common/fem/element_basis.hpp"
 
-#include <optional>
+#include <algorithm>
 
 #include "common/fem/shape_q4.hpp"
 #include "common/fem/tip_functions.hpp"
@@ -10,35 +10,79 @@ namespace stria {
 ElementBasis::ElementBasis(const EnrichedMesh& mesh, int element, bool cut)
     : mesh_(&mesh), nodes_(mesh.elements[static_cast<std::size_t>(element)]),
       own_side_(cut ? 0 : mesh.element_side[static_cast<std::size_t>(element)]), tip_side_(own_side_) {
-    std::vector<std::pair<int, int>> gathered;  // tip, functions
-    for (int corner = 0; corner < 4; ++corner) {
-        const int node = nodes_[static_cast<std::size_t>(corner)];
-        corners_[static_cast<std::size_t>(corner)] = mesh.nodes[static_cast<std::size_t>(node)];
-        const auto add = [&](int term_index, const Term& term, bool standard) {
-            functions_.push_back({corner, term, standard});
-            for (int component = 0; component < 2; ++component)
-                unknowns_.push_back(mesh.unknown(node, term_index, component));
-        };
-        add(0, {}, true);
-        const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
-        for (int k = 0; k < static_cast<int>(terms.size()); ++k) {
-            const Term& term = terms[static_cast<std::size_t>(k)];
-            if (term.kind == Term::Kind::Heaviside) {
-                if (tip_side_ == 0) tip_side_ = static_cast<int>(term.shift);
-                if (!cut && (own_side_ == 0 || own_side_ == static_cast<int>(term.shift))) continue;
-            } else {
-                singular_ = true;
+    for (int corner = 0; corner < 4; ++corner) add_corner(corner, cut);
+    if (cut) tip_side_ = 0;
+    number_functions();
+    for (int tip = 0; tip < std::ssize(mesh.tips); ++tip) {
+        int functions = 0;
+        for (const int node : nodes_) {
+            for (const Term& term : mesh.terms[static_cast<std::size_t>(node)]) {
+                if (term.kind == Term::Kind::Gathered && term.owner == tip)
+                    functions = std::max(functions, term.function + 1);
             }
-            if (term.kind != Term::Kind::Gathered)
-                add(k + 1, term, false);
-            else if (gathered.empty() || gathered.back().first != term.owner)
-                gathered.emplace_back(term.owner, term.function + 1);
-            else
-                gathered.back().second = std::max(gathered.back().second, term.function + 1);
+        }
+        if (functions > 0) gather_tip(tip, functions);
+    }
+}
+
+void ElementBasis::add_corner(int corner, bool cut) {
+    const int node = nodes_[static_cast<std::size_t>(corner)];
+    corners_[static_cast<std::size_t>(corner)] = mesh_->nodes[static_cast<std::size_t>(node)];
+    functions_.push_back({corner, 0, {}});
+    const auto& terms = mesh_->terms[static_cast<std::size_t>(node)];
+    for (int k = 0; k < std::ssize(terms); ++k) {
+        const Term& term = terms[static_cast<std::size_t>(k)];
+        if (term.kind == Term::Kind::Heaviside) {
+            if (tip_side_ == 0) tip_side_ = static_cast<int>(term.shift);
+            if (!cut && (own_side_ == 0 || own_side_ == static_cast<int>(term.shift))) continue;
+        } else {
+            singular_ = true;
+        }
+        if (term.kind != Term::Kind::Gathered) functions_.push_back({corner, k + 1, term});
+    }
+}
+
+// A hanging corner's functions go to the ends of its edge (TiedNode).
+void ElementBasis::number_functions() {
+    std::vector<int> first;  // unknown of each column
+    struct Share {
+        std::size_t column;
+        std::size_t function;
+        double part;
+    };
+    std::vector<Share> shares;
+    const auto give = [&](std::size_t function, int node, int term, double part) {
+        const int unknown = mesh_->unknown(node, term, 0);
+        const auto found = std::ranges::find(first, unknown);
+        shares.push_back({static_cast<std::size_t>(found - first.begin()), function, part});
+        if (found == first.end()) first.push_back(unknown);
+    };
+    bool tied = false;
+    for (std::size_t f = 0; f < functions_.size(); ++f) {
+        const auto& [corner, term_index, term] = functions_[f];
+        const int node = nodes_[static_cast<std::size_t>(corner)];
+        if (mesh_->tied.empty() || !mesh_->follows(node, term_index)) {
+            give(f, node, term_index, 1.0);
+            continue;
+        }
+        tied = true;
+        const TiedNode& tie = *mesh_->tie(node);
+        for (const int end : tie.ends) {
+            if (term_index == 0) give(f, end, 0, 0.5);
+            const auto& terms = mesh_->terms[static_cast<std::size_t>(end)];
+            for (int k = 0; k < std::ssize(terms); ++k) {
+                const Term& own = terms[static_cast<std::size_t>(k)];
+                const double part = term_index > 0 ? 0.5 : 0.5 * (tie.side - own.shift);
+                if (own.kind == Term::Kind::Heaviside && part != 0.0 && (term_index == 0 || own.same_function(term)))
+                    give(f, end, k + 1, part);
+            }
         }
     }
-    if (cut) tip_side_ = 0;
-    for (const auto& [tip, functions] : gathered) gather_tip(tip, functions);
+    for (const int unknown : first) unknowns_.insert(unknowns_.end(), {unknown, unknown + 1});
+    if (!tied) return;
+    ties_ = Eigen::MatrixXd::Zero(std::ssize(first), std::ssize(functions_));
+    for (const Share& share : shares)
+        ties_(static_cast<Eigen::Index>(share.column), static_cast<Eigen::Index>(share.function)) += share.part;
 }
 
 // The interpolant that a gathered function is freed from takes, in each element, what the standard and Heaviside terms
@@ -90,8 +134,9 @@ void ElementBasis::add_gathered(const ShapeQ4& shape, const Vec2& x, int side, B
 void ElementBasis::evaluate(const Vec2& xi, const Vec2& x, int side, BasisValues& out) const {
     const ShapeQ4 shape = shape_q4(corners_, xi);
     const int where = own_side_ != 0 ? own_side_ : side, tip_where = tip_side_ != 0 ? tip_side_ : side;
-    out.value.resize(functions());
-    out.gradient.resize(functions(), 2);
+    const int own_functions = ties_.size() > 0 ? static_cast<int>(functions_.size()) : functions();
+    out.value.resize(own_functions);
+    out.gradient.resize(own_functions, 2);
     int cached_tip = -1;
     TipFunctions tip;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
@@ -99,7 +144,7 @@ void ElementBasis::evaluate(const Vec2& xi, const Vec2& x, int side, BasisValues
         const auto f = static_cast<Eigen::Index>(k);
         const double n = shape.value[function.corner];
         const Eigen::RowVector2d dn = shape.gradient.row(function.corner);
-        if (function.standard) {
+        if (function.term_index == 0) {
             out.value[f] = n;
             out.gradient.row(f) = dn;
         } else if (function.term.kind == Term::Kind::Heaviside) {
@@ -118,6 +163,9 @@ void ElementBasis::evaluate(const Vec2& xi, const Vec2& x, int side, BasisValues
         }
     }
     add_gathered(shape, x, tip_where, out);
+    if (ties_.size() == 0) return;
+    out.value = ties_ * out.value;
+    out.gradient = ties_ * out.gradient;
 }
 
 }  // namespace stria

@@ -28,8 +28,8 @@ public:
 
     [[nodiscard]] const std::array<Vec2, 4>& corners() const { return corners_; }
 
-    /// Any function beyond the standard four.
-    [[nodiscard]] bool enriched() const { return functions() > 4; }
+    /// Any function beyond those of plain corners.
+    [[nodiscard]] bool enriched() const { return functions() > 4 || ties_.size() > 0; }
 
     /// Any tip function.
     [[nodiscard]] bool singular() const { return singular_; }
@@ -40,8 +40,8 @@ public:
 private:
     struct Function {
         int corner;
+        int term_index;  // of the corner's node; 0: standard
         Term term;
-        bool standard;
     };
     /// Functions of one tip that all nodes of its disk share.
     struct Gathered {
@@ -50,7 +50,9 @@ private:
         Eigen::Vector4d inside;                                 // 1 at corners within the disk, else 0
         std::array<Eigen::Matrix<double, 4, 6>, 2> at_corners;  // psi seen from the minus and from the plus side
     };
+    void add_corner(int corner, bool cut);
     void gather_tip(int tip, int functions);
+    void number_functions();
     void add_gathered(const ShapeQ4& shape, const Vec2& x, int side, BasisValues& out) const;
 
     const EnrichedMesh* mesh_;
@@ -58,6 +60,7 @@ private:
     std::array<int, 4> nodes_;
     std::vector<Function> functions_;
     std::vector<Gathered> gathered_;
+    Eigen::MatrixXd ties_;  // with hanging corners: what each unknown has of each function; else empty
     std::vector<int> unknowns_;
     int own_side_;  // of an uncut element that touches the crack
     int tip_side_;  // of an uncut element with a node beside the crack: chooses the branch of theta

@@ -13,9 +13,11 @@ void EnrichedMesh::number() {
     std::vector<int> gathered(tips.size(), 0);  // functions of each tip
     unknowns = 0;
     for (std::size_t node = 0; node < nodes.size(); ++node) {
-        first_unknown[node] = unknowns;
-        unknowns += 2;
+        const TiedNode* const tie_here = tie(static_cast<int>(node));
+        first_unknown[node] = tie_here != nullptr ? unknowns - 2 : unknowns;
+        if (tie_here == nullptr) unknowns += 2;
         for (const Term& term : terms[node]) {
+            if (tie_here != nullptr && tie_here->jump_tied) continue;
             if (term.kind != Term::Kind::Gathered) {
                 unknowns += 2;
                 continue;
@@ -28,6 +30,31 @@ void EnrichedMesh::number() {
         first_gathered[tip] = unknowns;
         unknowns += 2 * gathered[tip];
     }
+}
+
+const TiedNode* EnrichedMesh::tie(int node) const {
+    const auto found = std::ranges::lower_bound(tied, node, {}, &TiedNode::node);
+    return found != tied.end() && found->node == node ? &*found : nullptr;
+}
+
+bool EnrichedMesh::follows(int node, int term) const {
+    const TiedNode* const here = tie(node);
+    return here != nullptr && (term == 0 || here->jump_tied);
+}
+
+std::vector<std::pair<int, double>> EnrichedMesh::holders_of_jump(int node) const {
+    const TiedNode* const here = tie(node);
+    if (here == nullptr || !here->jump_tied) return {{node, 1.0}};
+    return {{here->ends[0], 0.5}, {here->ends[1], 0.5}};
+}
+
+std::vector<EnrichedMesh::OwnUnknown> EnrichedMesh::own_unknowns() const {
+    std::vector<OwnUnknown> own;
+    for (int node = 0; node < std::ssize(nodes); ++node) {
+        for (int term = 0; term <= std::ssize(terms[static_cast<std::size_t>(node)]); ++term)
+            if (!follows(node, term)) own.push_back({node, term, unknown(node, term, 0)});
+    }
+    return own;
 }
 
 int EnrichedMesh::term_index(int node, const Term& term) const {
@@ -60,7 +87,7 @@ void drop_unseen_terms(EnrichedMesh& mesh) {
         std::vector<Term> kept;
         const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
         for (int t = 0; t < static_cast<int>(terms.size()); ++t) {
-            if (seen[static_cast<std::size_t>(mesh.unknown(node, t + 1, 0))] != 0)
+            if (mesh.follows(node, t + 1) || seen[static_cast<std::size_t>(mesh.unknown(node, t + 1, 0))] != 0)
                 kept.push_back(terms[static_cast<std::size_t>(t)]);
         }
         mesh.terms[static_cast<std::size_t>(node)] = std::move(kept);
@@ -101,6 +128,13 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
         piece.element = local_element[static_cast<std::size_t>(piece.element)];
         if (piece.neighbour >= 0) piece.neighbour = local_element[static_cast<std::size_t>(piece.neighbour)];
         if (piece.element >= 0) part.pieces.push_back(std::move(piece));
+    }
+    for (TiedNode tied : whole.tied) {
+        const auto local = local_node.find(tied.node);
+        if (local == local_node.end()) continue;
+        tied.node = local->second;
+        for (int& end : tied.ends) end = local_node.at(end);
+        part.tied.push_back(tied);
     }
     drop_unseen_terms(part);
     return part;

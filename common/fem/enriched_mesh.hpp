@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace stria {
@@ -48,6 +49,15 @@ struct Tip {
     int upper;
 };
 
+/// A hanging node, tied to the trace of the larger neighbour: the displacement there is the mean of the ends' on either
+/// side of the crack, so u = sum_i (u_i + (side - s_i) a_i) / 2 and, where the crack meets the edge, a = sum_i a_i / 2.
+struct TiedNode {
+    int node;
+    std::array<int, 2> ends;
+    double side;     // of the crack, of the edge at the node
+    bool jump_tied;  // else its jump vanishes on the edge, and is free
+};
+
 struct EnrichedMesh {
     std::vector<Vec2> nodes;
     std::vector<std::array<int, 4>> elements;
@@ -61,6 +71,8 @@ struct EnrichedMesh {
     std::vector<std::vector<Term>> terms;   // per node; gathered ones last
     std::vector<signed char> element_side;  // side of an uncut element that touches the crack: +1, -1; else 0
 
+    std::vector<TiedNode> tied;  // ascending by node; their ends are not tied
+
     /// First unknown of each node, of each tip's gathered functions, and their total: a node has 2 (1 + own terms)
     /// unknowns, component fastest. Kept by number().
     std::vector<int> first_unknown, first_gathered;
@@ -69,7 +81,24 @@ struct EnrichedMesh {
     /// Numbers the unknowns, node by node, then tip by tip.
     void number();
 
-    [[nodiscard]] int unknown(int node, int term, int component) const {  // term 0: standard; k: terms[node][k - 1]
+    /// Null where the node is not tied.
+    [[nodiscard]] const TiedNode* tie(int node) const;
+
+    /// True where a node's term (0: standard) has no unknowns of its own.
+    [[nodiscard]] bool follows(int node, int term) const;
+
+    /// The nodes whose unknowns make the jump at a node, with their shares: itself, or the ends of its edge.
+    [[nodiscard]] std::vector<std::pair<int, double>> holders_of_jump(int node) const;
+
+    /// A term of a node and the first of its two unknowns.
+    struct OwnUnknown {
+        int node, term, unknown;
+    };
+    /// All terms that have unknowns, node by node; gathered functions come once a node that carries them.
+    [[nodiscard]] std::vector<OwnUnknown> own_unknowns() const;
+
+    /// Of a term that does not follow. Term 0: standard; k: terms[node][k - 1].
+    [[nodiscard]] int unknown(int node, int term, int component) const {
         if (term > 0) {
             const Term& t = terms[static_cast<std::size_t>(node)][static_cast<std::size_t>(term - 1)];
             if (t.kind == Term::Kind::Gathered)
@@ -86,7 +115,7 @@ struct EnrichedMesh {
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
 
 /// The part of a mesh made of the given elements (ascending), with their pieces, all tips, and the terms of their nodes
-/// that do not vanish on all of them.
+/// that do not vanish on all of them. With a hanging node it must hold the ends of its edge.
 EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements);
 
 }  // namespace stria

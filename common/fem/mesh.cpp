@@ -2,14 +2,14 @@
 
 namespace stria {
 
-std::vector<std::vector<int>> elements_around_nodes(const std::vector<std::array<int, 4>>& elements,
-                                                    std::size_t node_count) {
-    std::vector<std::vector<int>> around(node_count);
-    for (std::size_t element = 0; element < elements.size(); ++element) {
-        for (const int node : elements[element]) {
+std::vector<std::vector<int>> elements_around_nodes(const Mesh& mesh) {
+    std::vector<std::vector<int>> around(mesh.nodes.size());
+    for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+        for (const int node : mesh.elements[element])
             around[static_cast<std::size_t>(node)].push_back(static_cast<int>(element));
-        }
     }
+    for (const HangingNode& hanging : mesh.hanging)
+        around[static_cast<std::size_t>(hanging.node)].push_back(hanging.larger);
     return around;
 }
 

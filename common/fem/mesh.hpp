@@ -27,21 +27,32 @@ struct SpreadPoint {
     std::string opposite;  // displacements are measured relative to it
 };
 
+/// The middle of an edge of one element that its neighbours across the edge, half as large, have as a corner.
+struct HangingNode {
+    int node;
+    std::array<int, 2> ends;  // of the edge
+    int larger;               // the element
+};
+
 struct Mesh {
     std::vector<Eigen::Vector2d> nodes;                         // mm
     std::vector<std::array<int, 4>> elements;                   // counter-clockwise
+    std::vector<int> level;                                     // how often each element was split; empty: none was
+    std::vector<HangingNode> hanging;                           // ascending by node
     std::map<std::string, std::vector<BoundaryEdge>> boundary;  // by name: "top", "bottom", "left", "right", ...
     std::map<std::string, SpreadPoint> pins;                    // by name: "pin-top", "pin-bottom"
     std::vector<int> insert;          // ascending: elements that stay elastic at any stress (around pins)
     std::optional<double> load_line;  // x, mm: crack lengths are measured from there (CT)
 
+    [[nodiscard]] bool is_split(int element) const {
+        return !level.empty() && level[static_cast<std::size_t>(element)] > 0;
+    }
     [[nodiscard]] bool in_insert(int element) const {
         return std::binary_search(insert.begin(), insert.end(), element);
     }
 };
 
-/// For each node the elements around it, in element order.
-std::vector<std::vector<int>> elements_around_nodes(const std::vector<std::array<int, 4>>& elements,
-                                                    std::size_t node_count);
+/// For each node the elements around it, in element order; around a hanging node then the larger one.
+std::vector<std::vector<int>> elements_around_nodes(const Mesh& mesh);
 
 }  // namespace stria

@@ -16,7 +16,9 @@ auto at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 bool is_plain(const EnrichedMesh& mesh, int element) {
-    return std::ranges::all_of(mesh.elements[at(element)], [&](int node) { return mesh.terms[at(node)].empty(); });
+    return std::ranges::all_of(mesh.elements[at(element)], [&](int node) {
+        return mesh.terms[at(node)].empty() && (mesh.tied.empty() || mesh.tie(node) == nullptr);
+    });
 }
 
 std::array<int, 8> plain_unknowns(const EnrichedMesh& mesh, int element) {

@@ -26,7 +26,7 @@ struct PlainOperator {
     [[nodiscard]] Eigen::Matrix<double, 8, 8> stiffness(const MandelMatrix& elastic) const;
 };
 
-/// True where none of the element's nodes carries a term.
+/// True where none of the element's nodes carries a term or hangs.
 [[nodiscard]] bool is_plain(const EnrichedMesh& mesh, int element);
 
 /// The two standard unknowns of each node.

@@ -117,6 +117,7 @@ struct FineSection {
     double beta = 2.0;
     std::optional<double> radius;  // mm
     int refine = 1;
+    double growth = 0.15;  // of the element size with the distance to the tip
     int subcells = 2;
     int substeps = 1;  // of a strain increment, at points that flow
     Enrichment enrichment = Enrichment::Auto;

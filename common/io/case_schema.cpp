@@ -212,6 +212,11 @@ Section<FineSection> fine_section() {
     s.value("beta", &FineSection::beta).positive().says("Zone radius R_sub = beta (pi/16) K_I^2 / sigma_y^2, eq. (3).");
     s.value("radius", &FineSection::radius).in("mm").positive().says("A fixed zone radius instead of eq. (3).");
     s.value("refine", &FineSection::refine).power_of_two().says("Mesh size over element size at the tip.");
+    s.value("growth", &FineSection::growth)
+        .at_least(0.0)
+        .below(0.3)
+        .says(
+            "With refine: elements within the zone's radius may be this times as large as they are far from the tip.");
     s.value("subcells", &FineSection::subcells)
         .at_least(1)
         .says("Sub-quadrangles per element edge, 2 x 2 Gauss points each.");

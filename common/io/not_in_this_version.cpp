@@ -55,7 +55,6 @@ const std::vector<NotYet>& not_in_this_version() {
         above("crack.contact.friction", 0.0, "contact is frictionless, friction = 0"),
         word("load.control", "K", "control is \"load\" or \"displacement\""),
         key("growth", "cracks do not grow"),
-        above("fine.refine", 1.0, "refine is 1; mesh.grading makes small elements"),
         key("output.checkpoint_every", "no checkpoints are written"),
     };
     return list;

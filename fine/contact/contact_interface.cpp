@@ -43,9 +43,11 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
     for (const FaceStation& station : stations_) {
         for (int k = 0; k < 4; ++k) {
             const int node = mesh.elements[static_cast<std::size_t>(station.element)][static_cast<std::size_t>(k)];
-            Share& share = shares[{station.crack, branch_of(station), node}];
-            share.length += station.weight * station.shape[k];
-            share.moment += station.weight * station.shape[k] * station.s;
+            for (const auto& [holder, part] : mesh.holders_of_jump(node)) {
+                Share& share = shares[{station.crack, branch_of(station), holder}];
+                share.length += part * station.weight * station.shape[k];
+                share.moment += part * station.weight * station.shape[k] * station.s;
+            }
         }
     }
     for (const auto& [key, share] : shares) {
@@ -55,10 +57,7 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
         }
     }
     std::vector<int> node_of(static_cast<std::size_t>(mesh.unknowns));
-    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
-        const int end = node + 1 < static_cast<int>(mesh.nodes.size()) ? mesh.unknown(node + 1, 0, 0) : mesh.unknowns;
-        for (int i = mesh.unknown(node, 0, 0); i < end; ++i) node_of[static_cast<std::size_t>(i)] = node;
-    }
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[static_cast<std::size_t>(unknown)] = node;
     const auto column = [&](int unknown) {
         return std::ranges::lower_bound(jump_unknowns_, unknown) - jump_unknowns_.begin();
     };

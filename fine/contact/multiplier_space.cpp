@@ -31,8 +31,10 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
             if (place < 0.0 || s < notch) return;
             const auto edge = static_cast<std::size_t>(place);
             const bool at_node = place == std::floor(place);
-            branches_.back().crossings.push_back(
-                {s, {element[edge % 4], element[at_node ? edge % 4 : (edge + 1) % 4]}});
+            std::vector<int> nodes;
+            for (const std::size_t corner : {edge % 4, at_node ? edge % 4 : (edge + 1) % 4})
+                for (const auto& [node, share] : mesh.holders_of_jump(element[corner])) nodes.push_back(node);
+            branches_.back().crossings.push_back({s, std::move(nodes)});
         };
         for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
             const double s0 = std::max(piece.s[k], notch), s1 = piece.s[k + 1];
@@ -55,14 +57,15 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
 void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch) {
     const auto has_own_jump = [&](int node) {
         for (int term = 1; term <= static_cast<int>(mesh.terms[static_cast<std::size_t>(node)].size()); ++term) {
-            if (!std::ranges::binary_search(boundary, mesh.unknown(node, term, 0))) return true;
+            if (!mesh.follows(node, term) && !std::ranges::binary_search(boundary, mesh.unknown(node, term, 0)))
+                return true;
         }
         return false;
     };
     branch.first_multiplier = size();
     std::set<int> taken;
     for (const Crossing& crossing : branch.crossings) {
-        if (taken.contains(crossing.nodes[0]) || taken.contains(crossing.nodes[1])) continue;
+        if (std::ranges::any_of(crossing.nodes, [&](int node) { return taken.contains(node); })) continue;
         if (std::ranges::none_of(crossing.nodes, has_own_jump)) continue;
         taken.insert(crossing.nodes.begin(), crossing.nodes.end());
         nodes_.push_back(crossing.s);

@@ -38,7 +38,7 @@ public:
 private:
     struct Crossing {
         double s;
-        std::array<int, 2> nodes;  // ends of the edge; equal at a node
+        std::vector<int> nodes;  // whose unknowns make the jump there
     };
     struct Branch {
         double first_s, last_s;

@@ -20,6 +20,15 @@ namespace {
 /// Plastic flow in tension, contact in compression, 40 increments.
 const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "solver.tolerance=1e-12"};
 
+/// The same on large elements that the zone splits; the crack runs through their middles, and from large into small.
+const std::vector<std::string> refined_scene{"mesh.grading=[]", "mesh.size=7.4", "fine.refine=16", "fine.growth=0.25",
+                                             "solver.tolerance=1e-12"};
+
+struct Scenery {
+    const char* name;
+    std::vector<std::string> settings;
+};
+
 RunHistory run_over_memory(const Case& input) {
     auto [coarse_end, fine_end] = coupling::make_memory_transports();
     auto server = std::async(std::launch::async, [&input, end = std::move(fine_end)] {
@@ -36,12 +45,20 @@ RunHistory run_over_memory(const Case& input) {
     return history;
 }
 
-class Modes : public testing::Test {
+class Modes : public testing::TestWithParam<Scenery> {
 protected:
-    static void SetUpTestSuite() { direct = std::make_unique<RunHistory>(run_direct(sent_case(small_scene))); }
-    static void TearDownTestSuite() { direct.reset(); }
+    [[nodiscard]] static Case input() { return sent_case(GetParam().settings); }
 
-    inline static std::unique_ptr<RunHistory> direct;
+    void SetUp() override {
+        std::unique_ptr<RunHistory>& known = histories_[GetParam().name];
+        if (!known) known = std::make_unique<RunHistory>(run_direct(input()));
+        direct = known.get();
+    }
+
+    const RunHistory* direct = nullptr;
+
+private:
+    inline static std::map<std::string, std::unique_ptr<RunHistory>> histories_;
     const Deadline deadline_{std::chrono::seconds(120)};
 };
 
@@ -75,15 +92,15 @@ std::vector<double> numbers_of(const coupling::StepReport& report) {
     return numbers;
 }
 
-TEST_F(Modes, SceneFlowsAndCloses) {
+TEST_P(Modes, SceneFlowsAndCloses) {
     EXPECT_GT(direct->increments.back().zone.dissipation, 0.1);
     EXPECT_GT(direct->at_minimum().zone.contact_length[0], 15.0);
     EXPECT_EQ(direct->at_maximum().zone.contact_length[0], 0.0);
     EXPECT_EQ(direct->cuts, 0);
 }
 
-TEST_F(Modes, OverATransportEveryBitIsTheSame) {
-    const RunHistory remote = run_over_memory(sent_case(small_scene));
+TEST_P(Modes, OverATransportEveryBitIsTheSame) {
+    const RunHistory remote = run_over_memory(input());
     ASSERT_EQ(remote.increments.size(), direct->increments.size());
     for (std::size_t k = 0; k < remote.increments.size(); ++k) {
         const coarse::Increment &a = direct->increments[k], &b = remote.increments[k];
@@ -95,10 +112,9 @@ TEST_F(Modes, OverATransportEveryBitIsTheSame) {
     }
 }
 
-TEST_F(Modes, MonolithicIsTheSameToRounding) {
-    const Case input = sent_case(small_scene);
-    MonolithicFactory factory(input);
-    const RunHistory whole = run_analysis(input, factory);
+TEST_P(Modes, MonolithicIsTheSameToRounding) {
+    MonolithicFactory factory(input());
+    const RunHistory whole = run_analysis(input(), factory);
     ASSERT_EQ(whole.increments.size(), direct->increments.size());
     const coarse::TipResult& scale = direct->at_maximum().tips[0];
     for (std::size_t k = 0; k < whole.increments.size(); ++k) {
@@ -116,6 +132,10 @@ TEST_F(Modes, MonolithicIsTheSameToRounding) {
                   1e-9 * a.displacement.lpNorm<Eigen::Infinity>());
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
+                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene}),
+                         [](const auto& scenery) { return std::string(scenery.param.name); });
 
 /// history.csv by columns; empty cells are NaN.
 std::map<std::string, std::vector<double>> columns_of(const std::string& text) {

@@ -1,19 +1,16 @@
 // The exact singular fields on the boundary of a square with a crack to its middle: energy-norm and K errors.
 #include <gtest/gtest.h>
 
-#include <Eigen/SparseCholesky>
-
 #include <fmt/format.h>
 
 #include <iostream>
 
 #include "coarse/fracture_parameters.hpp"
-#include "tests/support/elastic_scene.hpp"
+#include "tests/support/condition_number.hpp"
+#include "tests/support/exact_field.hpp"
 
 namespace stria::test {
 namespace {
-
-const Elasticity unit{1.0, 0.3};
 
 TEST(WilliamsField, MatchesReferenceValues) {  // REFERENCES 2.6: K = 1, r = 1
     const Tip tip{.crack = 0, .position = {0.0, 0.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = 1};
@@ -33,64 +30,17 @@ TEST(WilliamsField, FacesAreFreeOfTraction) {
     }
 }
 
-/// Holds every boundary unknown at the exact field: standard ones at the nodes, and the jump of either side's field
-/// continued to the node.
-void impose(coarse::Scene& scene, int mode) {
-    const EnrichedMesh& mesh = scene.enriched;
-    const auto exact = [&](const Vec2& x, int side) {
-        return williams_field(mode, mesh.tips.front(), x, side, scene.elastic).displacement;
-    };
-    std::vector<coarse::PrescribedUnknown> held;
-    for (const int node : boundary_nodes(scene.mesh)) {
-        const Vec2& x = mesh.nodes[at(node)];
-        const Vec2 u = exact(x, 0), half_jump = (exact(x, 1) - exact(x, -1)) / 2.0;
-        for (int c = 0; c < 2; ++c) {
-            held.push_back({mesh.unknown(node, 0, c), u[c]});
-            if (heaviside_side(mesh, node) != 0.0) held.push_back({mesh.unknown(node, 1, c), half_jump[c]});
-        }
-    }
-    std::ranges::sort(held, {}, &coarse::PrescribedUnknown::unknown);
-    scene.prescribed = held;
-}
-
 struct Errors {
     double energy, K;
 };
 
-struct Setting {
-    coarse::TipEnrichment tips;
-    int mode;
-    bool along_edges;  // or through the middle of the elements
-};
-
-coarse::Scene exact_boundary(int n, const Setting& setting) {
-    const Mesh mesh = coarse::grid_mesh(equal_cells(n), equal_cells(setting.along_edges ? n + 1 : n));
-    const std::vector<Vec2> crack{{0.0, 0.5}, {0.5, 0.5}};
-    coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, setting.tips), unit);
-    scene.input.cracks = {{.points = crack, .contact = {}}};
-    impose(scene, setting.mode);
-    return scene;
-}
-
 Errors errors(int n, const Setting& setting) {
-    const int mode = setting.mode;
     const coarse::Scene scene = exact_boundary(n, setting);
     const coarse::Structure structure(scene, no_zone(scene));
     const Eigen::VectorXd u = structure.expand({}, 1.0);
-    double wrong = 0.0, whole = 0.0;
-    structure.for_each_operator([&](const auto& op) {
-        const auto local = gather(u, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const IntegrationPoint& point = op.points[q];
-            const Mandel strain =
-                strain_of(williams_field(mode, scene.enriched.tips[0], point.x, point.side, unit).gradient);
-            const Mandel difference = op.strain(local, q) - strain;
-            wrong += point.weight * difference.dot(unit.stiffness() * difference);
-            whole += point.weight * strain.dot(unit.stiffness() * strain);
-        }
-    });
     const coarse::TipResult tip = coarse::fracture_parameters(structure, u, {}).front();
-    return {std::sqrt(wrong / whole), std::hypot(tip.K_I - (mode == 1), tip.K_II - (mode == 2))};
+    return {energy_error(structure, u, setting.mode),
+            std::hypot(tip.K_I - (setting.mode == 1), tip.K_II - (setting.mode == 2))};
 }
 
 struct Rates {
@@ -137,35 +87,6 @@ INSTANTIATE_TEST_SUITE_P(Settings, ExactBoundary,
                                                 setting.param.mode, setting.param.along_edges ? "along" : "across");
                          });
 
-/// Of the free unknowns' stiffness, every diagonal entry scaled to 1: largest over smallest eigenvalue, by power
-/// iterations.
-double condition_number(const coarse::Scene& scene) {
-    const SparseMatrix whole = coarse::Structure(scene, no_zone(scene)).stiffness();
-    std::vector<char> held(at(scene.enriched.unknowns), 0);
-    for (const coarse::PrescribedUnknown& p : scene.prescribed) held[at(p.unknown)] = 1;
-    std::vector<Triplet> entries;
-    for (int j = 0; j < whole.outerSize(); ++j) {
-        for (SparseMatrix::InnerIterator entry(whole, j); entry; ++entry) {
-            const auto i = static_cast<int>(entry.row());
-            const double scale = std::sqrt(whole.coeff(i, i) * whole.coeff(j, j));
-            if (held[at(i)] == 0 && held[at(j)] == 0) entries.emplace_back(i, j, entry.value() / scale);
-            if (i == j && held[at(i)] != 0) entries.emplace_back(i, i, 1.0);
-        }
-    }
-    SparseMatrix K(whole.rows(), whole.cols());
-    K.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<SparseMatrix> factor(K);
-    Eigen::VectorXd large = Eigen::VectorXd::Random(K.rows()), small = large;
-    double largest = 0.0, smallest = 0.0;
-    for (int k = 0; k < 60; ++k) {
-        large = K * large.normalized();
-        small = factor.solve(small.normalized());
-        largest = large.norm();
-        smallest = 1.0 / small.norm();
-    }
-    return largest / smallest;
-}
-
 class FixedRadius : public ::testing::TestWithParam<std::tuple<double, int, bool>> {
 protected:
     static std::pair<std::vector<Errors>, Rates> over(const std::vector<int>& sizes) {
@@ -198,7 +119,8 @@ TEST(FixedRadius, IsAsWellConditionedAsPlainElements) {
     const auto rate_of = [](coarse::TipSupport support) {
         double last = 0.0, rate = 0.0;
         for (const int n : {11, 21, 41}) {
-            const double found = condition_number(exact_boundary(n, {{4, 0.5, support, 0.2}, 1, false}));
+            const coarse::Scene scene = exact_boundary(n, {{4, 0.5, support, 0.2}, 1, false});
+            const double found = condition_number(coarse::Structure(scene, no_zone(scene)));
             rate = last > 0.0 ? std::log(found / last) / std::log(double(n) / (n == 21 ? 11 : 21)) : 0.0;
             std::cout << fmt::format("{} n {:2d}: condition number {:.3e}, rate {:.2f}\n",
                                      support == coarse::TipSupport::Nodal ? "nodal" : "gathered", n, found, rate);

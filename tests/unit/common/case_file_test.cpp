@@ -216,11 +216,24 @@ TEST_F(CaseFile, SaysPlainlyWhatThisVersionHasNot) {
     EXPECT_EQ(complaint_about("friction = 0.0", "friction = 0.2"),
               "case.toml:16: crack.0.contact.friction = 0.2 is not available in this version; contact is frictionless, "
               "friction = 0");
-    for (const char* passage : {"[growth]\nlaw = \"paris\"\n", "[fine]\nrefine = 8\n", "[regions]\nsteel = \"a\"\n",
+    for (const char* passage : {"[growth]\nlaw = \"paris\"\n", "[regions]\nsteel = \"a\"\n",
                                 "[material.steel]\nyoung = 1.0\n", "[material.isotropic]\nlaw = \"voce\"\nQ = 1.0\n"})
         EXPECT_NE(complaint(complete + passage).find("is not available in this version"), std::string::npos) << passage;
     EXPECT_NE(complaint(complete, {"load.control=K"}).find("is not available in this version"), std::string::npos);
     EXPECT_NE(complaint(complete, {"material.kinematic.0.gamma=5"}).find("not available"), std::string::npos);
+}
+
+TEST_F(CaseFile, RefinementNeedsARadiusWhereNothingYields) {
+    const std::string plastic = "yield_stress = 300.0\n";
+    std::string elastic = complete;
+    elastic.erase(elastic.find(plastic), plastic.size());
+    EXPECT_NE(complaint(elastic, {"fine.refine=8"}).find("fine.refine = 8 needs fine.radius"), std::string::npos);
+    const auto accepted = [&](const std::string& text, const std::vector<std::string>& settings) {
+        return complaint(text, settings).find("fine.refine") == std::string::npos;
+    };
+    EXPECT_TRUE(accepted(elastic, {"fine.refine=8", "fine.radius=2.0"}));
+    EXPECT_TRUE(accepted(complete, {"fine.refine=8"}));
+    EXPECT_FALSE(accepted(complete, {"fine.refine=3"}));
 }
 
 TEST_F(CaseFile, GeometricalEnrichmentIsForElasticTractionFreeScenes) {

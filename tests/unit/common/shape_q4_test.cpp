@@ -70,10 +70,15 @@ TEST(ShapeQ4, PlacesOnTheBoundary) {
 }
 
 TEST(Mesh, KnowsTheElementsAroundEachNode) {
-    const auto around = elements_around_nodes({{0, 1, 4, 3}, {1, 2, 5, 4}}, 7);
+    Mesh mesh;
+    mesh.nodes.resize(8);
+    mesh.elements = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+    mesh.hanging = {{7, {1, 2}, 1}};
+    const auto around = elements_around_nodes(mesh);
     EXPECT_EQ(around[0], std::vector<int>{0});
     EXPECT_EQ(around[4], (std::vector<int>{0, 1}));
     EXPECT_TRUE(around[6].empty());
+    EXPECT_EQ(around[7], std::vector<int>{1});
 }
 
 }  // namespace

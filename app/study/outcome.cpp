@@ -1,0 +1,181 @@
+#include "app/study/outcome.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "app/study/run_files.hpp"
+
+namespace stria::study {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double same_load = 1e-9;  // of the range of the load: controlled loads are reached to rounding
+
+constexpr std::array<Quantity, 5> size_list = {{{"coarse_unknowns", ""},
+                                                {"interface_unknowns", ""},
+                                                {"fine_unknowns", ""},
+                                                {"fine_points", ""},
+                                                {"multipliers", ""}}};
+constexpr std::array<Quantity, 10> phase_list = {{{"mesh", "s"},
+                                                  {"setup", "s"},
+                                                  {"coarse_factor", "s"},
+                                                  {"fine_constitutive", "s"},
+                                                  {"fine_contact", "s"},
+                                                  {"fine_factor", "s"},
+                                                  {"exchange", "s"},
+                                                  {"coarse_solve", "s"},
+                                                  {"output", "s"},
+                                                  {"total", "s"}}};
+constexpr std::array<Quantity, 9> work_list = {{{"newton_iterations", ""},
+                                                {"step_cuts", ""},
+                                                {"zone_extensions", ""},
+                                                {"yield_warnings", ""},
+                                                {"messages", ""},
+                                                {"bytes", ""},
+                                                {"messages_per_iteration", ""},
+                                                {"bytes_per_iteration", ""},
+                                                {"ms_per_iteration", "ms"}}};
+constexpr std::array<Quantity, 9> result_list = {{{"J", "N/mm"},
+                                                  {"K_I", "MPa sqrt(mm)"},
+                                                  {"CTOD", "mm"},
+                                                  {"CMOD", "mm"},
+                                                  {"plastic_zone", "mm"},
+                                                  {"contact_length", "mm"},
+                                                  {"contact_edge", "mm"},
+                                                  {"opening_at_max", "mm"},
+                                                  {"opening_at_min", "mm"}}};
+
+void keep(Outcome& outcome, const std::string& name, double value) {
+    if (std::isfinite(value)) outcome.values[name] = value;
+}
+
+void read_summary(const std::filesystem::path& folder, Outcome& outcome) {
+    const JsonObject summary = read_json(folder / "summary.json");
+    if (const auto status = summary.words.find("status"); status != summary.words.end())
+        outcome.status = status->second;
+    const auto take = [&](const std::string& name, const std::string& path) {
+        if (const auto found = summary.numbers.find(path); found != summary.numbers.end())
+            keep(outcome, name, found->second);
+    };
+    for (const Quantity& size : sizes()) take(size.name, size.name);
+    for (const Quantity& phase : phases()) take(phase.name, std::string("timing.") + phase.name);
+    for (const Quantity& count : work()) take(count.name, count.name);
+    const double iterations = outcome.value("newton_iterations");
+    keep(outcome, "messages_per_iteration", outcome.value("messages") / iterations);
+    keep(outcome, "bytes_per_iteration", outcome.value("bytes") / iterations);
+    const double solving = outcome.value("exchange") + outcome.value("coarse_solve");
+    keep(outcome, "ms_per_iteration", 1e3 * solving / iterations);
+}
+
+/// Rows of the first tip, or of the scene where it has none.
+std::vector<std::size_t> rows_of_first_tip(const NumberTable& history) {
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < history.rows; ++row)
+        if (!(history["tip"][row] > 0.0)) rows.push_back(row);
+    return rows;
+}
+
+/// The first row at the largest load (`sign` 1) or the smallest (-1).
+std::size_t extreme_row(const NumberTable& history, const std::vector<std::size_t>& rows, double sign) {
+    const std::vector<double>& load = history["load_factor"];
+    const auto [least, most] = std::ranges::minmax_element(rows, {}, [&](std::size_t row) { return sign * load[row]; });
+    const double bound = sign * load[*most] - same_load * std::abs(load[*most] - load[*least]);
+    return *std::ranges::find_if(rows, [&](std::size_t row) { return sign * load[row] >= bound; });
+}
+
+Profile profile_at(const NumberTable& faces, double increment) {
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < faces.rows; ++row)
+        if (faces["increment"][row] == increment && faces["crack"][row] == 0.0) rows.push_back(row);
+    std::ranges::sort(rows, {}, [&](std::size_t row) { return faces["s"][row]; });
+    Profile profile;
+    for (const std::size_t row : rows) {
+        profile.s.push_back(faces["s"][row]);
+        profile.opening.push_back(faces["opening"][row]);
+    }
+    return profile;
+}
+
+/// The closed station with the largest s; NaN where none is closed.
+double contact_edge(const NumberTable& faces, double increment) {
+    double edge = missing;
+    for (std::size_t row = 0; row < faces.rows; ++row)
+        if (faces["increment"][row] == increment && faces["crack"][row] == 0.0 && faces["status"][row] > 0.0)
+            edge = std::fmax(edge, faces["s"][row]);
+    return edge;
+}
+
+/// Faces are written at the extremes of the last cycle, which need not be the increments of the history's extremes.
+double last_face_increment(const NumberTable& history, const NumberTable& faces, double load) {
+    double found = missing;
+    for (std::size_t row = 0; row < history.rows; ++row) {
+        const double increment = history["increment"][row];
+        if (std::abs(history["load_factor"][row] - load) <= same_load * std::abs(load) &&
+            std::ranges::count(faces["increment"], increment) > 0)
+            found = increment;
+    }
+    return found;
+}
+
+void read_faces(const std::filesystem::path& folder, const NumberTable& history, double largest, double smallest,
+                Outcome& outcome) {
+    const NumberTable faces = read_table(folder / "faces.csv");
+    if (faces.rows == 0) return;
+    const double last_minimum = last_face_increment(history, faces, smallest);
+    outcome.at_maximum = profile_at(faces, last_face_increment(history, faces, largest));
+    outcome.at_minimum = profile_at(faces, last_minimum);
+    keep(outcome, "opening_at_max", mean_opening(outcome.at_maximum));
+    keep(outcome, "opening_at_min", mean_opening(outcome.at_minimum));
+    keep(outcome, "contact_edge", contact_edge(faces, last_minimum));
+}
+
+void read_results(const std::filesystem::path& folder, Outcome& outcome) {
+    const NumberTable history = read_table(folder / "history.csv");
+    if (history.rows == 0) return;
+    const std::vector<std::size_t> rows = rows_of_first_tip(history);
+    const std::size_t maximum = extreme_row(history, rows, 1.0), minimum = extreme_row(history, rows, -1.0);
+    for (const char* name : {"J", "K_I", "CTOD", "CMOD", "plastic_zone"}) keep(outcome, name, history[name][maximum]);
+    keep(outcome, "contact_length", history["contact_length"][minimum]);
+    read_faces(folder, history, history["load_factor"][maximum], history["load_factor"][minimum], outcome);
+}
+
+}  // namespace
+
+std::span<const Quantity> sizes() { return size_list; }
+std::span<const Quantity> phases() { return phase_list; }
+std::span<const Quantity> work() { return work_list; }
+std::span<const Quantity> results() { return result_list; }
+
+double Outcome::value(const std::string& name) const {
+    const auto found = values.find(name);
+    return found != values.end() ? found->second : missing;
+}
+
+Outcome read_outcome(const std::filesystem::path& folder) {
+    Outcome outcome;
+    read_summary(folder, outcome);
+    if (outcome.status == "done") read_results(folder, outcome);
+    return outcome;
+}
+
+double relative_error(double value, double reference) {
+    if (value == reference) return 0.0;
+    return reference != 0.0 ? std::abs(value - reference) / std::abs(reference) : missing;
+}
+
+std::map<std::string, double> errors(const Outcome& outcome, const Outcome& reference) {
+    std::map<std::string, double> all;
+    for (const Quantity& result : results())
+        all[result.name] = relative_error(outcome.value(result.name), reference.value(result.name));
+    if (!reference.at_maximum.s.empty())
+        all["opening_at_max"] = relative_error(outcome.at_maximum, reference.at_maximum);
+    if (!reference.at_minimum.s.empty())
+        all["opening_at_min"] = relative_error(outcome.at_minimum, reference.at_minimum);
+    std::erase_if(all, [](const auto& error) { return !std::isfinite(error.second); });
+    return all;
+}
+
+}  // namespace stria::study

@@ -1,0 +1,143 @@
+#include "app/study/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/charts/chart.hpp"
+#include "app/study/figures.hpp"
+
+namespace stria::study {
+
+namespace {
+
+using charts::escaped;
+
+constexpr const char* style = R"(
+body { margin: 2rem auto; max-width: 76rem; padding: 0 1rem; font: 15px/1.45 sans-serif; color: #222; background: #fff; }
+h1 { font-size: 1.5rem; margin-bottom: .3rem; }
+h2 { font-size: 1.15rem; margin: 2rem 0 .3rem; border-bottom: 1px solid #ccc; }
+p { margin: .3rem 0; max-width: 60rem; }
+.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr)); gap: 1rem; align-items: start; }
+svg { width: 100%; height: auto; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
+caption { text-align: left; padding: .3rem 0; }
+th, td { padding: .2rem .6rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
+th { border-bottom: 1px solid #222; vertical-align: bottom; }
+td.word, th.word { text-align: left; }
+tr.bad td { background: #fdf0e6; }
+)";
+
+struct Column {
+    std::string head;
+    std::string unit;
+    std::string quantity;
+    double factor = 1.0;
+};
+
+std::vector<Column> shown_columns(const Report& report) {
+    std::vector<Column> all = {{"time", "s", "total"},
+                               {"iterations", "", "newton_iterations"},
+                               {"iteration", "ms", "ms_per_iteration"},
+                               {"points", "", "fine_points"},
+                               {"structure", "unknowns", "coarse_unknowns"},
+                               {"interface", "unknowns", "interface_unknowns"},
+                               {"zone", "unknowns", "fine_unknowns"},
+                               {"traffic", "MB", "bytes", 1e-6}};
+    for (const Quantity& result : results()) all.push_back({result.name, result.unit, result.name});
+    std::erase_if(all, [&](const Column& column) {
+        return std::ranges::none_of(report.rows,
+                                    [&](const Row& row) { return std::isfinite(row.outcome.value(column.quantity)); });
+    });
+    return all;
+}
+
+std::vector<Quantity> shown_errors(const Report& report) {
+    std::vector<Quantity> shown;
+    for (const Quantity& result : results())
+        if (std::ranges::any_of(report.rows, [&](const Row& row) { return row.errors.contains(result.name); }))
+            shown.push_back(result);
+    return shown;
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
+
+std::string percent(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", 100.0 * value) : ""; }
+
+std::string head_of(const Report& report, const std::vector<Column>& columns, const std::vector<Quantity>& errors) {
+    std::string text = "<thead><tr><th scope=\"col\" class=\"word\">run</th>";
+    for (const Axis& axis : report.axes)
+        text += fmt::format("<th scope=\"col\" class=\"word\">{}</th>", escaped(axis.key));
+    text += "<th scope=\"col\" class=\"word\">status</th>";
+    for (const Column& column : columns)
+        text +=
+            fmt::format("<th scope=\"col\">{}{}</th>", column.head, column.unit.empty() ? "" : "<br>" + column.unit);
+    for (const Quantity& error : errors) text += fmt::format("<th scope=\"col\">error of<br>{}, %</th>", error.name);
+    return text + "</tr></thead>\n";
+}
+
+std::string line_of(const Row& row, const Report& report, const std::vector<Column>& columns,
+                    const std::vector<Quantity>& errors) {
+    std::string text = row.outcome.status == "done" ? "<tr>" : "<tr class=\"bad\">";
+    text +=
+        fmt::format("<td class=\"word\">{}</td>", row.number > 0 ? std::to_string(row.number) : escaped(row.folder));
+    for (const Axis& axis : report.axes) {
+        const auto setting = std::ranges::find(row.settings, axis.key, &Setting::key);
+        text += fmt::format("<td class=\"word\">{}</td>", setting != row.settings.end() ? escaped(setting->value) : "");
+    }
+    text += fmt::format("<td class=\"word\">{}</td>", escaped(row.outcome.status));
+    for (const Column& column : columns)
+        text += fmt::format("<td>{}</td>", number(column.factor * row.outcome.value(column.quantity)));
+    for (const Quantity& error : errors) text += fmt::format("<td>{}</td>", percent(row.error(error.name)));
+    return text + "</tr>\n";
+}
+
+std::string table_of(const Report& report) {
+    const std::vector<Column> columns = shown_columns(report);
+    const std::vector<Quantity> errors = shown_errors(report);
+    std::string text = "<div class=\"wide\"><table>\n<caption>All columns are in study.csv.</caption>\n";
+    text += head_of(report, columns, errors) + "<tbody>\n";
+    for (const auto* rows : {&report.rows, &report.references})
+        for (const Row& row : *rows) text += line_of(row, report, columns, errors);
+    return text + "</tbody></table></div>\n";
+}
+
+std::string complaints(const Report& report) {
+    std::string items;
+    for (const auto* rows : {&report.rows, &report.references})
+        for (const Row& row : *rows)
+            if (!row.outcome.message.empty())
+                items += fmt::format("<li>{}: {}</li>\n", escaped(row.folder), escaped(row.outcome.message));
+    return items.empty() ? "" : "<p>What is not done, and why:</p>\n<ul>\n" + items + "</ul>\n";
+}
+
+std::string introduction(const Report& report) {
+    const auto done = std::ranges::count_if(report.rows, [](const Row& row) { return row.outcome.status == "done"; });
+    std::string text =
+        fmt::format("<p>{} of {} variants of {} done.", done, report.rows.size(), escaped(report.case_path));
+    for (const Axis& axis : report.axes)
+        text += escaped(fmt::format(" {} = {}.", axis.key, fmt::join(axis.values, ", ")));
+    if (!report.fixed.empty()) text += escaped(fmt::format(" In all: {}.", fmt::join(report.fixed, ", ")));
+    if (!report.reference.empty()) text += escaped(fmt::format(" Reference: {}.", report.reference));
+    return text + fmt::format(" {}.</p>\n", escaped(report.version));
+}
+
+}  // namespace
+
+std::string page(const Report& report) {
+    std::string text = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                                   "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}</title>\n"
+                                   "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+                                   escaped(report.title), style, escaped(report.title));
+    text += introduction(report) + complaints(report);
+    for (const Figure& figure : figures(report)) {
+        text += fmt::format("<h2>{}</h2>\n", escaped(figure.title));
+        if (!figure.sentence.empty()) text += fmt::format("<p>{}</p>\n", escaped(figure.sentence));
+        text += fmt::format("<div class=\"charts\">\n{}</div>\n", fmt::join(figure.charts, ""));
+    }
+    return text + "<h2>Variants</h2>\n" + table_of(report) + "</body>\n</html>\n";
+}
+
+}  // namespace stria::study

@@ -1,0 +1,105 @@
+#include "app/study/study.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/exit_code.hpp"
+#include "app/study/page.hpp"
+#include "app/study/plan.hpp"
+#include "app/study/runner.hpp"
+#include "app/version.hpp"
+#include "common/error.hpp"
+#include "common/io/case_file.hpp"
+#include "common/io/whole_file.hpp"
+
+namespace stria::study {
+
+namespace {
+
+void claim_folder(StudyOptions& options) {
+    std::string& folder = options.run.output_directory;
+    if (folder.empty()) folder = "runs/" + read_case(options.run.case_path, options.run.overrides).name + "-study";
+    if (!options.run.force && !options.resume && std::filesystem::exists(std::filesystem::path(folder) / "study.csv"))
+        throw CaseError(fmt::format(
+            "{} holds a study; --resume keeps what is done, --force overwrites, -o DIR writes elsewhere", folder));
+    std::error_code problem;
+    std::filesystem::create_directories(folder, problem);
+    if (!std::filesystem::is_directory(folder) || access(folder.c_str(), W_OK) != 0)
+        throw CaseError(fmt::format("{}: the folder of the study cannot be made or written to", folder));
+    options.run.force = true;  // the variants' folders are ours now
+}
+
+/// Modes and ranks that do not vary hold for all variants.
+void fix_single_values(StudyOptions& options) {
+    Settings single;
+    if (options.modes.size() == 1) single.push_back({mode_key, options.modes.front()});
+    if (options.fine_ranks.size() == 1) single.push_back({ranks_key, options.fine_ranks.front()});
+    options.run = run_options(options.run, single);
+}
+
+/// The outcome that a variant is compared with.
+Outcome reference_of(const Plan& plan, const Row& variant) {
+    Outcome reference;
+    for (const auto* rows : {&plan.references, &plan.variants})
+        for (const Row& row : *rows)
+            if (row.folder == variant.reference) reference = row.outcome;
+    if (!plan.reference_folder.empty()) reference = read_outcome(plan.reference_folder);
+    for (const auto& [name, value] : plan.reference_values) {
+        reference.values[name] = value;
+        // A number for the mean opening is compared with the mean, not with a profile.
+        if (name == "opening_at_max") reference.at_maximum = {};
+        if (name == "opening_at_min") reference.at_minimum = {};
+    }
+    return reference;
+}
+
+void write_table(const Plan& plan, const std::filesystem::path& folder) {
+    coarse::CsvWriter table(folder / "study.csv", columns(plan.axes, plan.with_errors));
+    for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
+}
+
+Report report_of(const StudyOptions& options, const Plan& plan) {
+    const Case input = read_case(options.run.case_path, options.run.overrides);
+    std::string reference = options.reference;
+    for (const std::string& value : options.reference_values) reference += (reference.empty() ? "" : ", ") + value;
+    return {.title = input.title.empty() ? input.name : input.title,
+            .case_path = options.run.case_path,
+            .version = version_text(),
+            .fixed = options.run.overrides,
+            .axes = plan.axes,
+            .rows = plan.variants,
+            .references = plan.references,
+            .reference = reference};
+}
+
+int worst_code(const Plan& plan) {
+    int worst = Done;
+    for (const auto* rows : {&plan.references, &plan.variants})
+        for (const Row& row : *rows) worst = std::max(worst, row.outcome.exit_code);
+    return worst;
+}
+
+}  // namespace
+
+int run_study(StudyOptions options) {
+    fix_single_values(options);
+    Plan plan = make_plan(options);
+    claim_folder(options);
+    const std::filesystem::path folder = options.run.output_directory;
+    Runner runner(options.run, options.resume, plan.references.size() + plan.variants.size());
+    for (Row& reference : plan.references) runner.run(reference);
+    for (Row& variant : plan.variants) {
+        runner.run(variant);
+        write_table(plan, folder);
+    }
+    if (plan.with_errors)
+        for (Row& variant : plan.variants) variant.errors = errors(variant.outcome, reference_of(plan, variant));
+    write_table(plan, folder);
+    write_whole_text(folder / "study.html", page(report_of(options, plan)));
+    if (!options.run.quiet) fmt::print("table and charts in {}/study.csv and study.html\n", folder.string());
+    return worst_code(plan);
+}
+
+}  // namespace stria::study

@@ -1,0 +1,44 @@
+#include "app/study/table.hpp"
+
+#include <limits>
+
+namespace stria::study {
+
+double Row::error(const std::string& result) const {
+    const auto found = errors.find(result);
+    return found != errors.end() ? found->second : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::string> columns(const std::vector<Axis>& axes, bool with_errors) {
+    std::vector<std::string> names = {"variant"};
+    for (const Axis& axis : axes) names.push_back(axis.key);
+    names.insert(names.end(), {"status", "exit_code"});
+    for (const Quantity& size : sizes()) names.emplace_back(size.name);
+    for (const Quantity& phase : phases()) names.push_back(std::string(phase.name) + "_s");
+    for (const Quantity& count : work()) names.emplace_back(count.name);
+    for (const Quantity& result : results()) names.emplace_back(result.name);
+    if (with_errors) {
+        for (const Quantity& result : results()) names.push_back(std::string("error_") + result.name);
+        names.emplace_back("reference");
+    }
+    names.insert(names.end(), {"folder", "message"});
+    return names;
+}
+
+std::vector<coarse::Cell> cells(const Row& row, bool with_errors) {
+    std::vector<coarse::Cell> line = {std::int64_t{row.number}};
+    for (const Setting& setting : row.settings) line.emplace_back(setting.value);
+    line.emplace_back(row.outcome.status);
+    line.emplace_back(std::int64_t{row.outcome.exit_code});
+    for (const auto& group : {sizes(), phases(), work(), results()})
+        for (const Quantity& quantity : group) line.emplace_back(row.outcome.value(quantity.name));
+    if (with_errors) {
+        for (const Quantity& result : results()) line.emplace_back(row.error(result.name));
+        line.emplace_back(row.reference);
+    }
+    line.emplace_back(row.folder);
+    line.emplace_back(row.outcome.message);
+    return line;
+}
+
+}  // namespace stria::study

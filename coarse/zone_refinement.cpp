@@ -1,0 +1,31 @@
+#include "coarse/zone_refinement.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "coarse/fatigue_analysis.hpp"
+#include "coarse/tip_reach.hpp"
+#include "coarse/zone_selection.hpp"
+
+namespace stria::coarse {
+
+std::vector<RefinedDisk> disks_to_refine(const Scene& scene) {
+    const EnrichedMesh& mesh = scene.enriched;
+    const FineSection& fine = scene.input.fine;
+    std::vector<double> K_I(mesh.tips.size(), 0.0);
+    if (!fine.radius) {
+        const Structure elastic(scene, std::vector<char>(mesh.elements.size(), 0));
+        const std::vector<TipResult> tips = fracture_parameters(elastic, elastic.expand({}, 1.0), {});
+        const double largest = largest_load_factor(scene.input.load, elastic);
+        std::ranges::transform(tips, K_I.begin(), [&](const TipResult& tip) { return largest * tip.K_I; });
+    }
+    std::vector<RefinedDisk> disks;
+    for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
+        const double smallest = tip_element_size(mesh, mesh.tips[t]) / fine.refine;
+        disks.push_back({mesh.tips[t].position, std::max(zone_radius(scene.input, K_I[t]), 3.0 * smallest),
+                         std::countr_zero(static_cast<unsigned>(fine.refine)), fine.growth});
+    }
+    return disks;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,40 @@
+// How well conditioned the structure's equations are.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+
+#include "tests/support/elastic_scene.hpp"
+
+namespace stria::test {
+
+/// Of the free unknowns' stiffness, every diagonal entry scaled to 1: largest over smallest eigenvalue, by `iterations`
+/// power iterations (some percent too small: the largest eigenvalues lie close together).
+inline double condition_number(const coarse::Structure& structure, int iterations = 60) {
+    const SparseMatrix whole = structure.stiffness();
+    std::vector<char> held(at(structure.scene().enriched.unknowns), 0);
+    for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held[at(p.unknown)] = 1;
+    const Eigen::VectorXd scale = whole.diagonal().cwiseSqrt().cwiseInverse();
+    std::vector<Triplet> entries;
+    entries.reserve(static_cast<std::size_t>(whole.nonZeros()));
+    for (int j = 0; j < whole.outerSize(); ++j) {
+        for (SparseMatrix::InnerIterator entry(whole, j); entry; ++entry) {
+            const auto i = static_cast<int>(entry.row());
+            if (held[at(i)] == 0 && held[at(j)] == 0) entries.emplace_back(i, j, entry.value() * scale[i] * scale[j]);
+            if (i == j && held[at(i)] != 0) entries.emplace_back(i, i, 1.0);
+        }
+    }
+    SparseMatrix K(whole.rows(), whole.cols());
+    K.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<SparseMatrix> factor(K);
+    Eigen::VectorXd large = Eigen::VectorXd::Random(K.rows()), small = large;
+    double largest = 0.0, smallest = 0.0;
+    for (int k = 0; k < iterations; ++k) {
+        large = K * large.normalized();
+        small = factor.solve(small.normalized());
+        largest = large.norm();
+        smallest = 1.0 / small.norm();
+    }
+    return largest / smallest;
+}
+
+}  // namespace stria::test

@@ -1,0 +1,125 @@
+// What a study reads of a run, how it compares runs, and the row it makes of one.
+#include "app/study/outcome.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "app/study/run_files.hpp"
+#include "app/study/table.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::study {
+namespace {
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+/// Two increments up, two down, one up; two tips at each; faces as the last cycle left them.
+void write_run(const test::TemporaryFolder& folder, const std::string& status) {
+    write(folder / "summary.json", R"({"status": ")" + status +
+                                       R"(", "fine_points": 100, "newton_iterations": 20, "messages": 40, "bytes": 800,
+        "timing": {"exchange": 1.5, "coarse_solve": 0.5, "total": 3.0, "setup": null}, "tips": [{"J": 7}]})");
+    write(folder / "history.csv", "increment,load_factor,tip,K_I,J,CMOD,CTOD,contact_length,plastic_zone\n"
+                                  "1,1,0,10,1,,0.1,0,0.2\n1,1,1,90,9,,0.9,0,0.9\n"
+                                  "2,2,0,20,4,,0.2,0,0.4\n2,2,1,90,9,,0.9,0,0.9\n"
+                                  "3,-2,0,-5,0,,0,3.5,0.1\n3,-2,1,90,9,,0.9,8,0.9\n"
+                                  "4,2,0,21,5,,0.3,0,0.5\n4,2,1,90,9,,0.9,0,0.9\n");
+    write(folder / "faces.csv", "increment,crack,s,opening,status\n"
+                                "3,0,1,0.0,1\n3,0,3,0.2,0\n3,0,2,0.0,1\n3,1,9,0.0,1\n"
+                                "4,0,1,0.4,0\n4,0,3,0.0,0\n");
+}
+
+TEST(StudyOutcome, TakesTheFirstTipAtTheFirstLargestLoad) {
+    const test::TemporaryFolder folder;
+    write_run(folder, "done");
+    const Outcome run = read_outcome(folder / "");
+    EXPECT_EQ(run.status, "done");
+    EXPECT_EQ(run.value("J"), 4.0);
+    EXPECT_EQ(run.value("K_I"), 20.0);
+    EXPECT_EQ(run.value("plastic_zone"), 0.4);
+    EXPECT_EQ(run.value("contact_length"), 3.5);
+    EXPECT_TRUE(std::isnan(run.value("CMOD")));
+}
+
+TEST(StudyOutcome, TakesContactAndOpeningsFromTheFacesOfTheFirstCrack) {
+    const test::TemporaryFolder folder;
+    write_run(folder, "done");
+    const Outcome run = read_outcome(folder / "");
+    EXPECT_EQ(run.value("contact_edge"), 2.0);
+    EXPECT_EQ(run.at_minimum.s, (std::vector<double>{1, 2, 3}));
+    EXPECT_DOUBLE_EQ(run.value("opening_at_min"), 0.05);
+    EXPECT_DOUBLE_EQ(run.value("opening_at_max"), 0.2);
+}
+
+TEST(StudyOutcome, DividesWorkByNewtonIterations) {
+    const test::TemporaryFolder folder;
+    write_run(folder, "done");
+    const Outcome run = read_outcome(folder / "");
+    EXPECT_EQ(run.value("fine_points"), 100.0);
+    EXPECT_EQ(run.value("total"), 3.0);
+    EXPECT_EQ(run.value("messages_per_iteration"), 2.0);
+    EXPECT_EQ(run.value("bytes_per_iteration"), 40.0);
+    EXPECT_DOUBLE_EQ(run.value("ms_per_iteration"), 100.0);
+    EXPECT_TRUE(std::isnan(run.value("setup")));
+}
+
+TEST(StudyOutcome, GivesNoResultsOfARunThatIsNotDone) {
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(read_outcome(folder / "nowhere").status, "not run");
+    write_run(folder, "failed");
+    const Outcome run = read_outcome(folder / "");
+    EXPECT_EQ(run.value("fine_points"), 100.0);
+    EXPECT_TRUE(std::isnan(run.value("J")));
+    EXPECT_TRUE(run.at_minimum.s.empty());
+}
+
+TEST(StudyOutcome, ReadsBrokenFilesAsEmptyOnes) {
+    const test::TemporaryFolder folder;
+    write(folder / "summary.json", "{\"status\": ");
+    write(folder / "table.csv", "a,b\n1,2\n3");
+    EXPECT_TRUE(read_json(folder / "summary.json").words.empty());
+    EXPECT_EQ(read_table(folder / "table.csv").rows, 1);
+    EXPECT_EQ(read_table(folder / "none.csv").rows, 0);
+}
+
+TEST(StudyOutcome, ErrorsAreRelative) {
+    EXPECT_DOUBLE_EQ(relative_error(0.9, 1.0), 0.1);
+    EXPECT_DOUBLE_EQ(relative_error(-3.0, -2.0), 0.5);
+    EXPECT_EQ(relative_error(0.0, 0.0), 0.0);
+    EXPECT_TRUE(std::isnan(relative_error(1.0, 0.0)));
+    EXPECT_TRUE(std::isnan(relative_error(NAN, 1.0)));
+}
+
+TEST(StudyOutcome, ProfilesOnOtherStationsOfTheSameLineAreEqual) {
+    const Profile coarse{{0.0, 4.0}, {1.0, 3.0}}, fine{{0.0, 1.0, 2.0, 4.0}, {1.0, 1.5, 2.0, 3.0}};
+    EXPECT_NEAR(relative_error(coarse, fine), 0.0, 1e-15);
+    const Profile tenth_more{{0.0, 4.0}, {1.1, 3.3}};
+    EXPECT_NEAR(relative_error(tenth_more, coarse), 0.1, 1e-12);
+    EXPECT_TRUE(std::isnan(relative_error(coarse, Profile{})));
+    EXPECT_TRUE(std::isnan(relative_error(coarse, Profile{{0.0, 1.0}, {0.0, 0.0}})));
+}
+
+TEST(StudyTable, HasACellForEachColumn) {
+    const std::vector<Axis> axes = {{"fine.beta", {"1"}}, {"mode", {"mpi"}}};
+    Row row{.number = 1, .settings = {{"fine.beta", "1"}, {"mode", "mpi"}}};
+    row.outcome.values["J"] = 4.0;
+    row.errors["J"] = 0.25;
+    for (const bool with_errors : {false, true}) {
+        const std::vector<std::string> names = columns(axes, with_errors);
+        const std::vector<coarse::Cell> line = cells(row, with_errors);
+        ASSERT_EQ(line.size(), names.size());
+        const auto cell = [&](const std::string& name) {
+            return line.at(static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()));
+        };
+        EXPECT_EQ(std::get<std::string>(cell("mode")), "mpi");
+        EXPECT_EQ(std::get<double>(cell("J")), 4.0);
+        if (with_errors) {
+            EXPECT_EQ(std::get<double>(cell("error_J")), 0.25);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stria::study

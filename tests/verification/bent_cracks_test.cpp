@@ -1,0 +1,139 @@
+// Kinked and curved edge cracks cutting through a plain mesh, against the same cracks along the edges of a finer mesh
+// that is made to follow them.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <numbers>
+
+#include "coarse/discretization.hpp"
+#include "coarse/rings.hpp"
+#include "coarse/specimen/structured.hpp"
+#include "tests/support/cracked_mesh.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr double height = 2.0, level = height / 2.0;
+
+struct Bent {
+    std::string name;
+    std::vector<Point> points;  // from the left side, x ascending
+};
+
+/// Equal chords of a circle that leaves the left side at a right angle.
+Bent arc(double radius, double degrees, int chords) {
+    Bent bent{fmt::format("arc, {} chords", chords), {}};
+    for (int k = 0; k <= chords; ++k) {
+        const double angle = degrees * k / chords * std::numbers::pi / 180.0;
+        bent.points.emplace_back(radius * std::sin(angle), level + radius * (1.0 - std::cos(angle)));
+    }
+    return bent;
+}
+
+Case pulled(const Bent& crack) {
+    Case input = specimen("sent", height, crack.points);
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    return input;
+}
+
+/// Columns of width about 1 / n that meet every bend.
+std::vector<double> columns(const std::vector<Point>& points, int n) {
+    std::vector<double> xs{0.0};
+    const auto fill_to = [&](double end) {
+        const double start = xs.back();
+        const int cells = std::max(1, static_cast<int>(std::lround((end - start) * n)));
+        for (int k = 1; k <= cells; ++k) xs.push_back(start + (end - start) * k / cells);
+    };
+    for (std::size_t k = 1; k < points.size(); ++k) fill_to(points[k].x());
+    fill_to(1.0);
+    return xs;
+}
+
+/// How far above `level` the crack stands, beyond its tip its height.
+double rise(const std::vector<Point>& points, double x) {
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        if (x > points[k].x()) continue;
+        const double share = (x - points[k - 1].x()) / (points[k].x() - points[k - 1].x());
+        return points[k - 1].y() + share * (points[k].y() - points[k - 1].y()) - level;
+    }
+    return points.back().y() - level;
+}
+
+/// A row of element edges runs along the crack; the rows above and below make way, the ends stay straight.
+Mesh conforming_mesh(const std::vector<Point>& points, int n) {
+    Mesh mesh = coarse::grid_mesh(columns(points, n), equal_cells(2 * n, height));
+    for (Vec2& x : mesh.nodes) x.y() += rise(points, x.x()) * (1.0 - std::abs(x.y() - level) / level);
+    return mesh;
+}
+
+coarse::TipResult along_edges(const Case& input, int n) {
+    coarse::Scene scene;
+    scene.input = input;
+    scene.elastic = elasticity_of(input.material, input.model.plane);
+    scene.mesh = conforming_mesh(input.cracks[0].points, n);
+    scene.loads = coarse::resolve_boundaries(scene.mesh, input.boundaries);
+    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
+    coarse::put_loads_on_unknowns(scene);
+    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {}).front();
+}
+
+class BentCrack : public ::testing::TestWithParam<Bent> {};
+
+TEST_P(BentCrack, MatchesAMeshThatFollowsItLong) {
+    const Case input = pulled(GetParam());
+    coarse::TipResult fine;
+    for (const int n : {80, 160, 320}) {
+        fine = along_edges(input, n);
+        std::cout << fmt::format("{:18s} along edges, n {:3d}: K_I {:.5f}, K_II {:+.5f}, J E' / K^2 {:.5f}\n",
+                                 GetParam().name, n, fine.K_I, fine.K_II,
+                                 fine.J * plane_modulus / (fine.K_I * fine.K_I + fine.K_II * fine.K_II));
+    }
+    const double K = std::hypot(fine.K_I, fine.K_II);
+    double error = 0.0;
+    int last = 0;
+    for (const int n : {11, 21, 41, 81}) {
+        Case coarse_input = input;
+        coarse_input.mesh.size = 1.0 / n;
+        const ElasticSolution solution(coarse_input);
+        const coarse::TipResult& tip = solution.tips.front();
+        const double off_I = (tip.K_I - fine.K_I) / K, off_II = (tip.K_II - fine.K_II) / K,
+                     off_J = std::sqrt(tip.J * plane_modulus) / K - 1.0, now = std::hypot(off_I, off_II);
+        const double rate = last > 0 ? std::log(error / now) / std::log(double(n) / last) : 0.0;
+        std::cout << fmt::format("{:18s} {:2d} across: K_I {:+.3f} %, K_II {:+.3f} %, by J {:+.3f} %, rate {:.2f}; "
+                                 "largest ring {:.3f}, {:.1f} h\n",
+                                 GetParam().name, n, 100.0 * off_I, 100.0 * off_II, 100.0 * off_J, rate,
+                                 coarse::largest_ring(solution.scene, 0), n * coarse::largest_ring(solution.scene, 0));
+        error = now;
+        last = n;
+        if (n < 41) continue;
+        EXPECT_LT(std::abs(off_I), 0.003);
+        EXPECT_LT(std::abs(off_II), 0.003);
+        EXPECT_LT(std::abs(off_J), 0.003);
+    }
+}
+
+const Bent kinked{"kinked", {{0.0, level - 0.02}, {0.3, level + 0.02}, {0.45, level + 0.12}}};
+const Bent zigzag{"zigzag", {{0.0, level}, {0.15, level + 0.06}, {0.3, level - 0.02}, {0.45, level + 0.06}}};
+
+// The auxiliary fields of the domain integrals follow the bent faces in either mesh.
+TEST(BentCracks, CutAlikeThroughElementsAndAlongEdges) {
+    Case input = pulled(arc(0.6, 50.0, 10));
+    const coarse::TipResult along = along_edges(input, 80);
+    input.mesh.size = 1.0 / 41.0;
+    const coarse::TipResult through = ElasticSolution(input).tips.front();
+    const double K = std::hypot(along.K_I, along.K_II);
+    std::cout << fmt::format("through elements less along edges: K_I {:+.3f} %, K_II {:+.3f} %\n",
+                             100.0 * (through.K_I - along.K_I) / K, 100.0 * (through.K_II - along.K_II) / K);
+    EXPECT_NEAR(through.K_I, along.K_I, 0.003 * K);
+    EXPECT_NEAR(through.K_II, along.K_II, 0.003 * K);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, BentCrack, ::testing::Values(kinked, zigzag, arc(0.6, 50.0, 5), arc(0.6, 50.0, 10)));
+
+}  // namespace
+}  // namespace stria::test

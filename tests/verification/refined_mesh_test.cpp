@@ -1,0 +1,222 @@
+// Meshes with hanging nodes: continuous displacements on either side of a crack, patch tests, and the accuracy of a
+// mesh that is fine everywhere.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <map>
+#include <numbers>
+
+#include "coarse/fracture_parameters.hpp"
+#include "coarse/refinement.hpp"
+#include "common/fem/shape_q4.hpp"
+#include "tests/support/elastic_scene.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+const Elasticity steel{210e3, 0.3};
+
+Mesh refined_square(int n, const Vec2& centre, int levels, double radius = 0.3, double growth = 0.2) {
+    return coarse::refine(square_mesh(n), {{centre, radius, levels, growth}});
+}
+
+TEST(RefinedMesh, FillsTheBodyAndKeepsItsBoundary) {
+    const Mesh mesh = refined_square(5, {0.45, 0.55}, 4);
+    double area = 0.0;
+    for (const auto& nodes : mesh.elements) {
+        std::array<Vec2, 4> corners;
+        for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(nodes[k])];
+        area += polygon_area(corners);
+    }
+    EXPECT_NEAR(area, 1.0, 1e-12);
+    EXPECT_EQ(*std::ranges::max_element(mesh.level), 4);
+    EXPECT_FALSE(mesh.hanging.empty());
+    for (const auto& [name, edges] : mesh.boundary) {
+        double length = 0.0;
+        for (const BoundaryEdge& edge : edges) length += coarse::edge_geometry(mesh, edge).length();
+        EXPECT_NEAR(length, 1.0, 1e-12) << name;
+    }
+}
+
+TEST(RefinedMesh, NeighboursDifferByOneLevelAndEndsOfEdgesDoNotHang) {
+    for (const double growth : {0.0, 0.1, 0.25}) {
+        const Mesh mesh = refined_square(7, {0.31, 0.62}, 5, 0.1, growth);
+        for (const auto& around : elements_around_nodes(mesh)) {
+            const auto [least, most] =
+                std::ranges::minmax(around, {}, [&](int element) { return mesh.level[at(element)]; });
+            EXPECT_LE(mesh.level[at(most)] - mesh.level[at(least)], 1);
+        }
+        for (const HangingNode& hanging : mesh.hanging) {
+            for (const int end : hanging.ends)
+                EXPECT_FALSE(std::ranges::binary_search(mesh.hanging, end, {}, &HangingNode::node));
+        }
+    }
+}
+
+TEST(RefinedMesh, IsThatOfTheWholeBodyInADiskThatHoldsIt) {
+    const Mesh mesh = refined_square(3, {0.5, 0.5}, 2, 10.0, 0.0);
+    EXPECT_EQ(mesh.elements.size(), 9U * 16U);
+    EXPECT_TRUE(mesh.hanging.empty());
+}
+
+/// Displacement on one side of the crack, seen from one element.
+Vec2 displacement(const EnrichedMesh& mesh, int element, const Vec2& x, int side, const Eigen::VectorXd& u) {
+    const ElementBasis basis(mesh, element, piece_in(mesh, element) != nullptr);
+    BasisValues values;
+    basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
+    Vec2 sum = Vec2::Zero();
+    for (int f = 0; f < basis.functions(); ++f) sum += values.value[f] * u.segment<2>(basis.unknowns()[at(2 * f)]);
+    return sum;
+}
+
+/// Crack side of an element at a point of its boundary off the crack.
+int side_in(const EnrichedMesh& mesh, int element, const Vec2& x) {
+    const CrackPiece* piece = piece_in(mesh, element);
+    if (piece == nullptr) return mesh.element_side[at(element)];
+    const auto c = corners_of(mesh, element);
+    return cut_element(c, *piece).side_of(x + 1e-9 * ((c[0] + c[1] + c[2] + c[3]) / 4.0 - x));
+}
+
+/// Largest difference between the traces of a larger and a smaller element on the edges with hanging nodes. Halves of
+/// edges that are themselves part of the crack are left out: there it may jump.
+double discontinuity(const Mesh& mesh, const EnrichedMesh& enriched) {
+    const Eigen::VectorXd u = Eigen::VectorXd::Random(enriched.unknowns);
+    const auto around = elements_around_nodes(mesh);
+    double largest = 0.0;
+    for (const HangingNode& hanging : mesh.hanging) {
+        for (const int end : hanging.ends) {
+            const Vec2 &a = mesh.nodes[at(hanging.node)], &b = mesh.nodes[at(end)];
+            const auto smaller = std::ranges::find_if(around[at(hanging.node)], [&](int element) {
+                return std::ranges::find(mesh.elements[at(element)], end) != mesh.elements[at(element)].end();
+            });
+            for (const double t : {0.003, 0.13, 0.37, 0.61, 0.89, 0.997}) {
+                const Vec2 x = a + t * (b - a);
+                const int side = side_in(enriched, *smaller, x), other = side_in(enriched, hanging.larger, x);
+                if (side * other < 0) continue;
+                const Vec2 jump =
+                    displacement(enriched, *smaller, x, side, u) - displacement(enriched, hanging.larger, x, other, u);
+                largest = std::max(largest, jump.norm());
+            }
+        }
+    }
+    return largest;
+}
+
+TEST(RefinedMesh, DisplacementsAreContinuousWhereverTheCrackCrosses) {
+    for (int k = 0; k < 60; ++k) {
+        const Vec2 centre(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
+        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
+        const Mesh mesh = refined_square(6, centre, 3, 0.15);
+        const bool with_tip = k % 2 == 0;
+        const Vec2 end = with_tip ? centre : Vec2(centre + 2.0 * along);
+        EXPECT_LT(discontinuity(mesh, cracked(mesh, {centre - 2.0 * along, end}, with_tip ? 6 : 0)), 1e-12) << k;
+    }
+}
+
+TEST(RefinedMesh, DisplacementsAreContinuousWhereTheCrackMeetsNodes) {
+    const Mesh mesh = refined_square(4, {0.5, 0.5}, 3, 0.2);
+    for (const auto& [from, to] :
+         std::vector<std::pair<Vec2, Vec2>>{{{0.0, 0.5}, {1.0, 0.5}},      // along edges
+                                            {{0.0, 0.0}, {1.0, 1.0}},      // through nodes
+                                            {{0.0, 0.625}, {1.0, 0.625}},  // through hanging ones
+                                            {{0.0, 0.5}, {0.5, 0.5}},
+                                            {{0.0, 0.375}, {1.0, 0.875}},
+                                            {{0.125, 0.0}, {0.625, 1.0}},
+                                            {{0.6875, 0.0}, {0.6875, 1.0}}}) {
+        EXPECT_LT(discontinuity(mesh, cracked(mesh, {from, to}, 6)), 1e-12) << from.transpose() << to.transpose();
+    }
+}
+
+void hold_boundary(coarse::Scene& scene) {
+    const std::vector<int> nodes = boundary_nodes(scene.mesh);
+    scene.prescribed.clear();
+    for (const auto& [node, term, unknown] : scene.enriched.own_unknowns()) {
+        if (!std::ranges::binary_search(nodes, node)) continue;
+        for (const int component : {0, 1}) scene.prescribed.push_back({unknown + component, 0.0});
+    }
+}
+
+Eigen::VectorXd linear_field(const EnrichedMesh& mesh, const Eigen::Matrix2d& gradient) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const auto& [node, term, unknown] : mesh.own_unknowns())
+        if (term == 0) u.segment<2>(unknown) = gradient * mesh.nodes[at(node)];
+    return u;
+}
+
+/// A crack that grazes a node is snapped onto it: no longer straight, it bears some of the stress along it.
+bool is_straight(const EnrichedMesh& mesh, const Vec2& through, const Vec2& along) {
+    return std::ranges::all_of(mesh.pieces, [&](const CrackPiece& piece) {
+        return std::ranges::all_of(piece.points, [&](const Vec2& x) {
+            return std::abs(along.x() * (x - through).y() - along.y() * (x - through).x()) < 1e-12;
+        });
+    });
+}
+
+TEST(RefinedMesh, HomogeneousStressIsExact) {
+    int straight = 0;
+    for (int k = 0; k < 40; ++k) {
+        const Vec2 tip(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
+        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
+        const Mesh mesh =
+            coarse::refine(k % 3 == 0 ? distorted(square_mesh(6), 0.02) : square_mesh(6), {{tip, 0.15, 3, 0.2}});
+        const Eigen::Matrix2d stress = 100.0 * along * along.transpose();
+        const std::vector<Vec2> crack{tip - 2.0 * along, k % 2 == 0 ? tip : Vec2(tip + 2.0 * along)};
+        coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, 6), steel, boundary_tractions(mesh, stress));
+        if (!is_straight(scene.enriched, tip, along)) continue;
+        ++straight;
+        const Eigen::VectorXd u = linear_field(scene.enriched, gradient_of(stress, steel));
+        hold_boundary(scene);
+        const SparseMatrix K = coarse::Structure(scene, no_zone(scene)).stiffness();
+        const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
+        EXPECT_LT((K * u - scene.unit_force).cwiseAbs().maxCoeff() / scale.maxCoeff(), 1e-12) << k;
+    }
+    EXPECT_GE(straight, 36);
+}
+
+// The parts of a body cut in two move apart without force.
+TEST(RefinedMesh, RigidHalvesPartFreely) {
+    for (int k = 0; k < 30; ++k) {
+        const Vec2 centre(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
+        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
+        const Mesh mesh = refined_square(6, centre, 3, 0.15);
+        coarse::Scene scene = make_scene(mesh, cracked(mesh, {centre - 2.0 * along, centre + 2.0 * along}, 0), steel);
+        const EnrichedMesh& enriched = scene.enriched;
+        const auto rigid = [&](const Vec2& x) { return Vec2(0.3 - 0.7 * x.y(), -0.2 + 0.7 * x.x()); };
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(enriched.unknowns);
+        for (const auto& [node, term, unknown] : enriched.own_unknowns()) {
+            const Vec2& x = mesh.nodes[at(node)];
+            double side = heaviside_side(enriched, node);
+            if (side == 0.0) side = along.x() * (x - centre).y() - along.y() * (x - centre).x() > 0.0 ? 1.0 : -1.0;
+            u.segment<2>(unknown) = term == 0 ? (side > 0.0 ? rigid(x) : Vec2::Zero()) : Vec2(rigid(x) / 2.0);
+        }
+        hold_boundary(scene);
+        const SparseMatrix K = coarse::Structure(scene, no_zone(scene)).stiffness();
+        const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
+        EXPECT_LT((K * u).cwiseAbs().maxCoeff() / scale.maxCoeff(), 1e-12) << k;
+    }
+}
+
+// A coarse mesh refined at the tip gives the K of a mesh as fine everywhere, with a fraction of the elements.
+TEST(RefinedMesh, HasTheStressIntensityOfAUniformlyFineMesh) {
+    const auto solve = [](int cells, int refine) {
+        Case input = edge_crack(0.47, 4.0, End::Pulled);
+        input.mesh.size = 1.0 / cells;
+        input.fine.enrichment = Enrichment::Topological;
+        input.fine.refine = refine;
+        input.fine.radius = 0.3;
+        return ElasticSolution(input);
+    };
+    const ElasticSolution fine = solve(160, 1), refined = solve(20, 8), coarse = solve(20, 1);
+    const auto off = [&](const ElasticSolution& s) { return 100.0 * (s.tips[0].K_I / fine.tips[0].K_I - 1.0); };
+    std::cout << fmt::format("elements {} / {} / {}: K_I off by {:+.3f} % refined, {:+.3f} % coarse\n",
+                             fine.scene.mesh.elements.size(), refined.scene.mesh.elements.size(),
+                             coarse.scene.mesh.elements.size(), off(refined), off(coarse));
+    EXPECT_LT(std::abs(off(refined)), 0.2);
+    EXPECT_LT(refined.scene.mesh.elements.size(), fine.scene.mesh.elements.size() / 10);
+}
+
+}  // namespace
+}  // namespace stria::test

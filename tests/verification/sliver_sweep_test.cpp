@@ -1,0 +1,121 @@
+// A crack moved through one element in 200 steps, exactly onto nodes and edges at either end and past every sliver
+// between: neither the stress intensity nor the conditioning may notice.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <iostream>
+#include <limits>
+
+#include "tests/support/condition_number.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr int across = 41;
+constexpr double h = 1.0 / across;
+
+using Moved = std::function<Case(double)>;  // the case with the crack moved by a share of one element
+
+Case on_mesh(Case input, int elements_across) {
+    input.mesh.size = 1.0 / elements_across;
+    return input;
+}
+
+/// (K_I, K_II) of a tip of `moved`, smoothly: the parabola through a mesh of elements a quarter as large.
+class SmoothReference {
+public:
+    SmoothReference(const Moved& moved, std::size_t tip) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const coarse::TipResult fine = ElasticSolution(on_mesh(moved(0.5 * double(k)), 4 * across - 1)).tips[tip];
+            values_[k] = {fine.K_I, fine.K_II};
+        }
+    }
+
+    [[nodiscard]] Vec2 operator()(double t) const {
+        return 2.0 * (t - 0.5) * (t - 1.0) * values_[0] - 4.0 * t * (t - 1.0) * values_[1] +
+               2.0 * t * (t - 0.5) * values_[2];
+    }
+
+private:
+    std::array<Vec2, 3> values_;
+};
+
+struct Range {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    double at_least = 0.0, at_most = 0.0;  // share of an element
+
+    void add(double value, double t) {
+        if (value < least) least = value, at_least = t;
+        if (value > most) most = value, at_most = t;
+    }
+};
+
+/// Equal steps from a node to the next, and what is a hair off either.
+std::vector<double> places(int steps) {
+    std::vector<double> shares;
+    for (int k = 0; k <= steps; ++k) shares.push_back(double(k) / steps);
+    for (const double hair : {1e-12, 1e-9, 1e-6, 1e-4, 0.9e-3, 1.1e-3, 2e-3})
+        shares.insert(shares.end(), {hair, 1.0 - hair});
+    return shares;
+}
+
+/// Ratio of K_I to the smooth reference, K_II's difference from it over K_I, and the conditioning.
+void sweep(const std::string& name, const Moved& moved, int steps, std::size_t tip = 0) {
+    const SmoothReference reference(moved, tip);
+    Range K_I, K_II, condition;
+    for (const double t : places(steps)) {
+        const ElasticSolution solution(on_mesh(moved(t), across));
+        const Vec2 exact = reference(t);
+        K_I.add(solution.tips[tip].K_I / exact.x(), t);
+        K_II.add((solution.tips[tip].K_II - exact.y()) / exact.x(), t);
+        condition.add(condition_number(*solution.structure), t);
+    }
+    std::cout << fmt::format(
+        "sweep {}: K_I {:.5f} (at {:.3f}) to {:.5f} (at {:.3f}) of the smooth one, varies by {:.3f} %; K_II by {:.3f} "
+        "%; condition number {:.0f} to {:.0f}, ratio {:.2f}\n",
+        name, K_I.least, K_I.at_least, K_I.most, K_I.at_most, 100.0 * (K_I.most - K_I.least),
+        100.0 * (K_II.most - K_II.least), condition.least, condition.most, condition.most / condition.least);
+    EXPECT_LT(K_I.most - K_I.least, 0.002);
+    EXPECT_LT(K_II.most - K_II.least, 0.002);
+    EXPECT_LT(condition.most / condition.least, 2.0);
+}
+
+/// Edge crack with its tip `columns` elements from the left and `rows` from the bottom, 81 rows of elements.
+Case edge_crack_at(double columns, double rows) {
+    Case input = edge_crack(columns * h, 81 * h, End::Pulled);
+    for (Point& point : input.cracks[0].points) point.y() = rows * h;
+    return input;
+}
+
+/// Crack of half length 0.2 at 30 degrees in a square, its middle at `middle` elements along both axes.
+Case inclined_crack_at(double middle) {
+    const Point centre = middle * h * Point(1.0, 1.0), half = 0.2 * Point(std::sqrt(0.75), 0.5);
+    Case input = specimen("plate", 1.0, {centre - half, centre + half});
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    return input;
+}
+
+TEST(SliverSweep, NothingJumps) {
+    sweep(
+        "across, tip between nodes", [](double t) { return edge_crack_at(20.5, 40.0 + t); }, 8);
+}
+
+TEST(SliverSweep, NothingJumpsIn200StepsLong) {
+    const int steps = 200;
+    sweep(
+        "along the crack, mid-element", [](double t) { return edge_crack_at(20.0 + t, 40.5); }, steps);
+    sweep(
+        "along the crack, on element edges", [](double t) { return edge_crack_at(20.0 + t, 40.0); }, steps);
+    sweep(
+        "across, tip between nodes", [](double t) { return edge_crack_at(20.5, 40.0 + t); }, steps);
+    sweep(
+        "across, tip on element edges", [](double t) { return edge_crack_at(20.0, 40.0 + t); }, steps);
+    sweep(
+        "diagonally, 30 degrees", [](double t) { return inclined_crack_at(20.0 + t); }, steps, 1);
+}
+
+}  // namespace
+}  // namespace stria::test
