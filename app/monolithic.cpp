@@ -20,10 +20,10 @@ public:
                           double load_factor)
         : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()),
           whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
-          committed_load_factor_(load_factor), load_factor_(load_factor) {
+          committed_load_factor_(load_factor), load_factor_(load_factor),
+          increments_(remembered_increments(scene_.input.load.steps)) {
         for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];
         trial_ = committed_;
-        last_increment_ = Eigen::VectorXd::Zero(committed_.size());
         held_.assign(at(scene_.enriched.unknowns), 0);
         for (const auto& p : scene_.prescribed) held_[at(p.unknown)] = 1;
         hold_unused();
@@ -33,13 +33,18 @@ public:
         }
     }
 
-    void begin(const coarse::Target& target, double predictor) override {
+    void begin(const coarse::Target& target, const Predictor& predictor) override {
         const bool by_load = target.control == Control::Load;
         controlled_ = by_load ? coarse::Controlled::load_factor(scene_.enriched.unknowns)
                               : coarse::Controlled{scene_.mean_displacement, 0.0};
         target_ = target.value;
-        load_factor_ = by_load ? target_ : committed_load_factor_ + predictor * last_load_increment_;
-        trial_ = committed_ + predictor * last_increment_;
+        trial_ = committed_;
+        load_factor_ = committed_load_factor_;
+        if (const Increment* earlier = increments_.find(predictor)) {
+            trial_ += predictor.factor * earlier->displacement;
+            load_factor_ += predictor.factor * earlier->load_factor;
+        }
+        if (by_load) load_factor_ = target_;
         impose_held();
         zone_.predict(predictor);
         zone_.set_load_factor(load_factor_);
@@ -97,8 +102,7 @@ public:
     }
 
     coupling::StepReport commit(bool reversal) override {
-        last_increment_ = trial_ - committed_;
-        last_load_increment_ = load_factor_ - committed_load_factor_;
+        increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
         committed_ = trial_;
         committed_load_factor_ = load_factor_;
         return zone_.commit(reversal);
@@ -207,8 +211,13 @@ private:
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
     coarse::Controlled controlled_;
     double target_ = 0.0, off_target_ = 0.0;
-    Eigen::VectorXd structure_load_, committed_, trial_, last_increment_, residual_, correction_;
-    double committed_load_factor_, load_factor_, last_load_increment_ = 0.0;
+    Eigen::VectorXd structure_load_, committed_, trial_, residual_, correction_;
+    double committed_load_factor_, load_factor_;
+    struct Increment {
+        Eigen::VectorXd displacement;
+        double load_factor;
+    };
+    IncrementMemory<Increment> increments_;
     std::vector<char> held_;
 };
 

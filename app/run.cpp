@@ -95,6 +95,8 @@ private:
         summary.fine_unknowns = zone.unknowns;
         summary.fine_points = zone.points;
         summary.multipliers = zone.multipliers;
+        summary.fronts_refactored = zone.fronts_refactored;
+        summary.factors_reused = zone.factors_reused;
         summary.newton_iterations = analysis.newton_iterations();
         summary.step_cuts = analysis.cuts();
         summary.zone_extensions = analysis.zone_extensions();

@@ -1,11 +1,11 @@
 #include "coarse/condensed_equilibrium.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
 #include "common/error.hpp"
+#include "common/linear/dense_cholesky.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
@@ -18,10 +18,9 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
                                            const Eigen::VectorXd& committed, double load_factor)
     : structure_(structure), scene_(structure.scene()), fine_(fine), committed_load_factor_(load_factor),
-      load_factor_(load_factor) {
+      load_factor_(load_factor), increments_(remembered_increments(scene_.input.load.steps)) {
     committed_ = gather(committed, structure_.gamma());
     trial_ = committed_;
-    last_increment_ = Eigen::VectorXd::Zero(committed_.size());
     for (const PrescribedUnknown& p : scene_.prescribed) {
         const auto found = std::ranges::lower_bound(structure_.gamma(), p.unknown);
         if (found != structure_.gamma().end() && *found == p.unknown)
@@ -33,19 +32,26 @@ Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) cons
     return gather(gamma, structure_.free_places());
 }
 
+// Ends every change of the trial state.
 void CondensedEquilibrium::impose_held() {
+    expanded_.reset();
     for (const auto& [place, value] : held_) trial_[place] = load_factor_ * value;
 }
 
-void CondensedEquilibrium::begin(const Target& target, double predictor) {
+void CondensedEquilibrium::begin(const Target& target, const Predictor& predictor) {
     const auto n = std::ssize(structure_.free_places());
     controlled_ = target.control == Control::Load ? Controlled::load_factor(n) : structure_.mean_displacement();
     target_ = target.value;
     predictor_ = predictor;
     iteration_ = 0;
-    trial_ = committed_ + predictor * last_increment_;
-    load_factor_ = controlled_.is_load_factor() ? target_ / controlled_.per_load_factor
-                                                : committed_load_factor_ + predictor * last_load_increment_;
+    settled_below_ = 0.0;
+    trial_ = committed_;
+    load_factor_ = committed_load_factor_;
+    if (const Increment* earlier = increments_.find(predictor)) {
+        trial_ += predictor.factor * earlier->displacement;
+        load_factor_ += predictor.factor * earlier->load_factor;
+    }
+    if (controlled_.is_load_factor()) load_factor_ = target_ / controlled_.per_load_factor;
     impose_held();
 }
 
@@ -59,13 +65,14 @@ Residual CondensedEquilibrium::linearise() {
     if (fine_ == nullptr) return result;
     {
         const Stopwatch watch(exchange_s_);
-        fine_->request({iteration_, predictor_, load_factor_, trial_});
+        fine_->request({iteration_, predictor_, load_factor_, settled_below_, trial_});
         // Meanwhile the structure's part, which needs no answer.
         residual_ -= structure_.tangent() * u;
         response_ = fine_->collect();
         if (scene_.input.coupling.state == "newton")
             (void)fine_->state();  // the user pays for seeing every iterate cross
     }
+    if (!response_.same_tangent) zone_tangent_ = std::move(response_.tangent);
     residual_ -= on_free(response_.force);
     result.boundary = largest(residual_);
     result.interior = response_.interior_residual;
@@ -76,37 +83,43 @@ Residual CondensedEquilibrium::linearise() {
     result.closed = static_cast<int>(std::ranges::count(response_.digest.status, std::int8_t{1}));
     result.status_changes = response_.digest.status_changes;
     result.contact_reach = response_.digest.contact_reach;
+    // A factor serves twice, not for ever: the second correction in a row would gain less and less.
+    settled_below_ = response_.same_tangent ? 0.0 : scene_.input.solver.tolerance * result.scale;
     return result;
 }
 
 Eigen::MatrixXd CondensedEquilibrium::tangent() const {
     const auto& free = structure_.free_places();
-    return structure_.tangent() + response_.tangent(free, free);
+    return structure_.tangent() + zone_tangent_(free, free);
 }
 
 /// Of the residual, by the load factor: loads on both sides, less what the zone's held unknowns pull along.
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
     Eigen::VectorXd derivative = structure_.unit_load() + on_free(response_.unit_load);
     for (const auto& [place, value] : held_)
-        if (value != 0.0) derivative -= value * on_free(response_.tangent.col(place));
+        if (value != 0.0) derivative -= value * on_free(zone_tangent_.col(place));
     return derivative;
 }
 
 // A du - b dlambda = R and w . du + k dlambda = r. At a limit load A is singular along what is controlled: sigma w
 // times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w = 0,
 // k = 1.)
+void CondensedEquilibrium::factor_tangent() {
+    const Eigen::VectorXd& w = controlled_.weights;
+    bordered_ = tangent();
+    sigma_ = controlled_.is_load_factor() ? 0.0 : bordered_.diagonal().mean() / w.squaredNorm();
+    if (sigma_ != 0.0) bordered_.noalias() += sigma_ * w * w.transpose();
+    definite_ = factor_.factor(bordered_);
+}
+
 double CondensedEquilibrium::solve() {
     if (fine_ == nullptr) return 0.0;
     const auto& [w, k] = controlled_;
-    Eigen::MatrixXd A = tangent();
-    const double sigma = controlled_.is_load_factor() ? 0.0 : A.diagonal().mean() / w.squaredNorm();
-    A.selfadjointView<Eigen::Lower>().rankUpdate(w, sigma);
-    A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
-    Eigen::MatrixXd right(A.rows(), 2);
+    if (!response_.same_tangent) factor_tangent();
+    const double sigma = sigma_;
+    Eigen::MatrixXd right(w.size(), 2);
     right << residual_ + sigma * off_target_ * w, load_derivative() - sigma * k * w;
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(A);
-    const Eigen::MatrixXd x =
-        cholesky.info() == Eigen::Success ? Eigen::MatrixXd(cholesky.solve(right)) : A.partialPivLu().solve(right);
+    const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : bordered_.partialPivLu().solve(right);
     load_correction_ = (off_target_ - w.dot(x.col(0))) / (k + w.dot(x.col(1)));
     correction_ = x.col(0) + load_correction_ * x.col(1);
     if (!correction_.allFinite())
@@ -125,8 +138,7 @@ void CondensedEquilibrium::apply() {
 }
 
 coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
-    last_increment_ = trial_ - committed_;
-    last_load_increment_ = load_factor_ - committed_load_factor_;
+    increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
     committed_ = trial_;
     committed_load_factor_ = load_factor_;
     if (fine_ == nullptr) return {};
@@ -139,10 +151,14 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
 void CondensedEquilibrium::rollback() {
     trial_ = committed_;
     load_factor_ = committed_load_factor_;
+    expanded_.reset();
     if (fine_ != nullptr) fine_->rollback();
 }
 
-Eigen::VectorXd CondensedEquilibrium::structure_displacement() const { return structure_.expand(trial_, load_factor_); }
+Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
+    if (!expanded_) expanded_ = structure_.expand(trial_, load_factor_);
+    return *expanded_;
+}
 
 Eigen::VectorXd CondensedEquilibrium::reactions() const {
     Eigen::VectorXd forces = structure_.forces_on_prescribed(structure_displacement());

@@ -1,8 +1,11 @@
 // The structure condensed once, plus the zone's answers: equilibrium on the boundary Gamma (DESIGN section 1).
 #pragma once
 
+#include <optional>
+
 #include "coarse/equilibrium.hpp"
 #include "coarse/structure.hpp"
+#include "common/linear/dense_cholesky.hpp"
 #include "coupling/fine_scale.hpp"
 
 namespace stria::coarse {
@@ -14,7 +17,7 @@ public:
     CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed,
                          double load_factor);
 
-    void begin(const Target& target, double predictor) override;
+    void begin(const Target& target, const Predictor& predictor) override;
     Residual linearise() override;
     double solve() override;
     void apply() override;
@@ -29,6 +32,7 @@ private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
     void impose_held();
     [[nodiscard]] Eigen::MatrixXd tangent() const;
+    void factor_tangent();
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
 
     const Structure& structure_;
@@ -36,14 +40,26 @@ private:
     coupling::FineScale* fine_;
     std::vector<std::pair<int, double>> held_;  // place in Gamma, value per unit load factor
     int iteration_ = 0;
-    double predictor_ = 0.0;
+    Predictor predictor_;
     Controlled controlled_;  // on the free places
     double target_ = 0.0, off_target_ = 0.0;
-    Eigen::VectorXd committed_, trial_, last_increment_;  // on Gamma
-    double committed_load_factor_ = 0.0, load_factor_ = 0.0, last_load_increment_ = 0.0;
+    Eigen::VectorXd committed_, trial_;  // on Gamma
+    double committed_load_factor_ = 0.0, load_factor_ = 0.0;
+    struct Increment {
+        Eigen::VectorXd displacement;  // of Gamma
+        double load_factor;
+    };
+    IncrementMemory<Increment> increments_;
     Eigen::VectorXd residual_, correction_;  // on the free places
     double load_correction_ = 0.0;
     coupling::PatchResponse response_;
+    Eigen::MatrixXd zone_tangent_;  // of the last response that brought one
+    double settled_below_ = 0.0;    // for the next request
+    DenseCholesky factor_;          // of the bordered tangent, for as long as the zone's is the same
+    Eigen::MatrixXd bordered_;
+    double sigma_ = 0.0;
+    bool definite_ = false;
+    mutable std::optional<Eigen::VectorXd> expanded_;  // structure_displacement() of the trial state
     double exchange_s_ = 0.0;
 };
 

@@ -35,8 +35,8 @@ public:
     Equilibrium& operator=(const Equilibrium&) = delete;
     virtual ~Equilibrium() = default;
 
-    /// Trial state = committed + predictor * last increment, on the way to a target.
-    virtual void begin(const Target& target, double predictor) = 0;
+    /// Trial state = what the predictor says, on the way to a target.
+    virtual void begin(const Target& target, const Predictor& predictor) = 0;
 
     /// Evaluates the trial state and its tangent.
     virtual Residual linearise() = 0;

@@ -68,7 +68,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
     equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
-    predicts_ = false;
+    controller_.forget_increments();
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                                in_zone.size(), zone, structure_->unknowns(), structure_->gamma().size()));
@@ -83,8 +83,7 @@ void FatigueAnalysis::note_if_large(const char* phase) const {
 void FatigueAnalysis::run() {
     const Stopwatch watch(run_s_);
     while (const auto next = controller_.next()) {
-        LoadStep step = *next;
-        if (!predicts_) step.predictor = 0.0;
+        const LoadStep& step = *next;
         NewtonReport report = attempt(step);
         if (!report.converged) {
             cut_or_fail(step, report);
@@ -114,7 +113,7 @@ std::vector<ContactChange> FatigueAnalysis::measure_closure(const LoadStep& step
         equilibrium_->rollback();
         LoadStep trial = step;
         trial.target.value = target;
-        trial.predictor *= (target - from) / (to - from);
+        trial.predictor.factor *= (target - from) / (to - from);
         ClosureMeter::Trial found{attempt(trial), 0.0};
         found.load_factor = equilibrium_->load_factor();
         return found;
@@ -153,7 +152,7 @@ void FatigueAnalysis::grow(const LoadStep& reached) {
                                            report.failure, to_text(step.target)));
     }
     accept(step, report, {});
-    predicts_ = false;
+    controller_.forget_increments();
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
@@ -218,7 +217,6 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     look_at_rings(increment);
     committed_ = increment.displacement;
     closed_ = closure_.closed(report);
-    predicts_ = true;
     listener_.accepted(increment, *structure_);
 }
 

@@ -113,7 +113,6 @@ private:
     double load_factor_ = 0.0;   // committed
     ClosureMeter closure_;
     std::vector<char> closed_;  // per tip, committed: contact beyond the measuring distance
-    bool predicts_ = false;     // the equilibrium knows a last increment to extrapolate
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
     double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
 };

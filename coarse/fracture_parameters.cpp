@@ -5,7 +5,6 @@
 #include <span>
 #include <tuple>
 
-#include "coarse/rings.hpp"
 #include "common/fem/crack_faces.hpp"
 
 namespace stria::coarse {
@@ -43,12 +42,10 @@ struct RingValues {
     double J, K_I, K_II, T_stress;
 };
 
-std::vector<RingValues> values_on(const std::vector<Annulus>& rings, int t, const Structure& structure,
-                                  const Eigen::VectorXd& u, const coupling::StepReport& report) {
+std::vector<RingValues> values_on(int t, const Structure& structure, const Eigen::VectorXd& u,
+                                  const coupling::StepReport& report) {
     const Scene& scene = structure.scene();
-    RingSums sums(scene.enriched, scene.enriched.tips[at(t)], scene.elastic, rings);
-    structure.add_to(sums, u);
-    std::vector<DomainIntegral> total(sums.values().begin(), sums.values().end());
+    std::vector<DomainIntegral> total = structure.rings(t).values(structure, u);
     for (const coupling::RingReport& share : report.rings) {
         if (share.tip == t)
             total[at(share.number)] += {share.J, share.interaction_I, share.interaction_II, share.interaction_T};
@@ -112,9 +109,9 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
             const double opening = opening_at_intercept(mesh, tip, u);
             if (opening >= 0.0) result.CTOD = opening;
         }
-        const std::vector<Annulus> rings = rings_about(scene, t);
+        const std::vector<Annulus>& rings = structure.rings(t).rings();
         const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
-        put_rings(rings, values_on(rings, t, structure, u, report), plastic_reach, result);
+        put_rings(rings, values_on(t, structure, u, report), plastic_reach, result);
         results.push_back(result);
     }
     return results;

@@ -6,19 +6,18 @@
 namespace stria::coarse {
 
 LoadController::LoadController(const LoadSection& load, const SolverSection& solver)
-    : control_(load.control), max_cuts_(solver.max_cuts) {
+    : control_(load.control), remembered_(remembered_increments(load.steps)), max_cuts_(solver.max_cuts) {
     double reached = 0.0;
     int cycle = 0;
-    const int half = load.steps / 2;
     for (const LoadBlock& block : load.blocks) {
         // The first ramp belongs to no cycle, a leg from one block's maximum to the next one's to the cycle it leads
         // to.
-        if (block.max != reached) append_leg(cycle == 0 ? 0 : cycle + 1, reached, block.max, half);
+        if (block.max != reached) append_leg(cycle == 0 ? 0 : cycle + 1, reached, block.max, load);
         for (int k = 0; k < block.cycles; ++k) {
             ++cycle;
-            append_leg(cycle, block.max, block.min, half);
+            append_leg(cycle, block.max, block.min, load);
             stops_.back().at_minimum = true;
-            append_leg(cycle, block.min, block.max, half);
+            append_leg(cycle, block.min, block.max, load);
             stops_.back().at_maximum = stops_.back().ends_cycle = true;
         }
         reached = block.max;
@@ -36,11 +35,13 @@ void LoadController::mark_reversals() {
     }
 }
 
-void LoadController::append_leg(int cycle, double from, double to, int steps) {
+void LoadController::append_leg(int cycle, double from, double to, const LoadSection& load) {
     const auto first = std::ssize(stops_);
+    const int steps = load.steps / 2;
     for (int k = 1; k <= steps; ++k) {
+        const double way = std::pow(static_cast<double>(k) / steps, load.grading);
         // The last is exact: later legs start from the same number.
-        const double value = k == steps ? to : from + (to - from) * k / steps;
+        const double value = k == steps ? to : from + (to - from) * way;
         stops_.push_back({cycle, value, false, k == steps && to > from, false, false, false});
     }
     const auto nearest = std::min_element(stops_.begin() + first, stops_.end(), [](const Stop& a, const Stop& b) {
@@ -59,7 +60,7 @@ std::optional<LoadStep> LoadController::next() const {
     LoadStep step;
     step.cycle = stop.cycle;
     step.target = {control_, value};
-    if (last_increment_ * (value - reached_) > 0.0) step.predictor = (value - reached_) / last_increment_;
+    step.predictor = predictor(stop.cycle, value);
     if (arrives) {
         step.reversal = stop.reversal;
         step.at_maximum = stop.at_maximum;
@@ -70,10 +71,24 @@ std::optional<LoadStep> LoadController::next() const {
     return step;
 }
 
+Predictor LoadController::predictor(int cycle, double to) const {
+    const double increment = to - reached_, same = 1e-9 * std::abs(increment);
+    // The ramp is no cycle: virgin material flows where it will later unload and reload without.
+    const auto twin = std::ranges::find_if(taken_, [&](const Taken& taken) {
+        return taken.cycle > 0 && taken.cycle < cycle && std::abs(taken.from - reached_) <= same &&
+               std::abs(taken.to - to) <= same;
+    });
+    if (twin != taken_.end()) return {1.0, static_cast<int>(twin - taken_.begin()) + 1};
+    if (taken_.empty()) return {};
+    const double last = taken_.front().to - taken_.front().from;
+    return last * increment > 0.0 ? Predictor(increment / last) : Predictor();
+}
+
 void LoadController::accepted() {
-    const double value = next()->target.value;
-    last_increment_ = value - reached_;
-    reached_ = value;
+    const LoadStep step = *next();
+    taken_.push_front({step.cycle, reached_, step.target.value});
+    if (taken_.size() > remembered_) taken_.pop_back();
+    reached_ = step.target.value;
     if (reached_ == stops_[stop_].value) ++stop_;
     if (consecutive_cuts_ > 0) {
         fraction_ = std::min(1.0, 2.0 * fraction_);

@@ -19,7 +19,7 @@ std::string NewtonReport::table() const {
     return text;
 }
 
-NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, double predictor,
+NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
                               const SolverSection& solver) {
     NewtonReport report;
     try {

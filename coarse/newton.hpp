@@ -28,7 +28,7 @@ struct NewtonReport {
 /// Converged: the largest of the three residuals is at most `tolerance` times the force scale, the target is met to
 /// `tolerance`, and the correction that is still due is at most 100 `tolerance` of the largest displacement. Does not
 /// throw on failure: the caller cuts.
-NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, double predictor,
+NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
                               const SolverSection& solver);
 
 }  // namespace stria::coarse

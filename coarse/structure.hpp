@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/ring_forms.hpp"
 #include "coarse/scene.hpp"
 #include "coarse/target.hpp"
 #include "common/fem/domain_integral.hpp"
@@ -54,8 +55,8 @@ public:
     /// Elements (of the whole mesh) whose von Mises stress exceeds a limit at some point, inserts left out.
     [[nodiscard]] std::vector<int> elements_beyond(double stress, const Eigen::VectorXd& u) const;
 
-    /// Adds the coarse elements' share to the domain integrals of a tip.
-    void add_to(RingSums& rings, const Eigen::VectorXd& u) const;
+    /// The rings about a tip and the coarse elements' share in their domain integrals; made when first asked for.
+    [[nodiscard]] const RingForms& rings(int tip) const;
 
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
@@ -68,7 +69,7 @@ public:
     [[nodiscard]] SparseMatrix stiffness() const;
 
     /// Calls visit(op) for each coarse element, ascending, with its PlainOperator or its ElementOperator: alike to a
-    /// generic visitor. Plain ones are made on demand and last for the visit.
+    /// generic visitor. Plain ones are made on demand and last for the visit, unless there are few enough to keep.
     template <class Visit> void for_each_operator(Visit&& visit) const {
         for_each_operator([](int) { return true; }, visit);
     }
@@ -81,6 +82,7 @@ private:
     template <class Visit> void for_each_coarse(Visit&& visit) const;  // visit(element, its unknowns), ascending
 
     void make_enriched_operators();
+    void keep_plain_operators();
     void number_unknowns();
     [[nodiscard]] IndexLists order_elimination();
     [[nodiscard]] Eigen::VectorXd unit_load_of_leaf() const;
@@ -92,6 +94,8 @@ private:
     std::vector<char> in_zone_;
     bool mean_dilatation_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
+    std::vector<PlainOperator> plain_;       // of those that are, ascending; empty: made on demand
+    std::vector<int> plain_place_;           // per element: in plain_
     std::vector<int> supported_;             // coarse elements with a prescribed unknown
     std::vector<int> gamma_, free_places_;
     std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
@@ -100,10 +104,13 @@ private:
     ReducedLoad reduced_;  // of the unit load factor
     Controlled mean_displacement_;
     StructureSeconds seconds_;
+    mutable std::vector<std::unique_ptr<RingForms>> rings_;  // per tip
 };
 
 template <class Visit> void Structure::visit_operator(int element, Visit&& visit) const {
-    if (is_plain(scene_.enriched, element))
+    if (!plain_.empty() && plain_place_[static_cast<std::size_t>(element)] >= 0)
+        visit(plain_[static_cast<std::size_t>(plain_place_[static_cast<std::size_t>(element)])]);
+    else if (is_plain(scene_.enriched, element))
         visit(plain_operator(scene_.enriched, element, mean_dilatation_));
     else
         visit(*std::ranges::lower_bound(enriched_, element, {}, &ElementOperator::element));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/fem/enriched_mesh.hpp"
+#include "common/predictor.hpp"
 
 namespace stria::coupling {
 
@@ -34,10 +35,11 @@ struct Patch {
 
 /// Displacements of the zone's boundary, each Newton iteration.
 struct PatchDisplacement {
-    int iteration = 0;  // 0: first of an increment: interior = committed + predictor * last increment
-    double predictor = 0.0;
+    int iteration = 0;    // 0: first of an increment
+    Predictor predictor = {};  // of the zone's interior, in that first iteration
     double load_factor = 0.0;
-    Eigen::VectorXd boundary;  // total displacement on Gamma, in the order of Patch::boundary
+    double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more
+    Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
 };
 
 /// Digest of the internal-variable state: crosses at every Newton step.
@@ -53,7 +55,8 @@ struct Digest {
 /// The zone's answer: a nonlinear superelement.
 struct PatchResponse {
     Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
-    Eigen::MatrixXd tangent;           // condensed tangent on Gamma
+    Eigen::MatrixXd tangent;           // condensed tangent on Gamma; empty where `same_tangent`
+    bool same_tangent = false;         // the tangent is that of the last response
     Eigen::VectorXd unit_load;         // the zone's own loads condensed onto Gamma: minus d force / d load factor
     double interior_residual = 0;      // largest interior force residual, N/mm
     double interior_force = 0;         // largest internal nodal force, the scale of that residual
@@ -93,6 +96,7 @@ struct StepReport {
     std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN
     double dissipation = 0;              // N, per mm of thickness: integral over the zone
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
+    std::int64_t fronts_refactored = 0, factors_reused = 0;  // so far
     double constitutive_s = 0, contact_s = 0, factor_s = 0;  // time so far per phase
 };
 

@@ -64,8 +64,8 @@ void fields(auto& wire, Is<Patch> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, load_factor, boundary] = m;
-    wire(iteration, predictor, load_factor, boundary);
+    auto& [iteration, predictor, load_factor, settled_below, boundary] = m;
+    wire(iteration, predictor.factor, predictor.back, load_factor, settled_below, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
@@ -74,10 +74,10 @@ void fields(auto& wire, Is<Digest> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {
-    auto& [force, tangent, unit_load, interior_residual, interior_force, contact_residual, interior_correction,
-           interior_displacement, digest] = m;
-    wire(force, tangent, unit_load, interior_residual, interior_force, contact_residual, interior_correction,
-         interior_displacement, digest);
+    auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
+           interior_correction, interior_displacement, digest] = m;
+    wire(force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
+         interior_correction, interior_displacement, digest);
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {
@@ -97,9 +97,9 @@ void fields(auto& wire, Is<TipReport> auto& m) {
 
 void fields(auto& wire, Is<StepReport> auto& m) {
     auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers,
-           constitutive_s, contact_s, factor_s] = m;
-    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers, constitutive_s,
-         contact_s, factor_s);
+           fronts_refactored, factors_reused, constitutive_s, contact_s, factor_s] = m;
+    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers,
+         fronts_refactored, factors_reused, constitutive_s, contact_s, factor_s);
 }
 
 void fields(auto& wire, Is<ZoneState> auto& m) {

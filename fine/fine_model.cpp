@@ -1,6 +1,7 @@
 #include "fine/fine_model.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -11,13 +12,32 @@ FineModel::FineModel(const Case& input) : system_(input) {}
 
 void FineModel::set_patch(const coupling::Patch& patch) {
     system_.set_patch(patch);
-    interior_jumps_.clear();
-    kept_.clear();
+    at_root_.assign(static_cast<std::size_t>(system_.contact().multipliers()), 0);
+    committed_at_root_ = at_root_;
+    plant_tree();
+}
+
+void FineModel::plant_tree() {
+    const coupling::Patch& patch = system_.patch();
     const auto& jumps = system_.contact().jump_unknowns();
+    const Eigen::MatrixXd& B = system_.contact().operator_B();
+    root_jumps_.clear();
+    kept_.clear();
+    kept_column_.assign(jumps.size(), -1);
     for (std::size_t j = 0; j < jumps.size(); ++j) {
         if (std::ranges::binary_search(patch.boundary, jumps[j])) continue;
-        interior_jumps_.push_back(static_cast<int>(j));
+        const auto pushes = [&](std::size_t k) {
+            return at_root_[k] != 0 && B(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) != 0.0;
+        };
+        if (std::ranges::none_of(std::views::iota(std::size_t{0}, at_root_.size()), pushes)) continue;
+        kept_column_[j] = static_cast<int>(kept_.size());
+        root_jumps_.push_back(static_cast<int>(j));
         kept_.push_back(jumps[j]);
+    }
+    for (std::size_t j = 0; j < jumps.size(); ++j) {
+        const auto place = std::ranges::lower_bound(patch.boundary, jumps[j]);
+        if (place != patch.boundary.end() && *place == jumps[j])
+            kept_column_[j] = static_cast<int>(std::ssize(kept_) + (place - patch.boundary.begin()));
     }
     kept_.insert(kept_.end(), patch.boundary.begin(), patch.boundary.end());
 
@@ -33,6 +53,24 @@ void FineModel::set_patch(const coupling::Patch& patch) {
     }
     tree_ = std::make_unique<FrontTree>(std::move(layout));
     all_changed_ = true;
+    changed_.assign(patch.mesh.elements.size(), 1);
+}
+
+// With some neighbours more, so that a contact zone that grows does not ask again at once.
+void FineModel::keep_touching_to_root() {
+    constexpr int neighbours = 3;
+    const auto& statuses = system_.contact().statuses();
+    const int last = system_.contact().multipliers() - 1;
+    bool missing = false;
+    for (int k = 0; k <= last; ++k)
+        missing = missing || (statuses[static_cast<std::size_t>(k)] != 0 && at_root_[static_cast<std::size_t>(k)] == 0);
+    if (!missing) return;
+    for (int k = 0; k <= last; ++k) {
+        if (statuses[static_cast<std::size_t>(k)] == 0) continue;
+        for (int i = std::max(0, k - neighbours); i <= std::min(last, k + neighbours); ++i)
+            at_root_[static_cast<std::size_t>(i)] = 1;
+    }
+    plant_tree();
 }
 
 void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
@@ -45,93 +83,96 @@ coupling::PatchResponse FineModel::collect() {
     system_.set_load_factor(asked_.load_factor);
     system_.set_boundary(asked_.boundary);
     system_.linearise();
+    keep_touching_to_root();
     coupling::PatchResponse response = system_.measure();
     condense(response);
     return response;
 }
 
+// Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
+bool FineModel::last_factor_serves(const coupling::PatchResponse& response) const {
+    return !all_changed_ && response.digest.status_changes == 0 &&
+           std::max(response.interior_residual, response.contact_residual) <= asked_.settled_below;
+}
+
+void FineModel::factor() {
+    if (all_changed_) std::ranges::fill(changed_, static_cast<char>(1));
+    const long before = tree_->refactored();
+    tree_->factor(system_.zone().tangents(), changed_);
+    fronts_refactored_ += tree_->refactored() - before;
+    std::ranges::fill(changed_, static_cast<char>(0));
+    all_changed_ = false;
+}
+
 void FineModel::condense(coupling::PatchResponse& response) {
     const Stopwatch watch(factor_s_);
-    std::vector<char> changed(system_.zone().changed().begin(), system_.zone().changed().end());
-    if (all_changed_) std::ranges::fill(changed, static_cast<char>(1));
-    all_changed_ = false;
-    tree_->factor(system_.zone().tangents(), changed);
-    reduced_ = tree_->reduce(system_.load());
+    const std::span<const char> changed = system_.zone().changed();
+    for (std::size_t e = 0; e < changed.size(); ++e) changed_[e] = static_cast<char>(changed_[e] | changed[e]);
+    response.same_tangent = last_factor_serves(response);
+    if (response.same_tangent)
+        ++factors_reused_;
+    else
+        factor();
+
+    // An open multiplier loses its pressure whatever else moves: only closed ones are unknowns.
+    const ContactInterface& contact = system_.contact();
+    const ContactInterface::Rows rows = system_.contact_rows();
+    Eigen::VectorXd load = system_.load(), open = system_.pressure();
+    touching_.clear();
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        if (contact.statuses()[static_cast<std::size_t>(k)] == 0) continue;
+        touching_.push_back(k);
+        open[k] = 0.0;
+    }
+    contact.add_force(open, load);
+    reduced_ = tree_->reduce(load);
     const Eigen::VectorXd& own = system_.patch().unit_load;
     reduced_unit_ = {Eigen::VectorXd::Zero(reduced_.interior.size()), Eigen::VectorXd::Zero(reduced_.boundary.size())};
     if (!own.isZero(0.0)) reduced_unit_ = tree_->reduce(own);
 
-    const Eigen::MatrixXd& S = tree_->tangent();
-    const auto j = std::ssize(interior_jumps_), g = std::ssize(system_.patch().boundary);
-    const auto m = static_cast<Eigen::Index>(system_.contact().multipliers());
-    Eigen::MatrixXd loads(j + g, 2);
+    Eigen::MatrixXd loads(std::ssize(kept_), 2);
     loads << reduced_.boundary, reduced_unit_.boundary;
-    if (j + m == 0) {
-        response.tangent = S;
-        response.force = -loads.col(0);
-        response.unit_load = loads.col(1);
-        return;
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(std::ssize(touching_), std::ssize(kept_));
+    for (std::size_t j = 0; j < kept_column_.size(); ++j) {
+        if (kept_column_[j] >= 0)
+            B.col(kept_column_[j]) = contact.operator_B()(touching_, static_cast<Eigen::Index>(j));
     }
-    // Unknowns c = (jumps, multipliers), boundary b. Jumps may lie on the boundary too: B couples multipliers with
-    // both.
-    const ContactInterface::Rows rows = system_.contact_rows();
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(j + m, j + m), A_cb = Eigen::MatrixXd::Zero(j + m, g),
-                    A_bc = Eigen::MatrixXd::Zero(g, j + m);
-    A.topLeftCorner(j, j) = S.topLeftCorner(j, j);
-    A_cb.topRows(j) = S.topRightCorner(j, g);
-    A_bc.leftCols(j) = S.bottomLeftCorner(g, j);
-    A.bottomRightCorner(m, m) = rows.diagonal.asDiagonal();
-    const Eigen::MatrixXd& B = system_.contact().operator_B();
-    std::vector<char> interior(system_.contact().jump_unknowns().size(), 0);
-    for (Eigen::Index i = 0; i < j; ++i) {
-        const int column = interior_jumps_[static_cast<std::size_t>(i)];
-        interior[static_cast<std::size_t>(column)] = 1;
-        A.block(0, j, j, m).row(i) = -B.col(column).transpose();
-        A.block(j, 0, m, j).col(i) = rows.jump.col(column);
-    }
-    for (std::size_t column = 0; column < interior.size(); ++column) {
-        if (interior[column] != 0) continue;
-        const auto& boundary = system_.patch().boundary;
-        const auto place =
-            std::ranges::lower_bound(boundary, system_.contact().jump_unknowns()[column]) - boundary.begin();
-        A_bc.block(0, j, g, m).row(place) = -B.col(static_cast<Eigen::Index>(column)).transpose();
-        A_cb.bottomRows(m).col(place) = rows.jump.col(static_cast<Eigen::Index>(column));
-    }
-    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(j + m, 2);
-    b.topRows(j) = loads.topRows(j);
-    b.col(0).tail(m) = rows.right_hand_side;
-    block_.factor.compute(A);
-    block_.inverse_times_boundary = block_.factor.solve(A_cb);
-    block_.inverse_times_loads = block_.factor.solve(b);
-    if (!block_.inverse_times_loads.allFinite()) throw NumericalFailure("contact block of the zone is singular");
-    // Symmetric without friction; to the last bit, so that half of it crosses the wire.
-    const Eigen::MatrixXd tangent = S.bottomRightCorner(g, g) - A_bc * block_.inverse_times_boundary;
-    response.tangent = 0.5 * (tangent + tangent.transpose());
-    loads.bottomRows(g) -= A_bc * block_.inverse_times_loads;
-    response.force = -loads.col(0).tail(g);
-    response.unit_load = loads.col(1).tail(g);
+    ContactBlock::Condensed condensed = block_.eliminate({.stiffness = tree_->tangent(),
+                                                          .jumps = std::ssize(root_jumps_),
+                                                          .B = std::move(B),
+                                                          .h = rows.right_hand_side(touching_),
+                                                          .loads = std::move(loads)});
+    if (!response.same_tangent) response.tangent = std::move(condensed.stiffness);
+    response.force = -condensed.loads.col(0);
+    response.unit_load = condensed.loads.col(1);
 }
 
 void FineModel::advance_interior() {
-    const auto j = std::ssize(interior_jumps_);
-    const auto m = static_cast<Eigen::Index>(system_.contact().multipliers());
     const Eigen::VectorXd step = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
-    const Eigen::Vector2d loads(1.0, asked_.load_factor - system_.load_factor());
-    Eigen::VectorXd inner(j + m);
-    if (j + m > 0) inner = block_.inverse_times_loads * loads - block_.inverse_times_boundary * step;
-    Eigen::VectorXd kept(std::ssize(kept_));
-    kept << inner.head(j), step;
-    const ReducedLoad moving{reduced_.interior + loads[1] * reduced_unit_.interior, reduced_.boundary};
-    system_.move(tree_->expand(moving, kept), inner.tail(m));
+    const double load_step = asked_.load_factor - system_.load_factor();
+    const ContactBlock::Recovered inner = block_.recover(step, load_step);
+    Eigen::VectorXd kept(std::ssize(kept_)), pressure = -system_.pressure();
+    kept << inner.jumps, step;
+    pressure(touching_) = inner.multipliers;
+    const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
+    system_.move(tree_->expand(moving, kept), pressure);
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {
     coupling::StepReport report = system_.commit(reversal);
     report.factor_s = factor_s_;
+    report.fronts_refactored = fronts_refactored_;
+    report.factors_reused = factors_reused_;
+    committed_at_root_ = at_root_;
     return report;
 }
 
-void FineModel::rollback() {}  // the next increment starts from what is committed
+// The next increment starts from what is committed. So does the tree, lest a failed attempt show in the last bits.
+void FineModel::rollback() {
+    if (at_root_ == committed_at_root_) return;
+    at_root_ = committed_at_root_;
+    plant_tree();
+}
 
 coupling::ZoneState FineModel::state() { return system_.state(); }
 

@@ -1,18 +1,21 @@
 // The zone as a nonlinear superelement: displacement of its boundary in, condensed force and tangent out.
 #pragma once
 
-#include <Eigen/LU>
 #include <memory>
+#include <vector>
 
 #include "common/substructure/front_tree.hpp"
 #include "coupling/fine_scale.hpp"
+#include "fine/contact/contact_block.hpp"
 #include "fine/zone_system.hpp"
 
 namespace stria::fine {
 
-/// Bulk unknowns are condensed by a tree of fronts onto the crack's jump unknowns and the boundary; jumps and contact
-/// multipliers, ordered last, are eliminated in a small dense block (DESIGN section 1). The interior follows each
-/// boundary displacement through the last factor, so the iterates are those of Newton's method on the whole system.
+/// Bulk unknowns are condensed by a tree of fronts onto the jumps of faces that touch, or lie beside such, and the
+/// boundary; those jumps and the closed multipliers are eliminated in a small dense block (DESIGN section 1). Faces far
+/// from touching are bulk like any other; where one closes, the tree is planted anew with its jumps at the root. The
+/// interior follows each boundary displacement through the last factor, so the iterates are those of Newton's method on
+/// the whole system.
 class FineModel : public coupling::FineScale {
 public:
     explicit FineModel(const Case& input);
@@ -25,24 +28,27 @@ public:
     coupling::ZoneState state() override;
 
 private:
-    /// Dense block of jumps and multipliers, with its couplings to the boundary.
-    struct ContactBlock {
-        Eigen::PartialPivLU<Eigen::MatrixXd> factor;
-        Eigen::MatrixXd inverse_times_boundary;  // A^-1 A_cb
-        Eigen::MatrixXd inverse_times_loads;     // A^-1 (b_j, b_multipliers), and A^-1 (unit load on j, 0)
-    };
+    void plant_tree();
+    void keep_touching_to_root();
     void advance_interior();
+    [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
+    void factor();
     void condense(coupling::PatchResponse& response);
 
     ZoneSystem system_;
     std::unique_ptr<FrontTree> tree_;
-    std::vector<int> interior_jumps_;  // jump unknowns that are not on the boundary, as indices into jump_unknowns()
-    std::vector<int> kept_;            // boundary of the tree: interior jumps, then Gamma
+    std::vector<char> at_root_, committed_at_root_;  // per multiplier: its jumps are kept to the root of the tree
+    std::vector<int> root_jumps_;   // such jumps that are not on the boundary, as indices into jump_unknowns()
+    std::vector<int> kept_;         // boundary of the tree: these jumps, then Gamma
+    std::vector<int> kept_column_;  // of each jump unknown: its place in kept_, -1 where it has none
+    std::vector<int> touching_;     // multipliers in the block
     ContactBlock block_;
     ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
     coupling::PatchDisplacement asked_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;
+    std::vector<char> changed_;  // per element: its tangent is not that of the last factor
+    std::int64_t fronts_refactored_ = 0, factors_reused_ = 0;
 };
 
 }  // namespace stria::fine

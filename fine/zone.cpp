@@ -5,6 +5,8 @@
 
 #include "common/fem/moment_fit.hpp"
 
+#include "fine/element_kernels.hpp"
+
 namespace stria::fine {
 
 Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
@@ -126,36 +128,30 @@ void Zone::evaluate(const Eigen::VectorXd& u) {
     trial_u_ = u;
     const Eigen::VectorXd increment = u - committed_u_;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
-        const ElementOperator& op = operators_[e];
-        const Eigen::VectorXd du = gather(increment, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const Mandel strain = op.strain(du, q);
-            const auto point = static_cast<std::size_t>(first_point_[e]) + q;
-            for (std::size_t c = 0; c < 4; ++c)
-                strain_[c * static_cast<std::size_t>(points_) + point] = strain[static_cast<Eigen::Index>(c)];
-        }
+        with_kernel(operators_[e], [&](const auto& kernel) {
+            kernel.write_strains(increment, strain_.data() + first_point_[e], points_);
+        });
     }
     law_->update(points_, points_, strain_.data(), committed_.data(), trial_.data(), tangent_.data(), yielding_.data());
     force_.setZero();
     force_scale_.setZero();
-    for (std::size_t e = 0; e < operators_.size(); ++e) evaluate_element(e);
+    for (std::size_t e = 0; e < operators_.size(); ++e)
+        with_kernel(operators_[e], [&](const auto& kernel) { evaluate_element(e, kernel); });
 }
 
-void Zone::evaluate_element(std::size_t e) {
+template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel& kernel) {
     const ElementOperator& op = operators_[e];
-    const auto n = static_cast<std::size_t>(points_), first = static_cast<std::size_t>(first_point_[e]);
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(op.unknowns.size()));
-    bool plastic = false;
-    for (std::size_t q = 0; q < op.points.size(); ++q) {
-        const double* stress = trial_.data() + static_cast<std::size_t>(state::stress) * n + first + q;
-        op.add_force({stress[0], stress[n], stress[2 * n], stress[3 * n]}, q, force);
-        plastic = plastic || yielding_[first + q] != 0;
-    }
+    const int first = first_point_[e], count = static_cast<int>(op.points.size());
+    const auto force =
+        kernel.force(trial_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first, points_);
     for (std::size_t k = 0; k < op.unknowns.size(); ++k) {
-        const double f = force[static_cast<Eigen::Index>(k)];
+        const double f = force.data()[k];
         force_[op.unknowns[k]] += f;
         force_scale_[op.unknowns[k]] += std::abs(f);
     }
+    const auto yields = [&](int q) { return yielding_[static_cast<std::size_t>(first + q)] != 0; };
+    bool plastic = false;
+    for (int q = 0; q < count; ++q) plastic = plastic || yields(q);
     changed_[e] = static_cast<char>(plastic || was_plastic_[e] != 0);
     was_plastic_[e] = static_cast<char>(plastic);
     if (!plastic) {
@@ -164,16 +160,17 @@ void Zone::evaluate_element(std::size_t e) {
     }
     // The elastic matrix plus what flow takes away at the points that yield.
     const MandelMatrix elastic = elastic_.stiffness();
-    Eigen::MatrixXd& K = tangents_[e];
-    K = elastic_stiffness_[e];
-    for (std::size_t q = 0; q < op.points.size(); ++q) {
-        if (yielding_[first + q] == 0) continue;
+    typename Kernel::Matrix K = elastic_stiffness_[e];
+    for (int q = 0; q < count; ++q) {
+        if (!yields(q)) continue;
         MandelMatrix D;
-        for (std::size_t c = 0; c < 16; ++c)
-            D(static_cast<Eigen::Index>(c / 4), static_cast<Eigen::Index>(c % 4)) = tangent_[c * n + first + q];
-        const auto B = op.strain_matrix(q);
-        K.noalias() += op.points[q].weight * B.transpose() * ((D - elastic) * B);
+        for (int c = 0; c < 16; ++c) {
+            const auto place = static_cast<std::size_t>(c) * static_cast<std::size_t>(points_);
+            D(c / 4, c % 4) = tangent_[place + static_cast<std::size_t>(first + q)];
+        }
+        kernel.add_stiffness(D - elastic, static_cast<std::size_t>(q), K);
     }
+    tangents_[e] = K;
 }
 
 void Zone::commit(bool reversal) {

@@ -60,8 +60,8 @@ private:
                                                             const std::array<Vec2, 4>& corners) const;
     void start(const Zone* old);
     void take_state(const Zone& old, std::size_t old_element, std::size_t element);
-    void evaluate_element(std::size_t e);
     [[nodiscard]] Eigen::Matrix2d total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const;
+    template <class Kernel> void evaluate_element(std::size_t e, const Kernel& kernel);
     [[nodiscard]] double committed(int component, int point) const {
         return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) +
                           static_cast<std::size_t>(point)];

@@ -9,7 +9,9 @@
 
 namespace stria::fine {
 
-ZoneSystem::ZoneSystem(const Case& input) : input_(input), elastic_(elasticity_of(input.material, input.model.plane)) {}
+ZoneSystem::ZoneSystem(const Case& input)
+    : input_(input), elastic_(elasticity_of(input.material, input.model.plane)),
+      increments_(remembered_increments(input.load.steps)) {}
 
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
@@ -22,8 +24,9 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
                                                   elastic_.plane_modulus(), frozen_);
     carry_unknowns(patch, old_contact.get());
-    zone_ = std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane), elastic_, rule,
-                                   old.get(), committed_.displacement);
+    zone_ =
+        std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane, input_.fine.substeps),
+                               elastic_, rule, old.get(), committed_.displacement);
     patch_ = patch;
     trial_ = committed_;
     find_tip_stations();
@@ -50,10 +53,8 @@ void ZoneSystem::find_tip_stations() {
 
 void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact) {
     Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
-    Unknowns step{Eigen::VectorXd::Zero(patch.mesh.unknowns), next.pressure};
     if (old_contact != nullptr) {
         next.displacement = carry_over(patch_.mesh, committed_.displacement, patch.mesh, next.displacement);
-        step.displacement = carry_over(patch_.mesh, last_increment_.displacement, patch.mesh, step.displacement);
         for (int k = 0; k < contact_->multipliers(); ++k) {
             const auto same = [&](const ContactInterface::Key& key) {
                 const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
@@ -65,13 +66,16 @@ void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInter
         }
     }
     committed_ = std::move(next);
-    last_increment_ = std::move(step);
+    increments_.clear();
 }
 
-void ZoneSystem::predict(double factor) {
-    trial_.displacement = committed_.displacement + factor * last_increment_.displacement;
-    // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
-    trial_.pressure = committed_.pressure + factor * last_increment_.pressure;
+void ZoneSystem::predict(const Predictor& predictor) {
+    trial_ = committed_;
+    if (const Unknowns* earlier = increments_.find(predictor)) {
+        trial_.displacement += predictor.factor * earlier->displacement;
+        // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
+        trial_.pressure += predictor.factor * earlier->pressure;
+    }
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
 }
@@ -126,7 +130,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
         if (contact_->statuses()[static_cast<std::size_t>(k)] == 0) trial_.pressure[k] = 0.0;
     }
-    last_increment_ = {trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
+    increments_.push({trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure});
     committed_ = trial_;
     zone_->commit(reversal);
     coupling::StepReport report;

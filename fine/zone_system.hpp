@@ -17,8 +17,8 @@ public:
     /// A new zone; elements and multipliers that the old one had keep their history.
     void set_patch(const coupling::Patch& patch);
 
-    /// Trial = committed + factor * last increment: the first iterate of an increment.
-    void predict(double factor);
+    /// The first iterate of an increment.
+    void predict(const Predictor& predictor);
 
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
@@ -38,6 +38,7 @@ public:
     [[nodiscard]] const ContactInterface& contact() const { return *contact_; }
     [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
+    [[nodiscard]] const Eigen::VectorXd& pressure() const { return trial_.pressure; }
     [[nodiscard]] ContactInterface::Rows contact_rows() const { return contact_->rows(trial_.pressure, gap_); }
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
@@ -67,7 +68,8 @@ private:
     std::unique_ptr<ContactInterface> contact_;
     FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
-    Unknowns committed_, trial_, last_increment_;
+    Unknowns committed_, trial_;
+    IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd gap_, load_;
     double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;

@@ -125,6 +125,8 @@ Json to_json(const Summary& summary) {
                         {"zone_extensions", summary.zone_extensions},
                         {"yield_warnings", summary.yield_warnings},
                         {"flowing_rings", summary.flowing_rings},
+                        {"fronts_refactored", summary.fronts_refactored},
+                        {"factors_reused", summary.factors_reused},
                         {"messages", summary.messages},
                         {"bytes", summary.bytes},
                         {"tips", tips}};

@@ -59,6 +59,8 @@ struct Summary {
     // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, increments in
     // which a tip had no ring outside its plastic zone, and what crossed.
     std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, flowing_rings = 0;
+    // Not done, or done only where something changed: fronts factored, Newton iterations that took the last factor.
+    std::int64_t fronts_refactored = 0, factors_reused = 0;
     std::int64_t messages = 0, bytes = 0;
     Timing timing;
     std::vector<HistoryRow> last;  // last row of each tip

@@ -1,9 +1,6 @@
 #include "common/fem/domain_integral.hpp"
 
 #include <algorithm>
-
-#include "common/fem/shape_q4.hpp"
-
 namespace stria {
 namespace {
 
@@ -47,20 +44,28 @@ bool RingSums::enter(int element) {
     return true;
 }
 
-void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const {
     const int side = point.side != 0 ? point.side : side_;
-    const auto mutual = [&](const TipField& auxiliary) {
-        return mutual_energy_momentum(tip_, stress, gradient, auxiliary);
-    };
+    return {williams_field(1, tip_, point.x, side, elastic_), williams_field(2, tip_, point.x, side, elastic_),
+            point_force_field(tip_, point.x, side, elastic_)};
+}
+
+void RingSums::add_J(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient,
+                     double work) {
     const Vec2 own = energy_momentum(tip_, stress, gradient, work);
-    const Vec2 I = mutual(williams_field(1, tip_, point.x, side, elastic_));
-    const Vec2 II = mutual(williams_field(2, tip_, point.x, side, elastic_));
-    const Vec2 T = mutual(point_force_field(tip_, point.x, side, elastic_));
-    const Eigen::Matrix<double, 4, 2> shape = shape_q4(corners_, point.xi).gradient;
-    for (const auto& [ring, q] : entered_) {
-        const Vec2 dq = point.weight * shape.transpose() * q;
-        sums_[ring] += {own.dot(dq), I.dot(dq), II.dot(dq), T.dot(dq)};
-    }
+    for_each_ring(point, [&](std::size_t ring, const Vec2& dq) { sums_[ring].J += point.weight * own.dot(dq); });
+}
+
+void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    const Vec2 own = energy_momentum(tip_, stress, gradient, work);
+    std::array<Vec2, 3> mutual;
+    std::ranges::transform(auxiliary(point), mutual.begin(), [&](const TipField& field) {
+        return mutual_energy_momentum(tip_, stress, gradient, field);
+    });
+    for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
+        const Vec2 weighted = point.weight * dq;
+        sums_[ring] += {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
+    });
 }
 
 // With the traction +-p n on the faces, -(t . u_,1) q of both adds up to -p d(opening)/dx_1 q (J), and likewise with

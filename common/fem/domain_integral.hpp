@@ -9,6 +9,7 @@
 
 #include "common/fem/crack_faces.hpp"
 #include "common/fem/element_operator.hpp"
+#include "common/fem/shape_q4.hpp"
 #include "common/fem/williams.hpp"
 
 namespace stria {
@@ -48,6 +49,17 @@ inline Vec2 mutual_energy_momentum(const Tip& tip, const Mandel& stress, const E
            in_plane(auxiliary.stress) * (gradient * tip.direction) - mutual * tip.direction;
 }
 
+/// The mutual part dotted with grad q is linear in the solution: stress . sigma + gradient : grad u.
+struct MutualWeights {
+    Mandel stress;
+    Eigen::Matrix2d gradient;
+};
+inline MutualWeights mutual_weights(const Tip& tip, const TipField& auxiliary, const Vec2& dq) {
+    const Eigen::Matrix2d stress =
+        dq * (auxiliary.gradient * tip.direction).transpose() - dq.dot(tip.direction) * auxiliary.gradient;
+    return {strain_of(stress), in_plane(auxiliary.stress) * dq * tip.direction.transpose()};
+}
+
 /// Sums over the rings of one tip. Fields are evaluated once a point, whatever the number of rings.
 class RingSums {
 public:
@@ -59,6 +71,15 @@ public:
 
     /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
+
+    /// The same, for J alone: without the auxiliary fields.
+    void add_J(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
+
+    /// The auxiliary fields of the interactions I, II and T at a point.
+    [[nodiscard]] std::array<TipField, 3> auxiliary(const IntegrationPoint& point) const;
+
+    /// Calls visit(ring, grad q) for each ring in which q varies on the element entered.
+    template <class Visit> void for_each_ring(const IntegrationPoint& point, Visit&& visit) const;
 
     /// A station of the tip's crack with both faces under pressure, MPa. `slope`: d(opening)/ds along its tangent.
     void add_pressure(const FaceStation& station, double pressure, double slope);
@@ -81,6 +102,11 @@ private:
     std::vector<Entered> entered_;
     int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
 };
+
+template <class Visit> void RingSums::for_each_ring(const IntegrationPoint& point, Visit&& visit) const {
+    const Eigen::Matrix<double, 4, 2> shape = shape_q4(corners_, point.xi).gradient;
+    for (const auto& [ring, q] : entered_) visit(ring, Vec2(shape.transpose() * q));
+}
 
 /// Whether any element of a mesh has something to add to a ring.
 bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring);

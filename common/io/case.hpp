@@ -96,7 +96,8 @@ struct LoadBlock {
 enum class Control { Load, Displacement };
 
 struct LoadSection {
-    int steps = 40;  // increments per cycle
+    int steps = 40;        // increments per cycle
+    double grading = 1.0;  // increment k of h ends at (k/h)^grading of the way from one reversal to the next
     std::vector<LoadBlock> blocks;
     Control control = Control::Load;
     bool operator==(const LoadSection&) const = default;
@@ -134,6 +135,7 @@ struct FineSection {
     int refine = 1;
     double growth = 0.15;  // of the element size with the distance to the tip
     int subcells = 2;
+    int substeps = 1;  // of a strain increment, at points that flow
     Enrichment enrichment = Enrichment::Auto;
     std::optional<double> enrichment_n;
     std::optional<double> enrichment_radius;  // mm, of geometrical enrichment

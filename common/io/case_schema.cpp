@@ -176,6 +176,10 @@ Section<LoadSection> load_section() {
         .at_least(2)
         .even()
         .says("Increments per cycle; the first ramp takes half as many more.");
+    s.value("grading", &LoadSection::grading)
+        .positive()
+        .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.6: "
+              "large where little flows, small where much does.");
     s.list("blocks", &LoadSection::blocks, block_section()).says("Blocks of equal cycles, one after the other.");
     s.choice<Control>("control", &LoadSection::control,
                       {{"load", Control::Load}, {"displacement", Control::Displacement}})
@@ -240,6 +244,9 @@ Section<FineSection> fine_section() {
     s.value("subcells", &FineSection::subcells)
         .at_least(1)
         .says("Sub-quadrangles per element edge, 2 x 2 Gauss points each.");
+    s.value("substeps", &FineSection::substeps)
+        .at_least(1)
+        .says("Parts of a strain increment at points that flow: the return mapping is of first order in them.");
     s.choice<Enrichment>("enrichment", &FineSection::enrichment,
                          {{"auto", Enrichment::Auto},
                           {"none", Enrichment::None},

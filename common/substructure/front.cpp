@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/linear/dense_cholesky.hpp"
 #include "common/linear/lapack.hpp"
 
 namespace stria {
@@ -116,17 +117,7 @@ int Front::eliminate_general(double tolerance) {
 }
 
 void Front::mirror() {
-    if (!symmetric()) return;
-    constexpr int tile = 32;  // columns and rows of a tile both stay in the first cache
-    for (int first = 0; first < kept_; first += tile) {
-        for (int row = first; row < kept_; row += tile) {
-            const int columns_end = std::min(first + tile, kept_);
-            const int rows_end = std::min(row + tile, kept_);
-            for (int j = first; j < columns_end; ++j) {
-                for (int i = std::max(row, j + 1); i < rows_end; ++i) schur_(j, i) = schur_(i, j);
-            }
-        }
-    }
+    if (symmetric()) mirror_lower(schur_);
 }
 
 void Front::forward(Vector own, Vector kept) const {

@@ -17,11 +17,12 @@ void demand(bool met, std::string_view key, const auto& value, std::string_view 
     if (!met) throw CaseError(fmt::format("material.{} = {}: {}", key, value, allowed));
 }
 
-std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material, PlaneState plane) {
+std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material, PlaneState plane, int substeps) {
     J2Parameters parameters{.elasticity = elasticity_of(material, plane),
                             .yield_stress = *material.yield_stress,
                             .isotropic = material.isotropic.modulus,
-                            .kinematic = {}};
+                            .kinematic = {},
+                            .substeps = substeps};
     demand(parameters.yield_stress > 0.0, "yield_stress", parameters.yield_stress, "must be > 0");
     demand(parameters.isotropic >= 0.0, "isotropic.modulus", parameters.isotropic, "must be >= 0");
     for (const auto& [C, gamma] : material.kinematic) {
@@ -29,23 +30,25 @@ std::unique_ptr<MaterialLaw> make_linear(const MaterialSection& material, PlaneS
         demand(gamma == 0.0, "kinematic.gamma", gamma, "this version has Prager's rule only, gamma = 0");
         parameters.kinematic.push_back(C);
     }
+    if (plane == PlaneState::Stress && substeps > 1)
+        throw CaseError(fmt::format("fine.substeps = {}: in plane stress this version has 1 only", substeps));
     if (plane == PlaneState::Stress) return std::make_unique<J2PlaneStress>(parameters);
     return std::make_unique<J2>(parameters);
 }
 
 struct Entry {
     std::string_view isotropic_law;
-    std::unique_ptr<MaterialLaw> (*make)(const MaterialSection&, PlaneState);
+    std::unique_ptr<MaterialLaw> (*make)(const MaterialSection&, PlaneState, int);
 };
 
 constexpr std::array catalogue{Entry{"linear", make_linear}};
 
 }  // namespace
 
-std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane) {
+std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps) {
     if (!material.yield_stress) return std::make_unique<Elastic>(elasticity_of(material, plane));
     for (const Entry& entry : catalogue)
-        if (entry.isotropic_law == material.isotropic.law) return entry.make(material, plane);
+        if (entry.isotropic_law == material.isotropic.law) return entry.make(material, plane, substeps);
     std::string known;
     for (const Entry& entry : catalogue) known += fmt::format(" \"{}\"", entry.isotropic_law);
     throw CaseError(fmt::format("material.isotropic.law = \"{}\": this version has{}", material.isotropic.law, known));

@@ -14,12 +14,16 @@ struct J2Parameters {
     double isotropic = 0.0;         // MPa, H of R = H p
     std::vector<double> kinematic;  // MPa, C of each dX = 2/3 C d(eps_p)
 
+    int substeps = 1;  // of a strain increment at points that flow
+
     [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
 };
 
 class J2 final : public MaterialLaw {
 public:
     explicit J2(const J2Parameters& parameters);
+
+    int substeps = 1;  // of a strain increment at points that flow
 
     [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
@@ -28,9 +32,10 @@ public:
 
 private:
     J2Parameters parameters_;
-    double bulk_;      // MPa
-    double shear_;     // MPa
-    double uniaxial_;  // MPa, 3 G + H + sum C: overstress per unit of plastic flow
+    double bulk_;       // MPa
+    double shear_;      // MPa
+    double kinematic_;  // MPa, sum C
+    double uniaxial_;   // MPa, 3 G + H + sum C: overstress per unit of plastic flow
 };
 
 }  // namespace stria::fine

@@ -42,7 +42,7 @@ public:
 };
 
 /// The law of a case, of plane strain or plane stress: J2 with linear isotropic and Prager hardening, or elastic where
-/// no yield stress is given.
-std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane);
+/// no yield stress is given. `substeps`: of a strain increment at points that flow (plane strain).
+std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps = 1);
 
 }  // namespace stria::fine

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace stria::coarse {
 namespace {
 
 LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts = 3, Control control = Control::Load) {
-    return LoadController({.steps = steps, .blocks = std::move(blocks), .control = control},
+    return LoadController({.steps = steps, .grading = 1.0, .blocks = std::move(blocks), .control = control},
                           {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
 }
 
@@ -64,6 +66,27 @@ TEST(LoadController, ExtrapolatesButNotPastAReversal) {
     const std::vector<double> predictors{0, 1, 0, 1, 0, 1};
     for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_EQ(steps[k].predictor, predictors[k]) << k;
     EXPECT_EQ(all_steps(controller(4, {{1, 10.0, -30.0}}))[2].predictor, 0.0);
+}
+
+TEST(LoadController, ACycleStartsFromTheIncrementsOfTheOneBefore) {
+    const std::vector<LoadStep> steps = all_steps(controller(4, {{2, 10.0, 0.0}, {1, 20.0, 0.0}}));
+    for (std::size_t k = 6; k < 10; ++k) EXPECT_EQ(steps[k].predictor, Predictor(1.0, 4)) << k;
+    EXPECT_EQ(steps[4].predictor, Predictor());      // reloads where the ramp loaded: no twin
+    EXPECT_EQ(steps[10].predictor, Predictor(1.0));  // from 10 to 15: for the first time
+    auto loads = controller(4, {{2, 10.0, 0.0}});
+    for (int k = 0; k < 6; ++k) loads.accepted();
+    loads.forget_increments();
+    EXPECT_EQ(loads.next()->predictor, Predictor());
+}
+
+TEST(LoadController, GradesTheIncrementsFromEachReversal) {
+    const LoadController loads({.steps = 8, .grading = 0.5, .blocks = {{1, 2.0, -2.0}}}, {});
+    const std::vector<double> found = factors(loads);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double way = std::sqrt(static_cast<double>(k + 1) / 4.0);
+        EXPECT_DOUBLE_EQ(found[k], 2.0 * way);
+        EXPECT_DOUBLE_EQ(found[4 + k], 2.0 - 4.0 * way);
+    }
 }
 
 TEST(LoadController, HalvesAndGrowsAgain) {

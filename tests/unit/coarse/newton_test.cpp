@@ -19,9 +19,9 @@ public:
     double u = 0.0, start = 0.0;
     int applied = 0;
 
-    void begin(const Target& target, double predictor) override {
+    void begin(const Target& target, const Predictor& predictor) override {
         load_ = target.value;
-        u = start + predictor;
+        u = start + predictor.factor;
     }
     Residual linearise() override {
         residual_ = load_ - force(u);

@@ -92,7 +92,7 @@ class FullNewton {
 public:
     FullNewton() : system_(scene) { system_.set_patch(patch); }
 
-    PatchResponse begin(const Eigen::VectorXd& boundary, double predictor) {
+    PatchResponse begin(const Eigen::VectorXd& boundary, const Predictor& predictor) {
         system_.predict(predictor);
         return evaluate(boundary);
     }
