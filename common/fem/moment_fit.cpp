@@ -42,6 +42,7 @@ Monomials moments(std::span<const Vec2> polygon, const Frame& frame) {
 bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, const Frame& frame, int count) {
     constexpr double keep = 1e-4;
     const Eigen::Index n = std::ssize(points);
+    if (n == 0) return false;
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(count + n, n);
     Eigen::VectorXd b(count + n);
     b.head(count) = wanted.head(count);

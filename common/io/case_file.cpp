@@ -154,7 +154,9 @@ std::string resolved_toml(const Case& scene) {
     std::string sections;
     for (const Key& key : case_schema().keys()) {
         const Value* value = schema::find(root, key.name);
-        if (key.keys.empty()) {
+        if (value == nullptr) {
+            sections += fmt::format("\n# [{}]: absent\n", key.name);
+        } else if (key.keys.empty()) {
             scalars += fmt::format("{} = {}\n", key.name, schema::to_toml(*value));
         } else if (key.repeated) {
             for (const Value& entry : std::get<List>(value->data))

@@ -52,7 +52,8 @@ PatchResponse small_response() {
                        .largest_plastic_increment = 1e-4,
                        .status = {0, 1},
                        .multiplier = {0.0, -3.5},
-                       .status_changes = 1};
+                       .status_changes = 1,
+                       .contact_reach = {-1.0, 0.25}};
     return response;
 }
 
