@@ -1,5 +1,6 @@
 #include "coarse/fatigue_analysis.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -91,9 +92,28 @@ void FatigueAnalysis::run() {
             const std::vector<ContactChange> changes = measure_closure(step, report);
             accept(step, report, changes);
             controller_.accepted();
-            if (scene_->input.growth && grows_at(*scene_->input.growth, step)) grow(step);
+            if (scene_->input.growth && grows_at(*scene_->input.growth, step)) {
+                if (has_grown_enough()) return;
+                grow(step);
+            }
         }
     }
+}
+
+bool FatigueAnalysis::has_grown_enough() const {
+    const GrowthSection& growth = *scene_->input.growth;
+    for (std::size_t t = 0; t < nominal_.size(); ++t) {
+        const double K = nominal_[t].K_I * load_factor_;
+        if (growth.until && nominal_[t].a >= *growth.until * (1.0 - 1e-9)) {
+            listener_.note(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal_[t].a));
+            return true;
+        }
+        if (growth.toughness && K >= *growth.toughness) {
+            listener_.note(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", t, K));
+            return true;
+        }
+    }
+    return false;
 }
 
 NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
@@ -130,8 +150,13 @@ std::vector<ContactChange> FatigueAnalysis::measure_closure(const LoadStep& step
 // at constant load the body finds equilibrium with them.
 void FatigueAnalysis::grow(const LoadStep& reached) {
     Case input = scene_->input;
-    for (const Tip& tip : scene_->enriched.tips)
-        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, tip.direction, input.growth->increment);
+    for (std::size_t t = 0; t < nominal_.size(); ++t) {
+        const Tip& tip = scene_->enriched.tips[t];
+        const bool straight = input.growth->direction == GrowthDirection::Straight;
+        const double angle = straight ? 0.0 : hoop_stress_angle(nominal_[t].K_I, nominal_[t].K_II);
+        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
+                input.growth->increment);
+    }
     auto next = std::make_unique<Scene>(make_scene(input, scene_->mesh));
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
     committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);

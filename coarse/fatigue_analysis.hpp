@@ -97,6 +97,7 @@ private:
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
     void accept(const LoadStep& step, const NewtonReport& report, const std::vector<ContactChange>& changes);
+    [[nodiscard]] bool has_grown_enough() const;
     void grow(const LoadStep& reached);
     [[nodiscard]] std::vector<ContactChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/crack_growth.hpp"
 #include "coarse/results/zone_fields.hpp"
 #include "common/stopwatch.hpp"
 
@@ -111,7 +112,6 @@ void RunRecorder::finish_cycle(const Increment& increment) {
         row.tip = static_cast<std::int64_t>(t);
         row.a = increment.tips[t].a;
         row.da = increment.tips[t].a - cycle.a;
-        row.dN = 1.0;
         row.K_max = cycle.K_max;
         row.K_min = cycle.K_min;
         // A crack that never closes is open down to the minimum.
@@ -119,6 +119,7 @@ void RunRecorder::finish_cycle(const Increment& increment) {
         row.K_cl = cycle.touched ? cycle.K_cl : cycle.K_min;
         row.U = (row.K_max - row.K_op) / (row.K_max - row.K_min);
         row.dK_eff = row.K_max - row.K_op;
+        row.dN = scene_.input.growth ? cycles_of_increment(*scene_.input.growth, row.K_max, row.K_min, row.K_op) : 1.0;
         row.J_max = cycle.J_max;
         if (cycle.CTOD_max >= cycle.CTOD_min) row.CTOD_range = cycle.CTOD_max - cycle.CTOD_min;
         row.forward_zone = cycle.forward;

@@ -106,11 +106,20 @@ struct LoadSection {
 /// With the maximum of a cycle, or its minimum, just reached.
 enum class GrowthAt { Maximum, Minimum };
 
+enum class GrowthLaw { Prescribed, Paris };
+enum class GrowthDriving { Range, EffectiveRange };  // K_max - K_min, K_max - K_op
+enum class GrowthDirection { HoopStress, Straight };
+
 struct GrowthSection {
-    std::string law = "prescribed";
+    GrowthLaw law = GrowthLaw::Prescribed;
     double increment = 0.0;  // mm
     int every = 1;           // cycles
     GrowthAt at = GrowthAt::Maximum;
+    double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm)
+    GrowthDriving driving = GrowthDriving::Range;
+    GrowthDirection direction = GrowthDirection::HoopStress;
+    std::optional<double> until;      // mm, crack length
+    std::optional<double> toughness;  // MPa sqrt(mm)
     bool operator==(const GrowthSection&) const = default;
 };
 

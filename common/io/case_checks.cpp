@@ -52,6 +52,11 @@ void check_crack(const CrackSection& crack, const Value& table, const Place& pla
             reject(place.inside("points"), points, {}, "must not repeat a point: a segment has no length");
 }
 
+void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {
+    if (growth.law == GrowthLaw::Paris && (growth.C <= 0.0 || growth.m <= 0.0))
+        reject(place.inside("law"), *find(table, "law"), {}, "needs C and m, both positive");
+}
+
 void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {
     const bool point = boundary.on == "point", pin = boundary.on.starts_with("pin-");
     const auto complain = [&](const char* key, const char* demand) {

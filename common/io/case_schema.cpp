@@ -190,7 +190,10 @@ Section<LoadSection> load_section() {
 
 Section<GrowthSection> growth_section() {
     Section<GrowthSection> s;
-    s.value("law", &GrowthSection::law).one_of({"prescribed"}).says("prescribed: by the increment.");
+    s.choice<GrowthLaw>("law", &GrowthSection::law,
+                        {{"prescribed", GrowthLaw::Prescribed}, {"paris", GrowthLaw::Paris}})
+        .says("prescribed: by the increment. paris: by the increment too, and the computed cycle stands for as many as "
+              "da/dN = C dK^m needs for it (dN of cycles.csv).");
     s.value("increment", &GrowthSection::increment)
         .in("mm")
         .positive()
@@ -199,6 +202,20 @@ Section<GrowthSection> growth_section() {
     s.value("every", &GrowthSection::every).at_least(1).says("Cycles from one advance to the next.");
     s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
         .says("At which extreme of the cycle the crack grows.");
+    s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm)").at_least(0.0).says("Of Paris' law.");
+    s.value("m", &GrowthSection::m).at_least(0.0).says("Of Paris' law.");
+    s.choice<GrowthDriving>("driving", &GrowthSection::driving,
+                            {{"dK", GrowthDriving::Range}, {"dK_eff", GrowthDriving::EffectiveRange}})
+        .says("What drives Paris' law: K_max - K_min, or K_max - K_op.");
+    s.choice<GrowthDirection>("direction", &GrowthSection::direction,
+                              {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
+        .says("hoop: of the largest hoop stress; below K_II = 0.005 K_I straight on.");
+    s.value("until", &GrowthSection::until).in("mm").positive().says("The run ends when a crack is as long.");
+    s.value("toughness", &GrowthSection::toughness)
+        .in("MPa sqrt(mm)")
+        .positive()
+        .says("The run ends when K_max of a tip reaches it.");
+    s.check(check_growth);
     return s;
 }
 

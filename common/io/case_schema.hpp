@@ -14,6 +14,7 @@ const std::vector<schema::NotYet>& not_in_this_version();
 /// Conditions that several keys must meet together. Each throws CaseError.
 void check_grading(const Grading& grading, const schema::Value& table, const schema::Place& place);
 void check_mesh(const MeshSection& mesh, const schema::Value& table, const schema::Place& place);
+void check_growth(const GrowthSection& growth, const schema::Value& table, const schema::Place& place);
 void check_crack(const CrackSection& crack, const schema::Value& table, const schema::Place& place);
 void check_boundary(const BoundarySection& boundary, const schema::Value& table, const schema::Place& place);
 void check_block(const LoadBlock& block, const schema::Value& table, const schema::Place& place);

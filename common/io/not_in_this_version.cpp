@@ -54,8 +54,7 @@ const std::vector<NotYet>& not_in_this_version() {
         key("regions", one_material),
         above("crack.contact.friction", 0.0, "contact is frictionless, friction = 0"),
         word("load.control", "K", "control is \"load\" or \"displacement\""),
-        word("growth.law", "paris", "law is \"prescribed\""),
-        word("growth.law", "ctod", "law is \"prescribed\""),
+        word("growth.law", "ctod", "law is \"prescribed\" or \"paris\""),
         key("output.checkpoint_every", "no checkpoints are written"),
     };
     return list;

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <numbers>
 
+#include "coarse/crack_growth.hpp"
+#include "coarse/specimen/handbook.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -16,7 +19,7 @@ TEST(CrackGrowth, AnElasticBodyForgetsHowTheCrackCameThere) {
     Case input = edge_crack(0.3, 3.0, End::Pulled);
     input.mesh.size = 1.0 / 21.0;
     input.load = {.steps = 2, .blocks = {{.cycles = 3, .max = 1.0, .min = 0.0}}};
-    input.growth = GrowthSection{.law = "prescribed", .increment = 0.031};
+    input.growth.emplace().increment = 0.031;
     const RunHistory run = run_direct(input);
     const ElasticSolution longer([&] {
         Case grown = input;
@@ -28,6 +31,36 @@ TEST(CrackGrowth, AnElasticBodyForgetsHowTheCrackCameThere) {
     EXPECT_NEAR(tip.a, 0.393, 1e-12);
     EXPECT_NEAR(tip.K_I, longer.tips[0].K_I, 1e-9 * tip.K_I);
     EXPECT_NEAR(tip.CMOD, longer.tips[0].CMOD, 1e-9 * tip.CMOD);
+}
+
+// Paris' law with a K that the handbook knows: the life is the integral of 1 / (C dK^m).
+TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
+    constexpr double C = 1e-13, m = 3.0, stress = 80.0;
+    Case input = edge_crack(0.3, 4.0, End::Pulled);
+    input.mesh.size = 1.0 / 21.0;
+    input.load = {.steps = 2, .blocks = {{.cycles = 100, .max = stress, .min = 0.0}}};
+    GrowthSection& growth = input.growth.emplace();
+    growth.law = GrowthLaw::Paris;
+    growth.increment = 0.01;
+    growth.C = C;
+    growth.m = m;
+    growth.until = 0.5;
+    const RunHistory run = run_direct(input);
+    double life = 0.0, handbook = 0.0;
+    for (const coarse::Increment& increment : run.increments) {
+        if (increment.step.ends_cycle && increment.tips[0].a < 0.5 - 1e-9)
+            life += coarse::cycles_of_increment(growth, increment.tips[0].K_I, 0.0, 0.0);
+    }
+    for (int k = 0; k < 2000; ++k) {
+        const double a = 0.3 + 0.2 * (k + 0.5) / 2000.0;
+        const double K = stress * coarse::sent_factor(a) * std::sqrt(std::numbers::pi * a);
+        handbook += 0.2 / 2000.0 / (C * std::pow(K, m));
+    }
+    std::cout << fmt::format("life from a/W = .3 to .5: {:.0f} cycles, handbook {:.0f}\n", life, handbook);
+    EXPECT_NEAR(run.increments.back().tips[0].a, 0.5, 1e-9);
+    // K is taken where each increment starts: (1/2) increment (1/rate)' over the way, 4 % here.
+    EXPECT_NEAR(life, handbook, 0.06 * handbook);
+    EXPECT_GT(life, handbook);
 }
 
 /// Plane stress, R = 0: twelve cycles of growth through elements of 0.1 mm at the tip.

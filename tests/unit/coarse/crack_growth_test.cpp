@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace stria::coarse {
 namespace {
 
@@ -27,7 +30,9 @@ TEST(CrackGrowth, MovesTheFirstPointOfACrackThatStartsAtATip) {
 }
 
 TEST(CrackGrowth, ComesWithTheCyclesAsked) {
-    GrowthSection growth{.law = "prescribed", .increment = 0.1, .every = 2, .at = GrowthAt::Maximum};
+    GrowthSection growth;
+    growth.increment = 0.1;
+    growth.every = 2;
     LoadStep step;
     step.cycle = 2;
     EXPECT_FALSE(grows_at(growth, step));
@@ -35,11 +40,35 @@ TEST(CrackGrowth, ComesWithTheCyclesAsked) {
     EXPECT_TRUE(grows_at(growth, step));
     step.cycle = 3;
     EXPECT_FALSE(grows_at(growth, step));
-    growth = {.law = "prescribed", .increment = 0.1, .every = 1, .at = GrowthAt::Minimum};
+    growth.every = 1;
+    growth.at = GrowthAt::Minimum;
     EXPECT_FALSE(grows_at(growth, step));
     step.at_minimum = true;
     EXPECT_TRUE(grows_at(growth, step));
     EXPECT_NEAR(planned_growth(growth, {.blocks = {{.cycles = 3}, {.cycles = 4}}}), 0.7, 1e-15);
+}
+
+// REFERENCES 2.4: an inclined crack at b to the load, K_I : K_II = sin b : cos b.
+TEST(CrackGrowth, TurnsToTheLargestHoopStress) {
+    constexpr double degree = std::numbers::pi / 180.0;
+    for (const auto& [b, angle] : {std::pair{30.0, -60.0}, {45.0, -53.1301}, {60.0, -43.2213}}) {
+        const double K_I = std::sin(b * degree), K_II = std::cos(b * degree);
+        EXPECT_NEAR(hoop_stress_angle(K_I, K_II) / degree, angle, 1e-4);
+        EXPECT_NEAR(hoop_stress_angle(K_I, -K_II) / degree, -angle, 1e-4);
+    }
+    EXPECT_NEAR(hoop_stress_angle(0.0, 1.0) / degree, -70.5288, 1e-4);
+    EXPECT_EQ(hoop_stress_angle(1.0, 0.004), 0.0);
+}
+
+TEST(CrackGrowth, TakesTheCyclesOfParisLaw) {
+    GrowthSection growth;
+    growth.law = GrowthLaw::Paris;
+    growth.increment = 0.1;
+    growth.C = 1e-12;
+    growth.m = 3.0;
+    EXPECT_NEAR(cycles_of_increment(growth, 600.0, 100.0, 300.0), 0.1 / (1e-12 * 1.25e8), 1e-9);
+    growth.driving = GrowthDriving::EffectiveRange;
+    EXPECT_NEAR(cycles_of_increment(growth, 600.0, 100.0, 300.0), 0.1 / (1e-12 * 2.7e7), 1e-9);
 }
 
 }  // namespace
