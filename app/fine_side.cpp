@@ -1,5 +1,6 @@
 #include "app/fine_side.hpp"
 
+#include <exception>
 #include <fmt/format.h>
 
 #include "common/error.hpp"
@@ -20,14 +21,21 @@ FineSide::FineSide(const Case& input, int ranks) {
     put_together(input);
 }
 
+// Every peer is greeted before anything is refused: nobody is left waiting.
 FineSide::FineSide(const Case& input, const coupling::MpiSession& session) {
-    check_fine_ranks(input, session.peers());
+    std::exception_ptr refusal;
     for (int peer = 0; peer < session.peers(); ++peer) {
         transports_.push_back(session.transport(peer));
-        auto remote = std::make_unique<coupling::RemoteFineScale>(*transports_.back(), digest(input));
-        remotes_.push_back(remote.get());
-        scales_.push_back(std::move(remote));
+        try {
+            auto remote = std::make_unique<coupling::RemoteFineScale>(*transports_.back(), digest(input));
+            remotes_.push_back(remote.get());
+            scales_.push_back(std::move(remote));
+        } catch (const CaseError&) {
+            refusal = std::current_exception();
+        }
     }
+    if (refusal) std::rethrow_exception(refusal);
+    check_fine_ranks(input, session.peers());
     put_together(input);
 }
 

@@ -28,7 +28,6 @@ struct FineRanks::Rank {
     std::vector<int> elements;  // of the patch's mesh
     std::vector<int> unknowns;  // of the patch's mesh, of each unknown of its own
     std::vector<int> shared;    // of its boundary: places in kept_
-    EnrichedMesh mesh;          // until it is sent
 };
 
 FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
@@ -38,12 +37,12 @@ FineRanks::~FineRanks() = default;
 
 void FineRanks::set_patch(const Patch& patch) {
     const Eigen::VectorXd displacement = known_displacement(patch);
-    divide(patch);
+    std::vector<EnrichedMesh> parts = divide(patch.mesh);
     patch_ = patch;
     find_seams();
     committed_ = trial_ = gather(displacement, kept_);
     increments_.clear();
-    send_parts(displacement);
+    send(std::move(parts), displacement);
     plant_tree();
 }
 
@@ -55,19 +54,20 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
     return carry_over(patch_.mesh, known, next.mesh, next.displacement);
 }
 
-void FineRanks::divide(const Patch& patch) {
-    const std::vector<int> rank_of = share_out(patch.mesh, static_cast<int>(scales_.size()), owner_);
-    for (std::size_t e = 0; e < rank_of.size(); ++e) owner_[patch.mesh.element_ids[e]] = rank_of[e];
+std::vector<EnrichedMesh> FineRanks::divide(const EnrichedMesh& zone) {
+    const std::vector<int> rank_of = share_out(zone, static_cast<int>(scales_.size()), owner_);
+    for (std::size_t e = 0; e < rank_of.size(); ++e) owner_[zone.element_ids[e]] = rank_of[e];
     ranks_.clear();
+    std::vector<EnrichedMesh> parts;
     for (std::size_t r = 0; r < scales_.size(); ++r) {
         std::vector<int> elements;
         for (std::size_t e = 0; e < rank_of.size(); ++e)
             if (rank_of[e] == static_cast<int>(r)) elements.push_back(static_cast<int>(e));
         if (elements.empty()) continue;
-        EnrichedMesh mesh = extract(patch.mesh, elements);
-        std::vector<int> unknowns = whole_unknowns(patch.mesh, mesh);
-        ranks_.push_back({scales_[r], r, std::move(elements), std::move(unknowns), {}, std::move(mesh)});
+        parts.push_back(extract(zone, elements));
+        ranks_.push_back({scales_[r], r, std::move(elements), whole_unknowns(zone, parts.back()), {}});
     }
+    return parts;
 }
 
 void FineRanks::find_seams() {
@@ -88,10 +88,11 @@ void FineRanks::find_seams() {
 }
 
 // All rings for everybody: pressure on faces counts also where q is one, inside of them.
-void FineRanks::send_parts(const Eigen::VectorXd& displacement) {
-    for (Rank& rank : ranks_) {
+void FineRanks::send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement) {
+    for (std::size_t k = 0; k < ranks_.size(); ++k) {
+        Rank& rank = ranks_[k];
         Patch part;
-        part.mesh = std::move(rank.mesh);
+        part.mesh = std::move(parts[k]);
         part.displacement = gather(displacement, rank.unknowns);
         part.unit_load = gather(patch_.unit_load, rank.unknowns);
         part.rings = patch_.rings;
@@ -167,12 +168,11 @@ std::vector<PatchResponse> FineRanks::collect_all() {
 
 PatchResponse FineRanks::collect() {
     const std::vector<PatchResponse> answers = collect_all();
-    std::vector<std::vector<int>> elements;
-    for (const Rank& rank : ranks_) elements.push_back(rank.elements);
-    PatchResponse response = merge(answers, elements, static_cast<int>(patch_.mesh.elements.size()));
-
+    PatchResponse response;
+    response.digest.yielding_points.assign(patch_.mesh.elements.size(), 0);
     Eigen::VectorXd load = load_factor_ * own_load_, unit_load = own_load_;
     for (std::size_t k = 0; k < ranks_.size(); ++k) {
+        add(response, answers[k], ranks_[k].elements);
         load(ranks_[k].shared) -= answers[k].force;
         unit_load(ranks_[k].shared) += answers[k].unit_load;
     }
@@ -195,7 +195,7 @@ StepReport FineRanks::commit(bool reversal) {
     increments_.push(trial_ - committed_);
     committed_ = trial_;
     for (const Rank& rank : ranks_) reports_[rank.number] = rank.scale->commit(reversal);
-    StepReport report = merge(reports_, patch_.rings);
+    StepReport report = sum_of(reports_, patch_.rings);
     report.unknowns = patch_.mesh.unknowns + report.multipliers;  // seams once
     return report;
 }
@@ -207,7 +207,7 @@ void FineRanks::rollback() {
 ZoneState FineRanks::state() {
     ZoneState whole;
     whole.displacement = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
-    for (const Rank& rank : ranks_) append(whole, rank.scale->state(), rank.unknowns, rank.elements);
+    for (const Rank& rank : ranks_) add(whole, rank.scale->state(), rank.unknowns, rank.elements);
     return whole;
 }
 

@@ -35,9 +35,9 @@ private:
     struct Rank;
 
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
-    void divide(const Patch& patch);
+    [[nodiscard]] std::vector<EnrichedMesh> divide(const EnrichedMesh& zone);
     void find_seams();
-    void send_parts(const Eigen::VectorXd& displacement);
+    void send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement);
     void plant_tree();
     void advance_seams(const PatchDisplacement& displacement);
     [[nodiscard]] std::vector<PatchResponse> collect_all();

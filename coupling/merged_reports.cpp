@@ -16,7 +16,7 @@ template <class T> void widen(std::vector<T>& list, std::size_t size, const T& v
 
 void append(auto& whole, const auto& part) { whole.insert(whole.end(), part.begin(), part.end()); }
 
-void merge_digest(Digest& whole, const Digest& part, const std::vector<int>& elements) {
+void add_digest(Digest& whole, const Digest& part, const std::vector<int>& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e)
         whole.yielding_points[static_cast<std::size_t>(elements[e])] = part.yielding_points[e];
     raise(whole.largest_plastic_increment, part.largest_plastic_increment);
@@ -27,7 +27,7 @@ void merge_digest(Digest& whole, const Digest& part, const std::vector<int>& ele
     for (std::size_t t = 0; t < part.contact_reach.size(); ++t) raise(whole.contact_reach[t], part.contact_reach[t]);
 }
 
-void merge_tips(StepReport& whole, const StepReport& part) {
+void add_tips(StepReport& whole, const StepReport& part) {
     widen(whole.tips, part.tips.size());
     for (std::size_t t = 0; t < part.tips.size(); ++t) {
         raise(whole.tips[t].CTOD, part.tips[t].CTOD);
@@ -37,7 +37,7 @@ void merge_tips(StepReport& whole, const StepReport& part) {
     }
 }
 
-void merge_rings(StepReport& whole, const StepReport& part) {
+void add_rings(StepReport& whole, const StepReport& part) {
     for (const RingReport& share : part.rings) {
         const auto same = [&](const RingReport& r) { return r.tip == share.tip && r.number == share.number; };
         RingReport& ring = *std::ranges::find_if(whole.rings, same);
@@ -49,7 +49,7 @@ void merge_rings(StepReport& whole, const StepReport& part) {
 }
 
 // The faces of a crack are all with one part.
-void merge_faces(StepReport& whole, const StepReport& part) {
+void add_faces(StepReport& whole, const StepReport& part) {
     const std::size_t cracks = part.contact_length.size();
     widen(whole.contact_length, cracks);
     widen(whole.mouth_opening, cracks, std::numeric_limits<double>::quiet_NaN());
@@ -60,7 +60,7 @@ void merge_faces(StepReport& whole, const StepReport& part) {
     }
 }
 
-void merge_counters(StepReport& whole, const StepReport& part) {
+void add_counters(StepReport& whole, const StepReport& part) {
     whole.dissipation += part.dissipation;
     whole.points += part.points;
     whole.unknowns += part.unknowns;
@@ -74,36 +74,29 @@ void merge_counters(StepReport& whole, const StepReport& part) {
 
 }  // namespace
 
-PatchResponse merge(const std::vector<PatchResponse>& parts, const std::vector<std::vector<int>>& elements, int count) {
-    PatchResponse whole;
-    whole.digest.yielding_points.assign(static_cast<std::size_t>(count), 0);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const PatchResponse& part = parts[k];
-        raise(whole.interior_residual, part.interior_residual);
-        raise(whole.interior_force, part.interior_force);
-        raise(whole.contact_residual, part.contact_residual);
-        raise(whole.interior_correction, part.interior_correction);
-        raise(whole.interior_displacement, part.interior_displacement);
-        merge_digest(whole.digest, part.digest, elements[k]);
-    }
-    return whole;
+void add(PatchResponse& whole, const PatchResponse& part, const std::vector<int>& elements) {
+    raise(whole.interior_residual, part.interior_residual);
+    raise(whole.interior_force, part.interior_force);
+    raise(whole.contact_residual, part.contact_residual);
+    raise(whole.interior_correction, part.interior_correction);
+    raise(whole.interior_displacement, part.interior_displacement);
+    add_digest(whole.digest, part.digest, elements);
 }
 
-StepReport merge(const std::vector<StepReport>& parts, const std::vector<Ring>& rings) {
+StepReport sum_of(const std::vector<StepReport>& parts, const std::vector<Ring>& rings) {
     StepReport whole;
     for (const Ring& ring : rings) whole.rings.push_back({.tip = ring.tip, .number = ring.number});
     for (const StepReport& part : parts) {
-        merge_tips(whole, part);
-        merge_rings(whole, part);
-        merge_faces(whole, part);
-        merge_counters(whole, part);
+        add_tips(whole, part);
+        add_rings(whole, part);
+        add_faces(whole, part);
+        add_counters(whole, part);
     }
     std::ranges::stable_sort(whole.faces, {}, &FaceSample::crack);
     return whole;
 }
 
-void append(ZoneState& whole, const ZoneState& part, const std::vector<int>& unknowns,
-            const std::vector<int>& elements) {
+void add(ZoneState& whole, const ZoneState& part, const std::vector<int>& unknowns, const std::vector<int>& elements) {
     whole.displacement(unknowns) = part.displacement;
     for (const std::int32_t element : part.element)
         whole.element.push_back(elements[static_cast<std::size_t>(element)]);

@@ -25,6 +25,10 @@ const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "
 const std::vector<std::string> refined_scene{"mesh.grading=[]", "mesh.size=7.4", "fine.refine=16", "fine.growth=0.25",
                                              "solver.tolerance=1e-12"};
 
+/// The zone of the first, begun too small: new elements join while others have a history.
+const std::vector<std::string> extended_scene{mesh_at_tip(0.3), "mesh.size=10.0", "fine.radius=1.0",
+                                              "solver.tolerance=1e-12"};
+
 /// The crack grows through elements and across their edges, at the maximum of three cycles.
 const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.size=10.0",
                                              "solver.tolerance=1e-12", "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
@@ -162,9 +166,9 @@ void expect_same_to_rounding(const RunHistory& one, const RunHistory& other) {
     }
 }
 
-/// More ranks than there is work for are no exception: the last idle.
-TEST_P(Modes, SeveralFineRanksAreOneToRounding) {
-    if (input().growth) GTEST_SKIP() << "cracks grow with one fine rank";
+class SharedZone : public Modes {};
+
+TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
     for (const int ranks : {2, 3, 4}) {
         const Case scene = input();
         FineSide fine(scene, ranks);
@@ -178,6 +182,16 @@ INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
                          testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
                                          Scenery{"growing", growing_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
+
+// Cracks grow with one fine rank.
+INSTANTIATE_TEST_SUITE_P(Sceneries, SharedZone,
+                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
+                                         Scenery{"extended", extended_scene}),
+                         [](const auto& scenery) { return std::string(scenery.param.name); });
+
+TEST_P(SharedZone, ExtendsWhereItsSceneSays) {
+    EXPECT_EQ(direct->extensions > 0, std::string(GetParam().name) == "extended");
+}
 
 /// history.csv by columns; empty cells are NaN.
 std::map<std::string, std::vector<double>> columns_of(const std::string& text) {
