@@ -62,8 +62,10 @@ TEST_P(FineRanks, AnswerAsOne) {
     team.together->set_patch(patch);
     const Eigen::VectorXd start = boundary(2e-3, 1), far = boundary(4e-3, 2);
     for (int increment = 0; increment < 3; ++increment) {
-        for (int iteration = 0; iteration < 4; ++iteration) {
-            const Eigen::VectorXd u = start + (increment + 0.3 * iteration) * far;
+        // The last ones stand still: a state that is committed far from equilibrium may have a gap that is zero by
+        // rounding alone.
+        for (int iteration = 0; iteration < 12; ++iteration) {
+            const Eigen::VectorXd u = start + (increment + 0.3 * std::min(iteration, 3)) * far;
             const auto a = answer(one, iteration, u, {0.7, 1}), b = answer(*team.together, iteration, u, {0.7, 1});
             EXPECT_LT(difference(b.force, a.force), 1e-9);
             EXPECT_LT(difference(b.tangent, a.tangent), 1e-9);
