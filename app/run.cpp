@@ -82,6 +82,17 @@ private:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
+    static void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::Summary& summary) {
+        const coupling::Traffic traffic = fine.traffic();
+        summary.messages = traffic.messages_sent + traffic.messages_received;
+        summary.bytes = traffic.bytes_sent + traffic.bytes_received;
+        for (const coupling::StepReport& rank : fine.reports(zone)) {
+            summary.points_of_ranks.push_back(rank.points);
+            summary.multipliers_of_ranks.push_back(rank.multipliers);
+        }
+        summary.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
+    }
+
     void summarise(const char* status, const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder,
                    const FineSide* fine) const {
         const coupling::StepReport& zone = recorder.last_zone();
@@ -102,16 +113,7 @@ private:
         summary.zone_extensions = analysis.zone_extensions();
         summary.yield_warnings = analysis.yield_warnings();
         summary.flowing_rings = analysis.flowing_rings();
-        if (fine != nullptr) {
-            const coupling::Traffic traffic = fine->traffic();
-            summary.messages = traffic.messages_sent + traffic.messages_received;
-            summary.bytes = traffic.bytes_sent + traffic.bytes_received;
-            for (const coupling::StepReport& rank : fine->reports(zone)) {
-                summary.points_of_ranks.push_back(rank.points);
-                summary.multipliers_of_ranks.push_back(rank.multipliers);
-            }
-            summary.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
-        }
+        if (fine != nullptr) add_ranks(*fine, zone, summary);
         summary.timing = {.mesh = mesh_s_,
                           .setup = analysis.setup_seconds(),
                           .coarse_factor = analysis.coarse_factor_seconds(),

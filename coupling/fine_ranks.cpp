@@ -194,6 +194,7 @@ PatchResponse FineRanks::collect() {
 StepReport FineRanks::commit(bool reversal) {
     increments_.push(trial_ - committed_);
     committed_ = trial_;
+    for (const Rank& rank : ranks_) rank.scale->begin_commit(reversal);
     for (const Rank& rank : ranks_) reports_[rank.number] = rank.scale->commit(reversal);
     StepReport report = sum_of(reports_, patch_.rings);
     report.unknowns = patch_.mesh.unknowns + report.multipliers;  // seams once
