@@ -99,8 +99,8 @@ void check_command(CLI::App& app, int argc, const char* const* argv) {
 }
 
 void check_ranks(const RunOptions& options) {
-    if (options.fine_ranks > 1)
-        throw CaseError(fmt::format("--fine {}: one fine rank only in this version", options.fine_ranks));
+    if (options.fine_ranks > 1 && options.mode == "monolithic")
+        throw CaseError(fmt::format("--fine {}: mode monolithic has no fine ranks", options.fine_ranks));
 }
 
 }  // namespace

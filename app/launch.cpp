@@ -1,6 +1,7 @@
 #include "app/launch.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/fine_side.hpp"
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
 
@@ -139,7 +140,9 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
 }
 
 int launch(const RunOptions& options) {
-    const bool with_fine = needs_fine(read_case(options.case_path, options.overrides));
+    const Case input = read_case(options.case_path, options.overrides);
+    check_fine_ranks(input, options.fine_ranks);
+    const bool with_fine = needs_fine(input);
     const std::vector<std::string> command = launch_command(options, programs_folder(), with_fine);
     if (options.verbose) fmt::print("{}\n", fmt::join(command, " "));
     for (const auto& [name, value] : environment) setenv(name, value, 0);

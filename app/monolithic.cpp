@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "coarse/condensed_equilibrium.hpp"
-#include "coarse/zone_selection.hpp"
+#include "common/fem/part_of_mesh.hpp"
 #include "common/linear/sparse_lu.hpp"
 
 namespace stria {
@@ -19,7 +19,7 @@ public:
     MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed,
                           double load_factor)
         : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()),
-          whole_(coarse::whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
+          whole_(whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
           committed_load_factor_(load_factor), load_factor_(load_factor),
           increments_(remembered_increments(scene_.input.load.steps)) {
         for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];

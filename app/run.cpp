@@ -9,6 +9,7 @@
 #include <memory>
 #include <unistd.h>
 
+#include "app/fine_side.hpp"
 #include "app/monolithic.hpp"
 #include "app/progress.hpp"
 #include "app/version.hpp"
@@ -21,7 +22,6 @@
 #include "common/io/whole_file.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "coupling/mpi_transport.hpp"
-#include "coupling/remote_fine_scale.hpp"
 #include "coupling/serve.hpp"
 #include "fine/fine_model.hpp"
 
@@ -50,7 +50,7 @@ public:
         write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
     }
 
-    void perform(coarse::EquilibriumFactory& factory, const coupling::RemoteFineScale* remote) {
+    void perform(coarse::EquilibriumFactory& factory, const FineSide* fine) {
         std::unique_ptr<coarse::RunRecorder> recorder;
         coarse::FatigueAnalysis* running = nullptr;
         coarse::Listener listener;
@@ -68,10 +68,10 @@ public:
         try {
             analysis.run();
         } catch (const NumericalFailure&) {
-            summarise("failed", analysis, *recorder, remote);
+            summarise("failed", analysis, *recorder, fine);
             throw;
         }
-        summarise("done", analysis, *recorder, remote);
+        summarise("done", analysis, *recorder, fine);
         progress_.finished(directory_.string(), seconds());
     }
 
@@ -82,8 +82,19 @@ private:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
+    static void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::Summary& summary) {
+        const coupling::Traffic traffic = fine.traffic();
+        summary.messages = traffic.messages_sent + traffic.messages_received;
+        summary.bytes = traffic.bytes_sent + traffic.bytes_received;
+        for (const coupling::StepReport& rank : fine.reports(zone)) {
+            summary.points_of_ranks.push_back(rank.points);
+            summary.multipliers_of_ranks.push_back(rank.multipliers);
+        }
+        summary.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
+    }
+
     void summarise(const char* status, const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder,
-                   const coupling::RemoteFineScale* remote) const {
+                   const FineSide* fine) const {
         const coupling::StepReport& zone = recorder.last_zone();
         coarse::Summary summary;
         summary.status = status;
@@ -102,10 +113,7 @@ private:
         summary.zone_extensions = analysis.zone_extensions();
         summary.yield_warnings = analysis.yield_warnings();
         summary.flowing_rings = analysis.flowing_rings();
-        if (remote != nullptr) {
-            summary.messages = remote->traffic().messages_sent + remote->traffic().messages_received;
-            summary.bytes = remote->traffic().bytes_sent + remote->traffic().bytes_received;
-        }
+        if (fine != nullptr) add_ranks(*fine, zone, summary);
         summary.timing = {.mesh = mesh_s_,
                           .setup = analysis.setup_seconds(),
                           .coarse_factor = analysis.coarse_factor_seconds(),
@@ -182,9 +190,8 @@ int run_coarse_with_mpi(const RunOptions& options) {
     }
     const coupling::MpiSession session(coupling::Role::Coarse);
     try {
-        const std::unique_ptr<coupling::Transport> transport = session.transport();
-        coupling::RemoteFineScale fine(*transport, digest(input));
-        coarse::CondensedFactory factory(&fine);
+        FineSide fine(input, session);
+        coarse::CondensedFactory factory(&fine.scale());
         Run(options, input, "mpi", 1 + session.peers(), users_terminal()).perform(factory, &fine);
     } catch (const CaseError&) {
         throw;  // the conversation has ended in order: both sides leave
@@ -222,9 +229,9 @@ int run_in_process(const RunOptions& options) {
         MonolithicFactory factory(run.scene().input);
         run.perform(factory, nullptr);
     } else {
-        fine::FineModel model(run.scene().input);
-        coarse::CondensedFactory factory(&model);
-        run.perform(factory, nullptr);
+        FineSide fine(run.scene().input, options.fine_ranks);
+        coarse::CondensedFactory factory(&fine.scale());
+        run.perform(factory, &fine);
     }
     return 0;
 }

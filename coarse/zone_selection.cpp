@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "coarse/rings.hpp"
+#include "common/fem/part_of_mesh.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -57,17 +58,6 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
         in_zone[at(piece.element)] = in_zone[at(piece.neighbour)] = either;
     }
     return in_zone;
-}
-
-std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part) {
-    std::vector<int> result(at(part.unknowns));
-    for (const auto& [node, term, unknown] : part.own_unknowns()) {
-        const int id = part.node_ids[at(node)];
-        // The part may have dropped terms that none of its elements sees.
-        const int same = term == 0 ? 0 : whole.term_index(id, part.terms[at(node)][at(term - 1)]);
-        for (int c = 0; c < 2; ++c) result[at(unknown + c)] = whole.unknown(id, same, c);
-    }
-    return result;
 }
 
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,

@@ -23,7 +23,4 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement);
 
-/// Unknowns of the patch's mesh in the numbering of the whole mesh.
-std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part);
-
 }  // namespace stria::coarse

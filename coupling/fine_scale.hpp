@@ -21,6 +21,9 @@ public:
     /// The answer to the last request. Throws NumericalFailure where a return mapping or a factorisation failed.
     virtual PatchResponse collect() = 0;
 
+    /// Lets the commit() that must follow begin, where the transport allows: several commit side by side.
+    virtual void begin_commit(bool /*reversal*/) {}
+
     /// Trial becomes committed. `reversal`: the load turned after this increment (plastic zones start anew).
     virtual StepReport commit(bool reversal) = 0;
 

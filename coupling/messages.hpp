@@ -35,7 +35,7 @@ struct Patch {
 
 /// Displacements of the zone's boundary, each Newton iteration.
 struct PatchDisplacement {
-    int iteration = 0;    // 0: first of an increment
+    int iteration = 0;         // 0: first of an increment
     Predictor predictor = {};  // of the zone's interior, in that first iteration
     double load_factor = 0.0;
     double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more

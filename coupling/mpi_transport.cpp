@@ -110,12 +110,10 @@ std::vector<Role> gather_roles(Role own) {
 void check_cast(const std::vector<Role>& roles) {
     const auto coarse = std::ranges::count(roles, Role::Coarse);
     const auto fine = std::ranges::count(roles, Role::Fine);
-    if (coarse == 1 && fine == 1) return;
-    const char* reason =
-        coarse == 1 && fine > 1 ? "this version works with one fine rank" : "both are needed, once each";
-    throw CaseError(fmt::format("launch: {} coarse and {} fine ranks were started; {}: "
-                                "mpirun -n 1 stria-coarse CASE : -n 1 stria-fine CASE",
-                                coarse, fine, reason));
+    if (coarse == 1 && fine >= 1) return;
+    throw CaseError(fmt::format("launch: {} coarse and {} fine ranks were started; one coarse and at least one fine "
+                                "are needed: mpirun -n 1 stria-coarse CASE : -n 1 stria-fine CASE",
+                                coarse, fine));
 }
 
 }  // namespace

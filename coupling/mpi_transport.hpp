@@ -14,7 +14,7 @@ enum class Role : int { Coarse = 0, Fine = 1 };
 /// MPI from its start to its end, and who is who in it. Make one, first thing in main; transports must die before it.
 class MpiSession {
 public:
-    /// Starts MPI and agrees with all other ranks on the cast: one coarse and one fine. Otherwise every rank gets a
+    /// Starts MPI and agrees with all other ranks on the cast: one coarse and some fine. Otherwise every rank gets a
     /// CaseError that says what was started and what should have been, with MPI already ended.
     explicit MpiSession(Role role);
 

@@ -36,8 +36,15 @@ void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag:
 
 PatchResponse RemoteFineScale::collect() { return unpack<PatchResponse>(answer(Tag::Response).bytes); }
 
+void RemoteFineScale::begin_commit(bool reversal) {
+    send(Tag::Commit, pack(Commit{reversal}));
+    commit_begun_ = true;
+}
+
 StepReport RemoteFineScale::commit(bool reversal) {
-    return unpack<StepReport>(ask(Tag::Commit, pack(Commit{reversal}), Tag::Report).bytes);
+    if (!commit_begun_) begin_commit(reversal);
+    commit_begun_ = false;
+    return unpack<StepReport>(answer(Tag::Report).bytes);
 }
 
 void RemoteFineScale::rollback() { ask(Tag::Rollback, {}, Tag::Done); }

@@ -29,6 +29,7 @@ public:
     void set_patch(const Patch& patch) override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
+    void begin_commit(bool reversal) override;
     StepReport commit(bool reversal) override;
     void rollback() override;
     ZoneState state() override;
@@ -43,7 +44,7 @@ private:
 
     Transport& transport_;
     Traffic traffic_;
-    bool in_flight_ = false;
+    bool in_flight_ = false, commit_begun_ = false;
 };
 
 }  // namespace stria::coupling

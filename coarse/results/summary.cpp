@@ -49,6 +49,8 @@ Json to_json(const Timing& timing) {
                         {"total", timing.total}};
 }
 
+Json list_of(const std::vector<std::int64_t>& values) { return Json::Array(values.begin(), values.end()); }
+
 Json last_values(const HistoryRow& row) {
     return Json::Object{{"tip", row.tip ? Json(*row.tip) : Json()},
                         {"increment", row.increment},
@@ -129,6 +131,9 @@ Json to_json(const Summary& summary) {
                         {"factors_reused", summary.factors_reused},
                         {"messages", summary.messages},
                         {"bytes", summary.bytes},
+                        {"ranks_idle", summary.ranks_idle},
+                        {"points_of_ranks", list_of(summary.points_of_ranks)},
+                        {"multipliers_of_ranks", list_of(summary.multipliers_of_ranks)},
                         {"tips", tips}};
 }
 

@@ -62,6 +62,9 @@ struct Summary {
     // Not done, or done only where something changed: fronts factored, Newton iterations that took the last factor.
     std::int64_t fronts_refactored = 0, factors_reused = 0;
     std::int64_t messages = 0, bytes = 0;
+    // Of each fine rank; those without an element idle.
+    std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;
+    std::int64_t ranks_idle = 0;
     Timing timing;
     std::vector<HistoryRow> last;  // last row of each tip
 };

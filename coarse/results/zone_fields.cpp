@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "coarse/zone_selection.hpp"
 #include "common/fem/cut_element.hpp"
 #include "common/fem/element_basis.hpp"
+#include "common/fem/part_of_mesh.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
 

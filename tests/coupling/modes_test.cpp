@@ -5,6 +5,7 @@
 #include <future>
 #include <map>
 
+#include "app/fine_side.hpp"
 #include "app/monolithic.hpp"
 #include "coupling/memory_transport.hpp"
 #include "coupling/remote_fine_scale.hpp"
@@ -23,6 +24,10 @@ const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "
 /// The same on large elements that the zone splits; the crack runs through their middles, and from large into small.
 const std::vector<std::string> refined_scene{"mesh.grading=[]", "mesh.size=7.4", "fine.refine=16", "fine.growth=0.25",
                                              "solver.tolerance=1e-12"};
+
+/// The zone of the first, begun too small: new elements join while others have a history.
+const std::vector<std::string> extended_scene{mesh_at_tip(0.3), "mesh.size=10.0", "fine.radius=1.0",
+                                              "solver.tolerance=1e-12"};
 
 /// The crack grows through elements and across their edges, at the maximum of three cycles.
 const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.size=10.0",
@@ -138,10 +143,55 @@ TEST_P(Modes, MonolithicIsTheSameToRounding) {
     }
 }
 
+/// What does not depend on how many share the work: by column, the scale of its errors beside the two values.
+void expect_same_to_rounding(const RunHistory& one, const RunHistory& other) {
+    ASSERT_EQ(other.increments.size(), one.increments.size());
+    const coarse::TipResult& scale = one.at_maximum().tips[0];
+    const double work = one.increments.back().zone.dissipation;
+    for (std::size_t k = 0; k < one.increments.size(); ++k) {
+        const coarse::Increment &a = one.increments[k], &b = other.increments[k];
+        const coarse::TipResult &p = a.tips[0], &q = b.tips[0];
+        EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J) << "increment " << k + 1;
+        EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I);
+        EXPECT_NEAR(p.K_II, q.K_II, 1e-9 * scale.K_I);
+        EXPECT_NEAR(p.CMOD, q.CMOD, 1e-9 * scale.CMOD);
+        EXPECT_NEAR(p.CTOD, q.CTOD, 1e-9 * scale.CTOD);
+        EXPECT_NEAR(p.contact_length, q.contact_length, 1e-9 * 20.0);
+        EXPECT_NEAR(p.plastic_zone, q.plastic_zone, 1e-9 * 20.0);
+        EXPECT_NEAR(a.zone.dissipation, b.zone.dissipation, 1e-9 * work);
+        EXPECT_EQ(a.zone.points, b.zone.points);
+        EXPECT_EQ(a.zone.unknowns, b.zone.unknowns);
+        EXPECT_LT((a.displacement - b.displacement).lpNorm<Eigen::Infinity>(),
+                  1e-9 * a.displacement.lpNorm<Eigen::Infinity>());
+    }
+}
+
+class SharedZone : public Modes {};
+
+TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
+    for (const int ranks : {2, 3, 4}) {
+        const Case scene = input();
+        FineSide fine(scene, ranks);
+        coarse::CondensedFactory factory(&fine.scale());
+        expect_same_to_rounding(*direct, run_analysis(scene, factory));
+        for (const coupling::StepReport& rank : fine.reports({})) EXPECT_GT(rank.points, 0) << ranks << " ranks";
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
                          testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
                                          Scenery{"growing", growing_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
+
+// Cracks grow with one fine rank.
+INSTANTIATE_TEST_SUITE_P(Sceneries, SharedZone,
+                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
+                                         Scenery{"extended", extended_scene}),
+                         [](const auto& scenery) { return std::string(scenery.param.name); });
+
+TEST_P(SharedZone, ExtendsWhereItsSceneSays) {
+    EXPECT_EQ(direct->extensions > 0, std::string(GetParam().name) == "extended");
+}
 
 /// history.csv by columns; empty cells are NaN.
 std::map<std::string, std::vector<double>> columns_of(const std::string& text) {
@@ -164,23 +214,27 @@ std::map<std::string, std::vector<double>> columns_of(const std::string& text) {
 
 class Programs : public testing::Test {
 protected:
-    [[nodiscard]] std::string run(const std::string& mode) const {
-        std::vector<std::string> words{"run",   shipped_sent,          "--mode", mode, "-o", folder_ / mode, "--quiet",
-                                       "--set", "output.faces=\"all\""};
+    [[nodiscard]] std::string run(const std::string& mode, const std::string& ranks = "1") const {
+        std::vector<std::string> words{
+            "run",   shipped_sent,          "--mode", mode, "--fine", ranks, "-o", folder_ / mode, "--quiet",
+            "--set", "output.faces=\"all\""};
         for (const std::string& value : small_scene) words.insert(words.end(), {"--set", value});
         EXPECT_EQ(run_program("stria", words, folder_ / (mode + ".log")), 0) << text_of(folder_ / (mode + ".log"));
         return folder_ / mode;
     }
+
+    void expect_same_tables(const std::string& one, const std::string& other) const {
+        for (const char* file : {"/history.csv", "/faces.csv"}) {
+            EXPECT_GT(text_of(one + file).size(), 1000U);
+            EXPECT_TRUE(text_of(one + file) == text_of(other + file)) << file;
+        }
+    }
     TemporaryFolder folder_;
 };
 
-TEST_F(Programs, TwoProgramsAndOneLeaveTheSameBytes) {
-    const std::string two = run("mpi"), one = run("inprocess");
-    for (const char* file : {"/history.csv", "/faces.csv"}) {
-        EXPECT_GT(text_of(two + file).size(), 1000U);
-        EXPECT_TRUE(text_of(two + file) == text_of(one + file)) << file;
-    }
-}
+TEST_F(Programs, TwoProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi"), run("inprocess")); }
+
+TEST_F(Programs, ThreeProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi", "2"), run("inprocess", "2")); }
 
 TEST_F(Programs, MonolithicLeavesTheSameColumnsToRounding) {
     const auto one = columns_of(text_of(run("inprocess") + "/history.csv"));

@@ -1,5 +1,5 @@
-// The conversation over MPI, one rank a side: mpirun -n 1 stria_mpi_conversation coarse : -n 1 stria_mpi_conversation
-// fine. The fine rank may be one that dies in mid-conversation ("dying") instead.
+// The conversation over MPI: mpirun -n 1 stria_mpi_conversation coarse : -n N stria_mpi_conversation fine. A fine rank
+// may be one that dies in mid-conversation ("dying") instead.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -14,14 +14,14 @@ namespace {
 using coupling::MpiSession;
 using coupling::Role;
 
-void coarse_side(const MpiSession& session) {
+void coarse_side(const MpiSession& session, int peer) {
     {
-        const auto transport = session.transport();
+        const auto transport = session.transport(peer);
         hear_echo(*transport);
         send_many(*transport);
     }
-    expect_end(*session.transport());
-    const auto transport = session.transport();
+    expect_end(*session.transport(peer));
+    const auto transport = session.transport(peer);
     {
         FakeFineScale direct(0.3);
         coupling::RemoteFineScale remote(*transport, 7);
@@ -53,7 +53,7 @@ int run(std::string_view role) {
     const Deadline deadline(std::chrono::seconds(40));
     const MpiSession session(role == "coarse" ? Role::Coarse : Role::Fine);
     try {
-        if (role == "coarse") coarse_side(session);
+        for (int peer = 0; role == "coarse" && peer < session.peers(); ++peer) coarse_side(session, peer);
         if (role == "fine") fine_side(session);
         if (role == "dying") dying_fine_side(session);
     } catch (const std::exception& error) {

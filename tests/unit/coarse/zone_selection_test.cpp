@@ -8,6 +8,7 @@
 #include <set>
 
 #include "coarse/structure.hpp"
+#include "common/fem/part_of_mesh.hpp"
 
 namespace stria::coarse {
 namespace {

@@ -1,0 +1,64 @@
+#include "app/fine_side.hpp"
+
+#include <exception>
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "common/io/case_file.hpp"
+#include "fine/fine_model.hpp"
+
+namespace stria {
+
+// An element that a crack comes to cut would have to move to the crack's rank, history and all.
+void check_fine_ranks(const Case& input, int ranks) {
+    if (ranks > 1 && input.growth)
+        throw CaseError(fmt::format("--fine {}: cracks grow with one fine rank in this version", ranks));
+}
+
+FineSide::FineSide(const Case& input, int ranks) {
+    check_fine_ranks(input, ranks);
+    for (int k = 0; k < ranks; ++k) scales_.push_back(std::make_unique<fine::FineModel>(input));
+    put_together(input);
+}
+
+// Every peer is greeted before anything is refused: nobody is left waiting.
+FineSide::FineSide(const Case& input, const coupling::MpiSession& session) {
+    std::exception_ptr refusal;
+    for (int peer = 0; peer < session.peers(); ++peer) {
+        transports_.push_back(session.transport(peer));
+        try {
+            auto remote = std::make_unique<coupling::RemoteFineScale>(*transports_.back(), digest(input));
+            remotes_.push_back(remote.get());
+            scales_.push_back(std::move(remote));
+        } catch (const CaseError&) {
+            refusal = std::current_exception();
+        }
+    }
+    if (refusal) std::rethrow_exception(refusal);
+    check_fine_ranks(input, session.peers());
+    put_together(input);
+}
+
+void FineSide::put_together(const Case& input) {
+    if (scales_.size() == 1) return;
+    std::vector<coupling::FineScale*> each;
+    for (const auto& scale : scales_) each.push_back(scale.get());
+    together_ = std::make_unique<coupling::FineRanks>(std::move(each), remembered_increments(input.load.steps));
+}
+
+coupling::Traffic FineSide::traffic() const {
+    coupling::Traffic sum;
+    for (const coupling::RemoteFineScale* remote : remotes_) {
+        sum.messages_sent += remote->traffic().messages_sent;
+        sum.messages_received += remote->traffic().messages_received;
+        sum.bytes_sent += remote->traffic().bytes_sent;
+        sum.bytes_received += remote->traffic().bytes_received;
+    }
+    return sum;
+}
+
+std::vector<coupling::StepReport> FineSide::reports(const coupling::StepReport& whole) const {
+    return together_ ? together_->reports() : std::vector<coupling::StepReport>{whole};
+}
+
+}  // namespace stria

@@ -1,0 +1,43 @@
+// The fine components of a run, in this process or others, and what they look like to the coarse one.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/io/case.hpp"
+#include "coupling/fine_ranks.hpp"
+#include "coupling/mpi_transport.hpp"
+#include "coupling/remote_fine_scale.hpp"
+
+namespace stria {
+
+/// Throws CaseError where a case cannot be run by that many fine ranks.
+void check_fine_ranks(const Case& input, int ranks);
+
+class FineSide {
+public:
+    /// In this process. `input` must outlive this.
+    FineSide(const Case& input, int ranks);
+
+    /// One a peer of the session.
+    FineSide(const Case& input, const coupling::MpiSession& session);
+
+    /// One as it is, several as one.
+    [[nodiscard]] coupling::FineScale& scale() { return together_ ? *together_ : *scales_.front(); }
+
+    /// With all of them.
+    [[nodiscard]] coupling::Traffic traffic() const;
+
+    /// The last report of each; `whole`: that of all.
+    [[nodiscard]] std::vector<coupling::StepReport> reports(const coupling::StepReport& whole) const;
+
+private:
+    void put_together(const Case& input);
+
+    std::vector<std::unique_ptr<coupling::Transport>> transports_;
+    std::vector<const coupling::RemoteFineScale*> remotes_;
+    std::vector<std::unique_ptr<coupling::FineScale>> scales_;
+    std::unique_ptr<coupling::FineRanks> together_;  // of several
+};
+
+}  // namespace stria

@@ -1,0 +1,122 @@
+// Several fine components that look like one: answers, state, failures.
+#include "coupling/fine_ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "common/error.hpp"
+#include "fine/fine_model.hpp"
+#include "tests/support/plates.hpp"
+
+namespace stria::test {
+namespace {
+
+struct Team {
+    Team(const Case& input, int ranks) {
+        std::vector<coupling::FineScale*> each;
+        for (int k = 0; k < ranks; ++k) {
+            models.push_back(std::make_unique<fine::FineModel>(input));
+            each.push_back(models.back().get());
+        }
+        together = std::make_unique<coupling::FineRanks>(each, 10);
+    }
+    std::vector<std::unique_ptr<fine::FineModel>> models;
+    std::unique_ptr<coupling::FineRanks> together;
+};
+
+coupling::PatchResponse answer(coupling::FineScale& fine, int iteration, const Eigen::VectorXd& boundary,
+                               const Predictor& predictor = {}) {
+    fine.request({.iteration = iteration, .predictor = predictor, .load_factor = 1.0, .boundary = boundary});
+    return fine.collect();
+}
+
+double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return (a - b).norm() / b.norm(); }
+
+/// Accumulated plastic strain and stress of all points, whatever their order.
+std::vector<std::array<double, 4>> points_of(const coupling::ZoneState& state) {
+    std::vector<std::array<double, 4>> points;
+    for (std::size_t q = 0; q < state.x.size(); ++q)
+        points.push_back({state.x[q], state.y[q], state.accumulated[q], state.stress[4 * q]});
+    std::ranges::sort(points);
+    return points;
+}
+
+/// A plate that flows, with a crack that ends in its middle.
+class FineRanks : public testing::TestWithParam<int> {
+protected:
+    [[nodiscard]] Eigen::VectorXd boundary(double size, unsigned seed) const {
+        return random_vector(std::ssize(patch.boundary), size, seed);
+    }
+    Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
+    coupling::Patch patch = plate_patch(plate_mesh(11, 9, input));
+    Team team{input, GetParam()};
+    fine::FineModel one{input};
+};
+
+TEST_P(FineRanks, AnswerAsOne) {
+    patch.unit_load = random_vector(patch.mesh.unknowns, 100.0, 3);
+    for (const int unknown : patch.boundary) patch.unit_load[unknown] = 0.0;
+    one.set_patch(patch);
+    team.together->set_patch(patch);
+    const Eigen::VectorXd start = boundary(2e-3, 1), far = boundary(4e-3, 2);
+    for (int increment = 0; increment < 3; ++increment) {
+        // The last ones stand still: a state that is committed far from equilibrium may have a gap that is zero by
+        // rounding alone.
+        for (int iteration = 0; iteration < 12; ++iteration) {
+            const Eigen::VectorXd u = start + (increment + 0.3 * std::min(iteration, 3)) * far;
+            const auto a = answer(one, iteration, u, {0.7, 1}), b = answer(*team.together, iteration, u, {0.7, 1});
+            EXPECT_LT(difference(b.force, a.force), 1e-9);
+            EXPECT_LT(difference(b.tangent, a.tangent), 1e-9);
+            EXPECT_LT(difference(b.unit_load, a.unit_load), 1e-9);
+            EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
+            EXPECT_EQ(b.digest.status, a.digest.status);
+        }
+        const coupling::StepReport a = one.commit(false), b = team.together->commit(false);
+        EXPECT_GT(a.dissipation, 0.0);
+        EXPECT_NEAR(b.dissipation, a.dissipation, 1e-9 * a.dissipation);
+        EXPECT_NEAR(b.tips[0].CTOD, a.tips[0].CTOD, 1e-9);
+        EXPECT_EQ(b.unknowns, a.unknowns);
+        EXPECT_EQ(b.faces.size(), a.faces.size());
+    }
+    const coupling::ZoneState a = one.state(), b = team.together->state();
+    EXPECT_LT(difference(b.displacement, a.displacement), 1e-9);
+    const auto p = points_of(a), q = points_of(b);
+    ASSERT_EQ(p.size(), q.size());
+    for (std::size_t k = 0; k < p.size(); ++k)
+        for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(q[k][c], p[k][c], 1e-7);
+}
+
+TEST_P(FineRanks, WorkOnAfterAFailure) {
+    one.set_patch(patch);
+    team.together->set_patch(patch);
+    Eigen::VectorXd beyond = boundary(1e-3, 1);
+    const Eigen::VectorXd rest = beyond;
+    (void)answer(*team.together, 0, rest);
+    beyond[0] = 1e300;
+    EXPECT_THROW((void)answer(*team.together, 0, beyond), NumericalFailure);
+    team.together->rollback();
+    const coupling::PatchResponse a = answer(one, 0, rest), b = answer(*team.together, 0, rest);
+    EXPECT_FALSE(b.same_tangent);
+    EXPECT_LT(difference(b.tangent, a.tangent), 1e-9);
+}
+
+TEST(IdleFineRanks, AreAskedForNothing) {
+    const Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
+    const coupling::Patch patch = plate_patch(extract(plate_mesh(11, 9, input), {9, 10}));
+    Team team(input, 3);
+    team.together->set_patch(patch);  // a model without a patch would not survive a question
+    (void)answer(*team.together, 0, Eigen::VectorXd::Zero(std::ssize(patch.boundary)));
+    const coupling::StepReport report = team.together->commit(false);
+    team.together->rollback();
+    EXPECT_EQ(report.points, 2 * 16);
+    EXPECT_EQ(team.together->state().x.size(), 2U * 16U);
+    EXPECT_EQ(team.together->reports()[1].points, 16);
+    EXPECT_EQ(team.together->reports()[2].points, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Number, FineRanks, testing::Values(1, 2, 3, 5));
+
+}  // namespace
+}  // namespace stria::test
