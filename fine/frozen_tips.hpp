@@ -13,8 +13,9 @@ public:
     /// Keeps what a tip's functions are at `displacement` (all unknowns of the mesh).
     void freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement);
 
-    /// Jump of all frozen displacements at an arc length of a crack, plus side minus minus side, mm.
-    [[nodiscard]] Vec2 jump(int crack, double s) const;
+    /// Jump of all frozen displacements at a place on a crack, plus side minus minus side, mm. By place: arc lengths
+    /// change where a crack grows at its first point.
+    [[nodiscard]] Vec2 jump(int crack, const Vec2& x) const;
 
     [[nodiscard]] bool empty() const { return tips_.empty(); }
 
@@ -23,7 +24,6 @@ private:
         EnrichedMesh mesh;             // the elements that see the functions
         Eigen::VectorXd displacement;  // zero but for them
         int crack;
-        double first_s, last_s;
     };
     std::vector<Frozen> tips_;
 };

@@ -58,7 +58,7 @@ void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInter
         for (int k = 0; k < contact_->multipliers(); ++k) {
             const auto same = [&](const ContactInterface::Key& key) {
                 const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
-                return key.crack == own.crack && std::abs(key.s - own.s) < 1e-9 * (1.0 + own.s);
+                return key.crack == own.crack && (key.x - own.x).norm() < 1e-9 * (1.0 + own.x.norm());
             };
             const auto found = std::ranges::find_if(old_contact->keys(), same);
             if (found == old_contact->keys().end()) continue;
@@ -153,7 +153,7 @@ void ZoneSystem::report_tips(coupling::StepReport& report) const {
         const Tip& tip = patch_.mesh.tips[t];
         report.tips[t].CTOD = opening_at_intercept(patch_.mesh, tip, [&](const FaceStation& station) {
             return station.opening(committed_.displacement) +
-                   frozen_.jump(station.crack, station.s).dot(station.normal);
+                   frozen_.jump(station.crack, station.x).dot(station.normal);
         });
         report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
         report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);

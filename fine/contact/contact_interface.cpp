@@ -17,10 +17,10 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
         spaces_.push_back({crack, section.notch, count, MultiplierSpace(mesh, boundary, crack, section.notch)});
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();
-        for (const double s : space.nodes()) keys_.push_back({crack, s});
+        for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
         for (FaceStation& station : face_stations(mesh, crack, subcells, 4)) {
             if (station.s < section.notch) continue;
-            station.fixed_jump = frozen.jump(crack, station.s);
+            station.fixed_jump = frozen.jump(crack, station.x);
             stations_.push_back(std::move(station));
         }
     }

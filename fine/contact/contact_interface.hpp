@@ -69,10 +69,11 @@ public:
 
     [[nodiscard]] const std::vector<FaceStation>& stations() const { return stations_; }
 
-    /// Identity of each multiplier across a change of zone: crack and arc length of its node.
+    /// Identity of each multiplier across a change of zone: crack and place of its node.
     struct Key {
         int crack;
         double s;
+        Vec2 x;
     };
     [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
 

@@ -63,6 +63,44 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
     EXPECT_GT(life, handbook);
 }
 
+/// A crack in the middle of a square, at about 37 degrees to the normal of the load, that grows at both tips.
+Case inclined_crack(double growth, int cycles) {
+    Case input = specimen("plate", 50.0, {{21.0, 22.0}, {29.0, 28.0}});
+    input.mesh.width = 50.0;
+    input.mesh.size = 50.0 / 61.0;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 8, .blocks = {{.cycles = cycles, .max = 70.0, .min = 0.0}}};
+    input.growth.emplace().increment = growth;
+    return input;
+}
+
+TEST(CrackGrowth, TurnsAcrossTheLoadUntilNothingSlides) {
+    const RunHistory run = run_direct(inclined_crack(0.6, 6));
+    const auto &first = run.increments.front().tips, &last = run.increments.back().tips;
+    ASSERT_EQ(last.size(), 2U);
+    for (const std::size_t t : {0, 1}) {
+        std::cout << fmt::format("tip {}: K_II / K_I {:+.3f} before, {:+.3f} after\n", t, first[t].K_II / first[t].K_I,
+                                 last[t].K_II / last[t].K_I);
+        EXPECT_GT(std::abs(first[t].K_II), 0.5 * first[t].K_I);
+        EXPECT_LT(std::abs(last[t].K_II), 0.03 * last[t].K_I);
+        EXPECT_NEAR(last[t].a, 5.0 + 6.0 * 0.6, 1e-9);
+    }
+    EXPECT_NEAR(last[0].K_I, last[1].K_I, 0.01 * last[0].K_I);
+}
+
+// The same with flow and contact: the bend passes through elements that keep their points.
+TEST(CrackGrowth, TurnsThroughFlowedMetal) {
+    Case input = inclined_crack(0.15, 4);
+    input.material.yield_stress = 300.0;
+    input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
+    input.cracks[0].contact = ContactSection{};
+    const RunHistory run = run_direct(input);
+    EXPECT_EQ(run.cuts, 0);
+    const auto& last = run.increments.back().tips;
+    EXPECT_NEAR(last[0].J, last[1].J, 0.05 * last[0].J);
+    for (const coarse::TipResult& tip : last) EXPECT_LT(std::abs(tip.K_II), 0.1 * tip.K_I);
+}
+
 /// Plane stress, R = 0: twelve cycles of growth through elements of 0.1 mm at the tip.
 Case growing_plate(PlaneState plane) {
     Case input =
