@@ -97,7 +97,7 @@ TEST(CrackGrowth, TurnsThroughFlowedMetal) {
     const RunHistory run = run_direct(input);
     EXPECT_EQ(run.cuts, 0);
     const auto& last = run.increments.back().tips;
-    EXPECT_NEAR(last[0].J, last[1].J, 0.05 * last[0].J);
+    EXPECT_NEAR(last[0].J, last[1].J, 1e-4 * last[0].J);  // what is said of one end holds of the other
     for (const coarse::TipResult& tip : last) EXPECT_LT(std::abs(tip.K_II), 0.1 * tip.K_I);
 }
 
