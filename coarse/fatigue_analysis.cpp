@@ -241,7 +241,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
     look_at_rings(increment);
     committed_ = increment.displacement;
-    closed_ = closure_.closed(report);
+    closed_ = increment.closed = closure_.closed(report);
     listener_.accepted(increment, *structure_);
 }
 

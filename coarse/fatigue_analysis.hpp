@@ -48,6 +48,7 @@ struct Increment {
     LoadStep step;
     double load_factor = 0.0;                    // found, where a displacement is controlled
     std::vector<ContactChange> contact_changes;  // on the way to this increment
+    std::vector<char> closed;                    // per tip: contact beyond the measuring distance
     NewtonReport newton;
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
     Eigen::VectorXd reactions;     // on prescribed unknowns

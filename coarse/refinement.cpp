@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+
+#include "common/geometry/segment.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -15,12 +16,6 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 Edge edge_of(const Mesh& mesh, int element, int k) {
     const auto& nodes = mesh.elements[at(element)];
     return std::minmax(nodes[at(k)], nodes[at((k + 1) % 4)]);
-}
-
-double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
-    const double length2 = (b - a).squaredNorm();
-    const double t = length2 > 0.0 ? std::clamp((x - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
-    return (x - a - t * (b - a)).norm();
 }
 
 bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {

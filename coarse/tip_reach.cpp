@@ -4,14 +4,10 @@
 #include <cmath>
 
 #include "coarse/boundary_conditions.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace stria::coarse {
 namespace {
-
-double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
-    const double t = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-    return (x - a - t * (b - a)).norm();
-}
 
 double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
     double distance = 1e300;

@@ -89,6 +89,7 @@ void RunRecorder::record_cycle(const Increment& increment) {
         CycleSoFar& cycle = cycle_[t];
         const TipResult& tip = increment.tips[t];
         const double K = nominal_[t].K_I * increment.load_factor;
+        cycle.was_open = cycle.was_open || increment.closed.empty() || increment.closed[t] == 0;
         cycle.K_max = std::max(cycle.K_max, K);
         cycle.K_min = std::min(cycle.K_min, K);
         cycle.J_max = std::max(cycle.J_max, tip.J);
@@ -114,9 +115,9 @@ void RunRecorder::finish_cycle(const Increment& increment) {
         row.da = increment.tips[t].a - cycle.a;
         row.K_max = cycle.K_max;
         row.K_min = cycle.K_min;
-        // A crack that never closes is open down to the minimum.
-        row.K_op = cycle.touched ? cycle.K_op : cycle.K_min;
-        row.K_cl = cycle.touched ? cycle.K_cl : cycle.K_min;
+        // A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.
+        row.K_op = cycle.touched || !cycle.was_open ? cycle.K_op : cycle.K_min;
+        row.K_cl = cycle.touched || !cycle.was_open ? cycle.K_cl : cycle.K_min;
         row.U = (row.K_max - row.K_op) / (row.K_max - row.K_min);
         row.dK_eff = row.K_max - row.K_op;
         row.dN = scene_.input.growth ? cycles_of_increment(*scene_.input.growth, row.K_max, row.K_min, row.K_op) : 1.0;

@@ -29,7 +29,8 @@ private:
     struct CycleSoFar {
         double K_max = -1e300, K_min = 1e300, J_max = 0.0, CTOD_max = -1e300, CTOD_min = 1e300;
         double K_op = missing, K_cl = missing, a = 0.0;
-        bool touched = false;  // contact beyond the measuring distance came or went
+        bool touched = false;   // contact beyond the measuring distance came or went
+        bool was_open = false;  // there was none at some increment
         double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;
     };
     void record_history(const Increment& increment, const Structure& structure);

@@ -1,6 +1,7 @@
 #include "common/fem/domain_integral.hpp"
 
 #include <algorithm>
+
 namespace stria {
 namespace {
 

@@ -8,28 +8,12 @@
 #include "coarse/fracture_parameters.hpp"
 #include "coarse/structure.hpp"
 #include "coarse/zone_selection.hpp"
+#include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
 namespace {
 
-/// A plate 20 mm wide with an edge crack of 7.3 mm.
-Scene cracked_plate(double size, bool contact) {
-    Case input;
-    input.mesh = {.specimen = "plate", .width = 20.0, .height = 20.0, .size = size, .grading = {}};
-    input.material.young = 200e3;
-    input.material.poisson = 0.3;
-    input.material.yield_stress = 300.0;
-    input.cracks.resize(1);
-    input.cracks[0].points = {{0.0, 10.4}, {7.3, 10.4}};
-    if (contact) input.cracks[0].contact = ContactSection{};
-    for (const double side : {1.0, -1.0}) {
-        BoundarySection pulled;
-        pulled.on = side > 0.0 ? "top" : "bottom";
-        pulled.traction = Vec2(0.0, side);
-        input.boundaries.push_back(pulled);
-    }
-    return make_scene(input);
-}
+Scene cracked_plate(double size, bool contact) { return make_scene(test::pulled_plate(size, true, contact)); }
 
 TEST(Rings, LieInTheLargestAndAreTwoElementsThick) {
     const Scene scene = cracked_plate(0.25, false);

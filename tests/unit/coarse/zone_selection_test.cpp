@@ -9,27 +9,15 @@
 
 #include "coarse/structure.hpp"
 #include "common/fem/part_of_mesh.hpp"
+#include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
 namespace {
 
-/// A plate of unit elements with an edge crack, pulled at its ends.
+/// Of unit elements.
 Scene cracked_plate(bool plastic, bool contact, std::optional<double> radius = {}) {
-    Case input;
-    input.mesh = {.specimen = "plate", .width = 20.0, .height = 20.0, .size = 1.0, .grading = {}};
-    input.material.young = 200e3;
-    input.material.poisson = 0.3;
-    if (plastic) input.material.yield_stress = 300.0;
-    input.cracks.resize(1);
-    input.cracks[0].points = {{0.0, 10.4}, {7.3, 10.4}};
-    if (contact) input.cracks[0].contact = ContactSection{};
+    Case input = test::pulled_plate(1.0, plastic, contact);
     input.fine.radius = radius;
-    for (const double side : {1.0, -1.0}) {
-        BoundarySection pulled;
-        pulled.on = side > 0.0 ? "top" : "bottom";
-        pulled.traction = Vec2(0.0, side);
-        input.boundaries.push_back(pulled);
-    }
     return make_scene(input);
 }
 
