@@ -17,9 +17,6 @@ struct CrackPath {
     double length = 0.0;  // of the polyline, mm
 };
 
-/// A crossing nearer to a node than this fraction of the edge is snapped onto the node (NUMERICS 1: 1e-3 to 1e-2).
-inline constexpr double snap_fraction = 1e-3;
-
 /// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, enters
 /// an element twice, or leaves an element edge between its nodes after running along it.
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);

@@ -1,4 +1,5 @@
 // Cracks resolved on a mesh: which elements they pass, where they enter and leave, and what is refused.
+#include "common/fem/crack_crossings.hpp"
 #include "common/fem/crack_path.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,81 @@
+// Where a crack polyline meets the skeleton of a mesh: at nodes, and inside element edges.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "common/fem/mesh.hpp"
+
+namespace stria {
+
+/// Part of an element's edge between two neighbouring nodes: half of it where a node hangs in its middle.
+struct MeshEdge {
+    int first, second;  // nodes, first < second
+    std::array<int, 2> elements{-1, -1};
+};
+
+/// The crack meets the skeleton: at a node, or inside an edge.
+struct Crossing {
+    double s;  // arc length, mm
+    Eigen::Vector2d position;
+    int node;              // -1: inside an edge
+    const MeshEdge* edge;  // null at a node
+    double fraction;       // along the edge from its first node
+};
+
+/// A crossing nearer to a node than this fraction of the edge is snapped onto the node (NUMERICS 1: 1e-3 to 1e-2).
+inline constexpr double snap_fraction = 1e-3;
+
+class CrackCrossings {
+public:
+    using Vec2 = Eigen::Vector2d;
+
+    /// Both must outlive it. Whether a crossing exists is decided by exact predicates.
+    CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points);
+    CrackCrossings(const CrackCrossings&) = delete;  // crossings point to its edges
+    CrackCrossings& operator=(const CrackCrossings&) = delete;
+
+    /// Ascending along the crack; of those that are one place to rounding, or graze a node, one is left.
+    [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
+
+    /// Of the elements near the crack.
+    [[nodiscard]] const std::vector<MeshEdge>& edges() const { return edges_; }
+
+    /// Arc length of each point of the polyline.
+    [[nodiscard]] const std::vector<double>& arc() const { return arc_; }
+
+    /// Arc lengths nearer than this are one, mm.
+    [[nodiscard]] double kink_tolerance() const { return 1e-12 * arc_.back(); }
+
+    /// True where no second element lies across the edge, near the crack or not.
+    [[nodiscard]] bool is_boundary(const MeshEdge& edge) const;
+
+    /// Place of a crossing on an element's boundary (CrackPiece::entry).
+    [[nodiscard]] double place(int element, const Crossing& crossing) const;
+
+    [[nodiscard]] std::vector<int> common_elements(const Crossing& a, const Crossing& b) const;
+    [[nodiscard]] bool on_one_edge(const Crossing& a, const Crossing& b) const;
+
+private:
+    void collect_edges();
+    [[nodiscard]] bool near_crack(int element) const;
+    void collect();
+    void add(const MeshEdge& edge, std::size_t segment, const Vec2& x);
+    void merge();
+    [[nodiscard]] bool grazes(const Crossing& a, const Crossing& b) const;
+    [[nodiscard]] bool has_kink_between(double s0, double s1) const;
+    [[nodiscard]] int middle_of(int a, int b) const;  // the hanging node in the middle of an edge, or -1
+    [[nodiscard]] std::vector<int> elements_at(const Crossing& crossing) const;
+    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[static_cast<std::size_t>(n)]; }
+
+    const Mesh& mesh_;
+    const std::vector<Vec2>& points_;
+    std::vector<std::vector<int>> around_;       // elements around each node
+    std::map<std::pair<int, int>, int> middle_;  // hanging node of an edge
+    std::vector<double> arc_;
+    std::vector<MeshEdge> edges_;
+    std::vector<Crossing> crossings_;
+};
+
+}  // namespace stria
