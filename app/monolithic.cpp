@@ -71,6 +71,7 @@ public:
         result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
         result.status_changes = response.digest.status_changes;
         result.contact_reach = response.digest.contact_reach;
+        result.force_ahead = response.digest.force_ahead;
         return result;
     }
 

@@ -6,7 +6,7 @@ namespace stria {
 
 Progress::Progress(const Case& input, bool quiet, bool verbose, bool terminal)
     : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(input.load.steps / 2) {
-    for (const LoadBlock& block : input.load.blocks) increments_ += block.cycles * input.load.steps;
+    increments_ += coarse::cycle_count(input.load) * input.load.steps;
 }
 
 void Progress::end_live_line() {

@@ -59,7 +59,7 @@ public:
             progress_.attempted(step, report);
         };
         listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
-            recorder->record(increment, structure, running->nominal());
+            recorder->record(increment, structure, running->closure());
             progress_.accepted(increment);
         };
         coarse::FatigueAnalysis analysis(scene_, factory, listener);
@@ -160,7 +160,7 @@ void print_handbook(const Nominal& nominal) {
 }
 
 void print_zone_estimate(const coarse::Scene& scene, const Nominal& nominal) {
-    const double largest = coarse::largest_load_factor(scene.input.load, nominal.structure);
+    const double largest = coarse::largest_load_factor(scene.input.load, nominal.structure, nominal.tips);
     std::vector<double> K_I;
     for (const coarse::TipResult& tip : nominal.tips) {
         K_I.push_back(tip.K_I * largest);

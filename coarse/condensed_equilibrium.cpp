@@ -83,6 +83,7 @@ Residual CondensedEquilibrium::linearise() {
     result.closed = static_cast<int>(std::ranges::count(response_.digest.status, std::int8_t{1}));
     result.status_changes = response_.digest.status_changes;
     result.contact_reach = response_.digest.contact_reach;
+    result.force_ahead = response_.digest.force_ahead;
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
     settled_below_ = response_.same_tangent ? 0.0 : scene_.input.solver.tolerance * result.scale;
     return result;

@@ -1,5 +1,6 @@
 #include "coarse/crack_growth.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stria::coarse {
@@ -10,9 +11,7 @@ bool grows_at(const GrowthSection& growth, const LoadStep& step) {
 }
 
 double planned_growth(const GrowthSection& growth, const LoadSection& load) {
-    int cycles = 0;
-    for (const LoadBlock& block : load.blocks) cycles += block.cycles;
-    return growth.increment * (cycles / growth.every);
+    return growth.increment * (cycle_count(load) / growth.every);
 }
 
 double hoop_stress_angle(double K_I, double K_II) {
@@ -21,10 +20,32 @@ double hoop_stress_angle(double K_I, double K_II) {
     return 2.0 * std::atan(0.25 * (ratio - std::copysign(std::sqrt(ratio * ratio + 8.0), K_II)));
 }
 
-double cycles_of_increment(const GrowthSection& growth, double K_max, double K_min, double K_op) {
-    if (growth.law == GrowthLaw::Prescribed) return growth.every;
-    const double range = K_max - (growth.driving == GrowthDriving::Range ? K_min : K_op);
-    return growth.increment / (growth.C * std::pow(range, growth.m));
+double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
+    if (growth.law == GrowthLaw::Prescribed) return growth.increment;
+    double range = cycle.CTOD_range();
+    if (growth.law == GrowthLaw::Paris)
+        range = cycle.K_max - (growth.driving == GrowthDriving::Range ? cycle.K_min : cycle.opening.K_op);
+    return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
+}
+
+std::vector<double> advances(const GrowthSection& growth, const std::vector<CycleResult>& last, std::size_t tips) {
+    std::vector<double> advance(tips, growth.increment);
+    if (last.empty()) return advance;
+    const double fastest = fastest_rate(growth, last);
+    for (std::size_t t = 0; t < tips; ++t)
+        advance[t] = fastest > 0.0 ? growth.increment * (growth_rate(growth, last[t]) / fastest) : 0.0;
+    return advance;
+}
+
+double fastest_rate(const GrowthSection& growth, const std::vector<CycleResult>& cycles) {
+    double fastest = 0.0;
+    for (const CycleResult& cycle : cycles) fastest = std::max(fastest, growth_rate(growth, cycle));
+    return fastest;
+}
+
+double cycles_passed(const GrowthSection& growth, double grown, double rate_before, double rate_after) {
+    if (growth.law == GrowthLaw::Prescribed) return 1.0;
+    return grown > 0.0 ? 0.5 * grown * (1.0 / rate_before + 1.0 / rate_after) : 0.0;
 }
 
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {

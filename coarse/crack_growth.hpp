@@ -1,6 +1,7 @@
 // How far and where a crack grows.
 #pragma once
 
+#include "coarse/cycle_result.hpp"
 #include "coarse/load_controller.hpp"
 #include "common/fem/enriched_mesh.hpp"
 #include "common/io/case.hpp"
@@ -17,8 +18,18 @@ double planned_growth(const GrowthSection& growth, const LoadSection& load);
 /// K_I. Erdogan and Sih, J. Basic Eng. 85 (1963) 519.
 double hoop_stress_angle(double K_I, double K_II);
 
-/// Cycles that the growth by one increment takes; `K_min` or `K_op` by what drives the law. Prescribed: `every`.
-double cycles_of_increment(const GrowthSection& growth, double K_max, double K_min, double K_op);
+/// da/dN of a tip by the law, mm/cycle; 0 where nothing drives it. Prescribed: the increment.
+double growth_rate(const GrowthSection& growth, const CycleResult& cycle);
+
+double fastest_rate(const GrowthSection& growth, const std::vector<CycleResult>& cycles);
+
+/// What each tip advances next: the fastest one by the increment, the others in proportion; by a prescribed law, and
+/// before the first cycle is over (`last` is empty), all alike.
+std::vector<double> advances(const GrowthSection& growth, const std::vector<CycleResult>& last, std::size_t tips);
+
+/// Cycles that it took to grow by `grown`, mm, from one state to another with the rates da/dN, mm/cycle, of the fastest
+/// tip (trapezoidal rule). Prescribed: 1, the cycle itself.
+double cycles_passed(const GrowthSection& growth, double grown, double rate_before, double rate_after);
 
 /// Advances the end of a crack along a unit vector. On a straight crack its last point moves.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);

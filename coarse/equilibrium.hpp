@@ -22,6 +22,7 @@ struct Residual {
     int closed = 0;                          // multipliers
     int status_changes = 0;                  // since the iteration before
     std::vector<double> contact_reach = {};  // per tip: how far behind it the farthest contact lies, mm; < 0: none
+    std::vector<double> force_ahead = {};    // per tip, where it is measured: normal stress over the sector ahead, N
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
     [[nodiscard]] bool is_finite() const { return std::isfinite(boundary + interior + contact + target); }

@@ -12,6 +12,11 @@
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
+namespace {
+
+constexpr double closure_precision = 0.002;  // of the larger load of a half cycle
+
+}  // namespace
 
 std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch,
                                                     const Eigen::VectorXd& committed, double load_factor) {
@@ -20,17 +25,22 @@ std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, 
                                                   load_factor);
 }
 
-double largest_load_factor(const LoadSection& load, const Structure& elastic) {
-    double per_load_factor = 1.0;
+double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nominal, double grown) {
+    if (load.control != Control::StressIntensity) return 1.0;
+    if (nominal.empty() || !(nominal.front().K_I > 0.0))
+        throw CaseError("load.control: \"K\" needs a crack tip with K_I > 0 under the unit load");
+    return std::exp(load.K_gradient * grown) / nominal.front().K_I;
+}
+
+double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
+                           double grown) {
+    double per_load_factor = 1.0 / target_of_unit(load, nominal, grown);
     if (load.control == Control::Displacement) {
         per_load_factor = elastic.mean_displacement().per_load_factor;
         if (std::abs(per_load_factor) <= 1e-9 * elastic.expand({}, 1.0).lpNorm<Eigen::Infinity>())
             throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
     }
-    double largest = 0.0;
-    for (const LoadBlock& block : load.blocks)
-        largest = std::max({largest, block.max / per_load_factor, block.min / per_load_factor});
-    return largest;
+    return largest_value(load) / per_load_factor;
 }
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
@@ -40,7 +50,9 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     const std::vector<double> largest_K_I = solve_nominal();
+    if (!nominal_.empty()) first_length_ = nominal_.front().a;
     closure_ = ClosureMeter(scene.input, largest_K_I);
+    cycle_meter_ = CycleMeter(scene.input.closure.definition, closure_, nominal_.size());
     build(select_zone(scene, largest_K_I));
 }
 
@@ -51,10 +63,15 @@ std::vector<double> FatigueAnalysis::solve_nominal() {
     note_if_large("elastic solution of the whole body");
     structure_ = std::make_unique<Structure>(*scene_, std::vector<char>(scene_->mesh.elements.size(), 0));
     nominal_ = fracture_parameters(*structure_, structure_->expand({}, 1.0), {});
+    controller_.set_scale(target_of_unit(load, nominal_, grown()));
+    const double largest = largest_load_factor(load, *structure_, nominal_, grown());
     std::vector<double> largest_K_I;
-    for (const TipResult& tip : nominal_) largest_K_I.push_back(tip.K_I * largest_load_factor(load, *structure_));
+    for (const TipResult& tip : nominal_) largest_K_I.push_back(tip.K_I * largest);
     return largest_K_I;
 }
+
+// Of the first tip.
+double FatigueAnalysis::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
 
 void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     const bool has_zone = std::ranges::any_of(in_zone, [](char inside) { return inside != 0; });
@@ -67,6 +84,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     }
     coupling::Patch patch;
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
+    patch.ahead = closure_.ahead(scene_->enriched);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
     equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
     controller_.forget_increments();
@@ -89,7 +107,7 @@ void FatigueAnalysis::run() {
         if (!report.converged) {
             cut_or_fail(step, report);
         } else if (!zone_must_grow(step)) {
-            const std::vector<ContactChange> changes = measure_closure(step, report);
+            const std::vector<OpeningChange> changes = measure_closure(step, report);
             accept(step, report, changes);
             controller_.accepted();
             if (scene_->input.growth && grows_at(*scene_->input.growth, step)) {
@@ -102,6 +120,10 @@ void FatigueAnalysis::run() {
 
 bool FatigueAnalysis::has_grown_enough() const {
     const GrowthSection& growth = *scene_->input.growth;
+    if (!last_cycle_.empty() && fastest_rate(growth, last_cycle_) <= 0.0) {
+        listener_.note("nothing drives a tip any more: the crack is arrested");
+        return true;
+    }
     for (std::size_t t = 0; t < nominal_.size(); ++t) {
         const double K = nominal_[t].K_I * load_factor_;
         if (growth.until && nominal_[t].a >= *growth.until * (1.0 - 1e-9)) {
@@ -125,11 +147,12 @@ NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
 
 // K_op and K_cl by sub-stepping: contact that came or went within the increment is looked for between its ends, and
 // then the increment is made as it was.
-std::vector<ContactChange> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
+std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
     const std::vector<char> now = closure_.closed(report);
     if (step.cycle == 0 || closed_.size() != now.size() || now == closed_) return {};
     const double from = controller_.reached(), to = step.target.value;
-    const auto changes = closure_.locate(closed_, now, from, to, [&](double target) {
+    const double precision = closure_precision * controller_.extreme();
+    const auto changes = closure_.locate(closed_, now, from, to, precision, [&](double target) {
         equilibrium_->rollback();
         LoadStep trial = step;
         trial.target.value = target;
@@ -150,12 +173,14 @@ std::vector<ContactChange> FatigueAnalysis::measure_closure(const LoadStep& step
 // at constant load the body finds equilibrium with them.
 void FatigueAnalysis::grow(const LoadStep& reached) {
     Case input = scene_->input;
+    const std::vector<double> advance_by = advances(*input.growth, last_cycle_, nominal_.size());
     for (std::size_t t = 0; t < nominal_.size(); ++t) {
+        if (advance_by[t] == 0.0) continue;
         const Tip& tip = scene_->enriched.tips[t];
         const bool straight = input.growth->direction == GrowthDirection::Straight;
         const double angle = straight ? 0.0 : hoop_stress_angle(nominal_[t].K_I, nominal_[t].K_II);
         advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
-                input.growth->increment);
+                advance_by[t]);
     }
     auto next = std::make_unique<Scene>(make_scene(input, scene_->mesh));
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
@@ -170,6 +195,7 @@ void FatigueAnalysis::grow(const LoadStep& reached) {
     LoadStep step;
     step.cycle = reached.cycle;
     step.target = reached.target;
+    step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
     NewtonReport report = attempt(step);
     while (report.converged && zone_must_grow(step)) report = attempt(step);
     if (!report.converged) {
@@ -228,11 +254,11 @@ void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
-                             const std::vector<ContactChange>& changes) {
+                             const std::vector<OpeningChange>& changes) {
     Increment increment;
     increment.number = ++increment_;
     increment.step = step;
-    increment.contact_changes = changes;
+    increment.opening_changes = changes;
     increment.load_factor = load_factor_ = equilibrium_->load_factor();
     increment.newton = report;
     increment.displacement = equilibrium_->structure_displacement();
@@ -242,7 +268,21 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     look_at_rings(increment);
     committed_ = increment.displacement;
     closed_ = increment.closed = closure_.closed(report);
+    for (const TipResult& tip : nominal_) increment.nominal_K.push_back(tip.K_I);
+    cycle_meter_.add(increment);
+    if (step.ends_cycle) end_cycle(increment);
     listener_.accepted(increment, *structure_);
+}
+
+void FatigueAnalysis::end_cycle(Increment& increment) {
+    increment.cycles = cycle_meter_.finish();
+    if (const auto& growth = scene_->input.growth) {
+        double grown = 0.0;
+        for (const CycleResult& cycle : increment.cycles) grown = std::max(grown, cycle.da);
+        const double before = fastest_rate(*growth, last_cycle_), after = fastest_rate(*growth, increment.cycles);
+        for (CycleResult& cycle : increment.cycles) cycle.dN = cycles_passed(*growth, grown, before, after);
+    }
+    last_cycle_ = increment.cycles;
 }
 
 void FatigueAnalysis::look_at_rings(const Increment& increment) {

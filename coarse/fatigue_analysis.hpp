@@ -4,10 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "coarse/closure.hpp"
-#include "coarse/fracture_parameters.hpp"
-#include "coarse/load_controller.hpp"
-#include "coarse/newton.hpp"
+#include "coarse/cycle_meter.hpp"
+#include "coarse/increment.hpp"
 #include "coarse/structure.hpp"
 #include "coupling/fine_scale.hpp"
 
@@ -42,20 +40,6 @@ private:
     coupling::FineScale* fine_;
 };
 
-/// A converged increment, as the recorder gets it.
-struct Increment {
-    int number = 0;  // from 1
-    LoadStep step;
-    double load_factor = 0.0;                    // found, where a displacement is controlled
-    std::vector<ContactChange> contact_changes;  // on the way to this increment
-    std::vector<char> closed;                    // per tip: contact beyond the measuring distance
-    NewtonReport newton;
-    Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
-    Eigen::VectorXd reactions;     // on prescribed unknowns
-    coupling::StepReport zone;
-    std::vector<TipResult> tips;
-};
-
 /// What the analysis tells as it goes. app/ and tests listen.
 struct Listener {
     std::function<void(const Increment&, const Structure&)> accepted = [](const Increment&, const Structure&) {};
@@ -64,9 +48,15 @@ struct Listener {
     };  // converged or not
 };
 
+/// What a unit of the load history is in load factors: 1, or where K is controlled 1 / K_1(a) of the first tip, times
+/// what the gradient of K makes of `grown`, mm. `nominal`: for the load factor 1. Throws CaseError where a crack has no
+/// tip that the load opens.
+double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nominal, double grown);
+
 /// Largest load factor of a history. Where displacements are controlled it is that of the elastic body with
 /// traction-free faces: what yields bears less. Throws CaseError where the loads do not move what is controlled.
-double largest_load_factor(const LoadSection& load, const Structure& elastic);
+double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
+                           double grown = 0.0);
 
 class FatigueAnalysis {
 public:
@@ -78,6 +68,7 @@ public:
     [[nodiscard]] const Structure& structure() const { return *structure_; }
     /// Elastic, traction-free stress intensities for the load factor 1, one a tip (nominal K, INTERFACE).
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_; }
+    [[nodiscard]] const ClosureMeter& closure() const { return closure_; }
     [[nodiscard]] int newton_iterations() const { return newton_iterations_; }
     [[nodiscard]] int cuts() const { return controller_.cuts(); }
     [[nodiscard]] int zone_extensions() const { return extensions_; }
@@ -97,10 +88,12 @@ private:
     void extend_zone(const std::vector<int>& yielding);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
-    void accept(const LoadStep& step, const NewtonReport& report, const std::vector<ContactChange>& changes);
+    void accept(const LoadStep& step, const NewtonReport& report, const std::vector<OpeningChange>& changes);
+    void end_cycle(Increment& increment);
     [[nodiscard]] bool has_grown_enough() const;
+    [[nodiscard]] double grown() const;
     void grow(const LoadStep& reached);
-    [[nodiscard]] std::vector<ContactChange> measure_closure(const LoadStep& step, NewtonReport& report);
+    [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 
     const Scene* scene_;
@@ -114,7 +107,10 @@ private:
     Eigen::VectorXd committed_;  // displacement of the whole mesh
     double load_factor_ = 0.0;   // committed
     ClosureMeter closure_;
-    std::vector<char> closed_;  // per tip, committed: contact beyond the measuring distance
+    std::vector<char> closed_;  // signals of the closure meter, committed
+    CycleMeter cycle_meter_;
+    std::vector<CycleResult> last_cycle_;  // one a tip, of the last cycle that ended
+    double first_length_ = 0.0;            // of the crack of the first tip at the start, mm
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
     double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
 };

@@ -1,11 +1,12 @@
-// Hands out the next target, a load factor or a displacement: a ramp to the first maximum, then cycles max -> min ->
-// max, block after block; halves an increment that failed and lets it grow again.
+// Hands out the next target, a load factor or a displacement, on the way from one extreme of the history to the next;
+// halves an increment that failed and lets it grow again.
 #pragma once
 
 #include <deque>
 #include <optional>
 #include <vector>
 
+#include "coarse/load_history.hpp"
 #include "coarse/target.hpp"
 #include "common/predictor.hpp"
 
@@ -22,11 +23,25 @@ struct LoadStep {
     bool ends_cycle = false;
 };
 
+/// How far a load has come.
+struct LoadPosition {
+    std::size_t leg = 0;
+    int increments = 0;      // of the leg, done
+    double leg_start = 0.0;  // target where it began
+    double reached = 0.0;    // target: a load factor, or a displacement, mm
+    double fraction = 1.0;   // of a whole increment, after cuts
+    int consecutive_cuts = 0, cuts = 0;
+};
+
 class LoadController {
 public:
     explicit LoadController(const LoadSection& load, const SolverSection& solver);
 
-    /// The next target, or nothing when all blocks are done.
+    /// What a unit of the history is as a target, from now on; 1, or where K is controlled the load factor of a unit of
+    /// K.
+    void set_scale(double scale) { scale_ = scale; }
+
+    /// The next target, or nothing when all is done.
     [[nodiscard]] std::optional<LoadStep> next() const;
 
     void accepted();
@@ -37,32 +52,30 @@ public:
     /// Halves the increment; false after `max_cuts` halvings.
     [[nodiscard]] bool cut();
 
-    [[nodiscard]] int cuts() const { return cuts_; }
+    [[nodiscard]] int cuts() const { return position_.cuts; }
     /// The value reached: a load factor, or a displacement, mm.
-    [[nodiscard]] double reached() const { return reached_; }
+    [[nodiscard]] double reached() const { return position_.reached; }
+    /// The larger magnitude of the two ends of the present way.
+    [[nodiscard]] double extreme() const;
 
 private:
-    struct Stop {  // of uncut increments
-        int cycle;
-        double value;
-        bool reversal, at_maximum, at_minimum, at_zero, ends_cycle;
-    };
-    void mark_reversals();
-    void append_leg(int cycle, double from, double to, const LoadSection& load);
+    [[nodiscard]] double end_of_leg() const;
+    [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
+    [[nodiscard]] int stop_nearest_to_zero() const;
+    [[nodiscard]] Predictor predictor(int cycle, double to) const;
 
     Control control_;
-    std::vector<Stop> stops_;
-    std::size_t stop_ = 0;  // the next
-    double reached_ = 0.0;
+    std::vector<Leg> legs_;
+    int steps_;  // of a leg
+    double grading_, scale_ = 1.0;
+    LoadPosition position_;
     struct Taken {
         int cycle;
         double from, to;
     };
-    [[nodiscard]] Predictor predictor(int cycle, double to) const;
     std::deque<Taken> taken_;  // the last one first
     std::size_t remembered_;
-    double fraction_ = 1.0;  // of a whole increment, after cuts
-    int consecutive_cuts_ = 0, max_cuts_ = 0, cuts_ = 0;
+    int max_cuts_ = 0;
 };
 
 }  // namespace stria::coarse

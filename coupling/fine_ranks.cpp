@@ -96,6 +96,7 @@ void FineRanks::send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& dis
         part.displacement = gather(displacement, rank.unknowns);
         part.unit_load = gather(patch_.unit_load, rank.unknowns);
         part.rings = patch_.rings;
+        part.ahead = patch_.ahead;
         for (int i = 0; i < part.mesh.unknowns; ++i) {
             const int unknown = rank.unknowns[at(i)];
             if (!std::ranges::binary_search(kept_, unknown)) continue;

@@ -25,6 +25,8 @@ void add_digest(Digest& whole, const Digest& part, const std::vector<int>& eleme
     whole.status_changes += part.status_changes;
     widen(whole.contact_reach, part.contact_reach.size(), -1.0);
     for (std::size_t t = 0; t < part.contact_reach.size(); ++t) raise(whole.contact_reach[t], part.contact_reach[t]);
+    widen(whole.force_ahead, part.force_ahead.size());
+    for (std::size_t t = 0; t < part.force_ahead.size(); ++t) whole.force_ahead[t] += part.force_ahead[t];
 }
 
 void add_tips(StepReport& whole, const StepReport& part) {

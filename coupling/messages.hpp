@@ -31,6 +31,8 @@ struct Patch {
     Eigen::VectorXd displacement;  // committed displacement of all unknowns of `mesh`; the fine component keeps its own
                                    // where it has one, and starts elements that are new to it from sigma = C eps(u)
     std::vector<Ring> rings;       // those that zone elements have a share in
+    std::vector<double> ahead;     // per tip: radius, mm, of the sector ahead of it whose normal stress is asked for;
+                                   // empty: nobody asks
 };
 
 /// Displacements of the zone's boundary, each Newton iteration.
@@ -50,6 +52,7 @@ struct Digest {
     std::vector<double> multiplier;     // per multiplier: pressure, MPa
     std::int32_t status_changes = 0;    // against the iteration before
     std::vector<double> contact_reach;  // per tip: distance of the farthest closed multiplier behind it, mm; < 0: none
+    std::vector<double> force_ahead;    // per tip, where the patch asks: integral of the normal stress ahead, N
 };
 
 /// The zone's answer: a nonlinear superelement.

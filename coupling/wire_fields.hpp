@@ -59,8 +59,8 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, rings] = m;
-    wire(mesh, boundary, unit_load, displacement, rings);
+    auto& [mesh, boundary, unit_load, displacement, rings, ahead] = m;
+    wire(mesh, boundary, unit_load, displacement, rings, ahead);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
@@ -69,8 +69,9 @@ void fields(auto& wire, Is<PatchDisplacement> auto& m) {
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
-    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach] = m;
-    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach);
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead] =
+        m;
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead);
 }
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {

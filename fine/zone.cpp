@@ -253,6 +253,26 @@ double Zone::plastic_extent(const Tip& tip, double half_angle) const {
     return largest;
 }
 
+double Zone::force_ahead(const Tip& tip, double radius) const {
+    const Vec2 normal(-tip.direction.y(), tip.direction.x());
+    double sum = 0.0;
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
+            const IntegrationPoint& p = operators_[e].points[q];
+            const Vec2 from_tip = p.x - tip.position;
+            const double along = from_tip.dot(tip.direction);
+            if (from_tip.norm() > radius || along < std::abs(from_tip.dot(normal))) continue;
+            const auto point = static_cast<std::size_t>(first_point_[e]) + q;
+            Mandel stress;
+            for (std::size_t c = 0; c < 4; ++c)
+                stress[static_cast<Eigen::Index>(c)] =
+                    trial_[(static_cast<std::size_t>(state::stress) + c) * static_cast<std::size_t>(points_) + point];
+            sum += p.weight * normal.dot(in_plane(stress) * normal);
+        }
+    }
+    return sum;
+}
+
 void Zone::describe(coupling::ZoneState& out) const {
     out.displacement = committed_u_;
     for (std::size_t e = 0; e < operators_.size(); ++e) {

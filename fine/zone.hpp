@@ -51,6 +51,9 @@ public:
     [[nodiscard]] double plastic_reach(const Tip& tip) const;
     /// Largest distance from the tip to a point that flowed since the last reversal; `half_angle` about the line ahead.
     [[nodiscard]] double plastic_extent(const Tip& tip, double half_angle) const;
+    /// Integral of the normal stress, across the line ahead, over the sector of 45 degrees to either side, N per mm of
+    /// thickness; of the trial state.
+    [[nodiscard]] double force_ahead(const Tip& tip, double radius) const;
     void describe(coupling::ZoneState& out) const;
 
 private:

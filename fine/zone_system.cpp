@@ -122,6 +122,8 @@ coupling::PatchResponse ZoneSystem::measure() const {
     response.digest.multiplier.assign(trial_.pressure.begin(), trial_.pressure.end());
     response.digest.status_changes = contact_->status_changes();
     for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
+    for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
+        response.digest.force_ahead.push_back(zone_->force_ahead(patch_.mesh.tips[t], patch_.ahead[t]));
     return response;
 }
 
@@ -146,15 +148,18 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     return report;
 }
 
+// Functions of tips that have moved on count: their displacement stays.
+Vec2 ZoneSystem::jump(const FaceStation& station) const {
+    return station.jump(committed_.displacement) + frozen_.jump(station.crack, station.x);
+}
+
 void ZoneSystem::report_tips(coupling::StepReport& report) const {
     const auto tips = patch_.mesh.tips.size();
     report.tips.resize(tips);
     for (std::size_t t = 0; t < tips; ++t) {
         const Tip& tip = patch_.mesh.tips[t];
-        report.tips[t].CTOD = opening_at_intercept(patch_.mesh, tip, [&](const FaceStation& station) {
-            return station.opening(committed_.displacement) +
-                   frozen_.jump(station.crack, station.x).dot(station.normal);
-        });
+        report.tips[t].CTOD = opening_at_intercept(
+            patch_.mesh, tip, [&](const FaceStation& station) { return jump(station).dot(station.normal); });
         report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
         report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);
         report.tips[t].plastic_reach = zone_->plastic_reach(tip);
@@ -195,8 +200,9 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
         sample.s = station.s;
         sample.x = station.x.x();
         sample.y = station.x.y();
-        sample.opening = station.opening(committed_.displacement);
-        sample.slip = station.slip(committed_.displacement);
+        const Vec2 jumps = jump(station);
+        sample.opening = jumps.dot(station.normal);
+        sample.slip = jumps.dot(station.tangent);
         sample.pressure = contact_->pressure_at(station, committed_.pressure);
         sample.status = sample.pressure > 0.0 ? 1 : 0;
         if (sample.status != 0) report.contact_length[static_cast<std::size_t>(station.crack)] += station.weight;
@@ -206,7 +212,7 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
         for (const CrackPiece& piece : patch_.mesh.pieces) {
             if (piece.crack != static_cast<int>(crack)) continue;
             const FaceStation mouth = face_station_at(patch_.mesh, piece.crack, piece.s.front());
-            if (piece.entry >= 0.0) report.mouth_opening[crack] = mouth.opening(committed_.displacement);
+            if (piece.entry >= 0.0) report.mouth_opening[crack] = jump(mouth).dot(mouth.normal);
             break;
         }
     }

@@ -57,6 +57,7 @@ private:
     void find_tip_stations();
     void freeze_tips_left_by(const EnrichedMesh& next);
     void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
+    [[nodiscard]] Vec2 jump(const FaceStation& station) const;  // committed
     void report_tips(coupling::StepReport& report) const;
     void report_faces(coupling::StepReport& report) const;
     void report_rings(coupling::StepReport& report) const;

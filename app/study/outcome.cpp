@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/study/run_files.hpp"
+#include "common/io/number_table.hpp"
 
 namespace stria::study {
 

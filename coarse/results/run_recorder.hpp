@@ -19,24 +19,17 @@ public:
     /// `zone_state`: asks the zone for its full state where fields are due.
     RunRecorder(const Scene& scene, std::filesystem::path directory, std::function<coupling::ZoneState()> zone_state);
 
-    void record(const Increment& increment, const Structure& structure, const std::vector<TipResult>& nominal);
+    void record(const Increment& increment, const Structure& structure, const ClosureMeter& closure);
 
     [[nodiscard]] const std::vector<HistoryRow>& last_rows() const { return last_; }
     [[nodiscard]] const coupling::StepReport& last_zone() const { return zone_; }
     [[nodiscard]] double output_seconds() const { return output_s_; }
 
 private:
-    struct CycleSoFar {
-        double K_max = -1e300, K_min = 1e300, J_max = 0.0, CTOD_max = -1e300, CTOD_min = 1e300;
-        double K_op = missing, K_cl = missing, a = 0.0;
-        bool touched = false;   // contact beyond the measuring distance came or went
-        bool was_open = false;  // there was none at some increment
-        double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;
-    };
     void record_history(const Increment& increment, const Structure& structure);
-    void record_cycle(const Increment& increment);
+    void record_cycle(const Increment& increment, const ClosureMeter& closure);
     void begin_cycle();
-    void finish_cycle(const Increment& increment);
+    [[nodiscard]] double seconds() const;
     [[nodiscard]] bool due(Written wish, const LoadStep& step) const;
     [[nodiscard]] double load(const Increment& increment) const;
     [[nodiscard]] double displacement(const Increment& increment) const;
@@ -46,13 +39,12 @@ private:
     std::function<coupling::ZoneState()> zone_state_;
     std::optional<LoadedBoundary> loaded_;
     CsvWriter history_, cycles_, faces_;
+    std::optional<CsvWriter> closure_;  // where a profile of opening loads is asked for
     FieldWriter fields_;
     std::vector<HistoryRow> last_;
     coupling::StepReport zone_;
-    std::vector<TipResult> nominal_;
-    std::vector<CycleSoFar> cycle_;
     int cycle_iterations_ = 0;
-    double last_target_ = 0.0, output_s_ = 0.0, cycle_start_s_ = 0.0;
+    double output_s_ = 0.0, cycle_start_s_ = 0.0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

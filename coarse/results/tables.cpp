@@ -59,6 +59,15 @@ constexpr std::array cycle_table{
     Column<CycleRow>{"wall_s", &CycleRow::wall_s},
     Column<CycleRow>{"forward_zone_axis", &CycleRow::forward_zone_axis},
     Column<CycleRow>{"cyclic_zone_axis", &CycleRow::cyclic_zone_axis},
+    Column<CycleRow>{"K_op_contact", &CycleRow::K_op_contact},
+    Column<CycleRow>{"K_op_offset", &CycleRow::K_op_offset},
+    Column<CycleRow>{"K_op_tension", &CycleRow::K_op_tension},
+};
+
+constexpr std::array closure_table{
+    Column<ClosureRow>{"cycle", &ClosureRow::cycle},       Column<ClosureRow>{"tip", &ClosureRow::tip},
+    Column<ClosureRow>{"distance", &ClosureRow::distance}, Column<ClosureRow>{"K_op", &ClosureRow::K_op},
+    Column<ClosureRow>{"K_cl", &ClosureRow::K_cl},
 };
 
 constexpr std::array face_table{
@@ -102,10 +111,12 @@ FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample) {
 
 std::vector<std::string> history_columns() { return names_of(history_table); }
 std::vector<std::string> cycle_columns() { return names_of(cycle_table); }
+std::vector<std::string> closure_columns() { return names_of(closure_table); }
 std::vector<std::string> face_columns() { return names_of(face_table); }
 
 std::vector<Cell> cells_of(const HistoryRow& row) { return cells_in(history_table, row); }
 std::vector<Cell> cells_of(const CycleRow& row) { return cells_in(cycle_table, row); }
+std::vector<Cell> cells_of(const ClosureRow& row) { return cells_in(closure_table, row); }
 std::vector<Cell> cells_of(const FaceRow& row) { return cells_in(face_table, row); }
 
 }  // namespace stria::coarse

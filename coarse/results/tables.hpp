@@ -51,7 +51,15 @@ struct CycleRow {
     double forward_zone = missing, cyclic_zone = missing;  // mm
     std::int64_t newton_iterations = 0, fine_points = 0, fine_unknowns = 0;
     double wall_s = missing;
-    double forward_zone_axis = missing, cyclic_zone_axis = missing;  // mm
+    double forward_zone_axis = missing, cyclic_zone_axis = missing;                // mm
+    double K_op_contact = missing, K_op_offset = missing, K_op_tension = missing;  // MPa sqrt(mm)
+};
+
+/// One cycle, tip and distance behind it.
+struct ClosureRow {
+    std::int64_t cycle = 0, tip = 0;
+    double distance = missing;              // mm
+    double K_op = missing, K_cl = missing;  // MPa sqrt(mm), nominal
 };
 
 /// One station of the crack faces at one increment.
@@ -67,10 +75,12 @@ FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample);
 
 std::vector<std::string> history_columns();
 std::vector<std::string> cycle_columns();
+std::vector<std::string> closure_columns();
 std::vector<std::string> face_columns();
 
 std::vector<Cell> cells_of(const HistoryRow& row);
 std::vector<Cell> cells_of(const CycleRow& row);
+std::vector<Cell> cells_of(const ClosureRow& row);
 std::vector<Cell> cells_of(const FaceRow& row);
 
 }  // namespace stria::coarse

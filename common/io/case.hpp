@@ -92,39 +92,51 @@ struct LoadBlock {
     bool operator==(const LoadBlock&) const = default;
 };
 
-/// What the extremes of the blocks are: load factors, or mean displacements of the loaded boundary, mm.
-enum class Control { Load, Displacement };
+/// What the extremes of the blocks are: load factors, mean displacements of the loaded boundary, mm, or nominal stress
+/// intensities of the first tip, MPa sqrt(mm).
+enum class Control { Load, Displacement, StressIntensity };
 
 struct LoadSection {
-    int steps = 40;        // increments per cycle
-    double grading = 1.0;  // increment k of h ends at (k/h)^grading of the way from one reversal to the next
-    std::vector<LoadBlock> blocks;
+    int steps = 40;                 // increments per cycle
+    double grading = 1.0;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
+    std::vector<LoadBlock> blocks;  // those of a spectrum file included
+    std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
+    double scale = 1.0;                        // of every max and min
+    int repeat = 1;                            // of the whole sequence
     Control control = Control::Load;
+    double K_gradient = 0.0;  // 1/mm, with control of K: K = block value exp(K_gradient (a - a at the start))
     bool operator==(const LoadSection&) const = default;
 };
 
 /// With the maximum of a cycle, or its minimum, just reached.
 enum class GrowthAt { Maximum, Minimum };
 
-enum class GrowthLaw { Prescribed, Paris };
+enum class GrowthLaw { Prescribed, Paris, Ctod };
 enum class GrowthDriving { Range, EffectiveRange };  // K_max - K_min, K_max - K_op
 enum class GrowthDirection { HoopStress, Straight };
 
 struct GrowthSection {
     GrowthLaw law = GrowthLaw::Prescribed;
-    double increment = 0.0;  // mm
+    double increment = 0.0;  // mm, of the fastest tip
     int every = 1;           // cycles
     GrowthAt at = GrowthAt::Maximum;
-    double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm)
+    double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C dCTOD^m, mm
     GrowthDriving driving = GrowthDriving::Range;
     GrowthDirection direction = GrowthDirection::HoopStress;
-    std::optional<double> until;      // mm, crack length
-    std::optional<double> toughness;  // MPa sqrt(mm)
+    std::optional<double> until = {};      // mm, crack length
+    std::optional<double> toughness = {};  // MPa sqrt(mm)
     bool operator==(const GrowthSection&) const = default;
 };
 
+/// What the opening load is: where the last contact behind the tip is lost, where the compliance at the mouth leaves
+/// that of the open crack, or where tension returns ahead of the tip.
+enum class OpeningDefinition { Contact, Offset, Tension };
+
 struct ClosureSection {
-    std::optional<double> distance;  // mm behind the tip
+    std::optional<double> distance;  // mm behind the tip, or ahead of it
+    OpeningDefinition definition = OpeningDefinition::Contact;
+    std::vector<double> profile;  // mm: further distances behind the tip
+    bool tension = false;         // measured too where another definition is used
     bool operator==(const ClosureSection&) const = default;
 };
 

@@ -53,7 +53,7 @@ void check_crack(const CrackSection& crack, const Value& table, const Place& pla
 }
 
 void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {
-    if (growth.law == GrowthLaw::Paris && (growth.C <= 0.0 || growth.m <= 0.0))
+    if (growth.law != GrowthLaw::Prescribed && (growth.C <= 0.0 || growth.m <= 0.0))
         reject(place.inside("law"), *find(table, "law"), {}, "needs C and m, both positive");
 }
 
@@ -105,6 +105,9 @@ namespace {
 
 /// Only where a load drives the body is there a load factor left to find.
 void check_control(const Case& whole, const Value& root, const Place& place) {
+    if (whole.load.K_gradient != 0.0 && whole.load.control != Control::StressIntensity)
+        reject(place.inside("load.K_gradient"), *find(*find(root, "load"), "K_gradient"), Key{}.in("1/mm"),
+               "needs control = \"K\"");
     if (whole.load.control != Control::Displacement) return;
     const Value& control = *find(*find(root, "load"), "control");
     const auto driven = std::ranges::find_if(whole.boundaries, carries_load);
@@ -123,7 +126,7 @@ void check_case(const Case& whole, const Value& root, const Place& place) {
     if (whole.name.find('/') != std::string::npos || whole.name == "." || whole.name == "..")
         reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
     check_control(whole, root, place);
-    if (!whole.load.blocks.empty()) return;
+    if (!whole.load.blocks.empty() || whole.load.spectrum) return;
     const Value* load = find(root, "load");
     for (const BoundarySection& boundary : whole.boundaries)
         if (carries_load(boundary))

@@ -2,6 +2,7 @@
 
 #include "common/error.hpp"
 #include "common/io/case_schema.hpp"
+#include "common/io/spectrum.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -145,6 +146,11 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     schema::check_known(root, case_schema().keys(), path);
     Case scene = case_schema().read(root, {}, {path, ""});
     if (scene.name.empty()) scene.name = name_from(path);
+    if (scene.load.spectrum) {
+        const std::filesystem::path file = std::filesystem::path(path).parent_path() / *scene.load.spectrum;
+        for (const LoadBlock& block : read_spectrum(file)) scene.load.blocks.push_back(block);
+        scene.load.spectrum.reset();  // the resolved case stands alone
+    }
     return scene;
 }
 

@@ -179,6 +179,24 @@ void decode(const Value& value, const Key& key, const Place& place, int& out) {
     out = static_cast<int>(number);
 }
 
+void decode(const Value& value, const Key& key, const Place& place, bool& out) {
+    const auto* truth = std::get_if<bool>(&value.data);
+    if (truth == nullptr) reject(place, value, key, "must be true or false");
+    out = *truth;
+}
+
+void decode(const Value& value, const Key& key, const Place& place, std::vector<double>& out) {
+    constexpr auto demand = "must be a list of numbers [a, b, ...]";
+    const auto* list = std::get_if<List>(&value.data);
+    if (list == nullptr) reject(place, value, key, demand);
+    out.clear();
+    for (const Value& entry : *list) {
+        out.push_back(finite_number(entry, key, place, demand));
+        for (const Rule& rule : key.rules)
+            if (!rule.holds(out.back())) reject(place, value, key, "must hold numbers " + rule.text);
+    }
+}
+
 void decode(const Value& value, const Key& key, const Place& place, std::string& out) {
     const auto* text = std::get_if<std::string>(&value.data);
     const bool listed = text != nullptr && (key.words.empty() || std::ranges::count(key.words, *text) > 0);
@@ -234,8 +252,15 @@ const List& list_of(const Value& value, const Key& key, const Place& place) {
 
 std::optional<Value> encode(double number) { return Value{.data = number}; }
 std::optional<Value> encode(int number) { return Value{.data = std::int64_t{number}}; }
+std::optional<Value> encode(bool truth) { return Value{.data = truth}; }
 std::optional<Value> encode(const std::string& text) { return Value{.data = text}; }
 std::optional<Value> encode(const Eigen::Vector2d& point) { return Value{.data = numbers({point.x(), point.y()})}; }
+
+std::optional<Value> encode(const std::vector<double>& all) {
+    List list;
+    for (const double number : all) list.emplace_back().data = number;
+    return Value{.data = std::move(list)};
+}
 
 std::optional<Value> encode(const Eigen::Matrix2d& matrix) {
     List rows;
@@ -259,6 +284,8 @@ std::optional<Value> encode(const std::array<std::optional<double>, 2>& displace
 
 std::string type_of(double) { return "number"; }
 std::string type_of(int) { return "whole number"; }
+std::string type_of(bool) { return "true or false"; }
+std::string type_of(const std::vector<double>&) { return "[a, b, ...]"; }
 std::string type_of(const std::string&) { return "text"; }
 std::string type_of(const Eigen::Vector2d&) { return "[x, y]"; }
 std::string type_of(const Eigen::Matrix2d&) { return "[[xx, xy], [yx, yy]]"; }

@@ -84,7 +84,9 @@ const Value* find(const Value& table, std::string_view name);
 
 void decode(const Value& value, const Key& key, const Place& place, double& out);
 void decode(const Value& value, const Key& key, const Place& place, int& out);
+void decode(const Value& value, const Key& key, const Place& place, bool& out);
 void decode(const Value& value, const Key& key, const Place& place, std::string& out);
+void decode(const Value& value, const Key& key, const Place& place, std::vector<double>& out);
 void decode(const Value& value, const Key& key, const Place& place, Eigen::Vector2d& out);
 void decode(const Value& value, const Key& key, const Place& place, Eigen::Matrix2d& out);
 void decode(const Value& value, const Key& key, const Place& place, std::vector<Eigen::Vector2d>& out);
@@ -98,6 +100,8 @@ template <class M> void decode(const Value& value, const Key& key, const Place& 
 
 std::optional<Value> encode(double number);
 std::optional<Value> encode(int number);
+std::optional<Value> encode(bool truth);
+std::optional<Value> encode(const std::vector<double>& numbers);
 std::optional<Value> encode(const std::string& text);
 std::optional<Value> encode(const Eigen::Vector2d& point);
 std::optional<Value> encode(const Eigen::Matrix2d& matrix);
@@ -110,6 +114,8 @@ template <class M> std::optional<Value> encode(const std::optional<M>& value) {
 
 std::string type_of(double);
 std::string type_of(int);
+std::string type_of(bool);
+std::string type_of(const std::vector<double>&);
 std::string type_of(const std::string&);
 std::string type_of(const Eigen::Vector2d&);
 std::string type_of(const Eigen::Matrix2d&);

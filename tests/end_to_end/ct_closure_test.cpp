@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "app/study/run_files.hpp"
+#include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -12,17 +12,17 @@ namespace {
 
 const std::string shipped = STRIA_SOURCE_DIR "/cases/ct-closure/case.toml";
 
-study::NumberTable cycles_of(const TemporaryFolder& folder, std::vector<std::string> settings) {
+NumberTable cycles_of(const TemporaryFolder& folder, std::vector<std::string> settings) {
     std::vector<std::string> words{"run",   shipped,         "-o",    folder / "out", "--quiet",
                                    "--set", "mesh.size=3.2", "--set", "load.steps=12"};
     for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
     EXPECT_EQ(run_program("stria", words, folder / "log"), 0) << text_of(folder / "log");
-    return study::read_table(folder / "out/cycles.csv");
+    return read_table(folder / "out/cycles.csv");
 }
 
 TEST(CtClosure, GrowsAndMeasuresItsOpeningLoads) {
     const TemporaryFolder folder;
-    const study::NumberTable cycles =
+    const NumberTable cycles =
         cycles_of(folder, {"model.plane=\"stress\"", "load.blocks.0.cycles=6", "growth.increment=0.1"});
     const auto &a = cycles["a"], &K_max = cycles["K_max"], &K_min = cycles["K_min"], &K_op = cycles["K_op"],
                &K_cl = cycles["K_cl"], &U = cycles["U"];
@@ -40,7 +40,7 @@ TEST(CtClosure, GrowsAndMeasuresItsOpeningLoads) {
 
 TEST(CtClosure, SaysNothingOfTheOpeningOfACrackThatStaysClosed) {
     const TemporaryFolder folder;
-    const study::NumberTable cycles =
+    const NumberTable cycles =
         cycles_of(folder, {"load.blocks=[{cycles=2, max=-100.0, min=-400.0}]", "growth.every=5"});
     for (const char* column : {"K_op", "K_cl", "U", "dK_eff"})
         for (const double value : cycles[column]) EXPECT_TRUE(std::isnan(value)) << column;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/study/run_files.hpp"
+#include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -29,7 +29,7 @@ protected:
         return run_program("stria", arguments, folder / "log");
     }
     [[nodiscard]] std::string said() const { return text_of(folder / "log"); }
-    [[nodiscard]] study::NumberTable table() const { return study::read_table(folder / "out/study.csv"); }
+    [[nodiscard]] NumberTable table() const { return read_table(folder / "out/study.csv"); }
 
     TemporaryFolder folder;
 };
@@ -37,7 +37,7 @@ protected:
 TEST_F(Study, RunsEveryCombinationAndComparesItWithItsReference) {
     ASSERT_EQ(run({"--over", "mesh.size=4,2", "--over", "material.poisson=0.2,0.3", "--reference", "mesh.size=1"}), 0)
         << said();
-    const study::NumberTable rows = table();
+    const NumberTable rows = table();
     ASSERT_EQ(rows.rows, 4);
     EXPECT_EQ(rows["mesh.size"], (std::vector<double>{4, 4, 2, 2}));
     EXPECT_EQ(rows["material.poisson"], (std::vector<double>{0.2, 0.3, 0.2, 0.3}));
@@ -49,7 +49,7 @@ TEST_F(Study, RunsEveryCombinationAndComparesItWithItsReference) {
     }
     // Each is compared with the reference of its own Poisson's ratio, and J of plane strain has the factor 1 - nu^2.
     EXPECT_NEAR(rows["J"][2] / rows["J"][3], 0.96 / 0.91, 0.02);
-    const study::NumberTable reference = study::read_table(folder / "out/reference-2/history.csv");
+    const NumberTable reference = read_table(folder / "out/reference-2/history.csv");
     const double J = *std::ranges::max_element(reference["J"]);
     EXPECT_NEAR(rows["error_J"][3], std::abs(rows["J"][3] / J - 1.0), 1e-12);
 }
@@ -66,7 +66,7 @@ TEST_F(Study, LeavesAPageThatNeedsNothingElse) {
 TEST_F(Study, AVariantThatFailsIsARowAndTheOthersGoOn) {
     EXPECT_EQ(
         run({"--over", "crack.0.points=[[30.0,20.0],[40.0,20.0]],[[0.0,20.0],[6.0,20.0]]", "--mode", "inprocess"}), 2);
-    const study::NumberTable rows = table();
+    const NumberTable rows = table();
     const std::string text = text_of(folder / "out/study.csv");
     EXPECT_EQ(rows.rows, 0);  // values with commas are quoted, which is more than this reader of numbers knows
     EXPECT_NE(text.find(",wrong input,2,"), std::string::npos) << text;

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/crack_growth.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
@@ -47,10 +46,8 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
     growth.until = 0.5;
     const RunHistory run = run_direct(input);
     double life = 0.0, handbook = 0.0;
-    for (const coarse::Increment& increment : run.increments) {
-        if (increment.step.ends_cycle && increment.tips[0].a < 0.5 - 1e-9)
-            life += coarse::cycles_of_increment(growth, increment.tips[0].K_I, 0.0, 0.0);
-    }
+    for (const coarse::Increment& increment : run.increments)
+        for (const coarse::CycleResult& cycle : increment.cycles) life += cycle.dN;
     for (int k = 0; k < 2000; ++k) {
         const double a = 0.3 + 0.2 * (k + 0.5) / 2000.0;
         const double K = stress * coarse::sent_factor(a) * std::sqrt(std::numbers::pi * a);
@@ -58,9 +55,7 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
     }
     std::cout << fmt::format("life from a/W = .3 to .5: {:.0f} cycles, handbook {:.0f}\n", life, handbook);
     EXPECT_NEAR(run.increments.back().tips[0].a, 0.5, 1e-9);
-    // K is taken where each increment starts: (1/2) increment (1/rate)' over the way, 4 % here.
-    EXPECT_NEAR(life, handbook, 0.06 * handbook);
-    EXPECT_GT(life, handbook);
+    EXPECT_NEAR(life, handbook, 0.01 * handbook);  // m times the error of K, .15 % at most against the handbook's .3
 }
 
 /// A crack in the middle of a square, at about 37 degrees to the normal of the load, that grows at both tips.
@@ -116,7 +111,7 @@ TEST(CrackGrowth, TheWakeClosesBeforeTheLoadIsGone) {
     EXPECT_EQ(run.cuts, 0);
     double opened_last = 0.0;
     for (const coarse::Increment& increment : run.increments) {
-        for (const coarse::ContactChange& change : increment.contact_changes)
+        for (const coarse::OpeningChange& change : increment.opening_changes)
             if (!change.closes) opened_last = change.load_factor / 30.0;
     }
     std::cout << fmt::format("plane stress, R = 0, a = {:.2f}: last opened at {:.3f} of the maximum\n",

@@ -60,15 +60,44 @@ TEST(CrackGrowth, TurnsToTheLargestHoopStress) {
     EXPECT_EQ(hoop_stress_angle(1.0, 0.004), 0.0);
 }
 
-TEST(CrackGrowth, TakesTheCyclesOfParisLaw) {
-    GrowthSection growth;
-    growth.law = GrowthLaw::Paris;
-    growth.increment = 0.1;
-    growth.C = 1e-12;
-    growth.m = 3.0;
-    EXPECT_NEAR(cycles_of_increment(growth, 600.0, 100.0, 300.0), 0.1 / (1e-12 * 1.25e8), 1e-9);
+CycleResult cycle_with(double K_max, double K_min, double K_op) {
+    CycleResult cycle;
+    cycle.K_max = K_max;
+    cycle.K_min = K_min;
+    cycle.opening.K_op = K_op;
+    cycle.CTOD_max = 0.004;
+    cycle.CTOD_min = 0.001;
+    return cycle;
+}
+
+TEST(CrackGrowth, IsAsFastAsItsLawSays) {
+    GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
+    const CycleResult cycle = cycle_with(600.0, 100.0, 300.0);
+    EXPECT_NEAR(growth_rate(growth, cycle), 1.25e-4, 1e-18);
     growth.driving = GrowthDriving::EffectiveRange;
-    EXPECT_NEAR(cycles_of_increment(growth, 600.0, 100.0, 300.0), 0.1 / (1e-12 * 2.7e7), 1e-9);
+    EXPECT_NEAR(growth_rate(growth, cycle), 2.7e-5, 1e-18);
+    EXPECT_EQ(growth_rate(growth, cycle_with(600.0, 100.0, std::nan(""))), 0.0);  // it never opens
+    growth = {.law = GrowthLaw::Ctod, .increment = 0.1, .C = 2.0, .m = 2.0};
+    EXPECT_NEAR(growth_rate(growth, cycle), 2.0 * 0.003 * 0.003, 1e-15);
+}
+
+TEST(CrackGrowth, LeadsWithTheFastestTip) {
+    GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 2.0};
+    const std::vector<CycleResult> last{cycle_with(300.0, 0.0, 0.0), cycle_with(600.0, 0.0, 0.0)};
+    const std::vector<double> found = advances(growth, last, 2);
+    EXPECT_NEAR(found[0], 0.025, 1e-15);
+    EXPECT_EQ(found[1], 0.1);
+    EXPECT_EQ(advances(growth, {}, 2), (std::vector<double>{0.1, 0.1}));
+    growth.law = GrowthLaw::Prescribed;
+    EXPECT_EQ(advances(growth, last, 2), (std::vector<double>{0.1, 0.1}));
+}
+
+TEST(CrackGrowth, TakesTheCyclesBetweenTwoRates) {
+    GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
+    EXPECT_NEAR(cycles_passed(growth, 0.1, 1e-4, 2e-4), 750.0, 1e-9);
+    EXPECT_EQ(cycles_passed(growth, 0.0, 0.0, 2e-4), 0.0);
+    growth.law = GrowthLaw::Prescribed;
+    EXPECT_EQ(cycles_passed(growth, 0.1, 0.1, 0.1), 1.0);
 }
 
 }  // namespace

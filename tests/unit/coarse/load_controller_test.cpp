@@ -42,9 +42,9 @@ TEST(LoadController, RampsToTheMaximumThenCyclesFromItAndBack) {
     }
 }
 
-TEST(LoadController, ABlockStartsFromTheMaximumBeforeIt) {
+TEST(LoadController, ACycleEndsAtTheMaximumOfTheNextOne) {
     EXPECT_EQ(factors(controller(4, {{2, 10.0, 0.0}, {1, 20.0, 10.0}, {1, 20.0, 0.0}})),
-              (std::vector<double>{5, 10, 5, 0, 5, 10, 5, 0, 5, 10, 15, 20, 15, 10, 15, 20, 10, 0, 10, 20}));
+              (std::vector<double>{5, 10, 5, 0, 5, 10, 5, 0, 10, 20, 15, 10, 15, 20, 10, 0, 10, 20}));
 }
 
 TEST(LoadController, SaysWhatItsTargetsAre) {
@@ -69,14 +69,33 @@ TEST(LoadController, ExtrapolatesButNotPastAReversal) {
 }
 
 TEST(LoadController, ACycleStartsFromTheIncrementsOfTheOneBefore) {
-    const std::vector<LoadStep> steps = all_steps(controller(4, {{2, 10.0, 0.0}, {1, 20.0, 0.0}}));
-    for (std::size_t k = 6; k < 10; ++k) EXPECT_EQ(steps[k].predictor, Predictor(1.0, 4)) << k;
-    EXPECT_EQ(steps[4].predictor, Predictor());      // reloads where the ramp loaded: no twin
-    EXPECT_EQ(steps[10].predictor, Predictor(1.0));  // from 10 to 15: for the first time
+    const std::vector<LoadStep> steps = all_steps(controller(4, {{3, 10.0, 0.0}, {1, 20.0, 0.0}}));
+    for (std::size_t k = 6; k < 12; ++k) EXPECT_EQ(steps[k].predictor, Predictor(1.0, 4)) << k;
+    EXPECT_EQ(steps[4].predictor, Predictor());   // reloads where the ramp loaded: no twin
+    EXPECT_EQ(steps[12].predictor, Predictor());  // from 0 to 10 at once: for the first time
     auto loads = controller(4, {{2, 10.0, 0.0}});
     for (int k = 0; k < 6; ++k) loads.accepted();
     loads.forget_increments();
     EXPECT_EQ(loads.next()->predictor, Predictor());
+}
+
+TEST(LoadController, FollowsTheCrackWhereKIsControlled) {
+    auto loads = controller(4, {{2, 100.0, 50.0}}, 3, Control::StressIntensity);
+    loads.set_scale(0.1);
+    const auto go = [&](int steps) {
+        std::vector<double> found;
+        for (int k = 0; k < steps; ++k) {
+            found.push_back(loads.next()->target.value);
+            EXPECT_EQ(loads.next()->target.control, Control::Load);
+            loads.accepted();
+        }
+        return found;
+    };
+    EXPECT_EQ(go(6), (std::vector<double>{5, 10, 7.5, 5, 7.5, 10}));
+    EXPECT_EQ(loads.extreme(), 10.0);
+    loads.set_scale(0.08);  // the crack has grown, at constant load
+    EXPECT_EQ(go(4), (std::vector<double>{7, 4, 6, 8}));
+    EXPECT_FALSE(loads.next());
 }
 
 TEST(LoadController, GradesTheIncrementsFromEachReversal) {

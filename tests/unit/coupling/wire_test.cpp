@@ -38,7 +38,8 @@ Patch small_patch() {
             .boundary = {0, 1, 6},
             .unit_load = Eigen::VectorXd::LinSpaced(12, 0.0, 3.0),
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
-            .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}}};
+            .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}},
+            .ahead = {0.125}};
 }
 
 PatchResponse small_response() {
@@ -53,7 +54,8 @@ PatchResponse small_response() {
                        .status = {0, 1},
                        .multiplier = {0.0, -3.5},
                        .status_changes = 1,
-                       .contact_reach = {-1.0, 0.25}};
+                       .contact_reach = {-1.0, 0.25},
+                       .force_ahead = {-7.5, 2.0}};
     return response;
 }
 
@@ -110,7 +112,8 @@ TEST(Wire, Patch) {
 }
 
 TEST(Wire, Displacement) {
-    const PatchDisplacement message{.iteration = 4, .predictor = 0.3, .load_factor = -0.7, .boundary = Eigen::Vector2d(0.1, -0.0)};
+    const PatchDisplacement message{
+        .iteration = 4, .predictor = 0.3, .load_factor = -0.7, .boundary = Eigen::Vector2d(0.1, -0.0)};
     const PatchDisplacement copy = there_and_back(message);
     EXPECT_EQ(copy.iteration, 4);
     EXPECT_EQ(copy.predictor, 0.3);

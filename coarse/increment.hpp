@@ -1,0 +1,30 @@
+// A converged increment of the load, as those who record and measure get it.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coarse/closure.hpp"
+#include "coarse/cycle_result.hpp"
+#include "coarse/fracture_parameters.hpp"
+#include "coarse/load_controller.hpp"
+#include "coarse/newton.hpp"
+
+namespace stria::coarse {
+
+struct Increment {
+    int number = 0;  // from 1
+    LoadStep step;
+    double load_factor = 0.0;                    // found, where a displacement is controlled
+    std::vector<OpeningChange> opening_changes;  // on the way to this increment
+    std::vector<char> closed;                    // of the closure meter's signals
+    NewtonReport newton;
+    Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
+    Eigen::VectorXd reactions;     // on prescribed unknowns
+    coupling::StepReport zone;
+    std::vector<TipResult> tips;
+    std::vector<double> nominal_K;    // K_1(a) of every tip: elastic, traction-free faces, load factor 1, this length
+    std::vector<CycleResult> cycles;  // one a tip where a cycle ends here
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,28 @@
+// The extremes that a load goes through: blocks of cycles, one after the other, repeated.
+#pragma once
+
+#include <vector>
+
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+/// The way of the load from one extreme to the next. Values are what [load] scales: load factors, displacements, mm,
+/// or stress intensities, MPa sqrt(mm).
+struct Leg {
+    int cycle;  // 0: the ramp to the first maximum
+    double from, to;
+    bool at_minimum = false, at_maximum = false;  // of the cycle, at its end
+    bool ends_cycle = false;
+    bool reversal = false;  // the load turns at its end, or ends
+};
+
+/// A cycle runs from its maximum to its minimum and on to the maximum of the next one; the last returns to its own.
+std::vector<Leg> legs(const LoadSection& load);
+
+[[nodiscard]] int cycle_count(const LoadSection& load);
+
+/// The largest value of the history, not below zero.
+[[nodiscard]] double largest_value(const LoadSection& load);
+
+}  // namespace stria::coarse

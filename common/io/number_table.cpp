@@ -1,0 +1,54 @@
+#include "common/io/number_table.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+namespace stria {
+namespace {
+
+std::string_view trimmed(std::string_view cell) {
+    constexpr std::string_view blank = " \t\r";
+    const std::size_t first = cell.find_first_not_of(blank);
+    return first == std::string_view::npos ? "" : cell.substr(first, cell.find_last_not_of(blank) - first + 1);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
+        cells.push_back(trimmed(line.substr(0, comma)));
+        line.remove_prefix(comma + 1);
+    }
+    cells.push_back(trimmed(line));
+    return cells;
+}
+
+double number_in(std::string_view cell) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    const bool whole = error == std::errc{} && end == cell.data() + cell.size();
+    return whole ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+NumberTable read_table(const std::filesystem::path& path) {
+    NumberTable table;
+    std::ifstream file(path);
+    std::string line;
+    if (!std::getline(file, line)) return table;
+    std::vector<std::vector<double>*> columns;
+    for (const std::string_view name : cells_of(line)) columns.push_back(&table.columns[std::string(name)]);
+    while (std::getline(file, line)) {
+        const std::vector<std::string_view> cells = cells_of(line);
+        if (trimmed(line).empty()) continue;
+        table.cut_off = cells.size() != columns.size();
+        if (table.cut_off) break;
+        for (std::size_t k = 0; k < cells.size(); ++k) columns[k]->push_back(number_in(cells[k]));
+        ++table.rows;
+    }
+    return table;
+}
+
+}  // namespace stria

@@ -1,0 +1,24 @@
+// CSV tables of numbers, read by their columns.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stria {
+
+/// An empty cell is NaN, and so is a text.
+struct NumberTable {
+    std::map<std::string, std::vector<double>> columns;
+    std::size_t rows = 0;
+    bool cut_off = false;  // a row has not as many cells as there are names: it and what follows is left out
+
+    /// Throws std::out_of_range where there is none of that name.
+    [[nodiscard]] const std::vector<double>& operator[](const std::string& column) const { return columns.at(column); }
+};
+
+/// The first line names the columns; empty lines are passed over. Without columns where there is no such file.
+NumberTable read_table(const std::filesystem::path& path);
+
+}  // namespace stria
