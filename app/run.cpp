@@ -108,6 +108,10 @@ private:
         summary.multipliers = zone.multipliers;
         summary.fronts_refactored = zone.fronts_refactored;
         summary.factors_reused = zone.factors_reused;
+        summary.points_evaluated = zone.points_evaluated;
+        summary.points_proven_elastic = zone.points_proven_elastic;
+        summary.tangents_computed = zone.tangents_computed;
+        summary.elastic_tangents_reused = zone.elastic_tangents_reused;
         summary.newton_iterations = analysis.newton_iterations();
         summary.step_cuts = analysis.cuts();
         summary.zone_extensions = analysis.zone_extensions();

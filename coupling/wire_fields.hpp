@@ -98,9 +98,11 @@ void fields(auto& wire, Is<TipReport> auto& m) {
 
 void fields(auto& wire, Is<StepReport> auto& m) {
     auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers,
-           fronts_refactored, factors_reused, constitutive_s, contact_s, factor_s] = m;
+           fronts_refactored, factors_reused, points_evaluated, points_proven_elastic, tangents_computed,
+           elastic_tangents_reused, constitutive_s, contact_s, factor_s] = m;
     wire(tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers,
-         fronts_refactored, factors_reused, constitutive_s, contact_s, factor_s);
+         fronts_refactored, factors_reused, points_evaluated, points_proven_elastic, tangents_computed,
+         elastic_tangents_reused, constitutive_s, contact_s, factor_s);
 }
 
 void fields(auto& wire, Is<ZoneState> auto& m) {

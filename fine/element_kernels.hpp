@@ -26,6 +26,22 @@ public:
         }
     }
 
+    /// Elastic force of a displacement increment and its work.
+    struct Elastic {
+        Nodal force;
+        double work;
+    };
+    [[nodiscard]] Elastic elastic(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& u) const {
+        Eigen::Matrix<double, unknowns, 1> nodal(2 * count_);
+        for (std::size_t k = 0; k < op_.unknowns.size(); ++k) nodal[static_cast<Eigen::Index>(k)] = u[op_.unknowns[k]];
+        const Eigen::Map<const Matrix> K(stiffness.data(), 2 * count_, 2 * count_);
+        Elastic result{Nodal(2, count_), 0.0};
+        Eigen::Map<Eigen::Matrix<double, unknowns, 1>> force(result.force.data(), 2 * count_);
+        force.noalias() = K.lazyProduct(nodal);
+        result.work = force.dot(nodal);
+        return result;
+    }
+
     [[nodiscard]] Nodal force(const double* stress, std::ptrdiff_t stride) const {
         Nodal force = Nodal::Zero(2, count_);
         for (std::size_t q = 0; q < op_.points.size(); ++q) {

@@ -11,7 +11,8 @@ namespace stria::fine {
 
 Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
            const IntegrationRule& rule, const Zone* old, const Eigen::VectorXd& displacement)
-    : mesh_(mesh), law_(std::move(law)), elastic_(elastic), piece_(piece_of_elements(mesh_)) {
+    : mesh_(mesh), law_(std::move(law)), elastic_(elastic), piece_(piece_of_elements(mesh_)),
+      bound_(elastic.shear_modulus()) {
     for (std::size_t e = 0; e < mesh_.element_ids.size(); ++e) element_of_id_[mesh_.element_ids[e]] = e;
     make_operators(rule, old);
     const auto n = static_cast<std::size_t>(points_), components = static_cast<std::size_t>(law_->state_size());
@@ -22,10 +23,14 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     flowed_.assign(n, 0);
     tangents_ = elastic_stiffness_;
     changed_.assign(operators_.size(), 1);
+    proven_.assign(operators_.size(), 0);
     was_plastic_.assign(operators_.size(), 0);
     force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
     committed_u_ = trial_u_ = displacement;
+    increment_ = Eigen::VectorXd::Zero(mesh_.unknowns);
+    if (old != nullptr) counts_ = old->counts_;
     start(old);
+    measure_margins();
 }
 
 void Zone::make_operators(const IntegrationRule& rule, const Zone* old) {
@@ -48,6 +53,9 @@ void Zone::make_operators(const IntegrationRule& rule, const Zone* old) {
         first_point_.push_back(points_);
         points_ += static_cast<int>(operators_.back().points.size());
         elastic_stiffness_.push_back(operators_.back().stiffness(stiffness));
+        bound_.add_element(operators_.back());
+        first_force_.push_back(static_cast<int>(trial_forces_.size()));
+        trial_forces_.resize(trial_forces_.size() + operators_.back().unknowns.size());
     }
 }
 
@@ -126,28 +134,60 @@ Eigen::Matrix2d Zone::total_gradient(std::size_t e, std::size_t q, const Eigen::
 
 void Zone::evaluate(const Eigen::VectorXd& u) {
     trial_u_ = u;
-    const Eigen::VectorXd increment = u - committed_u_;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        with_kernel(operators_[e], [&](const auto& kernel) {
-            kernel.write_strains(increment, strain_.data() + first_point_[e], points_);
-        });
-    }
-    law_->update(points_, points_, strain_.data(), committed_.data(), trial_.data(), tangent_.data(), yielding_.data());
+    increment_ = u - committed_u_;
+    for (std::size_t e = 0; e < operators_.size(); ++e)
+        with_kernel(operators_[e],
+                    [&](const auto& kernel) { proven_[e] = static_cast<char>(proves_elastic(e, kernel)); });
+    update_points(0);
     force_.setZero();
     force_scale_.setZero();
     for (std::size_t e = 0; e < operators_.size(); ++e)
         with_kernel(operators_[e], [&](const auto& kernel) { evaluate_element(e, kernel); });
 }
 
+template <class Kernel> bool Zone::proves_elastic(std::size_t e, const Kernel& kernel) {
+    const auto elastic = kernel.elastic(elastic_stiffness_[e], increment_);
+    if (!bound_.proves(e, elastic.work)) return false;
+    for (std::size_t k = 0; k < operators_[e].unknowns.size(); ++k) {
+        const std::size_t place = static_cast<std::size_t>(first_force_[e]) + k;
+        trial_forces_[place] = committed_forces_[place] + elastic.force.data()[k];
+    }
+    return true;
+}
+
+// The points of all elements that are proven to be elastic, or of all that are not, in as long blocks as there are.
+void Zone::update_points(char proven) {
+    for (std::size_t e = 0; e < operators_.size();) {
+        const std::size_t begin = e;
+        for (; e < operators_.size() && proven_[e] == proven; ++e)
+            with_kernel(operators_[e], [&](const auto& kernel) {
+                kernel.write_strains(increment_, strain_.data() + first_point_[e], points_);
+            });
+        const int first = first_point_[begin], end = e < operators_.size() ? first_point_[e] : points_;
+        if (end > first) {
+            law_->update(end - first, points_, strain_.data() + first, committed_.data() + first, trial_.data() + first,
+                         tangent_.data() + first, yielding_.data() + first);
+            counts_.points_evaluated += end - first;
+        }
+        while (e < operators_.size() && proven_[e] != proven) ++e;
+    }
+}
+
 template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel& kernel) {
     const ElementOperator& op = operators_[e];
     const int first = first_point_[e], count = static_cast<int>(op.points.size());
-    const auto force =
-        kernel.force(trial_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first, points_);
+    double* element_force = trial_forces_.data() + first_force_[e];
+    if (proven_[e] == 0) {
+        const auto force =
+            kernel.force(trial_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first, points_);
+        std::copy_n(force.data(), op.unknowns.size(), element_force);
+    } else {
+        std::fill_n(yielding_.begin() + first, count, static_cast<unsigned char>(0));
+        counts_.points_proven_elastic += count;
+    }
     for (std::size_t k = 0; k < op.unknowns.size(); ++k) {
-        const double f = force.data()[k];
-        force_[op.unknowns[k]] += f;
-        force_scale_[op.unknowns[k]] += std::abs(f);
+        force_[op.unknowns[k]] += element_force[k];
+        force_scale_[op.unknowns[k]] += std::abs(element_force[k]);
     }
     const auto yields = [&](int q) { return yielding_[static_cast<std::size_t>(first + q)] != 0; };
     bool plastic = false;
@@ -156,8 +196,10 @@ template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel&
     was_plastic_[e] = static_cast<char>(plastic);
     if (!plastic) {
         if (changed_[e] != 0) tangents_[e] = elastic_stiffness_[e];
+        ++counts_.elastic_tangents_reused;
         return;
     }
+    ++counts_.tangents_computed;
     // The elastic matrix plus what flow takes away at the points that yield.
     const MandelMatrix elastic = elastic_.stiffness();
     typename Kernel::Matrix K = elastic_stiffness_[e];
@@ -174,12 +216,41 @@ template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel&
 }
 
 void Zone::commit(bool reversal) {
+    update_points(1);
     committed_.swap(trial_);
     trial_ = committed_;
     committed_u_ = trial_u_;
+    increment_.setZero();
+    measure_margins();
     if (half_cycle_ended_) std::ranges::fill(flowed_, static_cast<unsigned char>(0));
     for (std::size_t q = 0; q < flowed_.size(); ++q) flowed_[q] = static_cast<unsigned char>(flowed_[q] | yielding_[q]);
     half_cycle_ended_ = reversal;
+}
+
+void Zone::measure_margins() {
+    std::ranges::fill(proven_, static_cast<char>(0));
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        const int count = static_cast<int>(operators_[e].points.size());
+        bound_.set_margin(e, law_->elastic_margin(count, points_, committed_.data() + first_point_[e]));
+        with_kernel(operators_[e], [&](const auto& kernel) {
+            const auto force = kernel.force(
+                committed_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first_point_[e], points_);
+            std::copy_n(force.data(), operators_[e].unknowns.size(), trial_forces_.data() + first_force_[e]);
+        });
+    }
+    committed_forces_ = trial_forces_;
+}
+
+Mandel Zone::trial_stress(std::size_t e, std::size_t q) const {
+    const int point = first_point_[e] + static_cast<int>(q);
+    if (proven_[e] != 0)
+        return committed_mandel(state::stress, point) +
+               law_->elastic() * operators_[e].strain(gather(increment_, operators_[e].unknowns), q);
+    Mandel stress;
+    for (int c = 0; c < 4; ++c)
+        stress[c] = trial_[static_cast<std::size_t>(state::stress + c) * static_cast<std::size_t>(points_) +
+                           static_cast<std::size_t>(point)];
+    return stress;
 }
 
 Mandel Zone::committed_mandel(int component, int point) const {
@@ -201,7 +272,7 @@ double Zone::largest_plastic_increment() const {
     double largest = 0.0;
     const auto offset = static_cast<std::size_t>(state::accumulated) * static_cast<std::size_t>(points_);
     for (std::size_t q = 0; q < static_cast<std::size_t>(points_); ++q) {
-        largest = std::max(largest, trial_[offset + q] - committed_[offset + q]);
+        if (yielding_[q] != 0) largest = std::max(largest, trial_[offset + q] - committed_[offset + q]);
     }
     return largest;
 }
@@ -262,12 +333,7 @@ double Zone::force_ahead(const Tip& tip, double radius) const {
             const Vec2 from_tip = p.x - tip.position;
             const double along = from_tip.dot(tip.direction);
             if (from_tip.norm() > radius || along < std::abs(from_tip.dot(normal))) continue;
-            const auto point = static_cast<std::size_t>(first_point_[e]) + q;
-            Mandel stress;
-            for (std::size_t c = 0; c < 4; ++c)
-                stress[static_cast<Eigen::Index>(c)] =
-                    trial_[(static_cast<std::size_t>(state::stress) + c) * static_cast<std::size_t>(points_) + point];
-            sum += p.weight * normal.dot(in_plane(stress) * normal);
+            sum += p.weight * normal.dot(in_plane(trial_stress(e, q)) * normal);
         }
     }
     return sum;

@@ -10,6 +10,7 @@
 #include "common/fem/element_operator.hpp"
 #include "common/material/elasticity.hpp"
 #include "coupling/messages.hpp"
+#include "fine/elastic_bound.hpp"
 #include "fine/material/material_law.hpp"
 
 namespace stria::fine {
@@ -56,6 +57,13 @@ public:
     [[nodiscard]] double force_ahead(const Tip& tip, double radius) const;
     void describe(coupling::ZoneState& out) const;
 
+    /// So far, summed over evaluations.
+    struct Counts {
+        std::int64_t points_evaluated = 0, points_proven_elastic = 0;
+        std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;  // elements
+    };
+    [[nodiscard]] const Counts& counts() const { return counts_; }
+
 private:
     void make_operators(const IntegrationRule& rule, const Zone* old);
     [[nodiscard]] std::vector<IntegrationPoint> points_kept(const CrackPiece* cut, const Zone& old,
@@ -64,7 +72,11 @@ private:
     void start(const Zone* old);
     void take_state(const Zone& old, std::size_t old_element, std::size_t element);
     [[nodiscard]] Eigen::Matrix2d total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const;
+    template <class Kernel> [[nodiscard]] bool proves_elastic(std::size_t e, const Kernel& kernel);
     template <class Kernel> void evaluate_element(std::size_t e, const Kernel& kernel);
+    void update_points(char proven);
+    void measure_margins();
+    [[nodiscard]] Mandel trial_stress(std::size_t e, std::size_t q) const;
     [[nodiscard]] double committed(int component, int point) const {
         return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) +
                           static_cast<std::size_t>(point)];
@@ -81,6 +93,15 @@ private:
     std::vector<int> first_point_;
     std::vector<Eigen::MatrixXd> elastic_stiffness_;
     int points_ = 0;
+
+    // Elements that surely stay elastic: their trial force is the committed one plus that of their elastic matrix,
+    // their points wait for the commit.
+    ElasticBound bound_;
+    std::vector<char> proven_;
+    std::vector<int> first_force_;                         // per element, in:
+    std::vector<double> committed_forces_, trial_forces_;  // nodal, element by element
+    Eigen::VectorXd increment_;                            // trial less committed displacement
+    Counts counts_;
 
     // Per point, component by component (material_law.hpp).
     std::vector<double> committed_, trial_, strain_, tangent_;

@@ -143,6 +143,11 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     report.points = zone_->points();
     report.unknowns = patch_.mesh.unknowns + contact_->multipliers();
     report.multipliers = contact_->multipliers();
+    const Zone::Counts& counts = zone_->counts();
+    report.points_evaluated = counts.points_evaluated;
+    report.points_proven_elastic = counts.points_proven_elastic;
+    report.tangents_computed = counts.tangents_computed;
+    report.elastic_tangents_reused = counts.elastic_tangents_reused;
     report.constitutive_s = constitutive_s_;
     report.contact_s = contact_s_;
     return report;

@@ -61,6 +61,8 @@ struct Summary {
     std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, flowing_rings = 0;
     // Not done, or done only where something changed: fronts factored, Newton iterations that took the last factor.
     std::int64_t fronts_refactored = 0, factors_reused = 0;
+    std::int64_t points_evaluated = 0, points_proven_elastic = 0;
+    std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;
     std::int64_t messages = 0, bytes = 0;
     // Of each fine rank; those without an element idle.
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;

@@ -1,6 +1,8 @@
 // Isotropic linear elasticity as a material law: the zone of a case without a yield stress.
 #pragma once
 
+#include <limits>
+
 #include "common/material/elasticity.hpp"
 #include "fine/material/material_law.hpp"
 
@@ -13,6 +15,9 @@ public:
     [[nodiscard]] int state_size() const override { return state::back_stress; }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;
+    [[nodiscard]] double elastic_margin(int /*points*/, int /*stride*/, const double* /*committed*/) const override {
+        return std::numeric_limits<double>::infinity();
+    }
     [[nodiscard]] MandelMatrix elastic() const override { return stiffness_; }
 
 private:

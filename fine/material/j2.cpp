@@ -1,6 +1,8 @@
 #include "fine/material/j2.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 #include "fine/material/j2_pack.hpp"
@@ -126,6 +128,19 @@ template <int rows> void return_to_surface(const Block& block, PackPlace<rows> a
 }
 
 }  // namespace
+
+double J2Parameters::elastic_margin(int points, int stride, const double* committed) const {
+    double margin = std::numeric_limits<double>::infinity();
+    for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
+        Tensors<rows> relative = deviators<rows>(at.tensors(committed, state::stress));
+        for (std::size_t k = 0; k < kinematic.size(); ++k)
+            relative -= at.tensors(committed, state::back_stress + 4 * static_cast<int>(k));
+        const Scalars<rows> equivalent = (1.5 * contraction<rows>(relative, relative)).sqrt();
+        const Scalars<rows> left = yield_stress + isotropic * at.scalars(committed, state::accumulated) - equivalent;
+        margin = std::min(margin, left.minCoeff());
+    });
+    return std::max(margin, 0.0);
+}
 
 J2::J2(const J2Parameters& parameters)
     : parameters_(parameters), bulk_(parameters.elasticity.bulk_modulus()),

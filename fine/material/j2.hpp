@@ -17,6 +17,8 @@ struct J2Parameters {
     int substeps = 1;  // of a strain increment at points that flow
 
     [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
+    /// As in MaterialLaw.
+    [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const;
 };
 
 class J2 final : public MaterialLaw {
@@ -28,6 +30,9 @@ public:
     [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;
+    [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
+        return parameters_.elastic_margin(points, stride, committed);
+    }
     [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }
 
 private:

@@ -15,6 +15,9 @@ public:
     [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;
+    [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
+        return parameters_.elastic_margin(points, stride, committed);
+    }
     [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }
 
 private:

@@ -37,6 +37,10 @@ public:
     virtual void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                         double* tangent, unsigned char* yielding) const = 0;
 
+    /// The smallest change of the von Mises stress that makes one of the committed points flow, MPa, not below zero;
+    /// infinite where nothing can.
+    [[nodiscard]] virtual double elastic_margin(int points, int stride, const double* committed) const = 0;
+
     /// Elastic stiffness in Mandel form (zz row and column zero in plane stress).
     [[nodiscard]] virtual MandelMatrix elastic() const = 0;
 };
