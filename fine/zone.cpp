@@ -328,8 +328,13 @@ double Zone::force_ahead(const Tip& tip, double radius) const {
     const Vec2 normal(-tip.direction.y(), tip.direction.x());
     double sum = 0.0;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
-        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            const IntegrationPoint& p = operators_[e].points[q];
+        const std::vector<IntegrationPoint>& points = operators_[e].points;
+        const double diagonal = (mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][0])] -
+                                 mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][2])])
+                                    .norm();
+        if ((points.front().x - tip.position).norm() > radius + 2.0 * diagonal) continue;
+        for (std::size_t q = 0; q < points.size(); ++q) {
+            const IntegrationPoint& p = points[q];
             const Vec2 from_tip = p.x - tip.position;
             const double along = from_tip.dot(tip.direction);
             if (from_tip.norm() > radius || along < std::abs(from_tip.dot(normal))) continue;
