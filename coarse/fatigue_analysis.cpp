@@ -111,8 +111,7 @@ void FatigueAnalysis::run() {
             accept(step, report, changes);
             controller_.accepted();
             if (scene_->input.growth && grows_at(*scene_->input.growth, step)) {
-                if (has_grown_enough()) return;
-                grow(step);
+                if (has_grown_enough() || !grow(step)) return;
             }
         }
     }
@@ -171,7 +170,7 @@ std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step
 
 // Figure 3: (a) the cracks are longer, and nothing else changes: no stress, no displacement, no internal variable; (b)
 // at constant load the body finds equilibrium with them.
-void FatigueAnalysis::grow(const LoadStep& reached) {
+bool FatigueAnalysis::grow(const LoadStep& reached) {
     Case input = scene_->input;
     const std::vector<double> advance_by = advances(*input.growth, last_cycle_, nominal_.size());
     for (std::size_t t = 0; t < nominal_.size(); ++t) {
@@ -182,7 +181,8 @@ void FatigueAnalysis::grow(const LoadStep& reached) {
         advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
                 advance_by[t]);
     }
-    auto next = std::make_unique<Scene>(make_scene(input, scene_->mesh));
+    auto next = scene_of_longer_cracks(input);
+    if (!next) return false;
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
     committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);
     std::vector<char> in_zone = structure_->in_zone();
@@ -204,6 +204,19 @@ void FatigueAnalysis::grow(const LoadStep& reached) {
     }
     accept(step, report, {});
     controller_.forget_increments();
+    return true;
+}
+
+// Null where a crack leaves the body or meets another one.
+std::unique_ptr<Scene> FatigueAnalysis::scene_of_longer_cracks(const Case& input) {
+    try {
+        auto next = std::make_unique<Scene>(make_scene(input, scene_->mesh));
+        if (next->enriched.tips.size() == scene_->enriched.tips.size()) return next;
+        listener_.note("the next advance takes a crack out of the body: growth ends here");
+    } catch (const CaseError& error) {
+        listener_.note(fmt::format("growth ends here: {}", error.what()));
+    }
+    return nullptr;
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {

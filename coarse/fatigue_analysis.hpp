@@ -92,7 +92,8 @@ private:
     void end_cycle(Increment& increment);
     [[nodiscard]] bool has_grown_enough() const;
     [[nodiscard]] double grown() const;
-    void grow(const LoadStep& reached);
+    [[nodiscard]] bool grow(const LoadStep& reached);
+    [[nodiscard]] std::unique_ptr<Scene> scene_of_longer_cracks(const Case& input);
     [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 

@@ -86,8 +86,12 @@ std::array<MultiplierSpace::Value, 2> MultiplierSpace::at(double s) const {
     const Branch& b = branches_[static_cast<std::size_t>(index)];
     const int first = b.first_multiplier, last = first + b.multipliers - 1;
     const auto node = [&](int k) { return nodes_[static_cast<std::size_t>(k)]; };
-    if (first == last || (b.tip_at_start && s <= node(first))) return {Value{first, 1.0}, Value{-1, 0.0}};
-    if (b.tip_at_end && s >= node(last)) return {Value{last, 1.0}, Value{-1, 0.0}};
+    // Straight on over more than the next interval, the multiplier behind would have a negative weight.
+    const bool constant_at_start =
+        b.tip_at_start || node(first) - b.first_s > node(std::min(first + 1, last)) - node(first);
+    const bool constant_at_end = b.tip_at_end || b.last_s - node(last) > node(last) - node(std::max(last - 1, first));
+    if (first == last || (constant_at_start && s <= node(first))) return {Value{first, 1.0}, Value{-1, 0.0}};
+    if (constant_at_end && s >= node(last)) return {Value{last, 1.0}, Value{-1, 0.0}};
     int left = first;
     while (left + 1 < last && node(left + 1) <= s) ++left;
     const double t = (s - node(left)) / (node(left + 1) - node(left));

@@ -13,7 +13,7 @@ namespace stria::fine {
 /// the crack, a crossing of an element edge is vital if neither end of that edge belongs to a vital one before it
 /// (Bechet, Moes, Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh.
 /// Branches end at kinks: the pressure may jump there. It is constant towards a tip, and straight on towards any other
-/// end.
+/// end that is no farther than the next node.
 class MultiplierSpace {
 public:
     /// From the pieces of `crack` behind the arc length `notch`. `boundary`: unknowns, ascending, that are not the

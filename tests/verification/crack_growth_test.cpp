@@ -58,6 +58,16 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
     EXPECT_NEAR(life, handbook, 0.01 * handbook);  // m times the error of K, .15 % at most against the handbook's .3
 }
 
+// A run ends in order where the crack has no metal left to grow through.
+TEST(CrackGrowth, EndsBeforeTheCrackLeavesTheBody) {
+    Case input = edge_crack(0.7, 3.0, End::Pulled);
+    input.mesh.size = 1.0 / 11.0;
+    input.load = {.steps = 2, .blocks = {{.cycles = 20, .max = 1.0, .min = 0.0}}};
+    input.growth.emplace().increment = 0.08;
+    const RunHistory run = run_direct(input);
+    EXPECT_NEAR(run.increments.back().tips[0].a, 0.94, 1e-12);
+}
+
 /// A crack in the middle of a square, at about 37 degrees to the normal of the load, that grows at both tips.
 Case inclined_crack(double growth, int cycles) {
     Case input = specimen("plate", 50.0, {{21.0, 22.0}, {29.0, 28.0}});

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
+#include "tests/support/cracked_mesh.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -70,6 +72,25 @@ TEST(MultiplierSpace, CrossingsThatTheZoneSharesCarryNone) {
     const MultiplierSpace own(mesh, plate_patch(mesh).boundary, 0, 0.0), all(mesh, {}, 0, 0.0);
     EXPECT_EQ(own.size(), all.size() - 1);  // the mouth
     EXPECT_GT(own.nodes().front(), 0.5);
+}
+
+// Large elements whose jumps the zone shares, then small ones: the first hats reach far back, and none turns negative.
+TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
+    const std::vector<double> xs{0.0, 2.0, 4.0, 4.2, 4.4, 4.6, 4.8, 5.0, 5.2, 5.4, 5.6, 5.8, 6.0};
+    const EnrichedMesh mesh =
+        cracked(coarse::grid_mesh(xs, equal_cells(5, 1.0)), {{0.0, 0.5}, {5.9, 0.5}}, coarse::TipEnrichment{1, 0.5});
+    std::vector<int> shared;
+    for (const auto& [node, term, unknown] : mesh.own_unknowns())
+        if (mesh.nodes[static_cast<std::size_t>(node)].x() < 4.1) shared.insert(shared.end(), {unknown, unknown + 1});
+    std::ranges::sort(shared);
+    for (const double notch : {0.0, 1.0, 3.9, 4.05, 4.15, 4.25}) {
+        const MultiplierSpace space(mesh, shared, 0, notch);
+        std::vector<double> weight(static_cast<std::size_t>(space.size()), 0.0);
+        for (int k = 0; k < 6000; ++k)
+            for (const auto& [multiplier, value] : space.at(notch + (5.9 - notch) * (k + 0.5) / 6000))
+                if (multiplier >= 0) weight[static_cast<std::size_t>(multiplier)] += value;
+        for (const double w : weight) EXPECT_GT(w, 0.0) << notch;
+    }
 }
 
 TEST(MultiplierSpace, AKinkBreaksThePressure) {

@@ -1,0 +1,75 @@
+// Growing cracks under loads that follow them or change: control of K, K gradients, overloads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iostream>
+
+#include "common/io/case_file.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+Case elastic_plate() {
+    Case input = edge_crack(0.3, 3.0, End::Pulled);
+    input.mesh.size = 1.0 / 21.0;
+    input.load = {.steps = 2, .blocks = {{.cycles = 4, .max = 100.0, .min = 25.0}}};
+    input.load.control = Control::StressIntensity;
+    input.growth.emplace().increment = 0.031;
+    return input;
+}
+
+/// Largest and smallest K of every cycle from the interaction integral, not the nominal one, and the length there.
+struct Extremes {
+    double a, K_max, K_min;
+};
+std::vector<Extremes> extremes_of(const RunHistory& run) {
+    std::vector<Extremes> found;
+    double K_min = 0.0;
+    for (const coarse::Increment& increment : run.increments) {
+        if (increment.step.at_minimum) K_min = increment.tips[0].K_I;
+        if (increment.step.ends_cycle) found.push_back({increment.tips[0].a, increment.tips[0].K_I, K_min});
+    }
+    return found;
+}
+
+TEST(LoadHistories, TheLoadFollowsTheCrackWhereKIsControlled) {
+    const std::vector<Extremes> cycles = extremes_of(run_direct(elastic_plate()));
+    ASSERT_EQ(cycles.size(), 4U);
+    for (const Extremes& cycle : cycles) {
+        EXPECT_NEAR(cycle.K_max, 100.0, 1e-8);
+        EXPECT_NEAR(cycle.K_min, 25.0, 1e-8);
+    }
+}
+
+// ASTM E647: K = K_0 exp(C (a - a_0)).
+TEST(LoadHistories, KChangesWithTheCrackAsAsked) {
+    Case input = elastic_plate();
+    input.load.K_gradient = -3.0;
+    for (const Extremes& cycle : extremes_of(run_direct(input)))
+        EXPECT_NEAR(cycle.K_max, 100.0 * std::exp(-3.0 * (cycle.a - 0.3)), 1e-8) << cycle.a;
+}
+
+// REFERENCES 4.5: delayed retardation. K_op peaks after some growth behind the overload and falls again.
+TEST(LoadHistories, AnOverloadRetardsWithDelayLong) {
+    const Case input =
+        read_case(STRIA_SOURCE_DIR "/cases/overload/case.toml", {"load.blocks.0.cycles=10", "load.blocks.2.cycles=26"});
+    std::vector<double> opening;  // K_op / K_max of every cycle
+    for (const coarse::Increment& increment : run_direct(input).increments)
+        for (const coarse::CycleResult& cycle : increment.cycles) opening.push_back(cycle.opening.K_op / 300.0);
+    ASSERT_EQ(opening.size(), 37U);
+    const double before = opening[8];  // the cycle that ends at the peak of the load is opening[9]
+    const auto peak = std::max_element(opening.begin() + 10, opening.end());
+    const auto delay = peak - (opening.begin() + 9);  // cycles of 0.05 mm
+    std::cout << fmt::format("K_op/K_max: {:.3f} before, {:.3f} {:.2f} mm behind the overload, {:.3f} at the end\n",
+                             before, *peak, 0.05 * static_cast<double>(delay), opening.back());
+    EXPECT_GT(*peak, before + 0.2);
+    EXPECT_GE(delay, 4);
+    EXPECT_LT(opening.back(), *peak - 0.15);
+}
+
+}  // namespace
+}  // namespace stria::test
