@@ -153,7 +153,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     return report;
 }
 
-// Functions of tips that have moved on count: their displacement stays.
+// Of a station that is not one of the contact's own, which hold what is fixed themselves.
 Vec2 ZoneSystem::jump(const FaceStation& station) const {
     return station.jump(committed_.displacement) + frozen_.jump(station.crack, station.x);
 }
@@ -205,9 +205,8 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
         sample.s = station.s;
         sample.x = station.x.x();
         sample.y = station.x.y();
-        const Vec2 jumps = jump(station);
-        sample.opening = jumps.dot(station.normal);
-        sample.slip = jumps.dot(station.tangent);
+        sample.opening = station.opening(committed_.displacement);
+        sample.slip = station.slip(committed_.displacement);
         sample.pressure = contact_->pressure_at(station, committed_.pressure);
         sample.status = sample.pressure > 0.0 ? 1 : 0;
         if (sample.status != 0) report.contact_length[static_cast<std::size_t>(station.crack)] += station.weight;
