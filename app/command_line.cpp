@@ -36,6 +36,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
     app.add_option("--fine", options.fine_ranks, "Number of fine ranks")
         ->type_name("N")
         ->check(CLI::Range(1, max_ranks));
+    app.add_flag("--resume", options.resume, "Go on from the checkpoint in the folder of results");
     add_manners(app, options);
 }
 
@@ -69,11 +70,6 @@ void add_not_yet(CLI::App& app) {
     app.add_subcommand("test", "Build and run the tests: a command of the script ./stria alone")
         ->prefix_command()
         ->callback([] { throw CaseError("test is a command of the script ./stria at the top of the source tree"); });
-}
-
-void add_resume(CLI::App& app) {
-    app.add_flag_callback(
-        "--resume", [] { throw CaseError("--resume is not in this version"); }, "Not in this version");
 }
 
 /// False where --help or --version answered.
@@ -111,7 +107,6 @@ std::optional<Command> parse_stria(int argc, const char* const* argv) {
     app.require_subcommand(1);
     CLI::App* run = app.add_subcommand("run", "Run a case");
     add_run_options(*run, command.run);
-    add_resume(*run);
     CLI::App* check = app.add_subcommand("check", "Read and check everything, solve nothing");
     add_case(*check, command.run);
     CLI::App* study = app.add_subcommand("study", "Run a case with every combination of some values, and compare");
@@ -132,7 +127,6 @@ std::optional<Command> parse_component(const std::string& program, int argc, con
     command.name = "run";
     CLI::App app("One of the two components of stria run, for batch systems", program);
     add_run_options(app, command.run);
-    add_resume(app);
     if (!parse(app, argc, argv)) return std::nullopt;
     check_ranks(command.run);
     return command;

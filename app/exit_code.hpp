@@ -6,6 +6,7 @@
 
 namespace stria {
 
+/// Interrupted: by a signal, with a checkpoint written.
 enum ExitCode { Done = 0, InternalError = 1, InputWrong = 2, NumbersFailed = 3, LostComponent = 4, Interrupted = 130 };
 
 /// Runs the work and turns what it throws into an exit code. Where MPI is up it is aborted with that code: the other

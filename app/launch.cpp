@@ -2,6 +2,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/fine_side.hpp"
+#include "app/study/run_files.hpp"
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,12 +39,29 @@ constexpr std::array<std::pair<const char*, const char*>, 10> environment = {{
 }};
 
 volatile std::sig_atomic_t interruption = 0;
-volatile std::sig_atomic_t child = 0;
+volatile std::sig_atomic_t child = 0, child_stands_apart = 0;
 
-/// A terminal sends SIGINT to the child as well; SIGTERM reaches us alone and is passed on.
+/// mpirun would answer SIGINT and SIGTERM by killing the components: it stands apart from our terminal and is sent what
+/// it passes on to them, SIGUSR1, on which they write a checkpoint; who asks twice does not want to wait for that. To
+/// another child the terminal has sent its SIGINT already.
 void note_signal(int signal) {
+    const bool again = interruption != 0;
     interruption = signal;
-    if (signal == SIGTERM && child > 0) kill(static_cast<pid_t>(child), SIGTERM);
+    if (child <= 0) return;
+    if (child_stands_apart != 0)
+        kill(static_cast<pid_t>(child), again ? SIGTERM : SIGUSR1);
+    else if (signal == SIGTERM)
+        kill(static_cast<pid_t>(child), SIGTERM);
+}
+
+/// In the child: out of reach of the terminal, and gone when we are.
+void stand_apart() {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    const int nothing = open("/dev/null", O_RDONLY);
+    if (nothing < 0) return;
+    dup2(nothing, STDIN_FILENO);
+    close(nothing);
 }
 
 void listen_for_signals() {
@@ -55,7 +74,10 @@ void listen_for_signals() {
 void append_common_options(const RunOptions& options, std::vector<std::string>& command) {
     command.insert(command.end(), {options.case_path, "-o", options.output_directory});
     for (const std::string& value : options.overrides) command.insert(command.end(), {"--set", value});
-    if (options.force) command.emplace_back("--force");
+    if (options.resume)
+        command.emplace_back("--resume");
+    else if (options.force)
+        command.emplace_back("--force");
     if (options.quiet) command.emplace_back("--quiet");
     if (options.verbose) command.emplace_back("--verbose");
 }
@@ -90,19 +112,24 @@ int wait_for(pid_t process) {
     int status = 0;
     while (waitpid(process, &status, 0) < 0)
         if (errno != EINTR) throw std::runtime_error(fmt::format("waitpid: {}", std::strerror(errno)));
-    if (interruption != 0) return Interrupted;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (interruption != 0 && code != Done) return Interrupted;
     if (code <= LostComponent || code == Interrupted) return code;
     throw ComponentLost(fmt::format("a component was lost (exit code {})", code));
 }
 
+/// `log`: null: it says what it says where we do, and stands apart.
 pid_t start(const std::vector<std::string>& command, const char* log) {
     std::fflush(nullptr);
+    child_stands_apart = log == nullptr ? 1 : 0;
     listen_for_signals();
     const pid_t process = fork();
     if (process < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
     if (process == 0) {
-        if (log != nullptr) write_into(log);
+        if (log != nullptr)
+            write_into(log);
+        else
+            stand_apart();
         become(command);
     }
     child = static_cast<std::sig_atomic_t>(process);
@@ -119,10 +146,14 @@ void claim_output_directory(RunOptions& options) {
         options.output_directory = "runs/" + read_case(options.case_path, options.overrides).name;
     const std::filesystem::path folder = options.output_directory;
     std::error_code problem;
-    for (const char* result : {"summary.json", "history.csv"})
-        if (!options.force && std::filesystem::exists(folder / result, problem))
-            throw CaseError(
-                fmt::format("{} holds results; --force overwrites them, -o DIR writes elsewhere", folder.string()));
+    const auto exists = [&](const char* result) { return std::filesystem::exists(folder / result, problem); };
+    if (options.resume && !exists("checkpoint.h5") &&
+        study::read_json(folder / "summary.json").words["status"] == "done")
+        throw CaseError(fmt::format("{} holds a run that left no checkpoint to go on from", folder.string()));
+    if (!options.force && !options.resume && (exists("summary.json") || exists("history.csv")))
+        throw CaseError(fmt::format("{} holds results; --resume goes on from its checkpoint, --force overwrites them, "
+                                    "-o DIR writes elsewhere",
+                                    folder.string()));
     std::filesystem::create_directories(folder, problem);
     if (!std::filesystem::is_directory(folder) || access(folder.c_str(), W_OK) != 0)
         throw CaseError(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));

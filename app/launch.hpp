@@ -8,8 +8,8 @@
 
 namespace stria {
 
-/// Reads the case, fills in the default folder of results, makes it, and refuses one that already holds results.
-/// Throws CaseError.
+/// Reads the case, fills in the default folder of results, makes it, and refuses one that already holds results, unless
+/// the run is to be resumed. Throws CaseError.
 void claim_output_directory(RunOptions& options);
 
 /// The command that runs the case in mode mpi; programs are looked for in `programs`.

@@ -114,6 +114,38 @@ public:
         load_factor_ = committed_load_factor_;
     }
 
+    [[nodiscard]] coarse::EquilibriumState state() const override {
+        coarse::EquilibriumState state;
+        state.load_factor = committed_load_factor_;
+        state.whole = committed_;
+        state.displacement = gather(committed_, structure_.gamma());
+        for (const Increment& increment : increments_.all()) {
+            state.whole_increments.push_back(increment.displacement);
+            state.increments.push_back(gather(increment.displacement, structure_.gamma()));
+            state.load_increments.push_back(increment.load_factor);
+        }
+        return state;
+    }
+
+    // Where a condensed run has left Gamma alone, structure and zone say what lies on either side of it.
+    void restore(const coarse::EquilibriumState& state) override {
+        const auto& of_zone = zone_.increments();
+        increments_.clear();
+        for (std::size_t back = state.increments.size(); back-- > 0;) {
+            Eigen::VectorXd whole;
+            if (back < state.whole_increments.size()) {
+                whole = state.whole_increments[back];
+            } else {
+                whole = structure_.expand(state.increments[back], state.load_increments[back]);
+                whole(whole_) = of_zone.at(back).displacement;
+            }
+            increments_.push({std::move(whole), state.load_increments[back]});
+        }
+        if (state.whole.size() > 0) committed_ = state.whole;
+        trial_ = committed_;
+        committed_load_factor_ = load_factor_ = state.load_factor;
+    }
+
     [[nodiscard]] double load_factor() const override { return load_factor_; }
 
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
@@ -231,6 +263,15 @@ std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Struc
         return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, load_factor);
     zone_.set_patch(*patch);
     return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, load_factor);
+}
+
+std::unique_ptr<coarse::Equilibrium> MonolithicFactory::resume(const coarse::Structure& structure,
+                                                               const coupling::Patch* patch,
+                                                               const Eigen::VectorXd& committed,
+                                                               const coupling::ZoneSnapshot& zone) {
+    if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, 0.0);
+    zone_.restore(*patch, zone);
+    return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, 0.0);
 }
 
 }  // namespace stria

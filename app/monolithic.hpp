@@ -11,7 +11,11 @@ public:
     explicit MonolithicFactory(const Case& input) : zone_(input) {}
     std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
                                               const Eigen::VectorXd& committed, double load_factor) override;
+    std::unique_ptr<coarse::Equilibrium> resume(const coarse::Structure& structure, const coupling::Patch* patch,
+                                                const Eigen::VectorXd& committed,
+                                                const coupling::ZoneSnapshot& zone) override;
     coupling::ZoneState zone_state() override { return zone_.state(); }
+    coupling::ZoneSnapshot zone_snapshot() override { return zone_.snapshot(); }
 
 private:
     fine::ZoneSystem zone_;

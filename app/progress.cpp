@@ -33,7 +33,7 @@ void Progress::accepted(const coarse::Increment& increment) {
     ++done_;
     if (quiet_) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const double left = elapsed / done_ * std::max(0, increments_ - done_);
+    const double left = elapsed / (done_ - done_before_) * std::max(0, increments_ - done_);
     const double a = increment.tips.empty() ? 0.0 : increment.tips.front().a;
     const std::string line = fmt::format(
         "increment {:4}  cycle {:4}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  {:6.1f} s left",

@@ -14,6 +14,8 @@ public:
     Progress(const Case& input, bool quiet, bool verbose, bool terminal);
 
     void note(const std::string& text);
+    /// The increments up to this one were made before.
+    void resumed(int increment) { done_before_ = done_ = increment; }
     void attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report);
     void accepted(const coarse::Increment& increment);
     void finished(const std::string& directory, double seconds);
@@ -24,7 +26,7 @@ private:
     bool quiet_, verbose_, terminal_;
     bool live_ = false;
     int increments_;  // planned
-    int done_ = 0;
+    int done_before_ = 0, done_ = 0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -156,6 +156,26 @@ void CondensedEquilibrium::rollback() {
     if (fine_ != nullptr) fine_->rollback();
 }
 
+EquilibriumState CondensedEquilibrium::state() const {
+    EquilibriumState state;
+    state.load_factor = committed_load_factor_;
+    state.displacement = committed_;
+    for (const Increment& increment : increments_.all()) {
+        state.increments.push_back(increment.displacement);
+        state.load_increments.push_back(increment.load_factor);
+    }
+    return state;
+}
+
+void CondensedEquilibrium::restore(const EquilibriumState& state) {
+    committed_ = trial_ = state.displacement;
+    committed_load_factor_ = load_factor_ = state.load_factor;
+    expanded_.reset();
+    increments_.clear();
+    for (std::size_t back = state.increments.size(); back-- > 0;)
+        increments_.push({state.increments[back], state.load_increments.at(back)});
+}
+
 Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
     if (!expanded_) expanded_ = structure_.expand(trial_, load_factor_);
     return *expanded_;

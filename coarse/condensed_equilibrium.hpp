@@ -26,6 +26,8 @@ public:
     [[nodiscard]] double load_factor() const override { return load_factor_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override;
     [[nodiscard]] Eigen::VectorXd reactions() const override;
+    [[nodiscard]] EquilibriumState state() const override;
+    void restore(const EquilibriumState& state) override;
     [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
 
 private:

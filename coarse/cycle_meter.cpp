@@ -7,19 +7,21 @@ namespace stria::coarse {
 
 CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips)
     : definition_(definition), signals_(static_cast<std::size_t>(closure.signals())),
-      contact_signals_(static_cast<std::size_t>(closure.contact_signals())), tips_(tips) {}
+      contact_signals_(static_cast<std::size_t>(closure.contact_signals())) {
+    now_.tips.resize(tips);
+}
 
 // A cycle runs from maximum to maximum: the one that it starts from counts, with the crack as long as it then is.
 void CycleMeter::begin(int cycle) {
-    cycle_ = cycle;
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
-        Tip& tip = tips_[t];
+    now_.cycle = cycle;
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        Tip& tip = now_.tips[t];
         tip = {};
         tip.changed.assign(signals_, 0);
         tip.was_open.assign(signals_, 0);
         tip.signal.assign(signals_, {});
-        if (last_.empty()) continue;  // full compression: no ramp
-        const Station& start = last_[t];
+        if (now_.last.empty()) continue;  // full compression: no ramp
+        const CycleMemory::Station& start = now_.last[t];
         tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor;
         tip.cycle.J_max = start.J;
         if (std::isfinite(start.CTOD)) tip.cycle.CTOD_max = tip.cycle.CTOD_min = start.CTOD;
@@ -30,14 +32,14 @@ void CycleMeter::begin(int cycle) {
 }
 
 void CycleMeter::add(const Increment& increment) {
-    if (tips_.empty()) return;
-    if (increment.step.cycle != cycle_ || tips_.front().signal.size() != signals_) begin(increment.step.cycle);
-    const bool loading = increment.step.target.value > last_target_;
-    const bool growing = increment.step.target.value == last_target_;
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
-        Tip& tip = tips_[t];
+    if (now_.tips.empty()) return;
+    if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_) begin(increment.step.cycle);
+    const bool loading = increment.step.target.value > now_.last_target;
+    const bool growing = increment.step.target.value == now_.last_target;
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        Tip& tip = now_.tips[t];
         measure(tip, increment, t);
-        Path& path = loading ? tip.up : tip.down;
+        CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())
             path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
         path.load.push_back(increment.load_factor);
@@ -47,13 +49,13 @@ void CycleMeter::add(const Increment& increment) {
         extent = std::max(extent, increment.tips[t].plastic_zone);
         axis = std::max(axis, increment.tips[t].plastic_zone_axis);
     }
-    last_target_ = increment.step.target.value;
-    last_.clear();
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
+    now_.last_target = increment.step.target.value;
+    now_.last.clear();
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        last_.push_back({increment.nominal_K[t], tip.J, tip.CTOD, tip.CMOD, increment.load_factor,
-                         growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
-        if (length_.size() <= t) length_.push_back(tip.a);
+        now_.last.push_back({increment.nominal_K[t], tip.J, tip.CTOD, tip.CMOD, increment.load_factor,
+                             growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
+        if (now_.length.size() <= t) now_.length.push_back(tip.a);
     }
 }
 
@@ -87,15 +89,15 @@ OpeningLoads CycleMeter::of_signal(const Tip& tip, std::size_t signal) const {
 
 std::vector<CycleResult> CycleMeter::finish() {
     std::vector<CycleResult> results;
-    for (std::size_t t = 0; t < tips_.size(); ++t) {
-        Tip& tip = tips_[t];
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        Tip& tip = now_.tips[t];
         CycleResult& cycle = tip.cycle;
-        cycle.da = cycle.a - length_[t];
-        length_[t] = cycle.a;
+        cycle.da = cycle.a - now_.length[t];
+        now_.length[t] = cycle.a;
         for (std::size_t s = 0; s < contact_signals_; ++s) cycle.contact.push_back(of_signal(tip, s));
         if (signals_ > contact_signals_) cycle.tension = of_signal(tip, contact_signals_);
-        cycle.offset.K_op =
-            last_[t].nominal_K * compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
+        cycle.offset.K_op = now_.last[t].nominal_K *
+                            compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
                         : definition_ == OpeningDefinition::Offset ? cycle.offset
                                                                    : cycle.tension;

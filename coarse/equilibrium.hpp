@@ -29,6 +29,16 @@ struct Residual {
     [[nodiscard]] bool within(double tolerance) const { return largest() <= tolerance * scale && target <= tolerance; }
 };
 
+/// All that an equilibrium remembers of what is committed, but for the zone's part.
+struct EquilibriumState {
+    double load_factor = 0.0;
+    Eigen::VectorXd displacement;             // of Gamma, mm
+    std::vector<Eigen::VectorXd> increments;  // of Gamma, for predictors; the last one first
+    std::vector<double> load_increments;      // likewise, of the load factor
+    Eigen::VectorXd whole;                    // of the whole mesh; empty where only Gamma is solved for
+    std::vector<Eigen::VectorXd> whole_increments;
+};
+
 class Equilibrium {
 public:
     Equilibrium() = default;
@@ -61,6 +71,10 @@ public:
 
     /// Reactions on the scene's prescribed unknowns at the trial state, N/mm, in their order.
     [[nodiscard]] virtual Eigen::VectorXd reactions() const = 0;
+
+    /// Between increments.
+    [[nodiscard]] virtual EquilibriumState state() const = 0;
+    virtual void restore(const EquilibriumState& state) = 0;
 
     /// Seconds spent waiting for and talking to the zone.
     [[nodiscard]] virtual double exchange_seconds() const { return 0.0; }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "coarse/condensed_equilibrium.hpp"
 #include "coarse/crack_growth.hpp"
 #include "coarse/zone_selection.hpp"
 #include "common/error.hpp"
@@ -18,32 +17,8 @@ constexpr double closure_precision = 0.002;  // of the larger load of a half cyc
 
 }  // namespace
 
-std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch,
-                                                    const Eigen::VectorXd& committed, double load_factor) {
-    if (patch != nullptr) fine_->set_patch(*patch);
-    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed,
-                                                  load_factor);
-}
-
-double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nominal, double grown) {
-    if (load.control != Control::StressIntensity) return 1.0;
-    if (nominal.empty() || !(nominal.front().K_I > 0.0))
-        throw CaseError("load.control: \"K\" needs a crack tip with K_I > 0 under the unit load");
-    return std::exp(load.K_gradient * grown) / nominal.front().K_I;
-}
-
-double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
-                           double grown) {
-    double per_load_factor = 1.0 / target_of_unit(load, nominal, grown);
-    if (load.control == Control::Displacement) {
-        per_load_factor = elastic.mean_displacement().per_load_factor;
-        if (std::abs(per_load_factor) <= 1e-9 * elastic.expand({}, 1.0).lpNorm<Eigen::Infinity>())
-            throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
-    }
-    return largest_value(load) / per_load_factor;
-}
-
-FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
+FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
+                                 const AnalysisState* from)
     : scene_(&scene), factory_(factory), listener_(std::move(listener)),
       controller_(scene.input.load, scene.input.solver) {
     const Stopwatch watch(setup_s_);
@@ -53,7 +28,10 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     if (!nominal_.empty()) first_length_ = nominal_.front().a;
     closure_ = ClosureMeter(scene.input, largest_K_I);
     cycle_meter_ = CycleMeter(scene.input.closure.definition, closure_, nominal_.size());
-    build(select_zone(scene, largest_K_I));
+    if (from != nullptr)
+        restore(*from);
+    else
+        build(select_zone(scene, largest_K_I));
 }
 
 // K_1(a), and the K of eq. (3): an elastic solution on the coarse mesh with traction-free faces.
@@ -73,7 +51,7 @@ std::vector<double> FatigueAnalysis::solve_nominal() {
 // Of the first tip.
 double FatigueAnalysis::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
 
-void FatigueAnalysis::build(const std::vector<char>& in_zone) {
+void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisState* from) {
     const bool has_zone = std::ranges::any_of(in_zone, [](char inside) { return inside != 0; });
     const bool reuse = structure_ && structure_->in_zone() == in_zone;  // the nominal solution's factor
     if (!reuse) {
@@ -86,7 +64,11 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     patch.ahead = closure_.ahead(scene_->enriched);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
-    equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
+    const coupling::Patch* zone_patch = has_zone ? &patch : nullptr;
+    if (from != nullptr)
+        equilibrium_ = factory_.resume(*structure_, zone_patch, committed_, from->zone);
+    else
+        equilibrium_ = factory_.make(*structure_, zone_patch, committed_, load_factor_);
     controller_.forget_increments();
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
@@ -101,20 +83,26 @@ void FatigueAnalysis::note_if_large(const char* phase) const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(run_s_);
-    while (const auto next = controller_.next()) {
-        const LoadStep& step = *next;
-        NewtonReport report = attempt(step);
-        if (!report.converged) {
-            cut_or_fail(step, report);
-        } else if (!zone_must_grow(step)) {
-            const std::vector<OpeningChange> changes = measure_closure(step, report);
-            accept(step, report, changes);
-            controller_.accepted();
-            if (scene_->input.growth && grows_at(*scene_->input.growth, step)) {
-                if (has_grown_enough() || !grow(step)) return;
-            }
-        }
+    while (!finished()) {
+        const LoadStep step = *controller_.next();
+        if (reach(step) && !listener_.reached(step)) return;
     }
+}
+
+// False where the increment is to be made again, shorter or with a larger zone.
+bool FatigueAnalysis::reach(const LoadStep& step) {
+    NewtonReport report = attempt(step);
+    if (!report.converged) {
+        cut_or_fail(step, report);
+        return false;
+    }
+    if (zone_must_grow(step)) return false;
+    const std::vector<OpeningChange> changes = measure_closure(step, report);
+    accept(step, report, changes);
+    controller_.accepted();
+    if (scene_->input.growth && grows_at(*scene_->input.growth, step))
+        growth_ended_ = has_grown_enough() || !grow(step);
+    return true;
 }
 
 bool FatigueAnalysis::has_grown_enough() const {

@@ -5,40 +5,11 @@
 #include <memory>
 
 #include "coarse/cycle_meter.hpp"
+#include "coarse/equilibrium_factory.hpp"
 #include "coarse/increment.hpp"
-#include "coarse/structure.hpp"
-#include "coupling/fine_scale.hpp"
+#include "coarse/load_scale.hpp"
 
 namespace stria::coarse {
-
-/// How equilibrium is found once structure and zone are known: condensed over a port, or monolithic. Only app/ chooses.
-class EquilibriumFactory {
-public:
-    EquilibriumFactory() = default;
-    EquilibriumFactory(const EquilibriumFactory&) = delete;
-    EquilibriumFactory& operator=(const EquilibriumFactory&) = delete;
-    virtual ~EquilibriumFactory() = default;
-
-    /// `patch`: null where the scene has no zone. `committed`: displacement of the whole mesh, reached at
-    /// `load_factor`.
-    virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
-                                              const Eigen::VectorXd& committed, double load_factor) = 0;
-
-    /// Full committed state of the zone.
-    virtual coupling::ZoneState zone_state() = 0;
-};
-
-/// Equilibrium of structure and zone over the port (null: no fine component).
-class CondensedFactory : public EquilibriumFactory {
-public:
-    explicit CondensedFactory(coupling::FineScale* fine) : fine_(fine) {}
-    std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
-                                      const Eigen::VectorXd& committed, double load_factor) override;
-    coupling::ZoneState zone_state() override { return fine_->state(); }
-
-private:
-    coupling::FineScale* fine_;
-};
 
 /// What the analysis tells as it goes. app/ and tests listen.
 struct Listener {
@@ -46,24 +17,45 @@ struct Listener {
     std::function<void(const std::string&)> note = [](const std::string&) {};  // one line for the log
     std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {
     };  // converged or not
+    /// The load has been reached and all that follows from that is done; false: stop here.
+    std::function<bool(const LoadStep&)> reached = [](const LoadStep&) { return true; };
 };
 
-/// What a unit of the load history is in load factors: 1, or where K is controlled 1 / K_1(a) of the first tip, times
-/// what the gradient of K makes of `grown`, mm. `nominal`: for the load factor 1. Throws CaseError where a crack has no
-/// tip that the load opens.
-double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nominal, double grown);
-
-/// Largest load factor of a history. Where displacements are controlled it is that of the elastic body with
-/// traction-free faces: what yields bears less. Throws CaseError where the loads do not move what is controlled.
-double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
-                           double grown = 0.0);
+/// All that an analysis remembers between two increments. Whatever else it holds is a function of this and of the case,
+/// so that going on from it changes no digit.
+struct AnalysisState {
+    struct Polyline {
+        std::vector<double> x, y;  // mm
+    };
+    std::vector<Polyline> cracks;
+    std::vector<char> in_zone;     // per element
+    Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone, mm
+    double load_factor = 0.0;
+    std::vector<char> closed;  // signals of the closure meter
+    CycleMemory cycle;
+    std::vector<CycleResult> last_cycle;  // one a tip, of the last cycle that ended
+    int increment = 0, newton_iterations = 0, extensions = 0, warnings = 0, flowing_rings = 0;
+    bool growth_ended = false;  // the growth has ended the run
+    LoadPosition load;
+    EquilibriumState equilibrium;
+    coupling::ZoneSnapshot zone;  // empty without one
+};
 
 class FatigueAnalysis {
 public:
-    FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener);
+    /// `from`: what to go on from, of the same case; null: the beginning.
+    FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
+                    const AnalysisState* from = nullptr);
 
-    /// Runs all blocks. Throws NumericalFailure where an increment fails after cutting: what, where, at which load.
+    /// Runs all blocks, or until the listener stops it. Throws NumericalFailure where an increment fails after cutting:
+    /// what, where, at which load.
     void run();
+
+    /// Nothing is left to do.
+    [[nodiscard]] bool finished() const { return growth_ended_ || !controller_.next(); }
+
+    /// Between increments: where the listener is told that a load has been reached, and after run() has returned.
+    [[nodiscard]] AnalysisState state() const;
 
     [[nodiscard]] const Structure& structure() const { return *structure_; }
     /// Elastic, traction-free stress intensities for the load factor 1, one a tip (nominal K, INTERFACE).
@@ -82,11 +74,13 @@ public:
 
 private:
     std::vector<double> solve_nominal();
-    void build(const std::vector<char>& in_zone);
+    void restore(const AnalysisState& from);
+    void build(const std::vector<char>& in_zone, const AnalysisState* from = nullptr);
     void note_if_large(const char* phase) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     void extend_zone(const std::vector<int>& yielding);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
+    [[nodiscard]] bool reach(const LoadStep& step);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
     void accept(const LoadStep& step, const NewtonReport& report, const std::vector<OpeningChange>& changes);
     void end_cycle(Increment& increment);
@@ -112,6 +106,7 @@ private:
     CycleMeter cycle_meter_;
     std::vector<CycleResult> last_cycle_;  // one a tip, of the last cycle that ended
     double first_length_ = 0.0;            // of the crack of the first tip at the start, mm
+    bool growth_ended_ = false;
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
     double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
 };

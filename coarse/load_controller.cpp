@@ -51,21 +51,23 @@ std::optional<LoadStep> LoadController::next() const {
 
 Predictor LoadController::predictor(int cycle, double to) const {
     const double reached = position_.reached, increment = to - reached, same = 1e-9 * std::abs(increment);
+    const std::vector<LoadPosition::Taken>& before = position_.taken;
     // The ramp is no cycle: virgin material flows where it will later unload and reload without.
-    const auto twin = std::ranges::find_if(taken_, [&](const Taken& taken) {
+    const auto twin = std::ranges::find_if(before, [&](const LoadPosition::Taken& taken) {
         return taken.cycle > 0 && taken.cycle < cycle && std::abs(taken.from - reached) <= same &&
                std::abs(taken.to - to) <= same;
     });
-    if (twin != taken_.end()) return {1.0, static_cast<int>(twin - taken_.begin()) + 1};
-    if (taken_.empty()) return {};
-    const double last = taken_.front().to - taken_.front().from;
+    if (twin != before.end()) return {1.0, static_cast<int>(twin - before.begin()) + 1};
+    if (before.empty()) return {};
+    const double last = before.front().to - before.front().from;
     return last * increment > 0.0 ? Predictor(increment / last) : Predictor();
 }
 
 void LoadController::accepted() {
     const LoadStep step = *next();
-    taken_.push_front({step.cycle, position_.reached, step.target.value});
-    if (taken_.size() > remembered_) taken_.pop_back();
+    std::vector<LoadPosition::Taken>& taken = position_.taken;
+    taken.insert(taken.begin(), {step.cycle, position_.reached, step.target.value});
+    if (taken.size() > remembered_) taken.pop_back();
     position_.reached = step.target.value;
     if (position_.reached == stop(position_.increments + 1)) ++position_.increments;
     if (position_.increments == steps_) {

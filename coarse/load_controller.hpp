@@ -2,7 +2,6 @@
 // halves an increment that failed and lets it grow again.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -23,19 +22,28 @@ struct LoadStep {
     bool ends_cycle = false;
 };
 
-/// How far a load has come.
+/// How far a load has come: all that a controller remembers.
 struct LoadPosition {
+    struct Taken {
+        int cycle = 0;
+        double from = 0.0, to = 0.0;
+    };
     std::size_t leg = 0;
     int increments = 0;      // of the leg, done
     double leg_start = 0.0;  // target where it began
     double reached = 0.0;    // target: a load factor, or a displacement, mm
     double fraction = 1.0;   // of a whole increment, after cuts
     int consecutive_cuts = 0, cuts = 0;
+    std::vector<Taken> taken;  // increments to predict from, the last one first
 };
 
 class LoadController {
 public:
     explicit LoadController(const LoadSection& load, const SolverSection& solver);
+
+    [[nodiscard]] const LoadPosition& position() const { return position_; }
+    /// Goes on from where another one stood, in a history that was the same up to there.
+    void resume(const LoadPosition& position) { position_ = position; }
 
     /// What a unit of the history is as a target, from now on; 1, or where K is controlled the load factor of a unit of
     /// K.
@@ -47,7 +55,7 @@ public:
     void accepted();
 
     /// Increments taken so far are of no use to predict from: their unknowns are gone.
-    void forget_increments() { taken_.clear(); }
+    void forget_increments() { position_.taken.clear(); }
 
     /// Halves the increment; false after `max_cuts` halvings.
     [[nodiscard]] bool cut();
@@ -69,11 +77,6 @@ private:
     int steps_;  // of a leg
     double grading_, scale_ = 1.0;
     LoadPosition position_;
-    struct Taken {
-        int cycle;
-        double from, to;
-    };
-    std::deque<Taken> taken_;  // the last one first
     std::size_t remembered_;
     int max_cuts_ = 0;
 };

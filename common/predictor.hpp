@@ -29,6 +29,9 @@ public:
     }
     void clear() { increments_.clear(); }
 
+    /// All that are remembered, the last one first.
+    [[nodiscard]] const std::deque<Increment>& all() const { return increments_; }
+
     /// Null where it is not known, or not wanted.
     [[nodiscard]] const Increment* find(const Predictor& predictor) const {
         const auto place = static_cast<std::size_t>(predictor.back) - 1;

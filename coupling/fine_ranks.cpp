@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numeric>
+#include <ranges>
 
 #include "common/error.hpp"
 #include "common/fem/element_operator.hpp"
@@ -35,14 +37,25 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
 
 FineRanks::~FineRanks() = default;
 
-void FineRanks::set_patch(const Patch& patch) {
-    const Eigen::VectorXd displacement = known_displacement(patch);
+void FineRanks::set_patch(const Patch& patch) { take(patch, known_displacement(patch), nullptr); }
+
+void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
+    owner_.clear();
+    if (snapshot.ranks == std::ssize(scales_))
+        for (std::size_t e = 0; e < snapshot.element.size(); ++e) owner_[snapshot.element[e]] = snapshot.rank[e];
+    take(patch, snapshot.displacement, &snapshot);
+    for (const Eigen::VectorXd& increment : snapshot.increments | std::views::reverse)
+        increments_.push(gather(increment, kept_));
+}
+
+/// `snapshot`: null where the ranks know themselves what has been.
+void FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot) {
     std::vector<EnrichedMesh> parts = divide(patch.mesh);
     patch_ = patch;
     find_seams();
     committed_ = trial_ = gather(displacement, kept_);
     increments_.clear();
-    send(std::move(parts), displacement);
+    send(std::move(parts), displacement, snapshot);
     plant_tree();
 }
 
@@ -88,7 +101,8 @@ void FineRanks::find_seams() {
 }
 
 // All rings for everybody: pressure on faces counts also where q is one, inside of them.
-void FineRanks::send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement) {
+void FineRanks::send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement,
+                     const ZoneSnapshot* snapshot) {
     for (std::size_t k = 0; k < ranks_.size(); ++k) {
         Rank& rank = ranks_[k];
         Patch part;
@@ -104,7 +118,10 @@ void FineRanks::send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& dis
             part.unit_load[i] = 0.0;
             rank.shared.push_back(place_of(kept_, unknown));
         }
-        rank.scale->set_patch(part);
+        if (snapshot == nullptr)
+            rank.scale->set_patch(part);
+        else
+            rank.scale->restore(part, part_of(*snapshot, part.mesh, rank.unknowns));
     }
 }
 
@@ -204,6 +221,19 @@ StepReport FineRanks::commit(bool reversal) {
 
 void FineRanks::rollback() {
     for (const Rank& rank : ranks_) rank.scale->rollback();
+}
+
+ZoneSnapshot FineRanks::snapshot() {
+    ZoneSnapshot whole;
+    whole.ranks = static_cast<std::int32_t>(scales_.size());
+    whole.displacement = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
+    whole.increments.assign(increments_.all().size(), whole.displacement);
+    for (const Rank& rank : ranks_)
+        add(whole, rank.scale->snapshot(), static_cast<std::int32_t>(rank.number), rank.unknowns);
+    std::ranges::stable_sort(whole.multipliers, {}, &MultiplierSnapshot::crack);
+    std::vector<int> all(at(patch_.mesh.unknowns));
+    std::iota(all.begin(), all.end(), 0);
+    return part_of(whole, patch_.mesh, all);  // in the order of the patch, as one rank would give it
 }
 
 ZoneState FineRanks::state() {

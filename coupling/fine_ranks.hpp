@@ -27,6 +27,8 @@ public:
     StepReport commit(bool reversal) override;
     void rollback() override;
     ZoneState state() override;
+    ZoneSnapshot snapshot() override;
+    void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
     /// The last of each rank; empty ones of ranks without an element.
     [[nodiscard]] const std::vector<StepReport>& reports() const { return reports_; }
@@ -37,7 +39,8 @@ private:
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
     [[nodiscard]] std::vector<EnrichedMesh> divide(const EnrichedMesh& zone);
     void find_seams();
-    void send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement);
+    void take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);
+    void send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);
     void plant_tree();
     void advance_seams(const PatchDisplacement& displacement);
     [[nodiscard]] std::vector<PatchResponse> collect_all();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/messages.hpp"
+#include "coupling/zone_snapshot.hpp"
 
 namespace stria::coupling {
 
@@ -32,6 +33,12 @@ public:
 
     /// Committed states of all points.
     virtual ZoneState state() = 0;
+
+    /// All that is committed and remembered. Between increments only.
+    virtual ZoneSnapshot snapshot() = 0;
+
+    /// In place of set_patch(), the same patch: goes on from a snapshot, bit for bit where as many ranks gave it.
+    virtual void restore(const Patch& patch, const ZoneSnapshot& snapshot) = 0;
 };
 
 }  // namespace stria::coupling

@@ -51,6 +51,12 @@ void RemoteFineScale::rollback() { ask(Tag::Rollback, {}, Tag::Done); }
 
 ZoneState RemoteFineScale::state() { return unpack<ZoneState>(ask(Tag::State, {}, Tag::State).bytes); }
 
+ZoneSnapshot RemoteFineScale::snapshot() { return unpack<ZoneSnapshot>(ask(Tag::Snapshot, {}, Tag::Snapshot).bytes); }
+
+void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
+    ask(Tag::Restore, pack(Restore{patch, snapshot}), Tag::Done);
+}
+
 void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
     require(!in_flight_, "one question in flight");
     transport_.send(tag, bytes);

@@ -33,6 +33,8 @@ public:
     StepReport commit(bool reversal) override;
     void rollback() override;
     ZoneState state() override;
+    ZoneSnapshot snapshot() override;
+    void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
     [[nodiscard]] const Traffic& traffic() const { return traffic_; }
 

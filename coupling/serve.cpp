@@ -22,6 +22,13 @@ Message reply(const Message& question, FineScale& fine) {
         return {Tag::Done, {}};
     case Tag::State:
         return {Tag::State, pack(fine.state())};
+    case Tag::Snapshot:
+        return {Tag::Snapshot, pack(fine.snapshot())};
+    case Tag::Restore: {
+        const auto [patch, snapshot] = unpack<Restore>(question.bytes);
+        fine.restore(patch, snapshot);
+        return {Tag::Done, {}};
+    }
     default:
         throw ComponentLost(std::string("the components lost step: no answer to ") + name(question.tag));
     }

@@ -19,7 +19,9 @@ enum class Tag : std::uint32_t {
     State,
     Failure,
     Stop,
-    Done
+    Done,
+    Snapshot,
+    Restore
 };
 
 struct Message {

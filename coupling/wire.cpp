@@ -208,6 +208,10 @@ template std::vector<std::byte> pack(const PatchDisplacement&);
 template std::vector<std::byte> pack(const PatchResponse&);
 template std::vector<std::byte> pack(const StepReport&);
 template std::vector<std::byte> pack(const ZoneState&);
+template std::vector<std::byte> pack(const ZoneSnapshot&);
+template std::vector<std::byte> pack(const Restore&);
+template std::vector<std::byte> pack(const std::vector<MultiplierSnapshot>&);
+template std::vector<std::byte> pack(const std::vector<FrozenTip>&);
 
 template Hello unpack(std::span<const std::byte>);
 template Failure unpack(std::span<const std::byte>);
@@ -217,6 +221,10 @@ template PatchDisplacement unpack(std::span<const std::byte>);
 template PatchResponse unpack(std::span<const std::byte>);
 template StepReport unpack(std::span<const std::byte>);
 template ZoneState unpack(std::span<const std::byte>);
+template ZoneSnapshot unpack(std::span<const std::byte>);
+template Restore unpack(std::span<const std::byte>);
+template std::vector<MultiplierSnapshot> unpack(std::span<const std::byte>);
+template std::vector<FrozenTip> unpack(std::span<const std::byte>);
 
 void check_same(const Hello& own, const Hello& other) {
     if (own.protocol != other.protocol)
@@ -250,6 +258,10 @@ const char* name(Tag tag) {
         return "Stop";
     case Tag::Done:
         return "Done";
+    case Tag::Snapshot:
+        return "Snapshot";
+    case Tag::Restore:
+        return "Restore";
     }
     return "a message of an unknown kind";
 }

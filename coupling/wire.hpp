@@ -10,11 +10,12 @@
 
 #include "coupling/messages.hpp"
 #include "coupling/transport.hpp"
+#include "coupling/zone_snapshot.hpp"
 
 namespace stria::coupling {
 
 /// Grows with any change of messages.hpp or of the layouts in wire.cpp; Hello's own layout never changes.
-inline constexpr std::uint32_t protocol_version = 3;
+inline constexpr std::uint32_t protocol_version = 4;
 
 /// An exception on its way across: thrown again on the other side with the same type and text.
 struct Failure {
@@ -26,6 +27,12 @@ struct Failure {
 /// Question of Tag::Commit.
 struct Commit {
     bool reversal = false;
+};
+
+/// Question of Tag::Restore.
+struct Restore {
+    Patch patch;
+    ZoneSnapshot snapshot;
 };
 
 template <class M> [[nodiscard]] std::vector<std::byte> pack(const M& message);

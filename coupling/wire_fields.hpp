@@ -105,6 +105,28 @@ void fields(auto& wire, Is<StepReport> auto& m) {
          elastic_tangents_reused, constitutive_s, contact_s, factor_s);
 }
 
+void fields(auto& wire, Is<FrozenTip> auto& m) {
+    auto& [mesh, displacement, crack] = m;
+    wire(mesh, displacement, crack);
+}
+
+void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
+    auto& [crack, place, pressure, closed, at_root, increments] = m;
+    wire(crack, place, pressure, closed, at_root, increments);
+}
+
+void fields(auto& wire, Is<ZoneSnapshot> auto& m) {
+    auto& [ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, multipliers,
+           frozen_tips] = m;
+    wire(ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, multipliers,
+         frozen_tips);
+}
+
+void fields(auto& wire, Is<Restore> auto& m) {
+    auto& [patch, snapshot] = m;
+    wire(patch, snapshot);
+}
+
 void fields(auto& wire, Is<ZoneState> auto& m) {
     auto& [displacement, element, side, x, y, weight, stress, plastic_strain, accumulated] = m;
     wire(displacement, element, side, x, y, weight, stress, plastic_strain, accumulated);

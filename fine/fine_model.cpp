@@ -91,7 +91,7 @@ coupling::PatchResponse FineModel::collect() {
 
 // Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
 bool FineModel::last_factor_serves(const coupling::PatchResponse& response) const {
-    return !all_changed_ && response.digest.status_changes == 0 &&
+    return !all_changed_ && asked_.settled_below > 0.0 && response.digest.status_changes == 0 &&
            std::max(response.interior_residual, response.contact_residual) <= asked_.settled_below;
 }
 
@@ -175,5 +175,22 @@ void FineModel::rollback() {
 }
 
 coupling::ZoneState FineModel::state() { return system_.state(); }
+
+coupling::ZoneSnapshot FineModel::snapshot() {
+    coupling::ZoneSnapshot snapshot = system_.snapshot();
+    for (std::size_t k = 0; k < committed_at_root_.size(); ++k)
+        snapshot.multipliers[k].at_root = committed_at_root_[k] != 0;
+    return snapshot;
+}
+
+// The tree's shape shows in the last bits, and what stands at its root has come about step by step.
+void FineModel::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
+    system_.restore(patch, snapshot);
+    at_root_.clear();
+    for (const coupling::MultiplierSnapshot& multiplier : snapshot.multipliers)
+        at_root_.push_back(multiplier.at_root ? 1 : 0);
+    committed_at_root_ = at_root_;
+    plant_tree();
+}
 
 }  // namespace stria::fine

@@ -26,6 +26,8 @@ public:
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
     coupling::ZoneState state() override;
+    coupling::ZoneSnapshot snapshot() override;
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override;
 
 private:
     void plant_tree();

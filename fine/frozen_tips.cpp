@@ -36,7 +36,7 @@ void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd
         if (std::ranges::any_of(mesh.elements[static_cast<std::size_t>(e)], sees)) elements.push_back(e);
     }
     if (elements.empty()) return;
-    Frozen frozen{extract(mesh, elements), {}, mesh.tips[static_cast<std::size_t>(tip)].crack};
+    coupling::FrozenTip frozen{extract(mesh, elements), {}, mesh.tips[static_cast<std::size_t>(tip)].crack};
     Eigen::VectorXd own = Eigen::VectorXd::Zero(mesh.unknowns);
     for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
         if (term > 0 && of_tip(mesh.terms[static_cast<std::size_t>(node)][static_cast<std::size_t>(term - 1)], tip))
@@ -48,7 +48,7 @@ void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd
 
 Vec2 FrozenTips::jump(int crack, const Vec2& x) const {
     Vec2 sum = Vec2::Zero();
-    for (const Frozen& frozen : tips_) {
+    for (const coupling::FrozenTip& frozen : tips_) {
         if (frozen.crack != crack) continue;
         if (const auto s = arc_length_at(frozen.mesh, crack, x))
             sum += face_station_at(frozen.mesh, crack, *s).jump(frozen.displacement);

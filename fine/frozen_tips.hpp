@@ -4,12 +4,15 @@
 
 #include <vector>
 
-#include "common/fem/enriched_mesh.hpp"
+#include "coupling/zone_snapshot.hpp"
 
 namespace stria::fine {
 
 class FrozenTips {
 public:
+    FrozenTips() = default;
+    explicit FrozenTips(std::vector<coupling::FrozenTip> tips) : tips_(std::move(tips)) {}
+
     /// Keeps what a tip's functions are at `displacement` (all unknowns of the mesh).
     void freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement);
 
@@ -17,15 +20,10 @@ public:
     /// change where a crack grows at its first point.
     [[nodiscard]] Vec2 jump(int crack, const Vec2& x) const;
 
-    [[nodiscard]] bool empty() const { return tips_.empty(); }
+    [[nodiscard]] const std::vector<coupling::FrozenTip>& tips() const { return tips_; }
 
 private:
-    struct Frozen {
-        EnrichedMesh mesh;             // the elements that see the functions
-        Eigen::VectorXd displacement;  // zero but for them
-        int crack;
-    };
-    std::vector<Frozen> tips_;
+    std::vector<coupling::FrozenTip> tips_;
 };
 
 }  // namespace stria::fine

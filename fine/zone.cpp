@@ -11,10 +11,20 @@ namespace stria::fine {
 
 Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
            const IntegrationRule& rule, const Zone* old, const Eigen::VectorXd& displacement)
+    : Zone(mesh, std::move(law), elastic, rule, displacement, [&](std::size_t e, const CrackPiece* cut) {
+          return old != nullptr ? points_kept(e, cut, *old) : std::nullopt;
+      }) {
+    if (old != nullptr) counts_ = old->counts_;
+    start(old);
+    measure_margins();
+}
+
+Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+           const IntegrationRule& rule, const Eigen::VectorXd& displacement, const KnownPoints& known)
     : mesh_(mesh), law_(std::move(law)), elastic_(elastic), piece_(piece_of_elements(mesh_)),
       bound_(elastic.shear_modulus()) {
     for (std::size_t e = 0; e < mesh_.element_ids.size(); ++e) element_of_id_[mesh_.element_ids[e]] = e;
-    make_operators(rule, old);
+    make_operators(rule, known);
     const auto n = static_cast<std::size_t>(points_), components = static_cast<std::size_t>(law_->state_size());
     committed_.assign(components * n, 0.0);
     strain_.assign(4 * n, 0.0);
@@ -28,28 +38,18 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
     committed_u_ = trial_u_ = displacement;
     increment_ = Eigen::VectorXd::Zero(mesh_.unknowns);
-    if (old != nullptr) counts_ = old->counts_;
-    start(old);
-    measure_margins();
 }
 
-void Zone::make_operators(const IntegrationRule& rule, const Zone* old) {
+void Zone::make_operators(const IntegrationRule& rule, const KnownPoints& known) {
     const MandelMatrix stiffness = elastic_.stiffness();
     operators_.reserve(mesh_.elements.size());
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
         const int element = static_cast<int>(e);
         const CrackPiece* cut = piece_[e] >= 0 ? &mesh_.pieces[static_cast<std::size_t>(piece_[e])] : nullptr;
-        bool known = false;
-        if (old != nullptr) {
-            const auto found = old->element_of_id_.find(mesh_.element_ids[e]);
-            known = found != old->element_of_id_.end();
-            if (known) {
-                const std::array<Vec2, 4> corners = ElementBasis(mesh_, element, cut != nullptr).corners();
-                operators_.push_back(
-                    make_operator(mesh_, element, cut, rule, points_kept(cut, *old, found->second, corners)));
-            }
-        }
-        if (!known) operators_.push_back(make_operator(mesh_, element, cut, rule));
+        if (auto points = known(e, cut))
+            operators_.push_back(make_operator(mesh_, element, cut, rule, std::move(*points)));
+        else
+            operators_.push_back(make_operator(mesh_, element, cut, rule));
         first_point_.push_back(points_);
         points_ += static_cast<int>(operators_.back().points.size());
         elastic_stiffness_.push_back(operators_.back().stiffness(stiffness));
@@ -60,13 +60,16 @@ void Zone::make_operators(const IntegrationRule& rule, const Zone* old) {
 }
 
 // While a tip stands in the element nothing jumps there yet, and the weights stay.
-std::vector<IntegrationPoint> Zone::points_kept(const CrackPiece* cut, const Zone& old, std::size_t old_element,
-                                                const std::array<Vec2, 4>& corners) const {
-    std::vector<IntegrationPoint> points = old.operators_[old_element].points;
-    const int old_piece = old.piece_[old_element];
+std::optional<std::vector<IntegrationPoint>> Zone::points_kept(std::size_t element, const CrackPiece* cut,
+                                                               const Zone& old) const {
+    const auto found = old.element_of_id_.find(mesh_.element_ids[element]);
+    if (found == old.element_of_id_.end()) return std::nullopt;
+    std::vector<IntegrationPoint> points = old.operators_[found->second].points;
+    const int old_piece = old.piece_[found->second];
     if (cut == nullptr ||
         (old_piece >= 0 && old.mesh_.pieces[static_cast<std::size_t>(old_piece)].points == cut->points))
         return points;
+    const std::array<Vec2, 4> corners = ElementBasis(mesh_, static_cast<int>(element), true).corners();
     const CutElement sides = cut_element(corners, *cut);
     if (sides.tips.empty())
         fit_weights(sides, corners, points);

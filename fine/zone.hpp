@@ -1,8 +1,10 @@
 // The bulk of the fine zone: sub-quadrangle points with their history, internal forces and element tangents.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "common/fem/element_operator.hpp"
 #include "common/material/elasticity.hpp"
 #include "coupling/messages.hpp"
+#include "coupling/zone_snapshot.hpp"
 #include "fine/elastic_bound.hpp"
 #include "fine/material/material_law.hpp"
 
@@ -22,6 +25,10 @@ public:
     /// `displacement`: committed, of all unknowns.
     Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
          const IntegrationRule& rule, const Zone* old, const Eigen::VectorXd& displacement);
+
+    /// As a snapshot has it, which holds all elements of the mesh.
+    Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+         const IntegrationRule& rule, const coupling::ZoneSnapshot& snapshot);
 
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
     void evaluate(const Eigen::VectorXd& u);
@@ -56,6 +63,8 @@ public:
     /// thickness; of the trial state.
     [[nodiscard]] double force_ahead(const Tip& tip, double radius) const;
     void describe(coupling::ZoneState& out) const;
+    /// All that is committed, but for the displacements.
+    void remember(coupling::ZoneSnapshot& out) const;
 
     /// So far, summed over evaluations.
     struct Counts {
@@ -65,10 +74,14 @@ public:
     [[nodiscard]] const Counts& counts() const { return counts_; }
 
 private:
-    void make_operators(const IntegrationRule& rule, const Zone* old);
-    [[nodiscard]] std::vector<IntegrationPoint> points_kept(const CrackPiece* cut, const Zone& old,
-                                                            std::size_t old_element,
-                                                            const std::array<Vec2, 4>& corners) const;
+    /// Points that an element has already; none: they are placed anew.
+    using KnownPoints =
+        std::function<std::optional<std::vector<IntegrationPoint>>(std::size_t element, const CrackPiece* cut)>;
+    Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+         const IntegrationRule& rule, const Eigen::VectorXd& displacement, const KnownPoints& known);
+    void make_operators(const IntegrationRule& rule, const KnownPoints& known);
+    [[nodiscard]] std::optional<std::vector<IntegrationPoint>> points_kept(std::size_t element, const CrackPiece* cut,
+                                                                           const Zone& old) const;
     void start(const Zone* old);
     void take_state(const Zone& old, std::size_t old_element, std::size_t element);
     [[nodiscard]] Eigen::Matrix2d total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const;

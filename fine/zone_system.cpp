@@ -17,16 +17,29 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     if (old) freeze_tips_left_by(patch.mesh);
-    const IntegrationRule rule{.subcells = input_.fine.subcells,
-                               .gauss = 2,
-                               .tip_points = 4,
-                               .mean_dilatation = mean_dilatation(input_.material, elastic_)};
+    make_contact(patch);
+    carry_unknowns(patch, old_contact.get());
+    zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), old.get(), committed_.displacement);
+    begin_with(patch);
+}
+
+std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {
+    return make_material_law(input_.material, input_.model.plane, input_.fine.substeps);
+}
+
+IntegrationRule ZoneSystem::rule() const {
+    return {.subcells = input_.fine.subcells,
+            .gauss = 2,
+            .tip_points = 4,
+            .mean_dilatation = mean_dilatation(input_.material, elastic_)};
+}
+
+void ZoneSystem::make_contact(const coupling::Patch& patch) {
     contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
                                                   elastic_.plane_modulus(), frozen_);
-    carry_unknowns(patch, old_contact.get());
-    zone_ =
-        std::make_unique<Zone>(patch.mesh, make_material_law(input_.material, input_.model.plane, input_.fine.substeps),
-                               elastic_, rule, old.get(), committed_.displacement);
+}
+
+void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = committed_;
     find_tip_stations();
@@ -58,7 +71,7 @@ void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInter
         for (int k = 0; k < contact_->multipliers(); ++k) {
             const auto same = [&](const ContactInterface::Key& key) {
                 const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
-                return key.crack == own.crack && (key.x - own.x).norm() < 1e-9 * (1.0 + own.x.norm());
+                return key.is_at(own.crack, own.x);
             };
             const auto found = std::ranges::find_if(old_contact->keys(), same);
             if (found == old_contact->keys().end()) continue;
@@ -135,6 +148,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     increments_.push({trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure});
     committed_ = trial_;
     zone_->commit(reversal);
+    contact_->commit();
     coupling::StepReport report;
     report_tips(report);
     report_rings(report);

@@ -12,6 +12,10 @@ namespace stria::fine {
 
 class ZoneSystem {
 public:
+    struct Unknowns {
+        Eigen::VectorXd displacement, pressure;
+    };
+
     explicit ZoneSystem(const Case& input);
 
     /// A new zone; elements and multipliers that the old one had keep their history.
@@ -47,13 +51,21 @@ public:
     coupling::StepReport commit(bool reversal);
     [[nodiscard]] coupling::ZoneState state() const;
 
+    /// As coupling::FineScale has it; roots of trees are the affair of who has a tree.
+    [[nodiscard]] coupling::ZoneSnapshot snapshot() const;
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot);
+
+    /// The last ones, for predictors; the last of all first.
+    [[nodiscard]] const std::deque<Unknowns>& increments() const { return increments_.all(); }
+
     [[nodiscard]] double constitutive_seconds() const { return constitutive_s_; }
     [[nodiscard]] double contact_seconds() const { return contact_s_; }
 
 private:
-    struct Unknowns {
-        Eigen::VectorXd displacement, pressure;
-    };
+    [[nodiscard]] std::unique_ptr<MaterialLaw> make_law() const;
+    [[nodiscard]] IntegrationRule rule() const;
+    void make_contact(const coupling::Patch& patch);
+    void begin_with(const coupling::Patch& patch);
     void find_tip_stations();
     void freeze_tips_left_by(const EnrichedMesh& next);
     void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);

@@ -38,11 +38,10 @@ std::string kept_part(const std::filesystem::path& path, const std::string& head
     std::string kept, line;
     for (std::size_t lines = 0; lines <= rows; ++lines) {
         if (!std::getline(file, line) || file.eof()) {
-            throw std::runtime_error(
-                fmt::format("{}: cannot continue after {} rows, it has fewer", path.string(), rows));
+            throw CaseError(fmt::format("{}: cannot continue after {} rows, it has fewer", path.string(), rows));
         }
         kept += line + '\n';
-        if (lines == 0 && kept != header) throw std::runtime_error(path.string() + ": cannot continue, other columns");
+        if (lines == 0 && kept != header) throw CaseError(path.string() + ": cannot continue, other columns");
     }
     return kept;
 }

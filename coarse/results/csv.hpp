@@ -20,14 +20,16 @@ public:
     /// Starts a table with its header; an earlier file is replaced.
     CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns);
 
-    /// Continues a table after its first `rows` rows and drops those behind (--resume). Throws std::runtime_error if
-    /// the file has another header or fewer rows.
+    /// Continues a table after its first `rows` rows and drops those behind (--resume). Throws CaseError if the
+    /// file has another header or fewer rows.
     CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns, std::size_t rows);
 
     void row(std::span<const Cell> cells);
 
     /// Rows so far: what a checkpoint remembers.
     [[nodiscard]] std::size_t rows() const { return rows_; }
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
 private:
     void write_line(const std::string& line);

@@ -4,16 +4,46 @@
 #include <cmath>
 
 #include "coarse/results/zone_fields.hpp"
+#include "common/io/whole_file.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
 
+namespace {
+
+/// After its first `rows` rows, or anew.
+CsvWriter table(const std::filesystem::path& path, const std::vector<std::string>& columns, bool go_on,
+                std::uint64_t rows) {
+    return go_on ? CsvWriter(path, columns, rows) : CsvWriter(path, columns);
+}
+
+}  // namespace
+
 RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
-                         std::function<coupling::ZoneState()> zone_state)
+                         std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
     : scene_(scene), zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
-      history_(directory / "history.csv", history_columns()), cycles_(directory / "cycles.csv", cycle_columns()),
-      faces_(directory / "faces.csv", face_columns()), fields_(directory, field_format(scene.input.output.format)) {
-    if (!scene.input.closure.profile.empty()) closure_.emplace(directory / "closure.csv", closure_columns());
+      history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
+      cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
+      faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),
+      fields_(directory, field_format(scene.input.output.format),
+              from ? from->fields : std::vector<FieldWriter::Step>()) {
+    if (!scene.input.closure.profile.empty())
+        closure_.emplace(table(directory / "closure.csv", closure_columns(), from, from ? from->closure_rows : 0));
+    if (from == nullptr) return;
+    cycle_iterations_ = from->cycle_iterations;
+    cycle_start_s_ = -from->cycle_s;
+}
+
+RecorderState RunRecorder::state() const {
+    for (const CsvWriter* writer : {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr})
+        if (writer != nullptr) sync_file(writer->path());
+    return {.history_rows = history_.rows(),
+            .cycle_rows = cycles_.rows(),
+            .face_rows = faces_.rows(),
+            .closure_rows = closure_ ? closure_->rows() : 0,
+            .fields = fields_.steps(),
+            .cycle_iterations = cycle_iterations_,
+            .cycle_s = seconds() - cycle_start_s_};
 }
 
 void RunRecorder::record(const Increment& increment, const Structure& structure, const ClosureMeter& closure) {

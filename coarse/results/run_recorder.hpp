@@ -14,10 +14,23 @@
 
 namespace stria::coarse {
 
+/// All that a recorder remembers between two increments.
+struct RecorderState {
+    std::uint64_t history_rows = 0, cycle_rows = 0, face_rows = 0, closure_rows = 0;
+    std::vector<FieldWriter::Step> fields;
+    int cycle_iterations = 0;
+    double cycle_s = 0.0;  // that the cycle has taken so far
+};
+
 class RunRecorder {
 public:
-    /// `zone_state`: asks the zone for its full state where fields are due.
-    RunRecorder(const Scene& scene, std::filesystem::path directory, std::function<coupling::ZoneState()> zone_state);
+    /// `zone_state`: asks the zone for its full state where fields are due. `from`: what to go on from; rows written
+    /// later are cut off. Null: tables begin anew.
+    RunRecorder(const Scene& scene, std::filesystem::path directory, std::function<coupling::ZoneState()> zone_state,
+                const RecorderState* from = nullptr);
+
+    /// With what it says on the disk: a checkpoint must not know of rows that a power cut could take.
+    [[nodiscard]] RecorderState state() const;
 
     void record(const Increment& increment, const Structure& structure, const ClosureMeter& closure);
 

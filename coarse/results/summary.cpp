@@ -46,6 +46,7 @@ Json to_json(const Timing& timing) {
                         {"exchange", timing.exchange},
                         {"coarse_solve", timing.coarse_solve},
                         {"output", timing.output},
+                        {"checkpoint", timing.checkpoint},
                         {"total", timing.total}};
 }
 

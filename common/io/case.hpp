@@ -175,6 +175,7 @@ struct OutputSection {
     Written faces = Written::Extremes;
     Written fields = Written::Extremes;
     std::string format = "vtkhdf";  // vtkhdf | vtu
+    int checkpoint_every = 10;      // cycles; 0: only at the end, and where a run is interrupted
     bool operator==(const OutputSection&) const = default;
 };
 

@@ -320,6 +320,10 @@ Section<OutputSection> output_section() {
         .says("Increments in faces.csv: max, zero and min of the last cycle, those of every cycle, all or none.");
     s.choice<Written>("fields", &OutputSection::fields, when).says("Increments with field files, likewise.");
     s.value("format", &OutputSection::format).one_of({"vtkhdf", "vtu"}).says("Format of the field files.");
+    s.value("checkpoint_every", &OutputSection::checkpoint_every)
+        .in("cycles")
+        .at_least(0)
+        .says("A checkpoint after so many cycles, for --resume; 0: only at the end and where a run is interrupted.");
     return s;
 }
 

@@ -63,6 +63,12 @@ struct Group::Handle {
         check(H5Tset_strpad(type.id, H5T_STR_NULLPAD), "describe", name);
         return {H5Tcopy(type.id), H5Tclose, "describe", name};
     }
+    /// Without the time of day: the same values make the same file.
+    static Handle timeless(const std::string& name) {
+        Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "describe", name);
+        check(H5Pset_obj_track_times(properties.id, false), "describe", name);
+        return {H5Pcopy(properties.id), H5Pclose, "describe", name};
+    }
     static Handle dataset(const Handle& group, const std::string& name) {
         return {H5Dopen2(group.id, name.c_str(), H5P_DEFAULT), H5Dclose, "open dataset", name};
     }
@@ -91,8 +97,9 @@ void Group::write(const std::string& name, std::span<const T> values, const std:
     const std::size_t size = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
     if (!shape.empty() && size != values.size()) fail("shape", name);
     const Handle space = shape.empty() ? Handle::vector_space(values.size(), name) : Handle::space(shape, name);
+    const Handle properties = Handle::timeless(name);
     const Handle dataset(
-        H5Dcreate2(handle_->id, name.c_str(), memory_type<T>(), space.id, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dcreate2(handle_->id, name.c_str(), memory_type<T>(), space.id, H5P_DEFAULT, properties.id, H5P_DEFAULT),
         H5Dclose, "create dataset", name);
     if (values.empty()) return;
     check(H5Dwrite(dataset.id, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "write dataset", name);

@@ -53,7 +53,6 @@ const std::vector<NotYet>& not_in_this_version() {
         named_material("material.*", one_material),
         key("regions", one_material),
         above("crack.contact.friction", 0.0, "contact is frictionless, friction = 0"),
-        key("output.checkpoint_every", "no checkpoints are written"),
     };
     return list;
 }

@@ -14,8 +14,10 @@ namespace {
     throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
 }
 
-/// Only what is on the disk before the rename survives a power cut after it.
-void sync(const std::filesystem::path& path) {
+}  // namespace
+
+// Only what is on the disk before the rename survives a power cut after it.
+void sync_file(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) fail(path, errno);
     const int result = ::fsync(descriptor);
@@ -24,21 +26,19 @@ void sync(const std::filesystem::path& path) {
     if (result != 0 && error != EINVAL) fail(path, error);  // EINVAL: a file system without sync
 }
 
-}  // namespace
-
 void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write) {
     std::filesystem::path temporary = path;
     temporary += ".part";
     try {
         write(temporary);
-        sync(temporary);
+        sync_file(temporary);
         std::filesystem::rename(temporary, path);
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         throw;
     }
-    sync(path.has_parent_path() ? path.parent_path() : ".");
+    sync_file(path.has_parent_path() ? path.parent_path() : ".");
 }
 
 void write_whole_text(const std::filesystem::path& path, std::string_view text) {

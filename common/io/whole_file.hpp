@@ -11,6 +11,9 @@ namespace stria {
 /// or the disk refuses (std::system_error), an earlier file at `path` stays as it was.
 void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
+/// Waits until the disk holds what a file has. Throws std::system_error.
+void sync_file(const std::filesystem::path& path);
+
 void write_whole_text(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace stria

@@ -33,6 +33,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
     B_ = Eigen::MatrixXd::Zero(count, std::ssize(jump_unknowns_));
     weight_ = augmentation_ = fixed_gap_ = Eigen::VectorXd::Zero(count);
     status_.assign(static_cast<std::size_t>(count), 0);
+    committed_status_ = status_;
     assemble(mesh, stiffness);
 }
 
@@ -107,6 +108,7 @@ void ContactInterface::add_force(const Eigen::VectorXd& pressure, Eigen::VectorX
 }
 
 void ContactInterface::begin_increment() {
+    status_ = committed_status_;
     visited_.clear();
     one_at_a_time_ = false;
 }

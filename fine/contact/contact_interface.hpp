@@ -44,9 +44,13 @@ public:
     /// Chooses the statuses for the next Newton step from pressures and gaps. Where a set of statuses comes back within
     /// one increment, only the worst multiplier is flipped from then on (NUMERICS 1.7).
     void choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
+    /// From what was committed.
     void begin_increment();
+    void commit() { committed_status_ = status_; }
 
     [[nodiscard]] const std::vector<std::int8_t>& statuses() const { return status_; }
+    [[nodiscard]] const std::vector<std::int8_t>& committed_statuses() const { return committed_status_; }
+    void restore(std::vector<std::int8_t> statuses) { status_ = committed_status_ = std::move(statuses); }
     [[nodiscard]] int status_changes() const { return changes_; }
 
     /// Largest complementarity residual as a force per thickness, N/mm.
@@ -74,6 +78,9 @@ public:
         int crack;
         double s;
         Vec2 x;
+        [[nodiscard]] bool is_at(int other_crack, const Vec2& place) const {
+            return crack == other_crack && (x - place).norm() < 1e-9 * (1.0 + place.norm());
+        }
     };
     [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
 
@@ -94,7 +101,7 @@ private:
     std::vector<int> jump_unknowns_;
     Eigen::MatrixXd B_;
     Eigen::VectorXd weight_, augmentation_, fixed_gap_;
-    std::vector<std::int8_t> status_;
+    std::vector<std::int8_t> status_, committed_status_;
     std::set<std::vector<std::int8_t>> visited_;
     bool one_at_a_time_ = false;
     int changes_ = 0;

@@ -30,6 +30,11 @@ public:
     }
     void rollback() override { model_.rollback(); }
     coupling::ZoneState state() override { return model_.state(); }
+    coupling::ZoneSnapshot snapshot() override { return model_.snapshot(); }
+    void restore(const coupling::Patch& given, const coupling::ZoneSnapshot& snapshot) override {
+        patch = given;
+        model_.restore(given, snapshot);
+    }
 
     coupling::Patch patch;
     std::vector<std::vector<std::int8_t>> statuses;  // per increment and multiplier

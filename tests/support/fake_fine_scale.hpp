@@ -71,6 +71,18 @@ public:
         return state;
     }
 
+    coupling::ZoneSnapshot snapshot() override {
+        fail_if_told();
+        coupling::ZoneSnapshot snapshot;
+        snapshot.displacement = committed_;
+        return snapshot;
+    }
+
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override {
+        set_patch(patch);
+        committed_ = trial_ = snapshot.displacement;
+    }
+
 private:
     void connect(Eigen::Index i, Eigen::Index j) {
         const double spring = 0.7 * stiffness_ / static_cast<double>(j);

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] double load_factor() const override { return load_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
     [[nodiscard]] Eigen::VectorXd reactions() const override { return {}; }
+    [[nodiscard]] EquilibriumState state() const override { return {}; }
+    void restore(const EquilibriumState&) override {}
 
 private:
     double load_ = 0.0, residual_ = 0.0, correction_ = 0.0;

@@ -111,6 +111,31 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.rings.at(0).outer_radius, 2.5);
 }
 
+TEST(Wire, Restore) {
+    ZoneSnapshot snapshot;
+    snapshot.ranks = 3;
+    snapshot.element = {5};
+    snapshot.rank = {2};
+    snapshot.points = {1};
+    snapshot.columns = 2;
+    snapshot.history = {0.1, -0.0};
+    snapshot.half_cycle_ended = true;
+    snapshot.displacement = Eigen::Vector2d(1e-300, 2.0);
+    snapshot.increments = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)};
+    snapshot.multipliers = {{.crack = 1, .place = {0.5, 0.25}, .at_root = true, .increments = {0.1, 0.2}}};
+    snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
+    const Restore copy = there_and_back(Restore{small_patch(), snapshot});
+    EXPECT_EQ(copy.snapshot.rank, snapshot.rank);
+    EXPECT_TRUE(std::signbit(copy.snapshot.history.at(1)));
+    EXPECT_TRUE(copy.snapshot.half_cycle_ended);
+    EXPECT_EQ(copy.snapshot.increments, snapshot.increments);
+    EXPECT_EQ(copy.snapshot.multipliers.at(0).place, Vec2(0.5, 0.25));
+    EXPECT_TRUE(copy.snapshot.multipliers[0].at_root);
+    EXPECT_FALSE(copy.snapshot.multipliers[0].closed);
+    EXPECT_EQ(copy.snapshot.multipliers[0].increments, snapshot.multipliers[0].increments);
+    EXPECT_EQ(copy.snapshot.frozen_tips.at(0).mesh.nodes, small_mesh().nodes);
+}
+
 TEST(Wire, Displacement) {
     const PatchDisplacement message{
         .iteration = 4, .predictor = 0.3, .load_factor = -0.7, .boundary = Eigen::Vector2d(0.1, -0.0)};

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/coarse_run.hpp"
+#include "coarse/handbook_comparison.hpp"
+#include "coarse/zone_selection.hpp"
+#include "common/io/case_file.hpp"
+
+namespace stria {
+namespace {
+
+/// The elastic structure for the load factor 1, all faces traction-free.
+struct Nominal {
+    coarse::Structure structure;
+    Eigen::VectorXd u;
+    std::vector<coarse::TipResult> tips;
+
+    explicit Nominal(const coarse::Scene& scene)
+        : structure(scene, std::vector<char>(scene.mesh.elements.size(), 0)), u(structure.expand({}, 1.0)),
+          tips(coarse::fracture_parameters(structure, u, {})) {}
+};
+
+void print_handbook(const Nominal& nominal) {
+    for (const coarse::HandbookLine& line : coarse::compare_with_handbook(nominal.structure, nominal.u, nominal.tips)) {
+        fmt::print("# {}: handbook {:.6g}", line.quantity + (line.unit.empty() ? "" : ", " + line.unit), line.handbook);
+        if (std::isfinite(line.own))
+            fmt::print(", this mesh {:.6g} ({:+.2f} %)", line.own, 100.0 * (line.own / line.handbook - 1.0));
+        fmt::print("\n");
+    }
+}
+
+void print_zone_estimate(const coarse::Scene& scene, const Nominal& nominal) {
+    const double largest = coarse::largest_load_factor(scene.input.load, nominal.structure, nominal.tips);
+    std::vector<double> K_I;
+    for (const coarse::TipResult& tip : nominal.tips) {
+        K_I.push_back(tip.K_I * largest);
+        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
+                   K_I.size(), K_I.back(), largest);
+        if (scene.input.material.yield_stress) {
+            fmt::print(
+                "#   radius of the zone, eq. (3): {:.4g} mm\n",
+                coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
+        }
+    }
+    const std::vector<char> in_zone = coarse::select_zone(scene, K_I);
+    const auto elements = std::ranges::count(in_zone, static_cast<char>(1));
+    fmt::print("# zone: {} elements, about {} points\n", elements,
+               elements * 4 * scene.input.fine.subcells * scene.input.fine.subcells);
+}
+
+}  // namespace
+
+int check(const RunOptions& options) {
+    const Case input = read_case(options.case_path, options.overrides);
+    const coarse::Scene scene = scene_of(options, input);
+    fmt::print("{}\n", resolved_toml(input));
+    fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
+               scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
+    const Nominal nominal(scene);
+    print_handbook(nominal);
+    if (!needs_fine(input)) {
+        fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
+        return 0;
+    }
+    print_zone_estimate(scene, nominal);
+    return 0;
+}
+
+}  // namespace stria

@@ -1,0 +1,171 @@
+// What a checkpoint holds, member by member (common/io/archive.hpp). The structured bindings do not compile where one
+// is missing.
+#pragma once
+
+#include <type_traits>
+
+#include "coarse/results/checkpoint.hpp"
+#include "coupling/zone_snapshot_members.hpp"
+
+namespace stria {
+
+template <class M, class T>
+concept Is = std::is_same_v<std::remove_const_t<M>, T>;
+
+void members(auto& archive, Is<LoadBlock> auto& m) {
+    auto& [cycles, max, min] = m;
+    archive("cycles", cycles);
+    archive("max", max);
+    archive("min", min);
+}
+
+}  // namespace stria
+
+namespace stria::coarse {
+
+void members(auto& archive, Is<FieldWriter::Step> auto& m) {
+    auto& [increment, time] = m;
+    archive("increment", increment);
+    archive("time", time);
+}
+
+void members(auto& archive, Is<RecorderState> auto& m) {
+    auto& [history_rows, cycle_rows, face_rows, closure_rows, fields, cycle_iterations, cycle_s] = m;
+    archive("history_rows", history_rows);
+    archive("cycle_rows", cycle_rows);
+    archive("face_rows", face_rows);
+    archive("closure_rows", closure_rows);
+    archive("fields", fields);
+    archive("cycle_iterations", cycle_iterations);
+    archive("cycle_s", cycle_s);
+}
+
+void members(auto& archive, Is<OpeningLoads> auto& m) {
+    auto& [K_op, K_cl] = m;
+    archive("K_op", K_op);
+    archive("K_cl", K_cl);
+}
+
+void members(auto& archive, Is<CycleResult> auto& m) {
+    auto& [a, da, K_max, K_min, J_max, CTOD_max, CTOD_min, forward, cyclic, forward_axis, cyclic_axis, contact, tension,
+           offset, opening, dN] = m;
+    archive("a", a);
+    archive("da", da);
+    archive("K_max", K_max);
+    archive("K_min", K_min);
+    archive("J_max", J_max);
+    archive("CTOD_max", CTOD_max);
+    archive("CTOD_min", CTOD_min);
+    archive("forward", forward);
+    archive("cyclic", cyclic);
+    archive("forward_axis", forward_axis);
+    archive("cyclic_axis", cyclic_axis);
+    archive("contact", contact);
+    archive("tension", tension);
+    archive("offset", offset);
+    archive("opening", opening);
+    archive("dN", dN);
+}
+
+void members(auto& archive, Is<CycleMemory::Path> auto& m) {
+    auto& [load, mouth] = m;
+    archive("load", load);
+    archive("mouth", mouth);
+}
+
+void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
+    auto& [cycle, changed, was_open, signal, down, up] = m;
+    archive("cycle", cycle);
+    archive("changed", changed);
+    archive("was_open", was_open);
+    archive("signal", signal);
+    archive("down", down);
+    archive("up", up);
+}
+
+void members(auto& archive, Is<CycleMemory::Station> auto& m) {
+    auto& [nominal_K, J, CTOD, CMOD, load_factor, forward, forward_axis] = m;
+    archive("nominal_K", nominal_K);
+    archive("J", J);
+    archive("CTOD", CTOD);
+    archive("CMOD", CMOD);
+    archive("load_factor", load_factor);
+    archive("forward", forward);
+    archive("forward_axis", forward_axis);
+}
+
+void members(auto& archive, Is<CycleMemory> auto& m) {
+    auto& [cycle, last_target, tips, last, length] = m;
+    archive("cycle", cycle);
+    archive("last_target", last_target);
+    archive("tips", tips);
+    archive("last", last);
+    archive("length", length);
+}
+
+void members(auto& archive, Is<LoadPosition::Taken> auto& m) {
+    auto& [cycle, from, to] = m;
+    archive("cycle", cycle);
+    archive("from", from);
+    archive("to", to);
+}
+
+void members(auto& archive, Is<LoadPosition> auto& m) {
+    auto& [leg, increments, leg_start, reached, fraction, consecutive_cuts, cuts, taken] = m;
+    archive("leg", leg);
+    archive("increments", increments);
+    archive("leg_start", leg_start);
+    archive("reached", reached);
+    archive("fraction", fraction);
+    archive("consecutive_cuts", consecutive_cuts);
+    archive("cuts", cuts);
+    archive("taken", taken);
+}
+
+void members(auto& archive, Is<EquilibriumState> auto& m) {
+    auto& [load_factor, displacement, increments, load_increments, whole, whole_increments] = m;
+    archive("load_factor", load_factor);
+    archive("displacement", displacement);
+    archive("increments", increments);
+    archive("load_increments", load_increments);
+    archive("whole", whole);
+    archive("whole_increments", whole_increments);
+}
+
+void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
+    auto& [x, y] = m;
+    archive("x", x);
+    archive("y", y);
+}
+
+void members(auto& archive, Is<AnalysisState> auto& m) {
+    auto& [cracks, in_zone, displacement, load_factor, closed, cycle, last_cycle, increment, newton_iterations,
+           extensions, warnings, flowing_rings, growth_ended, load, equilibrium, zone] = m;
+    archive("cracks", cracks);
+    archive("in_zone", in_zone);
+    archive("displacement", displacement);
+    archive("load_factor", load_factor);
+    archive("closed", closed);
+    archive("cycle", cycle);
+    archive("last_cycle", last_cycle);
+    archive("increment", increment);
+    archive("newton_iterations", newton_iterations);
+    archive("extensions", extensions);
+    archive("warnings", warnings);
+    archive("flowing_rings", flowing_rings);
+    archive("growth_ended", growth_ended);
+    archive("load", load);
+    archive("equilibrium", equilibrium);
+    archive("zone", zone);
+}
+
+void members(auto& archive, Is<CaseMark> auto& m) {
+    auto& [text, blocks, scale, repeat, mesh] = m;
+    archive("text", text);
+    archive("blocks", blocks);
+    archive("scale", scale);
+    archive("repeat", repeat);
+    archive("mesh", mesh);
+}
+
+}  // namespace stria::coarse

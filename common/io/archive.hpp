@@ -1,0 +1,132 @@
+// Values as groups of an HDF5 file, and back. A type names its members once, members(archive, value), beside its
+// definition; writing and reading walk through the same list.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "common/io/hdf5.hpp"
+
+namespace stria::hdf5 {
+
+namespace detail {
+
+template <class T> inline constexpr bool is_vector = false;
+template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
+
+/// What a scalar or an entry of a list is stored as.
+template <class T> struct Stored {
+    using Type = std::conditional_t<std::is_floating_point_v<T>, double,
+                                    std::conditional_t<sizeof(T) == 1, std::int8_t, std::int64_t>>;
+};
+template <Storable T> struct Stored<T> { using Type = T; };
+
+template <class T>
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+}  // namespace detail
+
+/// Scalars become attributes; lists of numbers, vectors and texts datasets; lists of vectors of one length datasets of
+/// two dimensions; everything else groups. Throws std::runtime_error as Group does.
+class Saver {
+public:
+    static constexpr bool saves = true;
+
+    explicit Saver(Group group) : group_(std::move(group)) {}
+
+    template <class T> void operator()(const std::string& name, const T& value) {
+        using detail::Stored;
+        if constexpr (detail::Plain<T>) {
+            using S = typename Stored<T>::Type;
+            group_.write_attribute<S>(name, std::array{static_cast<S>(value)});
+        } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+            group_.write<double>(name, std::span(value.data(), static_cast<std::size_t>(value.size())));
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            list(name, std::vector<char>(value.begin(), value.end()));
+        } else if constexpr (detail::is_vector<T>) {
+            list(name, value);
+        } else {
+            Saver inner(group_.create_group(name));
+            members(inner, value);
+        }
+    }
+
+private:
+    template <class T> void list(const std::string& name, const std::vector<T>& values) {
+        if constexpr (detail::Plain<T>) {
+            using S = typename detail::Stored<T>::Type;
+            std::vector<S> stored;
+            stored.reserve(values.size());
+            for (const T value : values) stored.push_back(static_cast<S>(value));
+            group_.write<S>(name, stored);
+        } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+            const std::size_t length = values.empty() ? 0 : static_cast<std::size_t>(values.front().size());
+            std::vector<double> stored;
+            stored.reserve(values.size() * length);
+            for (const T& value : values) stored.insert(stored.end(), value.begin(), value.end());
+            group_.write<double>(name, stored, {values.size(), length});
+        } else {
+            Saver inner(group_.create_group(name));
+            inner("count", values.size());
+            for (std::size_t k = 0; k < values.size(); ++k) inner(std::to_string(k), values[k]);
+        }
+    }
+
+    Group group_;
+};
+
+class Loader {
+public:
+    static constexpr bool saves = false;
+
+    explicit Loader(Group group) : group_(std::move(group)) {}
+
+    template <class T> void operator()(const std::string& name, T& value) {
+        if constexpr (detail::Plain<T>) {
+            value = static_cast<T>(group_.read_attribute<typename detail::Stored<T>::Type>(name).at(0));
+        } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+            const std::vector<double> stored = group_.read<double>(name);
+            value = Eigen::Map<const Eigen::VectorXd>(stored.data(), std::ssize(stored));
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            std::vector<char> letters;
+            list(name, letters);
+            value.assign(letters.begin(), letters.end());
+        } else if constexpr (detail::is_vector<T>) {
+            list(name, value);
+        } else {
+            Loader inner(group_.group(name));
+            members(inner, value);
+        }
+    }
+
+private:
+    template <class T> void list(const std::string& name, std::vector<T>& values) {
+        if constexpr (detail::Plain<T>) {
+            const auto stored = group_.read<typename detail::Stored<T>::Type>(name);
+            values.clear();
+            values.reserve(stored.size());
+            for (const auto value : stored) values.push_back(static_cast<T>(value));
+        } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
+            const std::vector<double> stored = group_.read<double>(name);
+            const std::vector<std::size_t> shape = group_.shape(name);
+            const auto length = static_cast<Eigen::Index>(shape.at(1));
+            values.clear();
+            for (std::size_t k = 0; k < shape[0]; ++k)
+                values.emplace_back(Eigen::Map<const Eigen::VectorXd>(stored.data() + k * shape[1], length));
+        } else {
+            Loader inner(group_.group(name));
+            std::size_t count = 0;
+            inner("count", count);
+            values.resize(count);
+            for (std::size_t k = 0; k < count; ++k) inner(std::to_string(k), values[k]);
+        }
+    }
+
+    Group group_;
+};
+
+}  // namespace stria::hdf5

@@ -1,0 +1,65 @@
+#include "coupling/zone_snapshot.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "common/fem/element_operator.hpp"
+
+namespace stria::coupling {
+namespace {
+
+void append(auto& whole, const auto& part) { whole.insert(whole.end(), part.begin(), part.end()); }
+
+}  // namespace
+
+std::vector<ElementHistory> histories_of_elements(const ZoneSnapshot& snapshot) {
+    std::vector<ElementHistory> histories;
+    std::size_t first = 0;
+    for (const std::int32_t points : snapshot.points) {
+        histories.push_back({first, static_cast<std::size_t>(points)});
+        first += static_cast<std::size_t>(points);
+    }
+    return histories;
+}
+
+ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const std::vector<int>& unknowns) {
+    ZoneSnapshot own;
+    own.ranks = whole.ranks;
+    own.columns = whole.columns;
+    own.half_cycle_ended = whole.half_cycle_ended;
+    std::map<int, std::size_t> place;
+    for (std::size_t e = 0; e < whole.element.size(); ++e) place[whole.element[e]] = e;
+    const std::vector<ElementHistory> histories = histories_of_elements(whole);
+    for (const int id : part.element_ids) {
+        const std::size_t e = place.at(id);
+        own.element.push_back(id);
+        own.rank.push_back(whole.rank[e]);
+        own.points.push_back(whole.points[e]);
+        const auto columns = static_cast<std::size_t>(whole.columns);
+        const auto begin = whole.history.begin() + static_cast<std::ptrdiff_t>(histories[e].first_row * columns);
+        own.history.insert(own.history.end(), begin, begin + static_cast<std::ptrdiff_t>(histories[e].rows * columns));
+    }
+    own.displacement = gather(whole.displacement, unknowns);
+    for (const Eigen::VectorXd& increment : whole.increments) own.increments.push_back(gather(increment, unknowns));
+    const auto here = [&](int crack) { return std::ranges::find(part.pieces, crack, &CrackPiece::crack); };
+    for (const MultiplierSnapshot& multiplier : whole.multipliers)
+        if (here(multiplier.crack) != part.pieces.end()) own.multipliers.push_back(multiplier);
+    for (const FrozenTip& tip : whole.frozen_tips)
+        if (here(tip.crack) != part.pieces.end()) own.frozen_tips.push_back(tip);
+    return own;
+}
+
+void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const std::vector<int>& unknowns) {
+    append(whole.element, part.element);
+    whole.rank.insert(whole.rank.end(), part.element.size(), rank);
+    append(whole.points, part.points);
+    whole.columns = part.columns;
+    append(whole.history, part.history);
+    whole.half_cycle_ended = part.half_cycle_ended;
+    whole.displacement(unknowns) = part.displacement;
+    for (std::size_t k = 0; k < part.increments.size(); ++k) whole.increments.at(k)(unknowns) = part.increments[k];
+    append(whole.multipliers, part.multipliers);
+    append(whole.frozen_tips, part.frozen_tips);
+}
+
+}  // namespace stria::coupling

@@ -1,0 +1,67 @@
+// All that the fine side remembers of the past, by element and by place: what a checkpoint holds of it. Any number of
+// ranks can give it and take it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "common/fem/enriched_mesh.hpp"
+
+namespace stria::coupling {
+
+/// Functions that a tip has left behind with their displacement.
+struct FrozenTip {
+    EnrichedMesh mesh;             // the elements that see them
+    Eigen::VectorXd displacement;  // of its unknowns, zero but for those of the functions, mm
+    std::int32_t crack = 0;
+};
+
+/// A contact multiplier, known by its place.
+struct MultiplierSnapshot {
+    std::int32_t crack = 0;
+    Vec2 place = Vec2::Zero();       // mm
+    double pressure = 0.0;           // MPa
+    bool closed = false;             // its status
+    bool at_root = false;            // its jumps are kept to the root of the tree
+    std::vector<double> increments;  // of the pressure, like those of the displacement
+};
+
+struct ZoneSnapshot {
+    std::int32_t ranks = 1;  // that gave it
+
+    // Per element.
+    std::vector<std::int32_t> element;  // id in the whole mesh
+    std::vector<std::int32_t> rank;     // whose it is
+    std::vector<std::int32_t> points;   // how many it has
+
+    // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has
+    // flowed in this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.
+    std::int32_t columns = 0;
+    std::vector<double> history;
+    bool half_cycle_ended = false;
+
+    // Of all unknowns of the patch's mesh, mm.
+    Eigen::VectorXd displacement;
+    std::vector<Eigen::VectorXd> increments;  // the last ones, for predictors; the last of all first
+
+    std::vector<MultiplierSnapshot> multipliers;  // crack by crack, along each
+    std::vector<FrozenTip> frozen_tips;
+};
+
+/// Where in `history` the points of an element are.
+struct ElementHistory {
+    std::size_t first_row = 0;
+    std::size_t rows = 0;
+};
+
+/// Of each element of a snapshot, in its order.
+std::vector<ElementHistory> histories_of_elements(const ZoneSnapshot& snapshot);
+
+/// What of it belongs to a part's mesh, elements in its order; `unknowns`: of the patch, of each unknown of the part.
+ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const std::vector<int>& unknowns);
+
+/// One more part, that of a rank; `unknowns` as above. `whole` has its displacement vectors already.
+void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const std::vector<int>& unknowns);
+
+}  // namespace stria::coupling

@@ -1,0 +1,236 @@
+// An analysis that is stopped between two increments, written to a file and taken up again by other objects: the same
+// bits as if it had not been; the same numbers by another number of ranks and in one matrix.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "app/fine_side.hpp"
+#include "app/monolithic.hpp"
+#include "coarse/results/checkpoint.hpp"
+#include "coupling/wire.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+struct Scenery {
+    const char* name;
+    std::vector<std::string> settings;
+    int stop;  // increment after which the analysis is stopped
+    void (*change)(Case&) = [](Case&) {};
+
+    friend std::ostream& operator<<(std::ostream& out, const Scenery& scenery) { return out << scenery.name; }
+};
+
+/// Flow and contact; stopped while the faces close.
+const Scenery still{"Still", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12"}, 13};
+
+/// Its second cycle, which is predicted from the first.
+const Scenery again{"Again",
+                    {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
+                     "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
+                    30};
+
+/// A zone that has been extended, and is once more where the load rises beyond what it was.
+const Scenery extended{"Extended",
+                       {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+                        "fine.radius=0.5", "load.blocks=[{cycles=1, max=40, ratio=-1}, {cycles=1, max=60, ratio=0}]"},
+                       14};
+
+/// A crack that has grown through elements and grows again.
+const Scenery growing{"Growing",
+                      {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+                       "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
+                      27};
+
+/// The same in fewer and larger elements and increments: one matrix takes its time.
+const Scenery small{"Small",
+                    {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
+                     "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.4"},
+                    13};
+
+/// Half way of an increment that was halved.
+const Scenery halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
+
+/// Where the load factor is found.
+const Scenery displaced{"Displaced",
+                        {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=8", "solver.tolerance=1e-12",
+                         "load.control=displacement", "load.blocks=[{cycles=2, max=0.06, ratio=-1.0}]"},
+                        14};
+
+/// No zone at all.
+const Scenery elastic{"Elastic",
+                      {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4",
+                       "load.blocks=[{cycles=3, max=50.0, ratio=0.0}]", "growth.increment=0.4"},
+                      9,
+                      [](Case& input) {
+                          input.material.yield_stress.reset();
+                          input.material.kinematic.clear();
+                          input.cracks[0].contact.reset();
+                      }};
+
+/// A part of an analysis; where it was stopped, what it left.
+struct Part {
+    std::vector<coarse::Increment> increments;
+    std::optional<coarse::AnalysisState> left;
+};
+
+Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coarse::AnalysisState* from = nullptr,
+              int stop = std::numeric_limits<int>::max()) {
+    use_one_thread();
+    const coarse::Scene scene = coarse::make_scene(input);
+    Part part;
+    coarse::Listener listener;
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
+        part.increments.push_back(increment);
+    };
+    listener.reached = [&](const coarse::LoadStep&) { return part.increments.back().number < stop; };
+    coarse::FatigueAnalysis analysis(scene, factory, listener, from);
+    analysis.run();
+    if (!analysis.finished()) part.left = analysis.state();
+    return part;
+}
+
+/// By one fine rank or several in this process, or in one matrix (0).
+Part run_by(int ranks, const Case& input, const coarse::AnalysisState* from = nullptr,
+            int stop = std::numeric_limits<int>::max()) {
+    if (ranks == 0) {
+        MonolithicFactory factory(input);
+        return run_part(input, factory, from, stop);
+    }
+    FineSide fine(input, ranks);
+    coarse::CondensedFactory factory(&fine.scale());
+    return run_part(input, factory, from, stop);
+}
+
+coarse::AnalysisState through_a_file(const Case& input, const coarse::AnalysisState& state) {
+    const TemporaryFolder folder;
+    coarse::write_checkpoint(folder / "checkpoint.h5",
+                             {coarse::mark_of(coarse::make_scene(input)), state, coarse::RecorderState()});
+    return coarse::read_checkpoint(folder / "checkpoint.h5").analysis;
+}
+
+/// Without what only says how the work was done.
+std::vector<std::byte> bits_of(coupling::StepReport report) {
+    report.fronts_refactored = report.factors_reused = 0;
+    report.constitutive_s = report.contact_s = report.factor_s = 0.0;
+    return coupling::pack(report);
+}
+
+class Resume : public testing::TestWithParam<Scenery> {
+protected:
+    [[nodiscard]] static Case input() {
+        Case input = sent_case(GetParam().settings);
+        GetParam().change(input);
+        return input;
+    }
+
+    static const Part& whole(int ranks) {
+        auto& known = wholes_[{GetParam().name, ranks}];
+        if (!known) known = run_by(ranks, input());
+        return *known;
+    }
+    static const coarse::AnalysisState& left(int ranks) {
+        auto& known = lefts_[{GetParam().name, ranks}];
+        if (!known) known = through_a_file(input(), run_by(ranks, input(), nullptr, GetParam().stop).left.value());
+        return *known;
+    }
+
+    static void expect_same_bits(int ranks) {
+        const Part &one = whole(ranks), rest = run_by(ranks, input(), &left(ranks));
+        const std::size_t before = one.increments.size() - rest.increments.size();
+        ASSERT_EQ(rest.increments.front().number, one.increments.at(before).number);
+        for (std::size_t k = 0; k < rest.increments.size(); ++k) {
+            const coarse::Increment &a = one.increments[before + k], &b = rest.increments[k];
+            EXPECT_EQ(b.newton.table(), a.newton.table()) << "increment " << a.number;
+            EXPECT_EQ(b.displacement, a.displacement) << "increment " << a.number;
+            EXPECT_EQ(b.reactions, a.reactions);
+            EXPECT_EQ(bits_of(b.zone), bits_of(a.zone)) << "increment " << a.number;
+            EXPECT_EQ(b.closed, a.closed);
+        }
+    }
+
+    static void expect_same_to_rounding(int before, int after) {
+        const Part &one = whole(before), rest = run_by(after, input(), &left(before));
+        const std::size_t first = one.increments.size() - rest.increments.size();
+        double largest = 0.0;
+        for (std::size_t k = 0; k < rest.increments.size(); ++k) {
+            const coarse::Increment &a = one.increments.at(first + k), &b = rest.increments[k];
+            ASSERT_EQ(b.number, a.number);
+            const double difference =
+                (b.displacement - a.displacement).lpNorm<Eigen::Infinity>() / a.displacement.lpNorm<Eigen::Infinity>();
+            largest = std::max(largest, difference);
+            EXPECT_LT(difference, 1e-9) << "increment " << a.number;
+            EXPECT_NEAR(b.tips[0].CTOD, a.tips[0].CTOD, 1e-9 * one.increments.back().tips[0].CTOD);
+            EXPECT_NEAR(b.zone.contact_length[0], a.zone.contact_length[0], 1e-9 * 20.0);
+            EXPECT_NEAR(b.zone.dissipation, a.zone.dissipation, 1e-9 * one.increments.back().zone.dissipation);
+            EXPECT_EQ(b.zone.unknowns, a.zone.unknowns);
+        }
+        const auto name = [](int ranks) { return ranks > 0 ? fmt::format("{} fine", ranks) : "one matrix"; };
+        std::cout << fmt::format("{}, begun by {}, ended by {}: displacements differ by {:.1e}\n", GetParam().name,
+                                 name(before), name(after), largest);
+    }
+
+private:
+    using Key = std::pair<std::string, int>;
+    inline static std::map<Key, std::optional<Part>> wholes_;
+    inline static std::map<Key, std::optional<coarse::AnalysisState>> lefts_;
+};
+
+TEST_P(Resume, StopsWhereItMatters) {
+    const coarse::AnalysisState& state = left(1);
+    EXPECT_GE(state.increment, GetParam().stop);
+    EXPECT_LT(state.increment, whole(1).increments.back().number);
+    const std::string name = GetParam().name;
+    EXPECT_EQ(state.zone.points.empty(), name == "Elastic");
+    if (name == "Halved") {
+        EXPECT_EQ(state.load.cuts, 1);
+        EXPECT_EQ(state.load.reached, 25.0);
+    }
+    if (name == "Still") {
+        EXPECT_TRUE(std::ranges::any_of(state.zone.multipliers, &coupling::MultiplierSnapshot::closed));
+    }
+    if (name == "Extended") {
+        EXPECT_GT(state.extensions, 0);
+        EXPECT_NE(whole(1).increments.back().zone.points, whole(1).increments.at(14).zone.points);
+    }
+    if (name == "Growing") {
+        EXPECT_FALSE(state.zone.frozen_tips.empty());
+    }
+}
+
+TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
+
+INSTANTIATE_TEST_SUITE_P(Scene, Resume,
+                         testing::Values(still, again, extended, growing, small, halved, displaced, elastic),
+                         testing::PrintToStringParamName());
+
+class ResumeInOneMatrix : public Resume {};
+
+TEST_P(ResumeInOneMatrix, ChangesNoBit) { expect_same_bits(0); }
+
+TEST_P(ResumeInOneMatrix, IsTheSameToRounding) { expect_same_to_rounding(1, 0); }
+
+TEST_P(ResumeInOneMatrix, OutOfItIsTheSameToRounding) { expect_same_to_rounding(0, 1); }
+
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeInOneMatrix, testing::Values(small), testing::PrintToStringParamName());
+
+class ResumeSharedZone : public Resume {};
+
+TEST_P(ResumeSharedZone, ChangesNoBitWithAsManyRanks) { expect_same_bits(2); }
+
+TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
+    expect_same_to_rounding(1, 2);
+    expect_same_to_rounding(2, 1);
+    expect_same_to_rounding(2, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended), testing::PrintToStringParamName());
+
+}  // namespace
+}  // namespace stria::test

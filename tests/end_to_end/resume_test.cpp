@@ -1,0 +1,210 @@
+// Runs whose components are killed, or which are asked to stop, and are resumed: the tables are those of the run that
+// nobody disturbed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/study/run_files.hpp"
+#include "common/io/number_table.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The crack grows at the maximum of three cycles; its faces close in each.
+const Words settings{mesh_at_tip(0.3),     "mesh.size=10.0",        "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
+                     "load.steps=20",      "growth.increment=0.25", "solver.tolerance=1e-12",
+                     "output.fields=none", "output.faces=cycles",   "output.checkpoint_every=1"};
+constexpr int whole_rows = 10 + 3 * 21;
+
+Words command(const std::string& output, const Words& more = {}, const Words& of_case = settings) {
+    Words words{"run", shipped_sent, "-o", output};
+    for (const std::string& setting : of_case) words.insert(words.end(), {"--set", setting});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+int rows_of(const std::string& table) {
+    const std::string text = text_of(table);
+    return static_cast<int>(std::ranges::count(text, '\n')) - 1;
+}
+
+/// Once history.csv has so many rows; false where the run has ended before.
+bool wait_for_rows(Program& run, const std::string& output, int rows) {
+    for (int k = 0; k < 20'000; ++k) {
+        if (rows_of(output + "/history.csv") >= rows) return true;
+        if (kill(run.pid(), 0) != 0) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+/// Of cycles.csv, without the column that holds times.
+std::string without_times(const std::string& table) {
+    std::istringstream lines(text_of(table));
+    std::string line, kept;
+    std::ptrdiff_t column = -1;
+    while (std::getline(lines, line)) {
+        Words cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+        if (column < 0) column = std::ranges::find(cells, "wall_s") - cells.begin();
+        cells.at(static_cast<std::size_t>(column)).clear();
+        for (const std::string& cell : cells) kept += cell + ',';
+        kept += '\n';
+    }
+    return kept;
+}
+
+void expect_same_tables(const std::string& run, const std::string& undisturbed) {
+    EXPECT_EQ(text_of(run + "/history.csv"), text_of(undisturbed + "/history.csv"));
+    EXPECT_EQ(text_of(run + "/faces.csv"), text_of(undisturbed + "/faces.csv"));
+    EXPECT_EQ(without_times(run + "/cycles.csv"), without_times(undisturbed + "/cycles.csv"));
+}
+
+void expect_tables_alike(const std::string& run, const std::string& undisturbed) {
+    const NumberTable a = read_table(undisturbed + "/history.csv"), b = read_table(run + "/history.csv");
+    ASSERT_EQ(b.rows, a.rows);
+    for (const char* column : {"load_factor", "load", "displacement", "a", "K_I", "J", "CMOD", "CTOD", "contact_length",
+                               "plastic_zone", "dissipation"}) {
+        double largest = 0.0;
+        for (const double value : a[column]) largest = std::max(largest, std::abs(value));
+        for (std::size_t k = 0; k < a.rows; ++k)
+            EXPECT_NEAR(b[column][k], a[column][k], 1e-9 * largest) << column << ", row " << k;
+    }
+}
+
+class Resumed : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_EQ(run_program("stria", command(undisturbed, {"--mode", "inprocess"}), folder / "log"), 0);
+        ASSERT_EQ(rows_of(undisturbed + "/history.csv"), whole_rows);
+    }
+
+    /// Starts or resumes, and kills a program (or all) once there are so many rows; the exit code of `stria`.
+    int run_and_kill(const std::string& program, int rows, const Words& more = {}) {
+        Program run("stria", command(output, more), folder / "log");
+        EXPECT_TRUE(wait_for_rows(run, output, rows)) << run.said();
+        for (const pid_t process : descendants(run.pid(), program)) kill(process, SIGKILL);
+        return run.wait(std::chrono::seconds(60));
+    }
+    int run_and_ask(int signal, int rows, const Words& more = {}) {
+        Program run("stria", command(output, more), folder / "log");
+        EXPECT_TRUE(wait_for_rows(run, output, rows)) << run.said();
+        kill(run.pid(), signal);
+        return run.wait(std::chrono::seconds(60));
+    }
+    int run_to_the_end(const Words& more) { return run_program("stria", command(output, more), folder / "log"); }
+
+    TemporaryFolder folder;
+    const std::string output = folder / "out", undisturbed = folder / "undisturbed";
+};
+
+// Before the first checkpoint, between two, and where the crack has grown.
+TEST_F(Resumed, AfterComponentsWereKilled) {
+    EXPECT_EQ(run_and_kill("stria-coarse", 5, {"--set", "output.checkpoint_every=0"}), 4);
+    EXPECT_FALSE(std::filesystem::exists(output + "/checkpoint.h5"));
+    EXPECT_EQ(run_and_kill("stria-fine", 40, {"--resume"}), 4);
+    EXPECT_NE(text_of(folder / "log").find("no checkpoint yet"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(output + "/checkpoint.h5"));
+    EXPECT_EQ(run_and_kill("stria-coarse", 58, {"--resume"}), 4);
+    EXPECT_NE(text_of(folder / "log").find("resumed from"), std::string::npos);
+    EXPECT_EQ(run_to_the_end({"--resume"}), 0) << text_of(folder / "log");
+    expect_same_tables(output, undisturbed);
+}
+
+TEST_F(Resumed, AfterItWasAskedToStop) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 14), 130);
+    EXPECT_EQ(study::read_json(output + "/summary.json").words["status"], "interrupted");
+    const int rows = rows_of(output + "/history.csv");
+    EXPECT_LT(rows, whole_rows);
+    EXPECT_EQ(run_and_ask(SIGINT, rows + 8, {"--resume", "--mode", "inprocess"}), 130);
+    EXPECT_NE(text_of(folder / "log").find("interrupted: the last checkpoint is"), std::string::npos);
+    EXPECT_EQ(run_to_the_end({"--resume"}), 0) << text_of(folder / "log");
+    EXPECT_EQ(study::read_json(output + "/summary.json").words["status"], "done");
+    expect_same_tables(output, undisturbed);
+    EXPECT_EQ(run_to_the_end({"--resume"}), 0);
+    EXPECT_NE(text_of(folder / "log").find("nothing is left to do"), std::string::npos);
+    EXPECT_EQ(study::read_json(output + "/summary.json").words["status"], "done");
+    expect_same_tables(output, undisturbed);
+}
+
+TEST_F(Resumed, InAnotherMode) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 55, {"--mode", "inprocess"}), 130);
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "monolithic"}), 0) << text_of(folder / "log");
+    expect_tables_alike(output, undisturbed);
+}
+
+TEST_F(Resumed, WithMoreCycles) {
+    Words fewer = settings;
+    fewer[2] = "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]";
+    fewer[7] = settings[7];
+    ASSERT_EQ(run_program("stria", command(output, {"--mode", "inprocess"}, fewer), folder / "log"), 0);
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 0) << text_of(folder / "log");
+    expect_same_tables(output, undisturbed);
+}
+
+TEST_F(Resumed, AfterTheNumbersFailed) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 33, {"--mode", "inprocess"}), 130);
+    const Words too_few{"--set", "solver.max_iterations=1", "--set", "solver.max_cuts=0", "--mode", "inprocess"};
+    Words failing{"--resume"};
+    failing.insert(failing.end(), too_few.begin(), too_few.end());
+    EXPECT_EQ(run_to_the_end(failing), 3);
+    EXPECT_NE(text_of(folder / "log").find("; the last checkpoint is " + output + "/checkpoint.h5, after increment"),
+              std::string::npos)
+        << text_of(folder / "log");
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 0);
+    expect_same_tables(output, undisturbed);
+    failing.front() = "--force";
+    EXPECT_EQ(run_to_the_end(failing), 3);
+    EXPECT_NE(text_of(folder / "log").find("no checkpoint has been written yet"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(output + "/checkpoint.h5"));
+}
+
+TEST_F(Resumed, IsRefusedWithAnotherCase) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 12, {"--mode", "inprocess"}), 130);
+    EXPECT_EQ(run_to_the_end({"--resume", "--set", "material.young=210e3"}), 2);
+    EXPECT_NE(text_of(folder / "log").find("[material] \"young = 210000"), std::string::npos)
+        << text_of(folder / "log");
+    EXPECT_EQ(run_to_the_end({"--resume", "--set", "load.blocks=[{cycles=3, max=51.0, ratio=-1.0}]"}), 2);
+    EXPECT_EQ(run_to_the_end({}), 2);
+    EXPECT_NE(text_of(folder / "log").find("--resume goes on"), std::string::npos);
+    std::filesystem::resize_file(output + "/checkpoint.h5", std::filesystem::file_size(output + "/checkpoint.h5") / 2);
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 2);
+    EXPECT_NE(text_of(folder / "log").find("cannot go on from this checkpoint"), std::string::npos);
+}
+
+// With faces that close and two fine ranks.
+TEST(ResumedSharedZone, AfterAFineRankWasKilled) {
+    const TemporaryFolder folder;
+    const Words scene{mesh_at_tip(0.4),
+                      "mesh.size=12.5",
+                      "load.steps=16",
+                      "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
+                      "solver.tolerance=1e-12",
+                      "output.fields=none",
+                      "output.checkpoint_every=1"};
+    const std::string whole = folder / "whole", output = folder / "out";
+    ASSERT_EQ(run_program("stria", command(whole, {"--mode", "inprocess", "--fine", "2"}, scene), folder / "log"), 0);
+    {
+        Program run("stria", command(output, {"--fine", "2"}, scene), folder / "log");
+        ASSERT_TRUE(wait_for_rows(run, output, 30)) << run.said();
+        const std::vector<pid_t> fine = descendants(run.pid(), "stria-fine");
+        ASSERT_EQ(fine.size(), 2U);
+        kill(fine.back(), SIGKILL);
+        EXPECT_EQ(run.wait(std::chrono::seconds(60)), 4);
+    }
+    std::filesystem::copy(output, folder / "one", std::filesystem::copy_options::recursive);
+    ASSERT_EQ(run_program("stria", command(output, {"--resume", "--fine", "2"}, scene), folder / "log"), 0);
+    expect_same_tables(output, whole);
+    ASSERT_EQ(run_program("stria", command(folder / "one", {"--resume", "--mode", "inprocess"}, scene), folder / "log"),
+              0);
+    expect_tables_alike(folder / "one", whole);
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,145 @@
+// checkpoint.h5: what is written comes back, what is damaged or of another case is refused with a sentence.
+#include "coarse/results/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "common/error.hpp"
+#include "coupling/wire.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::coarse {
+namespace {
+
+using test::TemporaryFolder;
+
+Checkpoint some_checkpoint() {
+    Checkpoint checkpoint;
+    checkpoint.mark = {"young = 1.0\n", {{.cycles = 3, .max = 50.0, .min = -50.0}}, 0.1, 2, 1ULL << 63U};
+    AnalysisState& state = checkpoint.analysis;
+    state.cracks = {{{0.0, 20.25}, {100.0, 1.0 / 3.0}}};
+    state.in_zone = {0, 1, 1};
+    state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
+    state.closed = {1};
+    state.increment = 57;
+    state.growth_ended = true;
+    state.load.reached = -1.0 / 3.0;
+    state.load.taken = {{2, 0.0, 5.0}, {2, 5.0, 10.0}};
+    state.equilibrium.increments = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)};
+    state.equilibrium.load_increments = {0.5, 0.25};
+    state.zone.element = {4, 9};
+    state.zone.history = {0.1, 0.2};
+    state.zone.increments = {Eigen::Vector2d(-1.0, 0.0)};
+    state.zone.multipliers = {{.crack = 1, .place = {1.0, 2.0}, .pressure = 3.0, .closed = true, .increments = {0.5}}};
+    state.zone.frozen_tips = {{.mesh = {}, .displacement = Eigen::Vector2d(1.0, 2.0), .crack = 1}};
+    checkpoint.recorder.history_rows = 58;
+    checkpoint.recorder.fields = {{10, 10.0}, {30, 30.0}};
+    state.cycle.tips.resize(1);
+    state.cycle.tips[0].signal.resize(2);
+    state.cycle.tips[0].up = {{1.0}, {2.0}};
+    state.cycle.last = {{.nominal_K = 1.0,
+                         .J = -0.0,
+                         .CTOD = 2.0,
+                         .CMOD = 3.0,
+                         .load_factor = 4.0,
+                         .forward = 5.0,
+                         .forward_axis = 6.0}};
+    state.last_cycle.resize(1);
+    return checkpoint;
+}
+
+std::string complaint(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const CaseError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+TEST(Checkpoint, ComesBackBitForBit) {
+    const TemporaryFolder folder;
+    const Checkpoint in = some_checkpoint();
+    write_checkpoint(folder / "checkpoint.h5", in);
+    const Checkpoint out = read_checkpoint(folder / "checkpoint.h5");
+    EXPECT_EQ(out.mark.text, in.mark.text);
+    EXPECT_EQ(out.mark.blocks, in.mark.blocks);
+    EXPECT_EQ(out.mark.mesh, in.mark.mesh);
+    EXPECT_EQ(out.analysis.cracks.at(0).y, in.analysis.cracks[0].y);
+    EXPECT_EQ(out.analysis.in_zone, in.analysis.in_zone);
+    EXPECT_EQ(out.analysis.displacement, in.analysis.displacement);
+    EXPECT_TRUE(std::signbit(out.analysis.displacement[1]));
+    EXPECT_EQ(out.analysis.closed, in.analysis.closed);
+    EXPECT_EQ(out.analysis.increment, 57);
+    EXPECT_TRUE(out.analysis.growth_ended);
+    EXPECT_EQ(out.analysis.load.reached, in.analysis.load.reached);
+    EXPECT_EQ(out.analysis.load.taken.at(1).from, 5.0);
+    EXPECT_EQ(out.analysis.equilibrium.increments, in.analysis.equilibrium.increments);
+    EXPECT_EQ(out.analysis.equilibrium.load_increments, in.analysis.equilibrium.load_increments);
+    EXPECT_EQ(coupling::pack(out.analysis.zone), coupling::pack(in.analysis.zone));
+    EXPECT_EQ(out.recorder.history_rows, 58U);
+    EXPECT_EQ(out.recorder.fields.at(1).time, 30.0);
+    EXPECT_TRUE(std::isnan(out.analysis.cycle.tips.at(0).signal.at(1).K_op));
+    EXPECT_EQ(out.analysis.cycle.tips[0].up.mouth, in.analysis.cycle.tips[0].up.mouth);
+    EXPECT_EQ(out.analysis.cycle.last.at(0).forward_axis, 6.0);
+    EXPECT_EQ(out.analysis.last_cycle.at(0).dN, 1.0);
+}
+
+TEST(Checkpoint, IsRefusedWhereItIsDamaged) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "checkpoint.h5";
+    write_checkpoint(path, some_checkpoint());
+    const auto whole = std::filesystem::file_size(path);
+    for (const auto size : {whole - 1, whole / 2, whole / 10, whole - whole}) {
+        std::filesystem::resize_file(path, size);
+        EXPECT_NE(complaint([&] { (void)read_checkpoint(path); }).find("checkpoint.h5: cannot go on"),
+                  std::string::npos)
+            << size;
+    }
+    std::ofstream(path) << "no HDF5 at all";
+    EXPECT_THROW((void)read_checkpoint(path), CaseError);
+    EXPECT_THROW((void)read_checkpoint(folder / "nothing"), CaseError);
+}
+
+class SameCase : public testing::Test {
+protected:
+    static CaseMark mark(std::vector<std::string> settings = {}) {
+        settings.insert(settings.begin(),
+                        {"mesh.size=25.0", "mesh.grading=[]", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"});
+        return mark_of(make_scene(test::sent_case(settings)));
+    }
+    static std::string against(std::vector<std::string> settings) {
+        Checkpoint checkpoint;
+        checkpoint.mark = mark();
+        checkpoint.analysis.load.leg = 3;  // down, in the second cycle
+        return complaint([&] { check_same_case(checkpoint, mark(std::move(settings))); });
+    }
+    static constexpr const char* fine = "no complaint";
+};
+
+TEST_F(SameCase, MayBeWrittenOtherwiseAndSolvedMoreTightly) {
+    EXPECT_EQ(against({}), fine);
+    EXPECT_EQ(against({"output.faces=all", "solver.tolerance=1e-10", "title=other", "coupling.state=increment"}), fine);
+}
+
+TEST_F(SameCase, MayHaveAnotherFuture) {
+    EXPECT_EQ(against({"load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]"}), fine);
+    EXPECT_EQ(against({"load.blocks=[{cycles=2, max=50.0, ratio=-1.0}, {cycles=1, max=20.0, ratio=0.0}]"}), fine);
+    EXPECT_EQ(against({"load.repeat=3"}), fine);
+}
+
+TEST_F(SameCase, IsNamedWhereItDiffers) {
+    EXPECT_NE(against({"fine.beta=3.0"}).find("[fine] \"beta = 3"), std::string::npos) << against({"fine.beta=3.0"});
+    EXPECT_NE(against({"mesh.size=20.0"}).find("[mesh] \"size = 20"), std::string::npos);
+    EXPECT_NE(against({"growth.increment=0.1"}).find("growth"), std::string::npos);
+    EXPECT_NE(against({"load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"}).find("in cycle 2"), std::string::npos);
+    EXPECT_NE(against({"load.blocks=[{cycles=2, max=51.0, ratio=-1.0}]"}).find("in cycle 0"), std::string::npos);
+    EXPECT_NE(against({"load.scale=2.0"}).find("in cycle 0"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stria::coarse

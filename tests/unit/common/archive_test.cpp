@@ -1,0 +1,108 @@
+// Values through an HDF5 file: every bit comes back, and what is missing is said.
+#include "common/io/archive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+
+enum class Colour { Red, Green };
+
+struct Leaf {
+    int number = 0;
+    std::vector<double> values;
+};
+
+struct Whole {
+    bool flag = false;
+    Colour colour = Colour::Red;
+    std::uint64_t large = 0;
+    double value = 0.0;
+    std::string text;
+    std::vector<char> marks;
+    std::vector<std::byte> bytes;
+    std::vector<std::int32_t> numbers;
+    Eigen::VectorXd vector;
+    std::vector<Eigen::VectorXd> vectors, none;
+    std::vector<Leaf> leaves;
+};
+
+void members(auto& archive, auto& value) requires std::is_same_v<std::remove_cvref_t<decltype(value)>, Leaf> {
+    archive("number", value.number);
+    archive("values", value.values);
+}
+
+void members(auto& archive, auto& value) requires std::is_same_v<std::remove_cvref_t<decltype(value)>, Whole> {
+    auto& [flag, colour, large, number, text, marks, bytes, numbers, vector, vectors, none, leaves] = value;
+    archive("flag", flag);
+    archive("colour", colour);
+    archive("large", large);
+    archive("value", number);
+    archive("text", text);
+    archive("marks", marks);
+    archive("bytes", bytes);
+    archive("numbers", numbers);
+    archive("vector", vector);
+    archive("vectors", vectors);
+    archive("none", none);
+    archive("leaves", leaves);
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Archive, GivesBackEveryBit) {
+    const TemporaryFolder folder;
+    const Whole in{.flag = true,
+                   .colour = Colour::Green,
+                   .large = std::numeric_limits<std::uint64_t>::max(),
+                   .value = -0.0,
+                   .text = "size = 0.1 # mm, 45°",
+                   .marks = {0, 1, -1},
+                   .bytes = {std::byte{0}, std::byte{255}},
+                   .numbers = {-1, 1'000'000'000},
+                   .vector = Eigen::Vector3d(0.1, 1e-320, -infinity),
+                   .vectors = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)},
+                   .none = {},
+                   .leaves = {{7, {0.5}}, {8, {}}}};
+    hdf5::write_file(folder / "file.h5", [&](hdf5::Group& root) { hdf5::Saver{root}("whole", in); });
+    Whole out;
+    out.none.resize(3);
+    hdf5::Loader{hdf5::read_file(folder / "file.h5")}("whole", out);
+    EXPECT_EQ(out.flag, in.flag);
+    EXPECT_EQ(out.colour, in.colour);
+    EXPECT_EQ(out.large, in.large);
+    EXPECT_TRUE(std::signbit(out.value));
+    EXPECT_EQ(out.text, in.text);
+    EXPECT_EQ(out.marks, in.marks);
+    EXPECT_EQ(out.bytes, in.bytes);
+    EXPECT_EQ(out.numbers, in.numbers);
+    EXPECT_EQ(out.vector, in.vector);
+    EXPECT_EQ(out.vectors, in.vectors);
+    EXPECT_TRUE(out.none.empty());
+    ASSERT_EQ(out.leaves.size(), 2U);
+    EXPECT_EQ(out.leaves[0].number, 7);
+    EXPECT_EQ(out.leaves[0].values, in.leaves[0].values);
+    EXPECT_TRUE(out.leaves[1].values.empty());
+}
+
+TEST(Archive, NamesWhatIsMissing) {
+    const TemporaryFolder folder;
+    hdf5::write_file(folder / "file.h5", [&](hdf5::Group& root) { hdf5::Saver{root}("leaf", Leaf()); });
+    hdf5::Loader load(hdf5::read_file(folder / "file.h5"));
+    Whole out;
+    try {
+        load("leaf", out);
+        FAIL() << "a leaf is no whole";
+    } catch (const std::runtime_error& problem) {
+        EXPECT_NE(std::string(problem.what()).find("flag"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
