@@ -17,14 +17,18 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 
 CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
                                            const Eigen::VectorXd& committed, double load_factor)
-    : structure_(structure), scene_(structure.scene()), fine_(fine), committed_load_factor_(load_factor),
-      load_factor_(load_factor), increments_(remembered_increments(scene_.input.load.steps)) {
+    : structure_(structure), scene_(structure.scene()), fine_(fine), largest_unit_force_(largest(scene_.unit_force)),
+      committed_load_factor_(load_factor), load_factor_(load_factor),
+      increments_(remembered_increments(scene_.input.load.steps)),
+      near_(Eigen::VectorXd::Zero(scene_.enriched.unknowns)) {
     committed_ = gather(committed, structure_.gamma());
     trial_ = committed_;
-    for (const PrescribedUnknown& p : scene_.prescribed) {
-        const auto found = std::ranges::lower_bound(structure_.gamma(), p.unknown);
-        if (found != structure_.gamma().end() && *found == p.unknown)
-            held_.emplace_back(found - structure_.gamma().begin(), p.value);
+    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
+        const auto& [unknown, value] = scene_.prescribed[k];
+        const auto found = std::ranges::lower_bound(structure_.gamma(), unknown);
+        if (found == structure_.gamma().end() || *found != unknown) continue;
+        held_.emplace_back(found - structure_.gamma().begin(), value);
+        pulled_.emplace_back(held_.back().first, scene_.pull[static_cast<Eigen::Index>(k)]);
     }
 }
 
@@ -32,9 +36,14 @@ Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) cons
     return gather(gamma, structure_.free_places());
 }
 
+void CondensedEquilibrium::forget_expansions() {
+    expanded_.reset();
+    near_known_ = false;
+}
+
 // Ends every change of the trial state.
 void CondensedEquilibrium::impose_held() {
-    expanded_.reset();
+    forget_expansions();
     for (const auto& [place, value] : held_) trial_[place] = load_factor_ * value;
 }
 
@@ -60,7 +69,7 @@ Residual CondensedEquilibrium::linearise() {
     residual_ = load_factor_ * structure_.unit_load();
     off_target_ = target_ - controlled_.at(u, load_factor_);
     Residual result;
-    result.scale = largest(load_factor_ * scene_.unit_force);
+    result.scale = std::abs(load_factor_) * largest_unit_force_;
     result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_), 1e-300});
     if (fine_ == nullptr) return result;
     {
@@ -138,6 +147,10 @@ void CondensedEquilibrium::apply() {
     ++iteration_;
 }
 
+void CondensedEquilibrium::begin_commit(bool reversal) {
+    if (fine_ != nullptr) fine_->begin_commit(reversal);
+}
+
 coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
     committed_ = trial_;
@@ -152,7 +165,7 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
 void CondensedEquilibrium::rollback() {
     trial_ = committed_;
     load_factor_ = committed_load_factor_;
-    expanded_.reset();
+    forget_expansions();
     if (fine_ != nullptr) fine_->rollback();
 }
 
@@ -161,15 +174,19 @@ Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
     return *expanded_;
 }
 
-Eigen::VectorXd CondensedEquilibrium::reactions() const {
-    Eigen::VectorXd forces = structure_.forces_on_prescribed(structure_displacement());
-    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
-        const auto found = std::ranges::lower_bound(structure_.gamma(), scene_.prescribed[k].unknown);
-        if (fine_ != nullptr && found != structure_.gamma().end() && *found == scene_.prescribed[k].unknown) {
-            forces[static_cast<Eigen::Index>(k)] += response_.force[found - structure_.gamma().begin()];
-        }
-    }
-    return forces;
+const Eigen::VectorXd& CondensedEquilibrium::near_displacement() const {
+    if (!near_known_) structure_.expand_near(trial_, load_factor_, near_);
+    near_known_ = true;
+    return near_;
+}
+
+MachineReading CondensedEquilibrium::machine_reading() const {
+    const Eigen::VectorXd u = on_free(trial_);
+    MachineReading reading{structure_.mean_displacement().at(u, load_factor_),
+                           structure_.holding_force().at(u, load_factor_)};
+    if (fine_ != nullptr)
+        for (const auto& [place, share] : pulled_) reading.force += share * response_.force[place];
+    return reading;
 }
 
 }  // namespace stria::coarse

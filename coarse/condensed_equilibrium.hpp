@@ -21,16 +21,19 @@ public:
     Residual linearise() override;
     double solve() override;
     void apply() override;
+    void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
     [[nodiscard]] double load_factor() const override { return load_factor_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override;
-    [[nodiscard]] Eigen::VectorXd reactions() const override;
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override;
+    [[nodiscard]] MachineReading machine_reading() const override;
     [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
 
 private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
     void impose_held();
+    void forget_expansions();
     [[nodiscard]] Eigen::MatrixXd tangent() const;
     void factor_tangent();
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
@@ -38,7 +41,9 @@ private:
     const Structure& structure_;
     const Scene& scene_;
     coupling::FineScale* fine_;
-    std::vector<std::pair<int, double>> held_;  // place in Gamma, value per unit load factor
+    double largest_unit_force_;
+    std::vector<std::pair<int, double>> held_;    // place in Gamma, value per unit load factor
+    std::vector<std::pair<int, double>> pulled_;  // place in Gamma, share of its reaction in the machine's force
     int iteration_ = 0;
     Predictor predictor_;
     Controlled controlled_;  // on the free places
@@ -60,6 +65,8 @@ private:
     double sigma_ = 0.0;
     bool definite_ = false;
     mutable std::optional<Eigen::VectorXd> expanded_;  // structure_displacement() of the trial state
+    mutable Eigen::VectorXd near_;                     // near_displacement(), of the trial state where near_known_
+    mutable bool near_known_ = false;
     double exchange_s_ = 0.0;
 };
 
