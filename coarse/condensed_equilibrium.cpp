@@ -1,6 +1,5 @@
 #include "coarse/condensed_equilibrium.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
@@ -53,6 +52,7 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
     target_ = target.value;
     predictor_ = predictor;
     iteration_ = 0;
+    near_wanted_ = false;
     settled_below_ = 0.0;
     trial_ = committed_;
     load_factor_ = committed_load_factor_;
@@ -77,6 +77,7 @@ Residual CondensedEquilibrium::linearise() {
         fine_->request({iteration_, predictor_, load_factor_, settled_below_, trial_});
         // Meanwhile the structure's part, which needs no answer.
         residual_ -= structure_.tangent() * u;
+        if (near_wanted_) (void)near_displacement();
         response_ = fine_->collect();
         if (scene_.input.coupling.state == "newton")
             (void)fine_->state();  // the user pays for seeing every iterate cross
@@ -98,11 +99,6 @@ Residual CondensedEquilibrium::linearise() {
     return result;
 }
 
-Eigen::MatrixXd CondensedEquilibrium::tangent() const {
-    const auto& free = structure_.free_places();
-    return structure_.tangent() + zone_tangent_(free, free);
-}
-
 /// Of the residual, by the load factor: loads on both sides, less what the zone's held unknowns pull along.
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
     Eigen::VectorXd derivative = structure_.unit_load() + on_free(response_.unit_load);
@@ -115,11 +111,21 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 // times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w = 0,
 // k = 1.)
 void CondensedEquilibrium::factor_tangent() {
+    definite_ = factor_.factor(bordered_tangent());
+    if (!definite_) general_factor_.compute(bordered_tangent());
+}
+
+Eigen::MatrixXd CondensedEquilibrium::bordered_tangent() {
+    const std::vector<int>& free = structure_.free_places();
+    Eigen::MatrixXd bordered = structure_.tangent();
+    if (held_.empty())
+        bordered += zone_tangent_;
+    else
+        bordered += zone_tangent_(free, free);
     const Eigen::VectorXd& w = controlled_.weights;
-    bordered_ = tangent();
-    sigma_ = controlled_.is_load_factor() ? 0.0 : bordered_.diagonal().mean() / w.squaredNorm();
-    if (sigma_ != 0.0) bordered_.noalias() += sigma_ * w * w.transpose();
-    definite_ = factor_.factor(bordered_);
+    sigma_ = controlled_.is_load_factor() ? 0.0 : bordered.diagonal().mean() / w.squaredNorm();
+    if (sigma_ != 0.0) bordered.noalias() += sigma_ * w * w.transpose();
+    return bordered;
 }
 
 double CondensedEquilibrium::solve() {
@@ -129,13 +135,16 @@ double CondensedEquilibrium::solve() {
     const double sigma = sigma_;
     Eigen::MatrixXd right(w.size(), 2);
     right << residual_ + sigma * off_target_ * w, load_derivative() - sigma * k * w;
-    const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : bordered_.partialPivLu().solve(right);
+    const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : Eigen::MatrixXd(general_factor_.solve(right));
     load_correction_ = (off_target_ - w.dot(x.col(0))) / (k + w.dot(x.col(1)));
     correction_ = x.col(0) + load_correction_ * x.col(1);
     if (!correction_.allFinite())
         throw NumericalFailure("the tangent of the structure is singular: a part of the body moves freely");
-    return largest(correction_) /
-           std::max({largest(trial_), largest(correction_), response_.interior_displacement, 1e-300});
+    const double relative = largest(correction_) /
+                            std::max({largest(trial_), largest(correction_), response_.interior_displacement, 1e-300});
+    // Newton's method squares its corrections: the next one is likely to be within what find_equilibrium() accepts.
+    near_wanted_ = relative * relative <= 100.0 * scene_.input.solver.tolerance;
+    return relative;
 }
 
 void CondensedEquilibrium::apply() {

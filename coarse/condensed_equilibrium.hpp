@@ -1,6 +1,7 @@
 // The structure condensed once, plus the zone's answers: equilibrium on the boundary Gamma (DESIGN section 1).
 #pragma once
 
+#include <Eigen/LU>
 #include <optional>
 
 #include "coarse/equilibrium.hpp"
@@ -34,7 +35,7 @@ private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
     void impose_held();
     void forget_expansions();
-    [[nodiscard]] Eigen::MatrixXd tangent() const;
+    [[nodiscard]] Eigen::MatrixXd bordered_tangent();
     void factor_tangent();
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
 
@@ -60,10 +61,12 @@ private:
     coupling::PatchResponse response_;
     Eigen::MatrixXd zone_tangent_;  // of the last response that brought one
     double settled_below_ = 0.0;    // for the next request
-    DenseCholesky factor_;          // of the bordered tangent, for as long as the zone's is the same
-    Eigen::MatrixXd bordered_;
+    // Of the bordered tangent, for as long as the zone's is the same; the second where that is not definite.
+    DenseCholesky factor_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> general_factor_;
     double sigma_ = 0.0;
     bool definite_ = false;
+    bool near_wanted_ = false;                         // of the trial state, as it may well be the last one
     mutable std::optional<Eigen::VectorXd> expanded_;  // structure_displacement() of the trial state
     mutable Eigen::VectorXd near_;                     // near_displacement(), of the trial state where near_known_
     mutable bool near_known_ = false;

@@ -84,6 +84,8 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
         structure_ = std::make_unique<Structure>(*scene_, in_zone);
     }
     guard_.turn_to(*structure_, nominal_displacement_);
+    for (int t = 0; t < std::ssize(scene_->enriched.tips); ++t)
+        (void)structure_->rings(t);  // made here, not on the way
     coupling::Patch patch;
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     patch.ahead = closure_.ahead(scene_->enriched);

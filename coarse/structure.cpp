@@ -145,15 +145,32 @@ void Structure::number_near_unknowns(const IndexLists& of_elements) {
     for_each_coarse([&](int element, std::span<const int> own) {
         const std::span<const int> in_leaf = of_elements[k++];
         if (is_near_[at(element)] == 0) return;
-        near_places_.append(in_leaf);
         for (const int unknown : in_leaf)
             if (unknown >= 0) first = std::min(first, unknown);
         for (const int unknown : own) seen[at(unknown)] = 1;
     });
-    near_places_.map([&](int unknown) { return unknown < 0 ? -1 : unknown - first; });
     near_count_ = unknowns() - first;
     for (const PrescribedUnknown& p : scene_.prescribed)
         if (seen[at(p.unknown)] != 0) near_supports_.push_back(p);
+    find_rim(of_elements, first);
+}
+
+void Structure::find_rim(const IndexLists& of_elements, int first_near) {
+    on_rim_.assign(at(near_count_), 0);
+    std::size_t k = 0;
+    for_each_coarse([&](int element, std::span<const int>) {
+        for (const int unknown : of_elements[k++])
+            if (is_near_[at(element)] == 0 && unknown >= first_near) on_rim_[at(unknown - first_near)] = 1;
+    });
+    k = 0;
+    for_each_coarse([&](int element, std::span<const int>) {
+        std::vector<int> places;
+        for (const int unknown : of_elements[k++]) places.push_back(unknown < 0 ? -1 : unknown - first_near);
+        const auto on_rim = [&](int place) { return place >= 0 && on_rim_[at(place)] != 0; };
+        if (is_near_[at(element)] == 0 || std::ranges::none_of(places, on_rim)) return;
+        rim_elements_.push_back(element);
+        rim_places_.append(places);
+    });
 }
 
 SparseMatrix Structure::assemble() {
@@ -225,18 +242,15 @@ void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, double lo
     for (const PrescribedUnknown& p : near_supports_) u[p.unknown] = load_factor * p.value;
 }
 
-// Of what the whole structure resists with, which is S u on Gamma alone, the rest is not the near elements'.
 Eigen::VectorXd Structure::far_force(const Eigen::VectorXd& near_displacement) const {
     const MandelMatrix elastic = scene_.elastic.stiffness();
-    const auto boundary = std::ssize(free_places_);
     Eigen::VectorXd force = Eigen::VectorXd::Zero(near_count_);
-    force.tail(boundary) = tangent() * near_displacement.tail(boundary);
     std::size_t k = 0;
-    for_each_operator(near_elements_, [&](const auto& op) {
-        const std::span<const int> places = near_places_[k++];
-        const auto resisted = elastic_force(op, values_at(places, near_displacement, op), elastic);
+    for_each_operator(rim_elements_, [&](const auto& op) {
+        const std::span<const int> places = rim_places_[k++];
+        const auto pushed = elastic_force(op, values_at(places, near_displacement, op), elastic);
         for (std::size_t i = 0; i < places.size(); ++i)
-            if (places[i] >= 0) force[places[i]] -= resisted[static_cast<Eigen::Index>(i)];
+            if (places[i] >= 0 && on_rim_[at(places[i])] != 0) force[places[i]] -= pushed[static_cast<Eigen::Index>(i)];
     });
     return force;
 }

@@ -67,8 +67,8 @@ public:
     /// factor.
     void expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, Eigen::VectorXd& u) const;
 
-    /// What far elements resist with on near_unknowns(), given the displacement there of a state without load, N/mm.
-    /// Half its product with that displacement is their energy.
+    /// What far elements resist with on near_unknowns(), given the displacement there of a state in equilibrium without
+    /// load, N/mm: what near ones beside them push. Half its product with that displacement is the far energy.
     [[nodiscard]] Eigen::VectorXd far_force(const Eigen::VectorXd& near_displacement) const;
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -112,6 +112,7 @@ private:
     void condense();
     void condense_readings();
     void number_near_unknowns(const IndexLists& of_elements);
+    void find_rim(const IndexLists& of_elements, int first_near);
 
     const Scene& scene_;
     std::vector<char> in_zone_, is_near_;
@@ -122,10 +123,12 @@ private:
     std::vector<int> plain_place_;           // per element: in plain_
     std::vector<int> supported_;             // coarse elements with a prescribed unknown
     std::vector<int> gamma_, free_places_;
-    std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
-    std::vector<int> leaf_index_;     // and back; -1: prescribed or inside the zone
-    int near_count_ = 0;              // of the leaf's unknowns: the last ones
-    IndexLists near_places_;          // in near_unknowns(), of each near element's unknowns; -1: prescribed
+    std::vector<int> leaf_unknowns_;                // whole-mesh unknown of each leaf unknown
+    std::vector<int> leaf_index_;                   // and back; -1: prescribed or inside the zone
+    int near_count_ = 0;                            // of the leaf's unknowns: the last ones
+    std::vector<int> rim_elements_;                 // near ones beside far ones, ascending
+    IndexLists rim_places_;                         // in near_unknowns(), of each of their unknowns; -1: prescribed
+    std::vector<char> on_rim_;                      // per near unknown, 1 where far elements see it
     std::vector<PrescribedUnknown> near_supports_;  // that near elements see
     std::unique_ptr<SparseLeaf> leaf_;
     ReducedLoad reduced_;        // of the unit load factor

@@ -8,6 +8,16 @@ namespace {
 
 bool may_yield(const Structure& structure, int element) { return !structure.scene().mesh.in_insert(element); }
 
+/// A bound that costs less than the stresses.
+double stress_bound(const PlainOperator& op, const MandelMatrix& stiffness, double of_unit_strain,
+                    const PlainOperator::Values& local) {
+    return von_mises(stiffness * op.mean_strain(local)) + of_unit_strain * op.warping(local);
+}
+
+double stress_bound(const ElementOperator&, const MandelMatrix&, double, const Eigen::VectorXd&) {
+    return std::numeric_limits<double>::infinity();
+}
+
 template <class Operator>
 double largest_stress(const Operator& op, const MandelMatrix& elastic, const Eigen::VectorXd& u) {
     const auto local = gather(u, op.unknowns);
@@ -30,9 +40,12 @@ std::vector<int> elements_beyond(double stress, const Structure& structure, cons
 
 std::vector<int> near_elements_beyond(double stress, const Structure& structure, const Eigen::VectorXd& u) {
     const MandelMatrix elastic = structure.scene().elastic.stiffness();
+    const double of_unit_strain = structure.scene().elastic.largest_von_mises();
     std::vector<int> found;
     structure.for_each_operator(structure.near_elements(), [&](const auto& op) {
-        if (may_yield(structure, op.element) && largest_stress(op, elastic, u) > stress) found.push_back(op.element);
+        if (stress_bound(op, elastic, of_unit_strain, gather(u, op.unknowns)) > stress &&
+            may_yield(structure, op.element) && largest_stress(op, elastic, u) > stress)
+            found.push_back(op.element);
     });
     return found;
 }
