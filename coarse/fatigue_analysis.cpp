@@ -84,8 +84,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
         structure_ = std::make_unique<Structure>(*scene_, in_zone);
     }
     guard_.turn_to(*structure_, nominal_displacement_);
-    for (int t = 0; t < std::ssize(scene_->enriched.tips); ++t)
-        (void)structure_->rings(t);  // made here, not on the way
+    structure_->make_rings();
     coupling::Patch patch;
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     patch.ahead = closure_.ahead(scene_->enriched);
@@ -254,29 +253,18 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     return true;
 }
 
-// With one ring of neighbours more, so that a growing plastic zone does not ask again at once.
 void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     equilibrium_->rollback();
     refresh_committed();
-    std::vector<char> in_zone = structure_->in_zone();
-    const auto around = elements_around_nodes(scene_->mesh);
-    for (const int element : yielding) {
-        for (const int node : scene_->mesh.elements[static_cast<std::size_t>(element)]) {
-            for (const int neighbour : around[static_cast<std::size_t>(node)])
-                if (!scene_->mesh.in_insert(neighbour)) in_zone[static_cast<std::size_t>(neighbour)] = 1;
-        }
-    }
     ++extensions_;
-    build(in_zone);
+    build(with_ring(*scene_, structure_->in_zone(), yielding));
 }
 
 // Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.
 void FatigueAnalysis::refresh_committed() {
-    if (committed_behind_) committed_ = equilibrium_->structure_displacement();
-    committed_behind_ = false;
+    if (std::exchange(committed_behind_, false)) committed_ = equilibrium_->structure_displacement();
 }
 
-// The zone reports while the structure's own rings are integrated.
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
                              const std::vector<OpeningChange>& changes) {
     Increment increment;

@@ -79,6 +79,7 @@ public:
 
     /// The rings about a tip and the coarse elements' share in their domain integrals; made when first asked for.
     [[nodiscard]] const RingForms& rings(int tip) const;
+    void make_rings() const;
 
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
