@@ -95,7 +95,9 @@ Residual CondensedEquilibrium::linearise() {
     result.contact_reach = response_.digest.contact_reach;
     result.force_ahead = response_.digest.force_ahead;
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
-    settled_below_ = response_.same_tangent ? 0.0 : scene_.input.solver.tolerance * result.scale;
+    const double tolerance = scene_.input.solver.tolerance, left = result.largest() / result.scale;
+    settled_below_ = response_.same_tangent ? 0.0 : tolerance * result.scale;
+    near_wanted_ = left * left <= 0.1 * tolerance;  // Newton's method squares what is left
     return result;
 }
 
@@ -140,11 +142,8 @@ double CondensedEquilibrium::solve() {
     correction_ = x.col(0) + load_correction_ * x.col(1);
     if (!correction_.allFinite())
         throw NumericalFailure("the tangent of the structure is singular: a part of the body moves freely");
-    const double relative = largest(correction_) /
-                            std::max({largest(trial_), largest(correction_), response_.interior_displacement, 1e-300});
-    // Newton's method squares its corrections: the next one is likely to be within what find_equilibrium() accepts.
-    near_wanted_ = relative * relative <= 100.0 * scene_.input.solver.tolerance;
-    return relative;
+    return largest(correction_) /
+           std::max({largest(trial_), largest(correction_), response_.interior_displacement, 1e-300});
 }
 
 void CondensedEquilibrium::apply() {

@@ -66,7 +66,7 @@ private:
     Eigen::PartialPivLU<Eigen::MatrixXd> general_factor_;
     double sigma_ = 0.0;
     bool definite_ = false;
-    bool near_wanted_ = false;                         // of the trial state, as it may well be the last one
+    bool near_wanted_ = false;                         // of the next trial state, which may well be the last
     mutable std::optional<Eigen::VectorXd> expanded_;  // structure_displacement() of the trial state
     mutable Eigen::VectorXd near_;                     // near_displacement(), of the trial state where near_known_
     mutable bool near_known_ = false;
