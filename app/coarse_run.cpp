@@ -148,6 +148,8 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.zone_extensions = analysis.zone_extensions();
     summary.yield_warnings = analysis.yield_warnings();
     summary.flowing_rings = analysis.flowing_rings();
+    summary.structure_checks_full = analysis.yield_guard().full_checks();
+    summary.structure_checks_by_bound = analysis.yield_guard().checks_by_bound();
     if (fine != nullptr) add_ranks(*fine, zone, summary);
     const double output = recorder.output_seconds() + checkpoint_s_;
     summary.timing = {.mesh = mesh_s_,

@@ -156,13 +156,18 @@ public:
         return u;
     }
 
-    [[nodiscard]] Eigen::VectorXd reactions() const override {
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override {
+        expanded_ = structure_displacement();
+        return expanded_;
+    }
+
+    [[nodiscard]] coarse::MachineReading machine_reading() const override {
         Eigen::VectorXd forces = structure_.forces_on_prescribed(trial_);
         std::vector<double> zone_force(at(scene_.enriched.unknowns), 0.0);
         for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
         for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
             forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
-        return forces;
+        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces)};
     }
 
 private:
@@ -252,6 +257,7 @@ private:
     };
     IncrementMemory<Increment> increments_;
     std::vector<char> held_;
+    mutable Eigen::VectorXd expanded_;  // near_displacement()
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ AnalysisState FatigueAnalysis::state() const {
     AnalysisState state;
     for (const CrackSection& crack : scene_->input.cracks) state.cracks.push_back(polyline_of(crack));
     state.in_zone = structure_->in_zone();
-    state.displacement = committed_;
+    state.displacement = committed_behind_ ? equilibrium_->structure_displacement() : committed_;
     state.load_factor = load_factor_;
     state.closed = closed_;
     state.cycle = cycle_meter_.memory();

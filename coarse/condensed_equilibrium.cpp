@@ -1,6 +1,5 @@
 #include "coarse/condensed_equilibrium.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
@@ -17,14 +16,18 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 
 CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
                                            const Eigen::VectorXd& committed, double load_factor)
-    : structure_(structure), scene_(structure.scene()), fine_(fine), committed_load_factor_(load_factor),
-      load_factor_(load_factor), increments_(remembered_increments(scene_.input.load.steps)) {
+    : structure_(structure), scene_(structure.scene()), fine_(fine), largest_unit_force_(largest(scene_.unit_force)),
+      committed_load_factor_(load_factor), load_factor_(load_factor),
+      increments_(remembered_increments(scene_.input.load.steps)),
+      near_(Eigen::VectorXd::Zero(scene_.enriched.unknowns)) {
     committed_ = gather(committed, structure_.gamma());
     trial_ = committed_;
-    for (const PrescribedUnknown& p : scene_.prescribed) {
-        const auto found = std::ranges::lower_bound(structure_.gamma(), p.unknown);
-        if (found != structure_.gamma().end() && *found == p.unknown)
-            held_.emplace_back(found - structure_.gamma().begin(), p.value);
+    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
+        const auto& [unknown, value] = scene_.prescribed[k];
+        const auto found = std::ranges::lower_bound(structure_.gamma(), unknown);
+        if (found == structure_.gamma().end() || *found != unknown) continue;
+        held_.emplace_back(found - structure_.gamma().begin(), value);
+        pulled_.emplace_back(held_.back().first, scene_.pull[static_cast<Eigen::Index>(k)]);
     }
 }
 
@@ -32,9 +35,14 @@ Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) cons
     return gather(gamma, structure_.free_places());
 }
 
+void CondensedEquilibrium::forget_expansions() {
+    expanded_.reset();
+    near_known_ = false;
+}
+
 // Ends every change of the trial state.
 void CondensedEquilibrium::impose_held() {
-    expanded_.reset();
+    forget_expansions();
     for (const auto& [place, value] : held_) trial_[place] = load_factor_ * value;
 }
 
@@ -44,6 +52,7 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
     target_ = target.value;
     predictor_ = predictor;
     iteration_ = 0;
+    near_wanted_ = false;
     settled_below_ = 0.0;
     trial_ = committed_;
     load_factor_ = committed_load_factor_;
@@ -60,7 +69,7 @@ Residual CondensedEquilibrium::linearise() {
     residual_ = load_factor_ * structure_.unit_load();
     off_target_ = target_ - controlled_.at(u, load_factor_);
     Residual result;
-    result.scale = largest(load_factor_ * scene_.unit_force);
+    result.scale = std::abs(load_factor_) * largest_unit_force_;
     result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_), 1e-300});
     if (fine_ == nullptr) return result;
     {
@@ -68,6 +77,7 @@ Residual CondensedEquilibrium::linearise() {
         fine_->request({iteration_, predictor_, load_factor_, settled_below_, trial_});
         // Meanwhile the structure's part, which needs no answer.
         residual_ -= structure_.tangent() * u;
+        if (near_wanted_) (void)near_displacement();
         response_ = fine_->collect();
         if (scene_.input.coupling.state == "newton")
             (void)fine_->state();  // the user pays for seeing every iterate cross
@@ -85,13 +95,10 @@ Residual CondensedEquilibrium::linearise() {
     result.contact_reach = response_.digest.contact_reach;
     result.force_ahead = response_.digest.force_ahead;
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
-    settled_below_ = response_.same_tangent ? 0.0 : scene_.input.solver.tolerance * result.scale;
+    const double tolerance = scene_.input.solver.tolerance, left = result.largest() / result.scale;
+    settled_below_ = response_.same_tangent ? 0.0 : tolerance * result.scale;
+    near_wanted_ = left * left <= 0.1 * tolerance;  // Newton's method squares what is left
     return result;
-}
-
-Eigen::MatrixXd CondensedEquilibrium::tangent() const {
-    const auto& free = structure_.free_places();
-    return structure_.tangent() + zone_tangent_(free, free);
 }
 
 /// Of the residual, by the load factor: loads on both sides, less what the zone's held unknowns pull along.
@@ -106,11 +113,21 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 // times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w = 0,
 // k = 1.)
 void CondensedEquilibrium::factor_tangent() {
+    definite_ = factor_.factor(bordered_tangent());
+    if (!definite_) general_factor_.compute(bordered_tangent());
+}
+
+Eigen::MatrixXd CondensedEquilibrium::bordered_tangent() {
+    const std::vector<int>& free = structure_.free_places();
+    Eigen::MatrixXd bordered = structure_.tangent();
+    if (held_.empty())
+        bordered += zone_tangent_;
+    else
+        bordered += zone_tangent_(free, free);
     const Eigen::VectorXd& w = controlled_.weights;
-    bordered_ = tangent();
-    sigma_ = controlled_.is_load_factor() ? 0.0 : bordered_.diagonal().mean() / w.squaredNorm();
-    if (sigma_ != 0.0) bordered_.noalias() += sigma_ * w * w.transpose();
-    definite_ = factor_.factor(bordered_);
+    sigma_ = controlled_.is_load_factor() ? 0.0 : bordered.diagonal().mean() / w.squaredNorm();
+    if (sigma_ != 0.0) bordered.noalias() += sigma_ * w * w.transpose();
+    return bordered;
 }
 
 double CondensedEquilibrium::solve() {
@@ -120,7 +137,7 @@ double CondensedEquilibrium::solve() {
     const double sigma = sigma_;
     Eigen::MatrixXd right(w.size(), 2);
     right << residual_ + sigma * off_target_ * w, load_derivative() - sigma * k * w;
-    const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : bordered_.partialPivLu().solve(right);
+    const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : Eigen::MatrixXd(general_factor_.solve(right));
     load_correction_ = (off_target_ - w.dot(x.col(0))) / (k + w.dot(x.col(1)));
     correction_ = x.col(0) + load_correction_ * x.col(1);
     if (!correction_.allFinite())
@@ -138,6 +155,10 @@ void CondensedEquilibrium::apply() {
     ++iteration_;
 }
 
+void CondensedEquilibrium::begin_commit(bool reversal) {
+    if (fine_ != nullptr) fine_->begin_commit(reversal);
+}
+
 coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
     committed_ = trial_;
@@ -152,7 +173,7 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
 void CondensedEquilibrium::rollback() {
     trial_ = committed_;
     load_factor_ = committed_load_factor_;
-    expanded_.reset();
+    forget_expansions();
     if (fine_ != nullptr) fine_->rollback();
 }
 
@@ -181,15 +202,19 @@ Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
     return *expanded_;
 }
 
-Eigen::VectorXd CondensedEquilibrium::reactions() const {
-    Eigen::VectorXd forces = structure_.forces_on_prescribed(structure_displacement());
-    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
-        const auto found = std::ranges::lower_bound(structure_.gamma(), scene_.prescribed[k].unknown);
-        if (fine_ != nullptr && found != structure_.gamma().end() && *found == scene_.prescribed[k].unknown) {
-            forces[static_cast<Eigen::Index>(k)] += response_.force[found - structure_.gamma().begin()];
-        }
-    }
-    return forces;
+const Eigen::VectorXd& CondensedEquilibrium::near_displacement() const {
+    if (!near_known_) structure_.expand_near(trial_, load_factor_, near_);
+    near_known_ = true;
+    return near_;
+}
+
+MachineReading CondensedEquilibrium::machine_reading() const {
+    const Eigen::VectorXd u = on_free(trial_);
+    MachineReading reading{structure_.mean_displacement().at(u, load_factor_),
+                           structure_.holding_force().at(u, load_factor_)};
+    if (fine_ != nullptr)
+        for (const auto& [place, share] : pulled_) reading.force += share * response_.force[place];
+    return reading;
 }
 
 }  // namespace stria::coarse

@@ -1,6 +1,7 @@
 // The structure condensed once, plus the zone's answers: equilibrium on the boundary Gamma (DESIGN section 1).
 #pragma once
 
+#include <Eigen/LU>
 #include <optional>
 
 #include "coarse/equilibrium.hpp"
@@ -21,11 +22,13 @@ public:
     Residual linearise() override;
     double solve() override;
     void apply() override;
+    void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
     [[nodiscard]] double load_factor() const override { return load_factor_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override;
-    [[nodiscard]] Eigen::VectorXd reactions() const override;
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override;
+    [[nodiscard]] MachineReading machine_reading() const override;
     [[nodiscard]] EquilibriumState state() const override;
     void restore(const EquilibriumState& state) override;
     [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
@@ -33,14 +36,17 @@ public:
 private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
     void impose_held();
-    [[nodiscard]] Eigen::MatrixXd tangent() const;
+    void forget_expansions();
+    [[nodiscard]] Eigen::MatrixXd bordered_tangent();
     void factor_tangent();
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
 
     const Structure& structure_;
     const Scene& scene_;
     coupling::FineScale* fine_;
-    std::vector<std::pair<int, double>> held_;  // place in Gamma, value per unit load factor
+    double largest_unit_force_;
+    std::vector<std::pair<int, double>> held_;    // place in Gamma, value per unit load factor
+    std::vector<std::pair<int, double>> pulled_;  // place in Gamma, share of its reaction in the machine's force
     int iteration_ = 0;
     Predictor predictor_;
     Controlled controlled_;  // on the free places
@@ -57,11 +63,15 @@ private:
     coupling::PatchResponse response_;
     Eigen::MatrixXd zone_tangent_;  // of the last response that brought one
     double settled_below_ = 0.0;    // for the next request
-    DenseCholesky factor_;          // of the bordered tangent, for as long as the zone's is the same
-    Eigen::MatrixXd bordered_;
+    // Of the bordered tangent, for as long as the zone's is the same; the second where that is not definite.
+    DenseCholesky factor_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> general_factor_;
     double sigma_ = 0.0;
     bool definite_ = false;
+    bool near_wanted_ = false;                         // of the next trial state, which may well be the last
     mutable std::optional<Eigen::VectorXd> expanded_;  // structure_displacement() of the trial state
+    mutable Eigen::VectorXd near_;                     // near_displacement(), of the trial state where near_known_
+    mutable bool near_known_ = false;
     double exchange_s_ = 0.0;
 };
 

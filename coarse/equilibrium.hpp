@@ -39,6 +39,12 @@ struct EquilibriumState {
     std::vector<Eigen::VectorXd> whole_increments;
 };
 
+/// What a testing machine reads at the loaded boundary, along its direction.
+struct MachineReading {
+    double displacement = 0.0;  // mean, mm
+    double force = 0.0;         // of what holds it, N/mm; zero where forces load it
+};
+
 class Equilibrium {
 public:
     Equilibrium() = default;
@@ -59,6 +65,9 @@ public:
     /// Takes the correction.
     virtual void apply() = 0;
 
+    /// Lets the commit() that must follow begin, where somebody else has a part in it.
+    virtual void begin_commit(bool /*reversal*/) {}
+
     /// Trial becomes committed; `reversal` as in coupling::FineScale.
     virtual coupling::StepReport commit(bool reversal) = 0;
     virtual void rollback() = 0;
@@ -66,11 +75,14 @@ public:
     /// Of the trial state.
     [[nodiscard]] virtual double load_factor() const = 0;
 
-    /// Displacement of the whole mesh; unknowns inside the zone are zero.
+    /// Displacement of the whole mesh, of the trial state; unknowns inside the zone are zero. Dear on a large mesh.
     [[nodiscard]] virtual Eigen::VectorXd structure_displacement() const = 0;
 
-    /// Reactions on the scene's prescribed unknowns at the trial state, N/mm, in their order.
-    [[nodiscard]] virtual Eigen::VectorXd reactions() const = 0;
+    /// The same where near elements see it; elsewhere anything. Valid until the trial state changes.
+    [[nodiscard]] virtual const Eigen::VectorXd& near_displacement() const = 0;
+
+    /// Of the trial state.
+    [[nodiscard]] virtual MachineReading machine_reading() const = 0;
 
     /// Between increments.
     [[nodiscard]] virtual EquilibriumState state() const = 0;

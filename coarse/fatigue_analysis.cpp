@@ -20,7 +20,7 @@ constexpr double closure_precision = 0.002;  // of the larger load of a half cyc
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : scene_(&scene), factory_(factory), listener_(std::move(listener)),
-      controller_(scene.input.load, scene.input.solver) {
+      controller_(scene.input.load, scene.input.solver), guard_(scene.input) {
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
@@ -40,7 +40,8 @@ std::vector<double> FatigueAnalysis::solve_nominal() {
     if (scene_->enriched.tips.empty() && load.control == Control::Load) return {};
     note_if_large("elastic solution of the whole body");
     structure_ = std::make_unique<Structure>(*scene_, std::vector<char>(scene_->mesh.elements.size(), 0));
-    nominal_ = fracture_parameters(*structure_, structure_->expand({}, 1.0), {});
+    nominal_displacement_ = structure_->expand({}, 1.0);
+    nominal_ = fracture_parameters(*structure_, nominal_displacement_, {});
     controller_.set_scale(target_of_unit(load, nominal_, grown()));
     const double largest = largest_load_factor(load, *structure_, nominal_, grown());
     std::vector<double> largest_K_I;
@@ -60,6 +61,8 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
         if (!equilibrium_) structure_.reset();  // the nominal one: two factors at once would take twice the memory
         structure_ = std::make_unique<Structure>(*scene_, in_zone);
     }
+    guard_.turn_to(*structure_, nominal_displacement_);
+    structure_->make_rings();
     coupling::Patch patch;
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     patch.ahead = closure_.ahead(scene_->enriched);
@@ -172,6 +175,7 @@ bool FatigueAnalysis::grow(const LoadStep& reached) {
     auto next = scene_of_longer_cracks(input);
     if (!next) return false;
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
+    refresh_committed();
     committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);
     std::vector<char> in_zone = structure_->in_zone();
     scene_ = next.get();
@@ -221,9 +225,7 @@ void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& repo
 
 // The proof that "elastic outside the zone" held (DESIGN section 4).
 bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
-    if (!scene_->input.material.yield_stress) return false;
-    const std::vector<int> yielding = structure_->elements_beyond(*scene_->input.material.yield_stress * (1.0 + 1e-9),
-                                                                  equilibrium_->structure_displacement());
+    const std::vector<int> yielding = guard_.elements_beyond(*equilibrium_);
     if (yielding.empty()) return false;
     if (scene_->input.fine.guard == Guard::Warn) {
         if (warnings_++ == 0) {
@@ -239,19 +241,16 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     return true;
 }
 
-// With one ring of neighbours more, so that a growing plastic zone does not ask again at once.
 void FatigueAnalysis::extend_zone(const std::vector<int>& yielding) {
     equilibrium_->rollback();
-    std::vector<char> in_zone = structure_->in_zone();
-    const auto around = elements_around_nodes(scene_->mesh);
-    for (const int element : yielding) {
-        for (const int node : scene_->mesh.elements[static_cast<std::size_t>(element)]) {
-            for (const int neighbour : around[static_cast<std::size_t>(node)])
-                if (!scene_->mesh.in_insert(neighbour)) in_zone[static_cast<std::size_t>(neighbour)] = 1;
-        }
-    }
+    refresh_committed();
     ++extensions_;
-    build(in_zone);
+    build(with_ring(*scene_, structure_->in_zone(), yielding));
+}
+
+// Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.
+void FatigueAnalysis::refresh_committed() {
+    if (std::exchange(committed_behind_, false)) committed_ = equilibrium_->structure_displacement();
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
@@ -262,12 +261,14 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     increment.opening_changes = changes;
     increment.load_factor = load_factor_ = equilibrium_->load_factor();
     increment.newton = report;
-    increment.displacement = equilibrium_->structure_displacement();
-    increment.reactions = equilibrium_->reactions();
+    increment.machine = equilibrium_->machine_reading();
+    equilibrium_->begin_commit(step.reversal);
+    const RingIntegrals own = ring_integrals(*structure_, equilibrium_->near_displacement());
     increment.zone = equilibrium_->commit(step.reversal);
-    increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
+    increment.equilibrium = equilibrium_.get();
+    increment.tips = fracture_parameters(*structure_, equilibrium_->near_displacement(), own, increment.zone);
     look_at_rings(increment);
-    committed_ = increment.displacement;
+    committed_behind_ = true;
     closed_ = increment.closed = closure_.closed(report);
     for (const TipResult& tip : nominal_) increment.nominal_K.push_back(tip.K_I);
     cycle_meter_.add(increment);

@@ -8,6 +8,8 @@
 #include "coarse/equilibrium_factory.hpp"
 #include "coarse/increment.hpp"
 #include "coarse/load_scale.hpp"
+#include "coarse/structure.hpp"
+#include "coarse/yield_guard.hpp"
 
 namespace stria::coarse {
 
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] int cuts() const { return controller_.cuts(); }
     [[nodiscard]] int zone_extensions() const { return extensions_; }
     [[nodiscard]] int yield_warnings() const { return warnings_; }
+    [[nodiscard]] const YieldGuard& yield_guard() const { return guard_; }
     /// Increments in which some tip had no ring outside what has flowed.
     [[nodiscard]] int flowing_rings() const { return flowing_rings_; }
     [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }
@@ -76,6 +79,7 @@ private:
     std::vector<double> solve_nominal();
     void restore(const AnalysisState& from);
     void build(const std::vector<char>& in_zone, const AnalysisState* from = nullptr);
+    void refresh_committed();
     void note_if_large(const char* phase) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     void extend_zone(const std::vector<int>& yielding);
@@ -97,10 +101,13 @@ private:
     Listener listener_;
     LoadController controller_;
     std::unique_ptr<Structure> structure_;
+    YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::vector<TipResult> nominal_;
-    Eigen::VectorXd committed_;  // displacement of the whole mesh
-    double load_factor_ = 0.0;   // committed
+    Eigen::VectorXd nominal_displacement_;  // of the whole mesh for the load factor 1; empty where nobody asked
+    Eigen::VectorXd committed_;             // displacement of the whole mesh; behind while increments are accepted:
+    bool committed_behind_ = false;         // refresh_committed()
+    double load_factor_ = 0.0;              // committed
     ClosureMeter closure_;
     std::vector<char> closed_;  // signals of the closure meter, committed
     CycleMeter cycle_meter_;

@@ -42,10 +42,8 @@ struct RingValues {
     double J, K_I, K_II, T_stress;
 };
 
-std::vector<RingValues> values_on(int t, const Structure& structure, const Eigen::VectorXd& u,
+std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
                                   const coupling::StepReport& report) {
-    const Scene& scene = structure.scene();
-    std::vector<DomainIntegral> total = structure.rings(t).values(structure, u);
     for (const coupling::RingReport& share : report.rings) {
         if (share.tip == t)
             total[at(share.number)] += {share.J, share.interaction_I, share.interaction_II, share.interaction_T};
@@ -87,8 +85,20 @@ void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>&
 
 }  // namespace
 
+RingIntegrals ring_integrals(const Structure& structure, const Eigen::VectorXd& u) {
+    RingIntegrals integrals;
+    for (int t = 0; t < std::ssize(structure.scene().enriched.tips); ++t)
+        integrals.push_back(structure.rings(t).values(structure, u));
+    return integrals;
+}
+
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report) {
+    return fracture_parameters(structure, u, ring_integrals(structure, u), report);
+}
+
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const RingIntegrals& own, const coupling::StepReport& report) {
     const Scene& scene = structure.scene();
     const EnrichedMesh& mesh = scene.enriched;
     std::vector<TipResult> results;
@@ -111,7 +121,7 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
         }
         const std::vector<Annulus>& rings = structure.rings(t).rings();
         const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
-        put_rings(rings, values_on(t, structure, u, report), plastic_reach, result);
+        put_rings(rings, values_on(t, scene, own[at(t)], report), plastic_reach, result);
         results.push_back(result);
     }
     return results;

@@ -21,7 +21,14 @@ struct TipResult {
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;  // mm
 };
 
-/// `u`: displacement of the whole mesh, zero inside the zone; `report`: the zone's share (empty without a zone).
+/// The structure's share in the domain integrals, tip by tip and ring by ring. `u`: displacement of the whole mesh, of
+/// which near elements are read.
+using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
+RingIntegrals ring_integrals(const Structure& structure, const Eigen::VectorXd& u);
+
+/// `u`: likewise, zero inside the zone; `report`: the zone's share (empty without a zone).
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const RingIntegrals& own, const coupling::StepReport& report);
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report);
 

@@ -1,7 +1,6 @@
 // A converged increment of the load, as those who record and measure get it.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "coarse/closure.hpp"
@@ -19,8 +18,8 @@ struct Increment {
     std::vector<OpeningChange> opening_changes;  // on the way to this increment
     std::vector<char> closed;                    // of the closure meter's signals
     NewtonReport newton;
-    Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone
-    Eigen::VectorXd reactions;     // on prescribed unknowns
+    const Equilibrium* equilibrium = nullptr;  // in the state committed, as long as the listener runs
+    MachineReading machine;
     coupling::StepReport zone;
     std::vector<TipResult> tips;
     std::vector<double> nominal_K;    // K_1(a) of every tip: elastic, traction-free faces, load factor 1, this length

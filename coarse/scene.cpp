@@ -89,6 +89,21 @@ void weigh_mean_displacement(Scene& scene) {
         scene.mean_displacement.segment<2>(scene.enriched.unknown(node, 0, 0)) += weight;
 }
 
+/// Direction of the loaded boundary on its prescribed unknowns, where no force tells its load.
+void weigh_reactions(Scene& scene) {
+    scene.pull = Eigen::VectorXd::Zero(std::ssize(scene.prescribed));
+    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    if (!loaded || !loaded->resultant.isZero(0.0)) return;
+    for (const int node : loaded->nodes) {
+        for (int c = 0; c < 2; ++c) {
+            const int unknown = scene.enriched.unknown(node, 0, c);
+            const auto found = std::ranges::lower_bound(scene.prescribed, unknown, {}, &PrescribedUnknown::unknown);
+            if (found != scene.prescribed.end() && found->unknown == unknown)
+                scene.pull[found - scene.prescribed.begin()] = loaded->direction[c];
+        }
+    }
+}
+
 }  // namespace
 
 Scene make_scene(const Case& input) {
@@ -140,6 +155,7 @@ void put_loads_on_unknowns(Scene& scene) {
     }
     scene.prescribed.clear();
     for (const auto& [unknown, value] : prescribed) scene.prescribed.push_back({unknown, value});
+    weigh_reactions(scene);
 }
 
 }  // namespace stria::coarse

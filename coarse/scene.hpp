@@ -30,6 +30,8 @@ struct Scene {
     std::vector<char> observed;         // per unknown: standard unknown of a node where loads are applied and reported
     Eigen::VectorXd mean_displacement;  // weights on all unknowns: of the loaded boundary, along its direction; zero
                                         // where there is none
+    Eigen::VectorXd pull;  // of each prescribed unknown: what its reaction adds to the load reported; zero where forces
+                           // load the boundary reported
 };
 
 /// Meshes, refines, enriches and resolves a case. Throws CaseError.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "coarse/elastic_force.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 #include "common/stopwatch.hpp"
 #include "common/substructure/nested_dissection.hpp"
@@ -18,18 +19,13 @@ IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
     return rule;
 }
 
-template <class Operator, class Values>
-Values elastic_force(const Operator& op, const Values& u, const MandelMatrix& elastic) {
-    Values force = Values::Zero(u.size());
-    for (std::size_t q = 0; q < op.points.size(); ++q) op.add_force(elastic * op.strain(u, q), q, force);
-    return force;
-}
-
 }  // namespace
 
 Structure::Structure(const Scene& scene, std::vector<char> in_zone)
-    : scene_(scene), in_zone_(std::move(in_zone)),
+    : scene_(scene), in_zone_(std::move(in_zone)), is_near_(coarse::near_elements(scene, in_zone_)),
       mean_dilatation_(mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere) {
+    for (int e = 0; e < std::ssize(is_near_); ++e)
+        if (is_near_[at(e)] != 0) near_elements_.push_back(e);
     make_enriched_operators();
     keep_plain_operators();
     number_unknowns();
@@ -52,10 +48,10 @@ void Structure::make_enriched_operators() {
 void Structure::keep_plain_operators() {
     constexpr int most = 20'000;  // elements: 12 MB
     const Stopwatch watch(seconds_.assembly);
-    if (std::ssize(in_zone_) > most) return;
+    if (std::ssize(near_elements_) > most) return;
     plain_place_.assign(in_zone_.size(), -1);
-    for (int e = 0; e < static_cast<int>(in_zone_.size()); ++e) {
-        if (in_zone_[at(e)] != 0 || !is_plain(scene_.enriched, e)) continue;
+    for (const int e : near_elements_) {
+        if (!is_plain(scene_.enriched, e)) continue;
         plain_place_[at(e)] = static_cast<int>(plain_.size());
         plain_.push_back(plain_operator(scene_.enriched, e, mean_dilatation_));
     }
@@ -94,14 +90,17 @@ void Structure::number_unknowns() {
     }
 }
 
-/// Renumbers the leaf's unknowns, those of Gamma last; returns the elements' unknowns with their new numbers.
+/// Renumbers the leaf's unknowns, those that near elements see after the others, those of Gamma last; returns the
+/// elements' unknowns with their new numbers.
 IndexLists Structure::order_elimination() {
     const Stopwatch watch(seconds_.ordering);
     const EnrichedMesh& mesh = scene_.enriched;
     IndexLists of_elements;
     std::vector<Vec2> centres;
+    std::vector<char> late;
     for_each_coarse([&](int element, std::span<const int> unknowns) {
         of_elements.append(unknowns);
+        late.push_back(is_near_[at(element)]);
         centres.push_back(Vec2::Zero());
         for (const int node : mesh.elements[at(element)]) centres.back() += mesh.nodes[at(node)] / 4.0;
     });
@@ -109,7 +108,7 @@ IndexLists Structure::order_elimination() {
     const auto boundary = static_cast<int>(free_places_.size());
     std::vector<int> kept(at(boundary));
     std::iota(kept.begin(), kept.end(), unknowns() - boundary);
-    const std::vector<int> order = nested_dissection(of_elements, centres, unknowns(), kept);
+    const std::vector<int> order = nested_dissection(of_elements, centres, unknowns(), kept, late);
 
     const std::vector<int> before = std::move(leaf_unknowns_);
     std::vector<int> rank(before.size());
@@ -120,6 +119,7 @@ IndexLists Structure::order_elimination() {
         leaf_unknowns_.push_back(before[at(unknown)]);
     }
     of_elements.map([&](int unknown) { return unknown < 0 ? -1 : rank[at(unknown)]; });
+    number_near_unknowns(of_elements);
     return of_elements;
 }
 
@@ -137,16 +137,17 @@ void Structure::condense() {
     SparseMatrix lower = assemble();
     const Stopwatch watch(seconds_.factor);
     leaf_ = std::make_unique<SparseLeaf>(static_cast<int>(free_places_.size()), std::move(lower));
-    reduced_ = leaf_->reduce(unit_load_of_leaf());
-    condense_mean_displacement();
-}
-
-/// With what the imposed displacements do to it.
-Eigen::VectorXd Structure::unit_load_of_leaf() const {
-    const MandelMatrix elastic = scene_.elastic.stiffness();
     Eigen::VectorXd imposed = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
     for (const PrescribedUnknown& p : scene_.prescribed) imposed[p.unknown] = p.value;
-    Eigen::VectorXd load = gather(scene_.unit_force, leaf_unknowns_);
+    reduced_ = leaf_->reduce(gather(scene_.unit_force, leaf_unknowns_) + load_of_imposed(imposed));
+    near_load_ = reduced_.interior.tail(near_count_ - std::ssize(free_places_));
+    condense_readings();
+}
+
+/// What displacements of prescribed unknowns (of the whole mesh) do to the leaf's unknowns.
+Eigen::VectorXd Structure::load_of_imposed(const Eigen::VectorXd& imposed) const {
+    const MandelMatrix elastic = scene_.elastic.stiffness();
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns());
     for (const int element : supported_) {
         visit_operator(element, [&](const auto& op) {
             const auto reaction = (op.stiffness(elastic) * gather(imposed, op.unknowns)).eval();
@@ -159,10 +160,18 @@ Eigen::VectorXd Structure::unit_load_of_leaf() const {
     return load;
 }
 
-void Structure::condense_mean_displacement() {
-    const Eigen::VectorXd gamma_held = Eigen::VectorXd::Zero(std::ssize(gamma_));
+/// Linear in Gamma's displacement and the load factor: what they make of the latter is seen with Gamma held.
+void Structure::condense_readings() {
+    const Eigen::VectorXd gamma_held = expand(Eigen::VectorXd::Zero(std::ssize(gamma_)), 1.0);
     mean_displacement_.weights = leaf_->reduce(gather(scene_.mean_displacement, leaf_unknowns_)).boundary;
-    mean_displacement_.per_load_factor = scene_.mean_displacement.dot(expand(gamma_held, 1.0));
+    mean_displacement_.per_load_factor = scene_.mean_displacement.dot(gamma_held);
+    holding_force_.weights = Eigen::VectorXd::Zero(std::ssize(free_places_));
+    if (scene_.pull.isZero(0.0)) return;
+    Eigen::VectorXd pulled = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
+    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+        pulled[scene_.prescribed[k].unknown] = scene_.pull[static_cast<Eigen::Index>(k)];
+    holding_force_.weights = leaf_->reduce(-load_of_imposed(pulled)).boundary;
+    holding_force_.per_load_factor = scene_.pull.dot(forces_on_prescribed(gamma_held));
 }
 
 Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
@@ -177,25 +186,14 @@ Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, dou
     return u;
 }
 
-std::vector<int> Structure::elements_beyond(double stress, const Eigen::VectorXd& u) const {
-    const MandelMatrix elastic = scene_.elastic.stiffness();
-    std::vector<int> found;
-    const auto may_yield = [&](int element) { return !scene_.mesh.in_insert(element); };
-    for_each_operator(may_yield, [&](const auto& op) {
-        const auto local = gather(u, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            if (von_mises(elastic * op.strain(local, q)) <= stress) continue;
-            found.push_back(op.element);
-            break;
-        }
-    });
-    return found;
-}
-
 const RingForms& Structure::rings(int tip) const {
     rings_.resize(scene_.enriched.tips.size());
     if (!rings_[at(tip)]) rings_[at(tip)] = std::make_unique<RingForms>(*this, tip);
     return *rings_[at(tip)];
+}
+
+void Structure::make_rings() const {
+    for (int tip = 0; tip < std::ssize(scene_.enriched.tips); ++tip) (void)rings(tip);
 }
 
 Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/near_elements.hpp"
 #include "coarse/ring_forms.hpp"
 #include "coarse/scene.hpp"
 #include "coarse/target.hpp"
@@ -43,8 +44,32 @@ public:
     /// stiffness on them, and with them held gives way to the load alone.
     [[nodiscard]] const Controlled& mean_displacement() const { return mean_displacement_; }
 
+    /// What holds the loaded boundary along its direction, N/mm, as far as coarse elements do: on the free places, like
+    /// mean_displacement(); zero where forces load it.
+    [[nodiscard]] const Controlled& holding_force() const { return holding_force_; }
+
     /// All unknowns of the whole mesh that coarse elements see, given the displacement of gamma(); others are zero.
     [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const;
+
+    /// Coarse elements that each increment looks at, ascending; the others are far (near_elements.hpp).
+    [[nodiscard]] const std::vector<int>& near_elements() const { return near_elements_; }
+    [[nodiscard]] bool is_far(int element) const {
+        return in_zone_[static_cast<std::size_t>(element)] == 0 && is_near_[static_cast<std::size_t>(element)] == 0;
+    }
+
+    /// Unknowns that near elements see, and those of free_places(), which are the last, in their order. Prescribed ones
+    /// are not among them.
+    [[nodiscard]] std::span<const int> near_unknowns() const {
+        return std::span(leaf_unknowns_).last(static_cast<std::size_t>(near_count_));
+    }
+
+    /// expand() on near elements alone: overwrites in `u` (of the whole mesh) what they see. Costs the near part of the
+    /// factor.
+    void expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, Eigen::VectorXd& u) const;
+
+    /// What far elements resist with on near_unknowns(), given the displacement there of a state in equilibrium without
+    /// load, N/mm: what near ones beside them push. Half its product with that displacement is the far energy.
+    [[nodiscard]] Eigen::VectorXd far_force(const Eigen::VectorXd& near_displacement) const;
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const std::vector<char>& in_zone() const { return in_zone_; }
@@ -52,11 +77,9 @@ public:
     [[nodiscard]] const StructureSeconds& seconds() const { return seconds_; }
     [[nodiscard]] double factor_entries() const { return leaf_->factor_entries(); }
 
-    /// Elements (of the whole mesh) whose von Mises stress exceeds a limit at some point, inserts left out.
-    [[nodiscard]] std::vector<int> elements_beyond(double stress, const Eigen::VectorXd& u) const;
-
     /// The rings about a tip and the coarse elements' share in their domain integrals; made when first asked for.
     [[nodiscard]] const RingForms& rings(int tip) const;
+    void make_rings() const;
 
     /// Internal force of the coarse elements on the prescribed unknowns of the scene, N/mm, in their order.
     [[nodiscard]] Eigen::VectorXd forces_on_prescribed(const Eigen::VectorXd& u) const;
@@ -70,12 +93,12 @@ public:
 
     /// Calls visit(op) for each coarse element, ascending, with its PlainOperator or its ElementOperator: alike to a
     /// generic visitor. Plain ones are made on demand and last for the visit, unless there are few enough to keep.
-    template <class Visit> void for_each_operator(Visit&& visit) const {
-        for_each_operator([](int) { return true; }, visit);
-    }
+    template <class Visit> void for_each_operator(Visit&& visit) const;
 
-    /// Of the elements that wanted(element) picks.
-    template <class Wanted, class Visit> void for_each_operator(Wanted&& wanted, Visit&& visit) const;
+    /// Of some coarse elements.
+    template <class Visit> void for_each_operator(std::span<const int> elements, Visit&& visit) const {
+        for (const int element : elements) visit_operator(element, visit);
+    }
 
 private:
     template <class Visit> void visit_operator(int element, Visit&& visit) const;
@@ -85,24 +108,33 @@ private:
     void keep_plain_operators();
     void number_unknowns();
     [[nodiscard]] IndexLists order_elimination();
-    [[nodiscard]] Eigen::VectorXd unit_load_of_leaf() const;
+    [[nodiscard]] Eigen::VectorXd load_of_imposed(const Eigen::VectorXd& imposed) const;
     [[nodiscard]] SparseMatrix assemble();
     void condense();
-    void condense_mean_displacement();
+    void condense_readings();
+    void number_near_unknowns(const IndexLists& of_elements);
+    void find_rim(const IndexLists& of_elements, int first_near);
 
     const Scene& scene_;
-    std::vector<char> in_zone_;
+    std::vector<char> in_zone_, is_near_;
+    std::vector<int> near_elements_;
     bool mean_dilatation_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
-    std::vector<PlainOperator> plain_;       // of those that are, ascending; empty: made on demand
+    std::vector<PlainOperator> plain_;       // of near ones that are, ascending; empty: made on demand
     std::vector<int> plain_place_;           // per element: in plain_
     std::vector<int> supported_;             // coarse elements with a prescribed unknown
     std::vector<int> gamma_, free_places_;
-    std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
-    std::vector<int> leaf_index_;     // and back; -1: prescribed or inside the zone
+    std::vector<int> leaf_unknowns_;                // whole-mesh unknown of each leaf unknown
+    std::vector<int> leaf_index_;                   // and back; -1: prescribed or inside the zone
+    int near_count_ = 0;                            // of the leaf's unknowns: the last ones
+    std::vector<int> rim_elements_;                 // near ones beside far ones, ascending
+    IndexLists rim_places_;                         // in near_unknowns(), of each of their unknowns; -1: prescribed
+    std::vector<char> on_rim_;                      // per near unknown, 1 where far elements see it
+    std::vector<PrescribedUnknown> near_supports_;  // that near elements see
     std::unique_ptr<SparseLeaf> leaf_;
-    ReducedLoad reduced_;  // of the unit load factor
-    Controlled mean_displacement_;
+    ReducedLoad reduced_;        // of the unit load factor
+    Eigen::VectorXd near_load_;  // the near part of its interior
+    Controlled mean_displacement_, holding_force_;
     StructureSeconds seconds_;
     mutable std::vector<std::unique_ptr<RingForms>> rings_;  // per tip
 };
@@ -127,9 +159,9 @@ template <class Visit> void Structure::for_each_coarse(Visit&& visit) const {
     }
 }
 
-template <class Wanted, class Visit> void Structure::for_each_operator(Wanted&& wanted, Visit&& visit) const {
+template <class Visit> void Structure::for_each_operator(Visit&& visit) const {
     for (int element = 0; element < static_cast<int>(in_zone_.size()); ++element)
-        if (in_zone_[static_cast<std::size_t>(element)] == 0 && wanted(element)) visit_operator(element, visit);
+        if (in_zone_[static_cast<std::size_t>(element)] == 0) visit_operator(element, visit);
 }
 
 }  // namespace stria::coarse

@@ -60,6 +60,17 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
     return in_zone;
 }
 
+std::vector<char> with_ring(const Scene& scene, std::vector<char> in_zone, const std::vector<int>& joining) {
+    const auto around = elements_around_nodes(scene.mesh);
+    for (const int element : joining) {
+        for (const int node : scene.mesh.elements[at(element)]) {
+            for (const int neighbour : around[at(node)])
+                if (!scene.mesh.in_insert(neighbour)) in_zone[at(neighbour)] = 1;
+        }
+    }
+    return in_zone;
+}
+
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement) {
     std::vector<int> elements;

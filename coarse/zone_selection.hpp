@@ -19,6 +19,10 @@ double zone_radius(const Case& input, double K_I);
 /// scenes.
 std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I);
 
+/// A zone that some elements join, with one ring of neighbours more, so that a growing plastic zone does not ask again
+/// at once.
+std::vector<char> with_ring(const Scene& scene, std::vector<char> in_zone, const std::vector<int>& joining);
+
 /// The zone as the message that the fine component gets; `displacement`: of the whole mesh, committed.
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement);

@@ -53,7 +53,8 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
     record_history(increment, structure);
     cycle_iterations_ += increment.newton.count();
     if (due(scene_.input.output.faces, increment.step)) {
-        for (const coupling::FaceSample& sample : face_samples(structure, increment.displacement, increment.zone)) {
+        const Eigen::VectorXd& u = increment.equilibrium->near_displacement();
+        for (const coupling::FaceSample& sample : face_samples(structure, u, increment.zone)) {
             faces_.row(cells_of(face_row(increment.number, sample)));
         }
     }
@@ -61,8 +62,8 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
         std::optional<coupling::ZoneState> zone;
         if (std::ranges::find(structure.in_zone(), static_cast<char>(1)) != structure.in_zone().end())
             zone = zone_state_();
-        FieldData fields =
-            make_fields(structure, increment.displacement, zone ? &*zone : nullptr, increment.zone.faces);
+        FieldData fields = make_fields(structure, increment.equilibrium->structure_displacement(),
+                                       zone ? &*zone : nullptr, increment.zone.faces);
         fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}},
                                {"cycle", 1, {double(increment.step.cycle)}}};
         fields_.write(increment.number, fields);
@@ -77,7 +78,7 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
     row.cycle = increment.step.cycle;
     row.load_factor = increment.load_factor;
     row.load = load(increment);
-    row.displacement = displacement(increment);
+    row.displacement = loaded_ ? increment.machine.displacement : missing;
     row.newton_iterations = increment.newton.count();
     row.dissipation = increment.zone.dissipation;
     last_.clear();
@@ -169,20 +170,7 @@ bool RunRecorder::due(Written wish, const LoadStep& step) const {
 double RunRecorder::load(const Increment& increment) const {
     if (!loaded_) return missing;
     if (!loaded_->resultant.isZero(0.0)) return increment.load_factor * loaded_->resultant.dot(loaded_->direction);
-    double sum = 0.0;
-    for (const int node : loaded_->nodes) {
-        for (int c = 0; c < 2; ++c) {
-            const int unknown = present_->enriched.unknown(node, 0, c);
-            const auto found = std::ranges::lower_bound(present_->prescribed, unknown, {}, &PrescribedUnknown::unknown);
-            if (found == present_->prescribed.end() || found->unknown != unknown) continue;
-            sum += loaded_->direction[c] * increment.reactions[found - present_->prescribed.begin()];
-        }
-    }
-    return sum;
-}
-
-double RunRecorder::displacement(const Increment& increment) const {
-    return loaded_ ? present_->mean_displacement.dot(increment.displacement) : missing;
+    return increment.machine.force;
 }
 
 }  // namespace stria::coarse

@@ -45,7 +45,6 @@ private:
     [[nodiscard]] double seconds() const;
     [[nodiscard]] bool due(Written wish, const LoadStep& step) const;
     [[nodiscard]] double load(const Increment& increment) const;
-    [[nodiscard]] double displacement(const Increment& increment) const;
 
     const Scene& scene_;
     const Scene* present_ = nullptr;  // of the increment at hand: cracks grow

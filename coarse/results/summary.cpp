@@ -134,6 +134,8 @@ Json to_json(const Summary& summary) {
                         {"points_proven_elastic", summary.points_proven_elastic},
                         {"tangents_computed", summary.tangents_computed},
                         {"elastic_tangents_reused", summary.elastic_tangents_reused},
+                        {"structure_checks_full", summary.structure_checks_full},
+                        {"structure_checks_by_bound", summary.structure_checks_by_bound},
                         {"messages", summary.messages},
                         {"bytes", summary.bytes},
                         {"ranks_idle", summary.ranks_idle},

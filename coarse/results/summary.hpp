@@ -63,6 +63,8 @@ struct Summary {
     std::int64_t fronts_refactored = 0, factors_reused = 0;
     std::int64_t points_evaluated = 0, points_proven_elastic = 0;
     std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;
+    // Checks of the far elements for yield: one by one, and by their bound.
+    std::int64_t structure_checks_full = 0, structure_checks_by_bound = 0;
     std::int64_t messages = 0, bytes = 0;
     // Of each fine rank; those without an element idle.
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;

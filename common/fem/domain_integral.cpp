@@ -51,12 +51,6 @@ std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const
             point_force_field(tip_, point.x, side, elastic_)};
 }
 
-void RingSums::add_J(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient,
-                     double work) {
-    const Vec2 own = energy_momentum(tip_, stress, gradient, work);
-    for_each_ring(point, [&](std::size_t ring, const Vec2& dq) { sums_[ring].J += point.weight * own.dot(dq); });
-}
-
 void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
     const Vec2 own = energy_momentum(tip_, stress, gradient, work);
     std::array<Vec2, 3> mutual;

@@ -72,9 +72,6 @@ public:
     /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
 
-    /// The same, for J alone: without the auxiliary fields.
-    void add_J(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
-
     /// The auxiliary fields of the interactions I, II and T at a point.
     [[nodiscard]] std::array<TipField, 3> auxiliary(const IntegrationPoint& point) const;
 

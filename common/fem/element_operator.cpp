@@ -213,7 +213,7 @@ Eigen::MatrixXd ElementOperator::stiffness(const MandelMatrix& elastic) const {
     return K;
 }
 
-Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns) {
+Eigen::VectorXd gather(const Eigen::VectorXd& values, std::span<const int> unknowns) {
     Eigen::VectorXd local(static_cast<Eigen::Index>(unknowns.size()));
     for (std::size_t k = 0; k < unknowns.size(); ++k) local[static_cast<Eigen::Index>(k)] = values[unknowns[k]];
     return local;

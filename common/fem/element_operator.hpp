@@ -1,6 +1,7 @@
 // What integrates an element: its points, weights and function gradients, with the mean dilatation of each crack side.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "common/fem/element_basis.hpp"
@@ -17,6 +18,8 @@ using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 /// not exact (tip functions, cut elements that are no parallelograms) so that its integral equals the boundary integral
 /// of phi n, which makes the patch test exact.
 struct ElementOperator {
+    using Values = Eigen::VectorXd;  // 2 a function
+
     int element = 0;
     std::vector<int> unknowns;  // 2 a function
     std::vector<IntegrationPoint> points;
@@ -55,6 +58,6 @@ ElementOperator make_operator(const EnrichedMesh& mesh, int element, const Crack
                               const IntegrationRule& rule, std::vector<IntegrationPoint> points);
 
 /// Element values of a displacement vector.
-Eigen::VectorXd gather(const Eigen::VectorXd& values, const std::vector<int>& unknowns);
+Eigen::VectorXd gather(const Eigen::VectorXd& values, std::span<const int> unknowns);
 
 }  // namespace stria

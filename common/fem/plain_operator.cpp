@@ -13,6 +13,18 @@ using Nodal = Eigen::Matrix<double, 2, 4>;
 
 auto at(int i) { return static_cast<std::size_t>(i); }
 
+// Uniform and linear fields leave nothing of gradients - mean: one nodal mode is left, which any column of it shows.
+void find_warp(PlainOperator& op) {
+    for (const PlainOperator::Gradient& gradient : op.gradients) {
+        const PlainOperator::Gradient rest = gradient - op.mean;
+        for (const Eigen::Index axis : {0, 1})
+            if (rest.col(axis).norm() > op.warp.norm()) op.warp = rest.col(axis);
+    }
+    op.warp.normalize();
+    for (const PlainOperator::Gradient& gradient : op.gradients)
+        op.largest_warp = std::max(op.largest_warp, ((gradient - op.mean).transpose() * op.warp).norm());
+}
+
 }  // namespace
 
 bool is_plain(const EnrichedMesh& mesh, int element) {
@@ -45,6 +57,7 @@ PlainOperator plain_operator(const EnrichedMesh& mesh, int element, bool mean_di
         op.area += weight;
     }
     op.mean /= op.area;
+    find_warp(op);
     return op;
 }
 
@@ -52,6 +65,10 @@ Mandel PlainOperator::strain(const Values& u, std::size_t q) const {
     const Nodal nodal = u.reshaped(2, 4);
     return strain_at(nodal, gradients[q], mean_dilatation ? &mean : nullptr);
 }
+
+Mandel PlainOperator::mean_strain(const Values& u) const { return strain_of(u.reshaped(2, 4) * mean); }
+
+double PlainOperator::warping(const Values& u) const { return largest_warp * (u.reshaped(2, 4) * warp).norm(); }
 
 Eigen::Matrix2d PlainOperator::displacement_gradient(const Values& u, std::size_t q) const {
     return u.reshaped(2, 4) * gradients[q];

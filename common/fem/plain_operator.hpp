@@ -19,8 +19,14 @@ struct PlainOperator {
     Gradient mean = Gradient::Zero();
     bool mean_dilatation = true;
     double area = 0.0;
+    // Of the gradients one mode is left, the element's warping: gradients - mean = warp * a vector of each point.
+    Eigen::Vector4d warp = Eigen::Vector4d::Zero();
+    double largest_warp = 0.0;  // length of the longest of these vectors, 1/mm
 
     [[nodiscard]] Mandel strain(const Values& u, std::size_t q) const;
+    [[nodiscard]] Mandel mean_strain(const Values& u) const;
+    /// No point's strain is farther from mean_strain() than this.
+    [[nodiscard]] double warping(const Values& u) const;
     [[nodiscard]] Eigen::Matrix2d displacement_gradient(const Values& u, std::size_t q) const;
     void add_force(const Mandel& stress, std::size_t q, Values& force) const;
     [[nodiscard]] Eigen::Matrix<double, 8, 8> stiffness(const MandelMatrix& elastic) const;

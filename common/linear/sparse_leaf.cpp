@@ -77,6 +77,7 @@ struct SparseLeaf::Factor {
     void read_supernodes(const Eigen::VectorXd& diagonal);
     void check_pivot(int place, double pivot, double diagonal) const;
     Eigen::VectorXd solve(int system, Eigen::VectorXd right_hand_side);
+    void solve_last(Eigen::VectorXd& x) const;
 
     cholmod_common common{};
     cholmod_factor* cholesky = nullptr;
@@ -176,6 +177,33 @@ Eigen::VectorXd SparseLeaf::Factor::solve(int system, Eigen::VectorXd right_hand
     return right_hand_side;
 }
 
+// L^T x = y for the last unknowns alone, in place: none of the others has a share in them. Supernode by supernode from
+// the end; of the one in which they begin, its last columns.
+void SparseLeaf::Factor::solve_last(Eigen::VectorXd& x) const {
+    const auto* super = static_cast<const int*>(cholesky->super);
+    const auto* first_row = static_cast<const int*>(cholesky->pi);
+    const auto* first_value = static_cast<const int*>(cholesky->px);
+    const auto* rows = static_cast<const int*>(cholesky->s);
+    const auto* values = static_cast<const double*>(cholesky->x);
+    const int first = size() - static_cast<int>(x.size());
+    Eigen::VectorXd below;
+    for (std::size_t node = cholesky->nsuper; node-- > 0 && super[node + 1] > first;) {
+        const int skipped = std::max(0, first - super[node]);
+        const int height = first_row[node + 1] - first_row[node];
+        const int columns = super[node + 1] - super[node] - skipped, lower = height - skipped - columns;
+        const double* block = values + first_value[node] + static_cast<std::ptrdiff_t>(skipped) * (height + 1);
+        const int* below_rows = rows + first_row[node] + skipped + columns;
+        below.resize(lower);
+        for (int i = 0; i < lower; ++i) below[i] = x[below_rows[i] - first];
+        double* own = x.data() + super[node] + skipped - first;
+        if (lower > 0)
+            lapack::subtract_product(lapack::Op::Transposed, lower, columns, block + columns, height, below.data(),
+                                     own);
+        lapack::solve_triangle(lapack::Triangle::Lower, lapack::Op::Transposed, lapack::Diagonal::General, columns,
+                               block, height, own);
+    }
+}
+
 SparseLeaf::SparseLeaf(const SparseMatrix& stiffness, const std::vector<int>& boundary)
     : factor_(std::make_unique<Factor>()) {
     require(stiffness.rows() == stiffness.cols() && stiffness.rows() > 0, "sparse leaf: a square matrix");
@@ -229,6 +257,18 @@ Eigen::VectorXd SparseLeaf::expand(const ReducedLoad& load, const Eigen::VectorX
     Eigen::VectorXd x(factor_->size());
     x(factor_->order) = factor_->solve(CHOLMOD_Lt, std::move(y));
     for (int i = 0; i < factor_->boundary(); ++i) x[factor_->order[at(factor_->interior + i)]] = boundary[i];
+    return x;
+}
+
+Eigen::VectorXd SparseLeaf::expand_last(const Eigen::VectorXd& last_of_load, const Eigen::VectorXd& boundary) const {
+    const int kept = factor_->boundary();
+    require(boundary.size() == kept && last_of_load.size() <= factor_->interior,
+            "sparse leaf: expand_last() wants the end of what reduce() gave");
+    Eigen::VectorXd x(last_of_load.size() + kept);
+    x.head(last_of_load.size()) = last_of_load;
+    x.tail(kept).noalias() = factor_->last.transpose() * boundary;
+    factor_->solve_last(x);
+    x.tail(kept) = boundary;
     return x;
 }
 

@@ -26,6 +26,11 @@ public:
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
 
+    /// The last unknowns of expand() in the order of elimination, the boundary after them: reads their columns of the
+    /// factor and no others. `last_of_load`: the end of ReducedLoad::interior, as long as there are unknowns wanted.
+    [[nodiscard]] Eigen::VectorXd expand_last(const Eigen::VectorXd& last_of_load,
+                                              const Eigen::VectorXd& boundary) const;
+
     /// Entries in the Cholesky factor.
     [[nodiscard]] double factor_entries() const;
 

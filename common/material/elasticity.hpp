@@ -1,6 +1,8 @@
 // Isotropic linear elasticity of plane strain or plane stress, in Mandel form.
 #pragma once
 
+#include <algorithm>
+
 #include "common/io/case.hpp"
 #include "common/mandel.hpp"
 
@@ -20,6 +22,12 @@ struct Elasticity {
     /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu) / (1 + nu) in plane stress.
     [[nodiscard]] double kolosov() const {
         return plane == PlaneState::Strain ? 3.0 - 4.0 * poisson : (3.0 - poisson) / (1.0 + poisson);
+    }
+
+    /// Largest von Mises stress of a strain of unit size.
+    [[nodiscard]] double largest_von_mises() const {
+        const double hydrostatic = plane == PlaneState::Stress ? (1.0 + poisson) / (1.0 - poisson) : 0.0;
+        return std::numbers::sqrt2 * shear_modulus() * std::max(std::numbers::sqrt3, hydrostatic);
     }
 
     /// sigma = stiffness : eps with all of xx, yy, zz, sqrt(2) xy. In plane stress the zz strain is no unknown: its row

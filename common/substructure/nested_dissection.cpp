@@ -44,13 +44,18 @@ struct Reach {
     int last = -1;
 };
 
-/// Sorts the unknowns of the part [begin, end): those of each half alone, then those that the halves share.
+void sort_by_halves(int begin, int half, int end, const std::vector<Reach>& reach, std::span<int> unknowns);
+
 void sort_by_parts(int begin, int end, const std::vector<Reach>& reach, std::span<int> unknowns) {
     if (end - begin <= leaf_elements || unknowns.size() < 2) {
         std::ranges::sort(unknowns);
         return;
     }
-    const int half = begin + (end - begin) / 2;
+    sort_by_halves(begin, begin + (end - begin) / 2, end, reach, unknowns);
+}
+
+/// Sorts the unknowns of the part [begin, end): those of each half alone, then those that the halves share.
+void sort_by_halves(int begin, int half, int end, const std::vector<Reach>& reach, std::span<int> unknowns) {
     const auto right = std::ranges::partition(unknowns, [&](int i) { return reach[at(i)].last < half; });
     const auto shared = std::ranges::partition(right, [&](int i) { return reach[at(i)].first >= half; });
     sort_by_parts(begin, half, reach, {unknowns.begin(), right.begin()});
@@ -58,20 +63,31 @@ void sort_by_parts(int begin, int end, const std::vector<Reach>& reach, std::spa
     std::ranges::sort(shared);
 }
 
-std::vector<Place> bisected(const std::vector<Eigen::Vector2d>& centres) {
+/// The elements in the order of the leaves, late ones after all others: the first cut is between the two.
+struct Leaves {
     std::vector<Place> places;
-    places.reserve(centres.size());
-    for (std::size_t e = 0; e < centres.size(); ++e) places.push_back({centres[e], static_cast<int>(e)});
-    bisect(places);
-    return places;
+    int early = 0;
+};
+
+Leaves bisected(const std::vector<Eigen::Vector2d>& centres, const std::vector<char>& late) {
+    Leaves leaves;
+    leaves.places.reserve(centres.size());
+    for (std::size_t e = 0; e < centres.size(); ++e) leaves.places.push_back({centres[e], static_cast<int>(e)});
+    const auto first_late = std::ranges::stable_partition(
+        leaves.places, [&](const Place& place) { return late.empty() || late[at(place.element)] == 0; });
+    leaves.early = static_cast<int>(first_late.begin() - leaves.places.begin());
+    bisect({leaves.places.begin(), first_late.begin()});
+    bisect(first_late);
+    return leaves;
 }
 
 }  // namespace
 
 std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Eigen::Vector2d>& centres,
-                                   int unknowns, const std::vector<int>& kept) {
+                                   int unknowns, const std::vector<int>& kept, const std::vector<char>& late) {
     require(centres.size() == element_unknowns.size(), "nested dissection: one centre an element");
-    const std::vector<Place> places = bisected(centres);
+    require(late.empty() || late.size() == centres.size(), "nested dissection: late or not, one an element");
+    const auto [places, early] = bisected(centres, late);
     std::vector<Reach> reach(at(unknowns));
     for (int position = 0; position < static_cast<int>(places.size()); ++position) {
         for (const int unknown : element_unknowns[at(places[at(position)].element)]) {
@@ -85,7 +101,7 @@ std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std
     order.reserve(at(unknowns));
     for (int unknown = 0; unknown < unknowns; ++unknown)
         if (reach[at(unknown)].last >= 0) order.push_back(unknown);
-    sort_by_parts(0, static_cast<int>(places.size()), reach, order);
+    sort_by_halves(0, early, static_cast<int>(places.size()), reach, order);
     order.insert(order.end(), kept.begin(), kept.end());
     return order;
 }

@@ -10,9 +10,10 @@ namespace stria {
 
 /// Elements are bisected by their centres down to pairs; an unknown is eliminated as soon as all its elements are in
 /// one part, so that what both halves of a part share comes after them. `kept`: unknowns that come last, in this order;
-/// -1 in the lists: no unknown.
+/// -1 in the lists: no unknown. `late`: per element, 1 where all its unknowns come after those of other elements alone
+/// (empty: nowhere).
 /// Returns the unknowns that some element holds, in order of elimination. Time n log n.
 std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Eigen::Vector2d>& centres,
-                                   int unknowns, const std::vector<int>& kept);
+                                   int unknowns, const std::vector<int>& kept, const std::vector<char>& late = {});
 
 }  // namespace stria

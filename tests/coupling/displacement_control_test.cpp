@@ -75,7 +75,7 @@ protected:
         const auto equilibrium = factory.make(structure, &patch, zero, 0.0);
         RunHistory history;
         for (const double target : targets) {
-            coarse::Increment increment;
+            Followed increment;
             increment.newton = find_equilibrium(*equilibrium, {control, target}, 0.0, input.solver);
             EXPECT_TRUE(increment.newton.converged) << increment.newton.failure << increment.newton.table();
             increment.load_factor = equilibrium->load_factor();
@@ -96,7 +96,7 @@ protected:
     static void expect_same(const RunHistory& one, const RunHistory& other) {
         const double load = one.at_maximum().load_factor;
         for (std::size_t k = 0; k < one.increments.size(); ++k) {
-            const coarse::Increment &a = one.increments[k], &b = other.increments[k];
+            const Followed &a = one.increments[k], &b = other.increments[k];
             EXPECT_NEAR(a.load_factor, b.load_factor, 1e-9 * load) << "increment " << k + 1;
             EXPECT_LT((a.displacement - b.displacement).lpNorm<Eigen::Infinity>(),
                       1e-9 * one.at_maximum().displacement.lpNorm<Eigen::Infinity>());

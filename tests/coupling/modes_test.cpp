@@ -113,10 +113,11 @@ TEST_P(Modes, OverATransportEveryBitIsTheSame) {
     const RunHistory remote = run_over_memory(input());
     ASSERT_EQ(remote.increments.size(), direct->increments.size());
     for (std::size_t k = 0; k < remote.increments.size(); ++k) {
-        const coarse::Increment &a = direct->increments[k], &b = remote.increments[k];
+        const Followed &a = direct->increments[k], &b = remote.increments[k];
         EXPECT_EQ(a.newton.table(), b.newton.table());
         EXPECT_EQ(a.displacement, b.displacement);
-        EXPECT_EQ(a.reactions, b.reactions);
+        EXPECT_EQ(a.machine.displacement, b.machine.displacement);
+        EXPECT_EQ(a.machine.force, b.machine.force);
         EXPECT_EQ(numbers_of(a.tips[0]), numbers_of(b.tips[0]));
         EXPECT_EQ(numbers_of(a.zone), numbers_of(b.zone));
     }
@@ -128,7 +129,7 @@ TEST_P(Modes, MonolithicIsTheSameToRounding) {
     ASSERT_EQ(whole.increments.size(), direct->increments.size());
     const coarse::TipResult& scale = direct->at_maximum().tips[0];
     for (std::size_t k = 0; k < whole.increments.size(); ++k) {
-        const coarse::Increment &a = direct->increments[k], &b = whole.increments[k];
+        const Followed &a = direct->increments[k], &b = whole.increments[k];
         const coarse::TipResult &p = a.tips[0], &q = b.tips[0];
         EXPECT_EQ(a.newton.count(), b.newton.count()) << "increment " << k + 1;
         EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J);
@@ -149,7 +150,7 @@ void expect_same_to_rounding(const RunHistory& one, const RunHistory& other) {
     const coarse::TipResult& scale = one.at_maximum().tips[0];
     const double work = one.increments.back().zone.dissipation;
     for (std::size_t k = 0; k < one.increments.size(); ++k) {
-        const coarse::Increment &a = one.increments[k], &b = other.increments[k];
+        const Followed &a = one.increments[k], &b = other.increments[k];
         const coarse::TipResult &p = a.tips[0], &q = b.tips[0];
         EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J) << "increment " << k + 1;
         EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I);

@@ -25,24 +25,29 @@ inline std::string mesh_at_tip(double size) {
 
 inline Case sent_case(std::vector<std::string> overrides) { return read_case(shipped_sent, std::move(overrides)); }
 
+/// An increment with its displacement of the whole mesh, zero inside the zone.
+struct Followed : coarse::Increment {
+    Eigen::VectorXd displacement;
+};
+
 struct RunHistory {
-    std::vector<coarse::Increment> increments;
+    std::vector<Followed> increments;
     std::vector<std::pair<coarse::LoadStep, coarse::NewtonReport>> attempts;
     std::vector<coarse::TipResult> nominal;  // elastic, for the load factor 1
-    int cuts = 0, extensions = 0, yield_warnings = 0;
+    int cuts = 0, extensions = 0, yield_warnings = 0, full_checks = 0, checks_by_bound = 0;
 
-    [[nodiscard]] const coarse::Increment& at_load(double factor) const {  // for the first time
-        for (const coarse::Increment& increment : increments) {
+    [[nodiscard]] const Followed& at_load(double factor) const {  // for the first time
+        for (const Followed& increment : increments) {
             if (increment.load_factor == factor) return increment;
         }
         throw std::out_of_range("no increment at this load");
     }
     /// The first of them at the largest load.
-    [[nodiscard]] const coarse::Increment& at_maximum() const {
-        return *std::ranges::max_element(increments, {}, &coarse::Increment::load_factor);
+    [[nodiscard]] const Followed& at_maximum() const {
+        return *std::ranges::max_element(increments, {}, &Followed::load_factor);
     }
-    [[nodiscard]] const coarse::Increment& at_minimum() const {
-        return *std::ranges::min_element(increments, {}, &coarse::Increment::load_factor);
+    [[nodiscard]] const Followed& at_minimum() const {
+        return *std::ranges::min_element(increments, {}, &Followed::load_factor);
     }
 };
 
@@ -52,7 +57,8 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     RunHistory history;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
-        history.increments.push_back(increment);
+        history.increments.push_back({increment, increment.equilibrium->structure_displacement()});
+        history.increments.back().equilibrium = nullptr;
     };
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
         history.attempts.emplace_back(step, report);
@@ -63,6 +69,8 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     history.cuts = analysis.cuts();
     history.extensions = analysis.zone_extensions();
     history.yield_warnings = analysis.yield_warnings();
+    history.full_checks = analysis.yield_guard().full_checks();
+    history.checks_by_bound = analysis.yield_guard().checks_by_bound();
     return history;
 }
 

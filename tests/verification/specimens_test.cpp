@@ -10,6 +10,7 @@
 
 #include "coarse/handbook_comparison.hpp"
 #include "coarse/specimen/handbook.hpp"
+#include "coarse/structure_stresses.hpp"
 #include "coarse/zone_selection.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -127,7 +128,7 @@ TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     // The work of the forces is twice the energy.
     EXPECT_NEAR(between_pins / plane_modulus, solution.scene.unit_force.dot(solution.u), 1e-12 * between_pins);
 
-    const std::vector<int> all = solution.structure->elements_beyond(0.0, solution.u);
+    const std::vector<int> all = coarse::elements_beyond(0.0, *solution.structure, solution.u);
     EXPECT_EQ(all.size() + solution.scene.mesh.insert.size(), solution.scene.mesh.elements.size());
     for (const int element : all) EXPECT_FALSE(solution.scene.mesh.in_insert(element));
     coarse::Scene plastic = solution.scene;

@@ -39,12 +39,14 @@ public:
     void rollback() override {}
     [[nodiscard]] double load_factor() const override { return load_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
-    [[nodiscard]] Eigen::VectorXd reactions() const override { return {}; }
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return nothing_; }
+    [[nodiscard]] MachineReading machine_reading() const override { return {}; }
     [[nodiscard]] EquilibriumState state() const override { return {}; }
     void restore(const EquilibriumState&) override {}
 
 private:
     double load_ = 0.0, residual_ = 0.0, correction_ = 0.0;
+    Eigen::VectorXd nothing_;
 };
 
 const SolverSection solver{.tolerance = 1e-10, .max_iterations = 12, .max_cuts = 8};

@@ -60,6 +60,24 @@ TEST(NestedDissection, LeavesOutWhatNoElementHolds) {
     EXPECT_EQ(nested_dissection(elements, {{0.0, 0.0}, {1.0, 0.0}}, 6, {}), (std::vector<int>{0, 2, 4}));
 }
 
+// What near elements see comes after all that they do not.
+TEST(NestedDissection, LateElementsComeAfterTheOthers) {
+    const Grid grid(12, 9);
+    std::vector<char> late(grid.elements.size(), 0), seen(static_cast<std::size_t>(grid.points), 0);
+    for (std::size_t e = 0; e < late.size(); ++e) {
+        late[e] = static_cast<char>((grid.centres[e] - Eigen::Vector2d(3.0, 4.0)).norm() < 3.0);
+        if (late[e] != 0)
+            for (const int point : grid.elements[e]) seen[static_cast<std::size_t>(point)] = 1;
+    }
+    const std::vector<int> order = nested_dissection(grid.elements, grid.centres, grid.points, {5}, late);
+    EXPECT_EQ(order.size(), static_cast<std::size_t>(grid.points));
+    const auto first_late = std::ranges::find_if(order, [&](int i) { return seen[static_cast<std::size_t>(i)] != 0; });
+    EXPECT_GT(first_late - order.begin(), 10);
+    EXPECT_TRUE(
+        std::all_of(first_late, order.end() - 1, [&](int i) { return seen[static_cast<std::size_t>(i)] != 0; }));
+    EXPECT_EQ(order.back(), 5);
+}
+
 TEST(SymmetricAssembly, GivesTheLowerTriangle) {
     const Grid grid(5, 4);
     SparseMatrix lower = lower_pattern(grid.elements, grid.points);
@@ -100,7 +118,12 @@ TEST(SparseLeaf, NumberedInOrderOfEliminationGivesTheSameTangent) {
     const SparseLeaf leaf(static_cast<int>(kept.size()), std::move(ordered));
     EXPECT_LT((leaf.tangent() - expected.tangent()).cwiseAbs().maxCoeff(), 1e-13);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.points, -1.0, 2.0);
-    const Eigen::VectorXd x = leaf.expand(leaf.reduce(load(order)), Eigen::VectorXd::Ones(4));
+    const ReducedLoad reduced = leaf.reduce(load(order));
+    const Eigen::VectorXd x = leaf.expand(reduced, Eigen::VectorXd::Ones(4));
+    for (const Eigen::Index wanted : {Eigen::Index{0}, Eigen::Index{7}, Eigen::Index{40}, reduced.interior.size()}) {
+        const Eigen::VectorXd last = leaf.expand_last(reduced.interior.tail(wanted), Eigen::VectorXd::Ones(4));
+        EXPECT_LT((last - x.tail(wanted + 4)).cwiseAbs().maxCoeff(), 1e-13);
+    }
     const Eigen::VectorXd y = expected.expand(expected.reduce(load), Eigen::VectorXd::Ones(4));
     EXPECT_LT((x - y(order)).cwiseAbs().maxCoeff(), 1e-12);
 }

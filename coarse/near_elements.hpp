@@ -1,0 +1,16 @@
+// Which coarse elements are near. Each increment looks at these; of the others, the far ones, it asks for no more than
+// a proof that they stay elastic (far_stress_bound.hpp), so that its cost does not know how large the body is.
+#pragma once
+
+#include <vector>
+
+#include "coarse/scene.hpp"
+
+namespace stria::coarse {
+
+/// Per element, 1 where it is coarse and a ring about a tip crosses or encloses it, it touches the zone, or a crack
+/// changes its functions: what the domain integrals and openings want, where stresses are large, and where points with
+/// little weight lie.
+std::vector<char> near_elements(const Scene& scene, const std::vector<char>& in_zone);
+
+}  // namespace stria::coarse

@@ -1,0 +1,50 @@
+#include "coarse/yield_guard.hpp"
+
+#include <limits>
+
+#include "coarse/structure_stresses.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// Where far elements are all but yielding no bound helps: to learn must not cost more than this many looks for
+/// nothing.
+constexpr int most_unpaid = 8;
+
+}  // namespace
+
+YieldGuard::YieldGuard(const Case& input)
+    : limit_(input.material.yield_stress ? *input.material.yield_stress * (1.0 + 1e-9)
+                                         : std::numeric_limits<double>::infinity()) {}
+
+void YieldGuard::turn_to(const Structure& structure, const Eigen::VectorXd& elastic) {
+    structure_ = &structure;
+    unpaid_ = 0;
+    if (limit_ == std::numeric_limits<double>::infinity()) return;
+    far_.emplace(structure);
+    if (elastic.size() > 0)
+        far_->learn(gather(elastic, structure.near_unknowns()), 1.0, largest_far_stress(structure, elastic));
+}
+
+std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
+    if (!far_) return {};
+    const Eigen::VectorXd& near = equilibrium.near_displacement();
+    std::vector<int> yielding = near_elements_beyond(limit_, *structure_, near);
+    const Eigen::VectorXd seen_by_near = gather(near, structure_->near_unknowns());
+    if (far_->at(seen_by_near, equilibrium.load_factor()) <= limit_) {
+        ++checks_by_bound_;
+        --unpaid_;
+        return yielding;
+    }
+    ++full_checks_;
+    const Eigen::VectorXd whole = equilibrium.structure_displacement();
+    const double largest = largest_far_stress(*structure_, whole);
+    if (largest > limit_) return stria::coarse::elements_beyond(limit_, *structure_, whole);
+    if (unpaid_ < most_unpaid) {
+        far_->learn(seen_by_near, equilibrium.load_factor(), largest);
+        ++unpaid_;
+    }
+    return yielding;
+}
+
+}  // namespace stria::coarse

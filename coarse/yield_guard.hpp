@@ -1,0 +1,36 @@
+// Whether all that is coarse stays elastic: looks at the near elements, and at the far ones where their bound does not
+// settle it.
+#pragma once
+
+#include <optional>
+
+#include "coarse/equilibrium.hpp"
+#include "coarse/far_stress_bound.hpp"
+
+namespace stria::coarse {
+
+class YieldGuard {
+public:
+    /// Nothing yields where the material has no yield stress.
+    explicit YieldGuard(const Case& input);
+
+    /// Turns to another structure, which must outlive its checks. `elastic`: displacement of the whole mesh of some
+    /// state in equilibrium with it at the load factor 1, to begin the bound with; may be empty.
+    void turn_to(const Structure& structure, const Eigen::VectorXd& elastic);
+
+    /// Coarse elements that the trial state, in equilibrium, takes beyond the yield stress, ascending.
+    [[nodiscard]] std::vector<int> elements_beyond(const Equilibrium& equilibrium);
+
+    /// Checks of the far elements one by one, and by their bound.
+    [[nodiscard]] int full_checks() const { return full_checks_; }
+    [[nodiscard]] int checks_by_bound() const { return checks_by_bound_; }
+
+private:
+    double limit_;
+    const Structure* structure_ = nullptr;
+    std::optional<FarStressBound> far_;  // where something may yield
+    int full_checks_ = 0, checks_by_bound_ = 0;
+    int unpaid_ = 0;  // what was learnt about this structure, less the checks that it saved
+};
+
+}  // namespace stria::coarse
