@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "coarse/condensed_equilibrium.hpp"
 #include "coarse/crack_growth.hpp"
@@ -87,6 +88,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone) {
     patch.ahead = closure_.ahead(scene_->enriched);
     if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
     equilibrium_ = factory_.make(*structure_, has_zone ? &patch : nullptr, committed_, load_factor_);
+    if (has_zone) restart(work_, *structure_, committed_);
     controller_.forget_increments();
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
@@ -183,6 +185,7 @@ bool FatigueAnalysis::grow(const LoadStep& reached) {
     }
     auto next = scene_of_longer_cracks(input);
     if (!next) return false;
+    take_into_zone(next->enriched);
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
     committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);
     std::vector<char> in_zone = structure_->in_zone();
@@ -217,6 +220,25 @@ std::unique_ptr<Scene> FatigueAnalysis::scene_of_longer_cracks(const Case& input
         listener_.note(fmt::format("growth ends here: {}", error.what()));
     }
     return nullptr;
+}
+
+// What the longer crack changes the functions of is fine before: there its state is kept. Without a zone nobody sees
+// what is released.
+void FatigueAnalysis::take_into_zone(const EnrichedMesh& longer) {
+    std::vector<char> in_zone = structure_->in_zone();
+    if (std::ranges::find(in_zone, static_cast<char>(1)) == in_zone.end()) {
+        work_.released = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+    const std::vector<int> before = piece_of_elements(scene_->enriched), after = piece_of_elements(longer);
+    for (std::size_t e = 0; e < in_zone.size(); ++e) {
+        const auto sees_tip = [&](int node) {
+            return std::ranges::find(longer.terms[static_cast<std::size_t>(node)], Term::Kind::Tip, &Term::kind) !=
+                   longer.terms[static_cast<std::size_t>(node)].end();
+        };
+        if ((before[e] < 0 && after[e] >= 0) || std::ranges::any_of(longer.elements[e], sees_tip)) in_zone[e] = 1;
+    }
+    if (in_zone != structure_->in_zone()) build(in_zone);
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
@@ -279,6 +301,8 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     increment.zone = equilibrium_->commit(step.reversal);
     increment.tips = fracture_parameters(*structure_, increment.displacement, increment.zone);
     look_at_rings(increment);
+    add_increment(work_, *structure_, increment.displacement, load_factor_, increment.reactions, increment.zone);
+    increment.work = work_;
     committed_ = increment.displacement;
     closed_ = increment.closed = closure_.closed(report);
     for (const TipResult& tip : nominal_) increment.nominal_K.push_back(tip.K_I);

@@ -7,6 +7,7 @@
 #include "coarse/cycle_meter.hpp"
 #include "coarse/increment.hpp"
 #include "coarse/structure.hpp"
+#include "coarse/work_balance.hpp"
 #include "coupling/fine_scale.hpp"
 
 namespace stria::coarse {
@@ -94,6 +95,7 @@ private:
     [[nodiscard]] double grown() const;
     [[nodiscard]] bool grow(const LoadStep& reached);
     [[nodiscard]] std::unique_ptr<Scene> scene_of_longer_cracks(const Case& input);
+    void take_into_zone(const EnrichedMesh& longer);
     [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 
@@ -107,6 +109,7 @@ private:
     std::vector<TipResult> nominal_;
     Eigen::VectorXd committed_;  // displacement of the whole mesh
     double load_factor_ = 0.0;   // committed
+    WorkBalance work_;           // committed
     ClosureMeter closure_;
     std::vector<char> closed_;  // signals of the closure meter, committed
     CycleMeter cycle_meter_;

@@ -138,7 +138,9 @@ void Structure::condense() {
     const Stopwatch watch(seconds_.factor);
     leaf_ = std::make_unique<SparseLeaf>(static_cast<int>(free_places_.size()), std::move(lower));
     reduced_ = leaf_->reduce(unit_load_of_leaf());
-    condense_mean_displacement();
+    const Eigen::VectorXd of_unit_load = expand(Eigen::VectorXd::Zero(std::ssize(gamma_)), 1.0);
+    condense_mean_displacement(of_unit_load);
+    condense_energy(of_unit_load);
 }
 
 /// With what the imposed displacements do to it.
@@ -159,19 +161,43 @@ Eigen::VectorXd Structure::unit_load_of_leaf() const {
     return load;
 }
 
-void Structure::condense_mean_displacement() {
-    const Eigen::VectorXd gamma_held = Eigen::VectorXd::Zero(std::ssize(gamma_));
+void Structure::condense_mean_displacement(const Eigen::VectorXd& of_unit_load) {
     mean_displacement_.weights = leaf_->reduce(gather(scene_.mean_displacement, leaf_unknowns_)).boundary;
-    mean_displacement_.per_load_factor = scene_.mean_displacement.dot(expand(gamma_held, 1.0));
+    mean_displacement_.per_load_factor = scene_.mean_displacement.dot(of_unit_load);
+}
+
+// Of imposed displacements the reactions do the work; loads on the same unknowns do none of their own.
+void Structure::condense_energy(const Eigen::VectorXd& of_unit_load) {
+    Eigen::VectorXd force = scene_.unit_force;
+    Eigen::VectorXd imposed(std::ssize(scene_.prescribed));
+    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
+        imposed[static_cast<Eigen::Index>(k)] = scene_.prescribed[k].value;
+        force[scene_.prescribed[k].unknown] = 0.0;
+    }
+    load_displacement_.per_load_factor = force.dot(of_unit_load);
+    unit_energy_ = load_displacement_.per_load_factor;
+    load_displacement_.weights = reduced_.boundary;
+    if (imposed.isZero(0.0)) return;
+    load_displacement_.weights = leaf_->reduce(gather(force, leaf_unknowns_)).boundary;
+    unit_energy_ += imposed.dot(forces_on_prescribed(of_unit_load));
+}
+
+// With the interior in equilibrium: u . K u = u_b . S u_b + 2 lambda m . u_b + lambda^2 e, where m, what imposed
+// displacements pull at the free places u_b, is the reduced load less that of the forces alone.
+double Structure::stored_energy(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
+    const Eigen::VectorXd u = on_free_places(gamma_displacement);
+    const Eigen::VectorXd pull = load_displacement_.weights - reduced_.boundary;
+    return 0.5 * (u.dot(tangent() * u) + load_factor * (2.0 * pull.dot(u) + load_factor * unit_energy_));
+}
+
+Eigen::VectorXd Structure::on_free_places(const Eigen::VectorXd& gamma_values) const {
+    return gather(gamma_values, free_places_);
 }
 
 Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
-    Eigen::VectorXd boundary(std::ssize(free_places_));
-    for (std::size_t k = 0; k < free_places_.size(); ++k)
-        boundary[static_cast<Eigen::Index>(k)] = gamma_displacement[free_places_[k]];
-    const Eigen::VectorXd x =
-        leaf_->expand({load_factor * reduced_.interior, load_factor * reduced_.boundary}, boundary);
+    const Eigen::VectorXd x = leaf_->expand({load_factor * reduced_.interior, load_factor * reduced_.boundary},
+                                            on_free_places(gamma_displacement));
     for (int i = 0; i < unknowns(); ++i) u[leaf_unknowns_[at(i)]] = x[i];
     for (const PrescribedUnknown& p : scene_.prescribed) u[p.unknown] = load_factor * p.value;
     return u;

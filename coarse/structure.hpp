@@ -43,6 +43,15 @@ public:
     /// stiffness on them, and with them held gives way to the load alone.
     [[nodiscard]] const Controlled& mean_displacement() const { return mean_displacement_; }
 
+    /// What the unit loads on the structure do work on, the same way.
+    [[nodiscard]] const Controlled& load_displacement() const { return load_displacement_; }
+
+    /// Of the coarse elements, N (per mm of thickness): (1/2) u . K u without visiting one.
+    [[nodiscard]] double stored_energy(const Eigen::VectorXd& gamma_displacement, double load_factor) const;
+
+    /// The free ones of values on gamma().
+    [[nodiscard]] Eigen::VectorXd on_free_places(const Eigen::VectorXd& gamma_values) const;
+
     /// All unknowns of the whole mesh that coarse elements see, given the displacement of gamma(); others are zero.
     [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const;
 
@@ -88,7 +97,8 @@ private:
     [[nodiscard]] Eigen::VectorXd unit_load_of_leaf() const;
     [[nodiscard]] SparseMatrix assemble();
     void condense();
-    void condense_mean_displacement();
+    void condense_mean_displacement(const Eigen::VectorXd& of_unit_load);
+    void condense_energy(const Eigen::VectorXd& of_unit_load);
 
     const Scene& scene_;
     std::vector<char> in_zone_;
@@ -102,7 +112,8 @@ private:
     std::vector<int> leaf_index_;     // and back; -1: prescribed or inside the zone
     std::unique_ptr<SparseLeaf> leaf_;
     ReducedLoad reduced_;  // of the unit load factor
-    Controlled mean_displacement_;
+    Controlled mean_displacement_, load_displacement_;
+    double unit_energy_ = 0.0;  // twice the energy of the unit load factor with the free places held
     StructureSeconds seconds_;
     mutable std::vector<std::unique_ptr<RingForms>> rings_;  // per tip
 };

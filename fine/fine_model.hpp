@@ -27,6 +27,8 @@ public:
     void rollback() override;
     coupling::ZoneState state() override;
 
+    [[nodiscard]] const ZoneSystem& system() const { return system_; }
+
 private:
     void plant_tree();
     void keep_touching_to_root();

@@ -1,5 +1,5 @@
-// Tip functions that a tip has left behind: their displacement stays as it was, their unknowns are gone (DESIGN section
-// 4).
+// What keeps the displacement as it was where a growing crack changes its functions (DESIGN section 4): tip functions
+// that a tip has left behind, and jumps that old unknowns would make in elements newly cut.
 #pragma once
 
 #include <vector>
@@ -13,6 +13,10 @@ public:
     /// Keeps what a tip's functions are at `displacement` (all unknowns of the mesh).
     void freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement);
 
+    /// A crack that turns back cuts elements beside its old nodes: what their Heaviside functions would open there, at
+    /// `displacement` (of `next`), is taken off.
+    void keep_closed(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& displacement);
+
     /// Jump of all frozen displacements at a place on a crack, plus side minus minus side, mm. By place: arc lengths
     /// change where a crack grows at its first point.
     [[nodiscard]] Vec2 jump(int crack, const Vec2& x) const;
@@ -21,8 +25,8 @@ public:
 
 private:
     struct Frozen {
-        EnrichedMesh mesh;             // the elements that see the functions
-        Eigen::VectorXd displacement;  // zero but for them
+        EnrichedMesh mesh;             // of the elements that see the functions; pieces where they count
+        Eigen::VectorXd displacement;  // zero but for them; with the sign with which it counts
         int crack;
     };
     std::vector<Frozen> tips_;

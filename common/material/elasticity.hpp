@@ -22,6 +22,12 @@ struct Elasticity {
         return plane == PlaneState::Strain ? 3.0 - 4.0 * poisson : (3.0 - poisson) / (1.0 + poisson);
     }
 
+    /// Elastic energy density, N/mm2: (1/2) stress : compliance : stress.
+    [[nodiscard]] double energy(const Mandel& stress) const {
+        const double trace = mandel_identity.dot(stress);
+        return ((1.0 + poisson) * stress.squaredNorm() - poisson * trace * trace) / (2.0 * young);
+    }
+
     /// sigma = stiffness : eps with all of xx, yy, zz, sqrt(2) xy. In plane stress the zz strain is no unknown: its row
     /// and column are zero.
     [[nodiscard]] MandelMatrix stiffness() const {
