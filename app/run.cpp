@@ -15,6 +15,7 @@
 #include "app/version.hpp"
 #include "coarse/condensed_equilibrium.hpp"
 #include "coarse/handbook_comparison.hpp"
+#include "coarse/largest_load.hpp"
 #include "coarse/results/run_recorder.hpp"
 #include "coarse/zone_selection.hpp"
 #include "common/error.hpp"

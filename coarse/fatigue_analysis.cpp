@@ -1,13 +1,14 @@
 #include "coarse/fatigue_analysis.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 #include "coarse/condensed_equilibrium.hpp"
 #include "coarse/crack_growth.hpp"
+#include "coarse/largest_load.hpp"
 #include "coarse/zone_selection.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -24,24 +25,6 @@ std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, 
     if (patch != nullptr) fine_->set_patch(*patch);
     return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed,
                                                   load_factor);
-}
-
-double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nominal, double grown) {
-    if (load.control != Control::StressIntensity) return 1.0;
-    if (nominal.empty() || !(nominal.front().K_I > 0.0))
-        throw CaseError("load.control: \"K\" needs a crack tip with K_I > 0 under the unit load");
-    return std::exp(load.K_gradient * grown) / nominal.front().K_I;
-}
-
-double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
-                           double grown) {
-    double per_load_factor = 1.0 / target_of_unit(load, nominal, grown);
-    if (load.control == Control::Displacement) {
-        per_load_factor = elastic.mean_displacement().per_load_factor;
-        if (std::abs(per_load_factor) <= 1e-9 * elastic.expand({}, 1.0).lpNorm<Eigen::Infinity>())
-            throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
-    }
-    return largest_value(load) / per_load_factor;
 }
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener)
@@ -173,25 +156,22 @@ std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step
 // Figure 3: (a) the cracks are longer, and nothing else changes: no stress, no displacement, no internal variable; (b)
 // at constant load the body finds equilibrium with them.
 bool FatigueAnalysis::grow(const LoadStep& reached) {
-    Case input = scene_->input;
-    const std::vector<double> advance_by = advances(*input.growth, last_cycle_, nominal_.size());
-    for (std::size_t t = 0; t < nominal_.size(); ++t) {
-        if (advance_by[t] == 0.0) continue;
-        const Tip& tip = scene_->enriched.tips[t];
-        const bool straight = input.growth->direction == GrowthDirection::Straight;
-        const double angle = straight ? 0.0 : hoop_stress_angle(nominal_[t].K_I, nominal_[t].K_II);
-        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
-                advance_by[t]);
-    }
-    auto next = scene_of_longer_cracks(input);
+    const std::vector<double> advance_by = advances(*scene_->input.growth, last_cycle_, nominal_.size());
+    auto next = scene_of_longer_cracks(with_longer_cracks(*scene_, nominal_, advance_by));
     if (!next) return false;
+    std::unique_ptr<Scene> nominal;
     take_into_zone(next->enriched);
-    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
-    committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);
+    const Scene& before = *scene_;
     std::vector<char> in_zone = structure_->in_zone();
     scene_ = next.get();
     const std::vector<char> about_tips = select_zone(*scene_, solve_nominal());
     for (std::size_t e = 0; e < in_zone.size(); ++e) in_zone[e] = static_cast<char>(in_zone[e] | about_tips[e]);
+    if (scene_->input.growth->retain == Retain::All && needs_fine(scene_->input)) {
+        nominal = std::exchange(next, std::make_unique<Scene>(with_functions_left(*next, before.enriched)));
+        scene_ = next.get();
+    }
+    committed_ =
+        carry_over(before.enriched, committed_, scene_->enriched, Eigen::VectorXd::Zero(scene_->enriched.unknowns));
     build(in_zone);
     grown_ = std::move(next);
 
@@ -225,20 +205,13 @@ std::unique_ptr<Scene> FatigueAnalysis::scene_of_longer_cracks(const Case& input
 // What the longer crack changes the functions of is fine before: there its state is kept. Without a zone nobody sees
 // what is released.
 void FatigueAnalysis::take_into_zone(const EnrichedMesh& longer) {
-    std::vector<char> in_zone = structure_->in_zone();
-    if (std::ranges::find(in_zone, static_cast<char>(1)) == in_zone.end()) {
+    const std::vector<char>& now = structure_->in_zone();
+    if (std::ranges::find(now, static_cast<char>(1)) == now.end()) {
         work_.released = std::numeric_limits<double>::quiet_NaN();
         return;
     }
-    const std::vector<int> before = piece_of_elements(scene_->enriched), after = piece_of_elements(longer);
-    for (std::size_t e = 0; e < in_zone.size(); ++e) {
-        const auto sees_tip = [&](int node) {
-            return std::ranges::find(longer.terms[static_cast<std::size_t>(node)], Term::Kind::Tip, &Term::kind) !=
-                   longer.terms[static_cast<std::size_t>(node)].end();
-        };
-        if ((before[e] < 0 && after[e] >= 0) || std::ranges::any_of(longer.elements[e], sees_tip)) in_zone[e] = 1;
-    }
-    if (in_zone != structure_->in_zone()) build(in_zone);
+    const std::vector<char> in_zone = with_changed_functions(now, scene_->enriched, longer);
+    if (in_zone != now) build(in_zone);
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {

@@ -52,10 +52,10 @@ void fields(auto& wire, Is<TiedNode> auto& m) {
 }
 
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
-    auto& [nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side, tied,
-           first_unknown, first_gathered, unknowns] = m;
-    wire(nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side, tied,
-         first_unknown, first_gathered, unknowns);
+    auto& [nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+           element_side, tied, first_unknown, first_gathered, unknowns] = m;
+    wire(nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+         element_side, tied, first_unknown, first_gathered, unknowns);
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {

@@ -45,7 +45,8 @@ void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
 void ZoneSystem::keep_displacement(const coupling::Patch& next) {
     for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
         const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
-        if (std::ranges::none_of(next.mesh.tips, [&](const Tip& other) { return same_place(tip, other); }))
+        const auto same = [&](const Tip& other) { return same_place(tip, other); };
+        if (std::ranges::none_of(next.mesh.tips, same) && std::ranges::none_of(next.mesh.left_tips, same))
             frozen_.freeze(patch_.mesh, t, committed_.displacement);
     }
     frozen_.keep_closed(patch_.mesh, next.mesh,
