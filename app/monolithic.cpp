@@ -167,7 +167,10 @@ public:
         for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
         for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
             forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
-        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces)};
+        double imposed_force = 0.0;
+        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+            imposed_force += scene_.prescribed[k].value * forces[static_cast<Eigen::Index>(k)];
+        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force};
     }
 
 private:

@@ -44,6 +44,7 @@ AnalysisState FatigueAnalysis::state() const {
     state.flowing_rings = flowing_rings_;
     state.growth_ended = growth_ended_;
     state.load = controller_.position();
+    state.work = work_;
     state.equilibrium = equilibrium_->state();
     if (some_element(state.in_zone)) state.zone = factory_.zone_snapshot();
     return state;
@@ -53,6 +54,8 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
     Case input = scene_->input;
     for (std::size_t k = 0; k < input.cracks.size(); ++k) input.cracks[k].points = points_of(from.cracks.at(k));
     if (input != scene_->input) {
+        if (input.growth && input.growth->retain == Retain::All)
+            throw CaseError("--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
         grown_ = std::make_unique<Scene>(make_scene(input, scene_->mesh));
         scene_ = grown_.get();
         (void)solve_nominal();
@@ -74,6 +77,7 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
     build(from.in_zone, &from);
     equilibrium_->restore(from.equilibrium);
     controller_.resume(from.load);
+    work_ = from.work;
 }
 
 }  // namespace stria::coarse

@@ -211,9 +211,11 @@ const Eigen::VectorXd& CondensedEquilibrium::near_displacement() const {
 MachineReading CondensedEquilibrium::machine_reading() const {
     const Eigen::VectorXd u = on_free(trial_);
     MachineReading reading{structure_.mean_displacement().at(u, load_factor_),
-                           structure_.holding_force().at(u, load_factor_)};
-    if (fine_ != nullptr)
-        for (const auto& [place, share] : pulled_) reading.force += share * response_.force[place];
+                           structure_.holding_force().at(u, load_factor_),
+                           structure_.imposed_force().at(u, load_factor_)};
+    if (fine_ == nullptr) return reading;
+    for (const auto& [place, share] : pulled_) reading.force += share * response_.force[place];
+    for (const auto& [place, value] : held_) reading.imposed_force += value * response_.force[place];
     return reading;
 }
 

@@ -1,5 +1,6 @@
 #include "coarse/crack_growth.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +57,20 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
         crack.points.insert(at_end ? crack.points.end() : crack.points.begin(), next);
     else
         (at_end ? crack.points.back() : crack.points.front()) = next;
+}
+
+Case with_longer_cracks(const Scene& scene, const std::vector<TipResult>& nominal,
+                        const std::vector<double>& advance_by) {
+    Case input = scene.input;
+    for (std::size_t t = 0; t < nominal.size(); ++t) {
+        if (advance_by[t] == 0.0) continue;
+        const Tip& tip = scene.enriched.tips[t];
+        const bool straight = input.growth->direction == GrowthDirection::Straight;
+        const double angle = straight ? 0.0 : hoop_stress_angle(nominal[t].K_I, nominal[t].K_II);
+        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
+                advance_by[t]);
+    }
+    return input;
 }
 
 }  // namespace stria::coarse

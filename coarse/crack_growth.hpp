@@ -2,7 +2,9 @@
 #pragma once
 
 #include "coarse/cycle_result.hpp"
+#include "coarse/fracture_parameters.hpp"
 #include "coarse/load_controller.hpp"
+#include "coarse/scene.hpp"
 #include "common/fem/enriched_mesh.hpp"
 #include "common/io/case.hpp"
 
@@ -30,6 +32,10 @@ std::vector<double> advances(const GrowthSection& growth, const std::vector<Cycl
 /// Cycles that it took to grow by `grown`, mm, from one state to another with the rates da/dN, mm/cycle, of the fastest
 /// tip (trapezoidal rule). Prescribed: 1, the cycle itself.
 double cycles_passed(const GrowthSection& growth, double grown, double rate_before, double rate_after);
+
+/// The case with each tip advanced by its length, mm, along its growth direction. `nominal`: one a tip.
+Case with_longer_cracks(const Scene& scene, const std::vector<TipResult>& nominal,
+                        const std::vector<double>& advance_by);
 
 /// Advances the end of a crack along a unit vector. On a straight crack its last point moves.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);

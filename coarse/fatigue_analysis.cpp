@@ -1,9 +1,10 @@
 #include "coarse/fatigue_analysis.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <utility>
 
 #include "coarse/crack_growth.hpp"
 #include "coarse/zone_selection.hpp"
@@ -72,6 +73,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
         equilibrium_ = factory_.resume(*structure_, zone_patch, committed_, from->zone);
     else
         equilibrium_ = factory_.make(*structure_, zone_patch, committed_, load_factor_);
+    if (has_zone) restart(work_, *structure_, committed_);
     controller_.forget_increments();
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
@@ -162,25 +164,23 @@ std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step
 // Figure 3: (a) the cracks are longer, and nothing else changes: no stress, no displacement, no internal variable; (b)
 // at constant load the body finds equilibrium with them.
 bool FatigueAnalysis::grow(const LoadStep& reached) {
-    Case input = scene_->input;
-    const std::vector<double> advance_by = advances(*input.growth, last_cycle_, nominal_.size());
-    for (std::size_t t = 0; t < nominal_.size(); ++t) {
-        if (advance_by[t] == 0.0) continue;
-        const Tip& tip = scene_->enriched.tips[t];
-        const bool straight = input.growth->direction == GrowthDirection::Straight;
-        const double angle = straight ? 0.0 : hoop_stress_angle(nominal_[t].K_I, nominal_[t].K_II);
-        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
-                advance_by[t]);
-    }
-    auto next = scene_of_longer_cracks(input);
+    const std::vector<double> advance_by = advances(*scene_->input.growth, last_cycle_, nominal_.size());
+    auto next = scene_of_longer_cracks(with_longer_cracks(*scene_, nominal_, advance_by));
     if (!next) return false;
-    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(next->enriched.unknowns);
+    std::unique_ptr<Scene> nominal;
     refresh_committed();
-    committed_ = carry_over(scene_->enriched, committed_, next->enriched, nothing);
+    take_into_zone(next->enriched);
+    const Scene& before = *scene_;
     std::vector<char> in_zone = structure_->in_zone();
     scene_ = next.get();
     const std::vector<char> about_tips = select_zone(*scene_, solve_nominal());
     for (std::size_t e = 0; e < in_zone.size(); ++e) in_zone[e] = static_cast<char>(in_zone[e] | about_tips[e]);
+    if (scene_->input.growth->retain == Retain::All && needs_fine(scene_->input)) {
+        nominal = std::exchange(next, std::make_unique<Scene>(with_functions_left(*next, before.enriched)));
+        scene_ = next.get();
+    }
+    committed_ =
+        carry_over(before.enriched, committed_, scene_->enriched, Eigen::VectorXd::Zero(scene_->enriched.unknowns));
     build(in_zone);
     grown_ = std::move(next);
 
@@ -209,6 +209,18 @@ std::unique_ptr<Scene> FatigueAnalysis::scene_of_longer_cracks(const Case& input
         listener_.note(fmt::format("growth ends here: {}", error.what()));
     }
     return nullptr;
+}
+
+// What the longer crack changes the functions of is fine before: there its state is kept. Without a zone nobody sees
+// what is released.
+void FatigueAnalysis::take_into_zone(const EnrichedMesh& longer) {
+    const std::vector<char>& now = structure_->in_zone();
+    if (std::ranges::find(now, static_cast<char>(1)) == now.end()) {
+        work_.released = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+    const std::vector<char> in_zone = with_changed_functions(now, scene_->enriched, longer);
+    if (in_zone != now) build(in_zone);
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
@@ -269,6 +281,9 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     increment.tips = fracture_parameters(*structure_, equilibrium_->near_displacement(), own, increment.zone);
     look_at_rings(increment);
     committed_behind_ = true;
+    add_increment(work_, *structure_, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
+                  increment.zone);
+    increment.work = work_;
     closed_ = increment.closed = closure_.closed(report);
     for (const TipResult& tip : nominal_) increment.nominal_K.push_back(tip.K_I);
     cycle_meter_.add(increment);

@@ -9,6 +9,7 @@
 #include "coarse/increment.hpp"
 #include "coarse/load_scale.hpp"
 #include "coarse/structure.hpp"
+#include "coarse/work_balance.hpp"
 #include "coarse/yield_guard.hpp"
 
 namespace stria::coarse {
@@ -39,6 +40,7 @@ struct AnalysisState {
     int increment = 0, newton_iterations = 0, extensions = 0, warnings = 0, flowing_rings = 0;
     bool growth_ended = false;  // the growth has ended the run
     LoadPosition load;
+    WorkBalance work;
     EquilibriumState equilibrium;
     coupling::ZoneSnapshot zone;  // empty without one
 };
@@ -92,6 +94,7 @@ private:
     [[nodiscard]] double grown() const;
     [[nodiscard]] bool grow(const LoadStep& reached);
     [[nodiscard]] std::unique_ptr<Scene> scene_of_longer_cracks(const Case& input);
+    void take_into_zone(const EnrichedMesh& longer);
     [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 
@@ -108,6 +111,7 @@ private:
     Eigen::VectorXd committed_;             // displacement of the whole mesh; behind while increments are accepted:
     bool committed_behind_ = false;         // refresh_committed()
     double load_factor_ = 0.0;              // committed
+    WorkBalance work_;                      // committed
     ClosureMeter closure_;
     std::vector<char> closed_;  // signals of the closure meter, committed
     CycleMeter cycle_meter_;

@@ -8,6 +8,7 @@
 #include "coarse/fracture_parameters.hpp"
 #include "coarse/load_controller.hpp"
 #include "coarse/newton.hpp"
+#include "coarse/work_balance.hpp"
 
 namespace stria::coarse {
 
@@ -23,6 +24,7 @@ struct Increment {
     coupling::StepReport zone;
     std::vector<TipResult> tips;
     std::vector<double> nominal_K;    // K_1(a) of every tip: elastic, traction-free faces, load factor 1, this length
+    WorkBalance work;                 // so far
     std::vector<CycleResult> cycles;  // one a tip where a cycle ends here
 };
 

@@ -72,7 +72,7 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
                         const bool crossed = std::ranges::any_of(mesh.terms[at(other)], [&](const Term& t) {
                             return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
                         });
-                        if (term.kind == Term::Kind::Tip || crossed)
+                        if (term.kind == Term::Kind::Tip || term.kind == Term::Kind::Left || crossed)
                             prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
                     }
                 }
@@ -123,6 +123,26 @@ Scene make_scene(const Case& input, Mesh mesh) {
     put_loads_on_unknowns(scene);
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
         throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");
+    return scene;
+}
+
+Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
+    EnrichedMesh& mesh = scene.enriched;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+        for (Term term : before.terms[node]) {
+            if (term.kind != Term::Kind::Tip && term.kind != Term::Kind::Left) continue;
+            const Tip& tip = before.tip_of(term);
+            const auto same = [&](const Tip& other) { return same_place(tip, other); };
+            if (std::ranges::any_of(mesh.tips, same)) continue;
+            auto left = std::ranges::find_if(mesh.left_tips, same);
+            if (left == mesh.left_tips.end()) left = mesh.left_tips.insert(left, tip);
+            term.kind = Term::Kind::Left;
+            term.owner = static_cast<int>(left - mesh.left_tips.begin());
+            mesh.terms[node].push_back(term);
+        }
+    }
+    mesh.number();
+    put_loads_on_unknowns(scene);
     return scene;
 }
 

@@ -40,6 +40,9 @@ Scene make_scene(const Case& input);
 /// The same on a given mesh.
 Scene make_scene(const Case& input, Mesh mesh);
 
+/// The same scene with the functions of the tips that `before` had and it has not as unknowns still (growth.retain).
+Scene with_functions_left(Scene scene, const EnrichedMesh& before);
+
 /// Loads and supports on the unknowns of an enriched mesh: enriched terms included, the jump held on supported edges.
 void put_loads_on_unknowns(Scene& scene);
 

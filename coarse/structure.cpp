@@ -165,22 +165,53 @@ void Structure::condense_readings() {
     const Eigen::VectorXd gamma_held = expand(Eigen::VectorXd::Zero(std::ssize(gamma_)), 1.0);
     mean_displacement_.weights = leaf_->reduce(gather(scene_.mean_displacement, leaf_unknowns_)).boundary;
     mean_displacement_.per_load_factor = scene_.mean_displacement.dot(gamma_held);
+    condense_energy(gamma_held);
     holding_force_.weights = Eigen::VectorXd::Zero(std::ssize(free_places_));
-    if (scene_.pull.isZero(0.0)) return;
-    Eigen::VectorXd pulled = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
+    if (!scene_.pull.isZero(0.0)) holding_force_ = force_of(scene_.pull, gamma_held);
+}
+
+/// Shares of the forces on the prescribed unknowns, in their order, summed.
+Controlled Structure::force_of(const Eigen::VectorXd& shares, const Eigen::VectorXd& gamma_held) const {
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
     for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
-        pulled[scene_.prescribed[k].unknown] = scene_.pull[static_cast<Eigen::Index>(k)];
-    holding_force_.weights = leaf_->reduce(-load_of_imposed(pulled)).boundary;
-    holding_force_.per_load_factor = scene_.pull.dot(forces_on_prescribed(gamma_held));
+        moved[scene_.prescribed[k].unknown] = shares[static_cast<Eigen::Index>(k)];
+    return {leaf_->reduce(-load_of_imposed(moved)).boundary, shares.dot(forces_on_prescribed(gamma_held))};
+}
+
+// Of imposed displacements the reactions do the work; loads on the same unknowns do none of their own.
+void Structure::condense_energy(const Eigen::VectorXd& of_unit_load) {
+    Eigen::VectorXd force = scene_.unit_force;
+    Eigen::VectorXd imposed(std::ssize(scene_.prescribed));
+    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
+        imposed[static_cast<Eigen::Index>(k)] = scene_.prescribed[k].value;
+        force[scene_.prescribed[k].unknown] = 0.0;
+    }
+    load_displacement_.per_load_factor = force.dot(of_unit_load);
+    unit_energy_ = load_displacement_.per_load_factor;
+    load_displacement_.weights = reduced_.boundary;
+    imposed_force_.weights = Eigen::VectorXd::Zero(std::ssize(free_places_));
+    if (imposed.isZero(0.0)) return;
+    load_displacement_.weights = leaf_->reduce(gather(force, leaf_unknowns_)).boundary;
+    imposed_force_ = force_of(imposed, of_unit_load);
+    unit_energy_ += imposed_force_.per_load_factor;
+}
+
+// With the interior in equilibrium: u . K u = u_b . S u_b + 2 lambda m . u_b + lambda^2 e, where m, what imposed
+// displacements pull at the free places u_b, is the reduced load less that of the forces alone.
+double Structure::stored_energy(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
+    const Eigen::VectorXd u = on_free_places(gamma_displacement);
+    const Eigen::VectorXd pull = load_displacement_.weights - reduced_.boundary;
+    return 0.5 * (u.dot(tangent() * u) + load_factor * (2.0 * pull.dot(u) + load_factor * unit_energy_));
+}
+
+Eigen::VectorXd Structure::on_free_places(const Eigen::VectorXd& gamma_values) const {
+    return gather(gamma_values, free_places_);
 }
 
 Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
-    Eigen::VectorXd boundary(std::ssize(free_places_));
-    for (std::size_t k = 0; k < free_places_.size(); ++k)
-        boundary[static_cast<Eigen::Index>(k)] = gamma_displacement[free_places_[k]];
-    const Eigen::VectorXd x =
-        leaf_->expand({load_factor * reduced_.interior, load_factor * reduced_.boundary}, boundary);
+    const Eigen::VectorXd x = leaf_->expand({load_factor * reduced_.interior, load_factor * reduced_.boundary},
+                                            on_free_places(gamma_displacement));
     for (int i = 0; i < unknowns(); ++i) u[leaf_unknowns_[at(i)]] = x[i];
     for (const PrescribedUnknown& p : scene_.prescribed) u[p.unknown] = load_factor * p.value;
     return u;

@@ -48,6 +48,18 @@ public:
     /// mean_displacement(); zero where forces load it.
     [[nodiscard]] const Controlled& holding_force() const { return holding_force_; }
 
+    /// What the unit loads on the structure do work on, the same way.
+    [[nodiscard]] const Controlled& load_displacement() const { return load_displacement_; }
+
+    /// What unit imposed displacements do work against, as far as coarse elements resist, the same way.
+    [[nodiscard]] const Controlled& imposed_force() const { return imposed_force_; }
+
+    /// Of the coarse elements, N (per mm of thickness): (1/2) u . K u without visiting one.
+    [[nodiscard]] double stored_energy(const Eigen::VectorXd& gamma_displacement, double load_factor) const;
+
+    /// The free ones of values on gamma().
+    [[nodiscard]] Eigen::VectorXd on_free_places(const Eigen::VectorXd& gamma_values) const;
+
     /// All unknowns of the whole mesh that coarse elements see, given the displacement of gamma(); others are zero.
     [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const;
 
@@ -114,6 +126,8 @@ private:
     void condense_readings();
     void number_near_unknowns(const IndexLists& of_elements);
     void find_rim(const IndexLists& of_elements, int first_near);
+    void condense_energy(const Eigen::VectorXd& of_unit_load);
+    [[nodiscard]] Controlled force_of(const Eigen::VectorXd& shares, const Eigen::VectorXd& gamma_held) const;
 
     const Scene& scene_;
     std::vector<char> in_zone_, is_near_;
@@ -134,7 +148,8 @@ private:
     std::unique_ptr<SparseLeaf> leaf_;
     ReducedLoad reduced_;        // of the unit load factor
     Eigen::VectorXd near_load_;  // the near part of its interior
-    Controlled mean_displacement_, holding_force_;
+    Controlled mean_displacement_, holding_force_, load_displacement_, imposed_force_;
+    double unit_energy_ = 0.0;  // twice the energy of the unit load factor with the free places held
     StructureSeconds seconds_;
     mutable std::vector<std::unique_ptr<RingForms>> rings_;  // per tip
 };

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "coarse/crack_growth.hpp"
-#include "coarse/fatigue_analysis.hpp"
+#include "coarse/load_scale.hpp"
 #include "coarse/tip_reach.hpp"
 #include "coarse/zone_selection.hpp"
 

@@ -71,6 +71,18 @@ std::vector<char> with_ring(const Scene& scene, std::vector<char> in_zone, const
     return in_zone;
 }
 
+std::vector<char> with_changed_functions(std::vector<char> in_zone, const EnrichedMesh& before,
+                                         const EnrichedMesh& longer) {
+    const std::vector<int> piece_before = piece_of_elements(before), piece = piece_of_elements(longer);
+    const auto sees_tip = [&](int node) {
+        const auto& terms = longer.terms[at(node)];
+        return std::ranges::find(terms, Term::Kind::Tip, &Term::kind) != terms.end();
+    };
+    for (std::size_t e = 0; e < in_zone.size(); ++e)
+        if ((piece_before[e] < 0 && piece[e] >= 0) || std::ranges::any_of(longer.elements[e], sees_tip)) in_zone[e] = 1;
+    return in_zone;
+}
+
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement) {
     std::vector<int> elements;

@@ -23,6 +23,10 @@ std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I
 /// at once.
 std::vector<char> with_ring(const Scene& scene, std::vector<char> in_zone, const std::vector<int>& joining);
 
+/// A zone with the elements whose functions longer cracks change: those that they newly cut, or that get tip functions.
+std::vector<char> with_changed_functions(std::vector<char> in_zone, const EnrichedMesh& before,
+                                         const EnrichedMesh& longer);
+
 /// The zone as the message that the fine component gets; `displacement`: of the whole mesh, committed.
 coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement);

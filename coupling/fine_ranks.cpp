@@ -210,12 +210,14 @@ PatchResponse FineRanks::collect() {
 }
 
 StepReport FineRanks::commit(bool reversal) {
-    increments_.push(trial_ - committed_);
+    const Eigen::VectorXd increment = trial_ - committed_;
+    increments_.push(increment);
     committed_ = trial_;
     for (const Rank& rank : ranks_) rank.scale->begin_commit(reversal);
     for (const Rank& rank : ranks_) reports_[rank.number] = rank.scale->commit(reversal);
     StepReport report = sum_of(reports_, patch_.rings);
     report.unknowns = patch_.mesh.unknowns + report.multipliers;  // seams once
+    report.energy.load_path += own_load_.dot(increment);
     return report;
 }
 

@@ -64,6 +64,9 @@ void add_faces(StepReport& whole, const StepReport& part) {
 
 void add_counters(StepReport& whole, const StepReport& part) {
     whole.dissipation += part.dissipation;
+    whole.energy.stored += part.energy.stored;
+    whole.energy.released += part.energy.released;
+    whole.energy.load_path += part.energy.load_path;
     whole.points += part.points;
     whole.unknowns += part.unknowns;
     whole.multipliers += part.multipliers;

@@ -90,6 +90,13 @@ struct TipReport {
     double plastic_reach = 0;      // mm, largest distance of a point that has ever flowed
 };
 
+/// The zone's share in the balance of work, N (per mm of thickness).
+struct EnergyReport {
+    double stored = 0;     // elastic and by hardening, in all points: a state
+    double released = 0;   // in this increment by faces that a growth has opened (docs/equations.md, work balance)
+    double load_path = 0;  // mm: displacement in this increment that the zone's own unit loads do work on
+};
+
 /// After commit.
 struct StepReport {
     std::vector<TipReport> tips;
@@ -98,6 +105,7 @@ struct StepReport {
     std::vector<double> contact_length;  // per crack, mm
     std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN
     double dissipation = 0;              // N, per mm of thickness: integral over the zone
+    EnergyReport energy;
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
     std::int64_t fronts_refactored = 0, factors_reused = 0;           // so far
     std::int64_t points_evaluated = 0, points_proven_elastic = 0;     // so far: return mappings, and saved ones

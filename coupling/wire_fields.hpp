@@ -52,10 +52,10 @@ void fields(auto& wire, Is<TiedNode> auto& m) {
 }
 
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
-    auto& [nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side, tied,
-           first_unknown, first_gathered, unknowns] = m;
-    wire(nodes, elements, node_ids, element_ids, pieces, tips, tip_exponent, tip_functions, terms, element_side, tied,
-         first_unknown, first_gathered, unknowns);
+    auto& [nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+           element_side, tied, first_unknown, first_gathered, unknowns] = m;
+    wire(nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+         element_side, tied, first_unknown, first_gathered, unknowns);
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
@@ -96,11 +96,16 @@ void fields(auto& wire, Is<TipReport> auto& m) {
     wire(CTOD, plastic_zone, plastic_zone_axis, plastic_reach);
 }
 
+void fields(auto& wire, Is<EnergyReport> auto& m) {
+    auto& [stored, released, load_path] = m;
+    wire(stored, released, load_path);
+}
+
 void fields(auto& wire, Is<StepReport> auto& m) {
-    auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers,
+    auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers,
            fronts_refactored, factors_reused, points_evaluated, points_proven_elastic, tangents_computed,
            elastic_tangents_reused, constitutive_s, contact_s, factor_s] = m;
-    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, points, unknowns, multipliers,
+    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers,
          fronts_refactored, factors_reused, points_evaluated, points_proven_elastic, tangents_computed,
          elastic_tangents_reused, constitutive_s, contact_s, factor_s);
 }

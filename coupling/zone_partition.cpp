@@ -44,7 +44,7 @@ std::vector<int> crack_of_unknowns(const EnrichedMesh& zone) {
     for (const auto& [node, term, unknown] : zone.own_unknowns()) {
         if (term == 0) continue;
         const Term& own = zone.terms[at(node)][at(term - 1)];
-        crack[at(unknown)] = own.kind == Term::Kind::Heaviside ? own.owner : zone.tips[at(own.owner)].crack;
+        crack[at(unknown)] = own.kind == Term::Kind::Heaviside ? own.owner : zone.tip_of(own).crack;
     }
     return crack;
 }

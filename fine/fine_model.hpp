@@ -29,6 +29,8 @@ public:
     coupling::ZoneSnapshot snapshot() override;
     void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override;
 
+    [[nodiscard]] const ZoneSystem& system() const { return system_; }
+
 private:
     void plant_tree();
     void keep_touching_to_root();

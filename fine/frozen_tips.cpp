@@ -1,28 +1,60 @@
 #include "fine/frozen_tips.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <map>
+#include <set>
 
 #include "common/fem/crack_faces.hpp"
+#include "common/fem/element_basis.hpp"
 
 namespace stria::fine {
 namespace {
 
-/// Where a mesh's pieces of a crack hold a place.
-std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x) {
-    for (const CrackPiece& piece : mesh.pieces) {
-        if (piece.crack != crack) continue;
-        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
-            const Vec2 d = piece.points[k + 1] - piece.points[k], to_x = x - piece.points[k];
-            const double t = to_x.dot(d) / d.squaredNorm();
-            if (t < -1e-9 || t > 1.0 + 1e-9 || (to_x - t * d).norm() > 1e-9 * d.norm()) continue;
-            return piece.s[k] + std::clamp(t, 0.0, 1.0) * (piece.s[k + 1] - piece.s[k]);
-        }
-    }
-    return std::nullopt;
+bool of_tip(const Term& term, int tip) { return term.kind == Term::Kind::Tip && term.owner == tip; }
+
+bool is_newly_cut(const EnrichedMesh& before, const EnrichedMesh& next, const CrackPiece& piece) {
+    const int id = next.element_ids[static_cast<std::size_t>(piece.element)];
+    return std::ranges::none_of(before.pieces, [&](const CrackPiece& old) {
+        return old.neighbour < 0 && before.element_ids[static_cast<std::size_t>(old.element)] == id;
+    });
 }
 
-bool of_tip(const Term& term, int tip) { return term.kind == Term::Kind::Tip && term.owner == tip; }
+/// The values of Heaviside terms alone.
+Eigen::VectorXd heaviside_values(const EnrichedMesh& mesh, const Eigen::VectorXd& displacement) {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+        const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
+        if (term > 0 && terms[static_cast<std::size_t>(term - 1)].kind == Term::Kind::Heaviside)
+            values.segment<2>(unknown) = displacement.segment<2>(unknown);
+    }
+    return values;
+}
+
+bool opens(const EnrichedMesh& mesh, int element, const Eigen::VectorXd& values) {
+    const ElementBasis basis(mesh, element, true);
+    return std::ranges::any_of(basis.unknowns(), [&](int unknown) { return values[unknown] != 0.0; });
+}
+
+/// More elements where a hanging node of theirs would be without an end of its edge.
+std::vector<int> with_ends_of_edges(const EnrichedMesh& mesh, const std::vector<int>& elements) {
+    std::set<int> chosen(elements.begin(), elements.end()), nodes;
+    for (std::vector<int> added = elements; !added.empty();) {
+        std::set<int> missing;
+        for (const int e : added) {
+            for (const int node : mesh.elements[static_cast<std::size_t>(e)]) {
+                nodes.insert(node);
+                if (const TiedNode* tie = mesh.tie(node)) missing.insert(tie->ends.begin(), tie->ends.end());
+            }
+        }
+        added.clear();
+        for (int e = 0; e < std::ssize(mesh.elements) && !missing.empty(); ++e) {
+            const auto& corners = mesh.elements[static_cast<std::size_t>(e)];
+            const auto lacks = [&](int node) { return missing.contains(node) && !nodes.contains(node); };
+            if (std::ranges::any_of(corners, lacks) && chosen.insert(e).second) added.push_back(e);
+        }
+    }
+    return {chosen.begin(), chosen.end()};
+}
 
 }  // namespace
 
@@ -44,6 +76,25 @@ void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd
     }
     frozen.displacement = carry_over(mesh, own, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
     tips_.push_back(std::move(frozen));
+}
+
+void FrozenTips::keep_closed(const EnrichedMesh& before, const EnrichedMesh& next,
+                             const Eigen::VectorXd& displacement) {
+    const Eigen::VectorXd jumps = heaviside_values(next, displacement);
+    std::map<int, std::vector<int>> opening;  // elements, by crack
+    for (const CrackPiece& piece : next.pieces)
+        if (piece.neighbour < 0 && is_newly_cut(before, next, piece) && opens(next, piece.element, jumps))
+            opening[piece.crack].push_back(piece.element);
+    for (auto& [crack, elements] : opening) {
+        std::set<int> counting;  // by id
+        for (const int e : elements) counting.insert(next.element_ids[static_cast<std::size_t>(e)]);
+        coupling::FrozenTip frozen{extract(next, with_ends_of_edges(next, elements)), {}, crack};
+        std::erase_if(frozen.mesh.pieces, [&](const CrackPiece& piece) {
+            return !counting.contains(frozen.mesh.element_ids[static_cast<std::size_t>(piece.element)]);
+        });
+        frozen.displacement = -carry_over(next, jumps, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
+        tips_.push_back(std::move(frozen));
+    }
 }
 
 Vec2 FrozenTips::jump(int crack, const Vec2& x) const {

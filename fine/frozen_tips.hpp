@@ -1,5 +1,5 @@
-// Tip functions that a tip has left behind: their displacement stays as it was, their unknowns are gone (DESIGN section
-// 4).
+// What keeps the displacement as it was where a growing crack changes its functions (DESIGN section 4): tip functions
+// that a tip has left behind, and jumps that old unknowns would make in elements newly cut.
 #pragma once
 
 #include <vector>
@@ -15,6 +15,10 @@ public:
 
     /// Keeps what a tip's functions are at `displacement` (all unknowns of the mesh).
     void freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement);
+
+    /// A crack that turns back cuts elements beside its old nodes: what their Heaviside functions would open there, at
+    /// `displacement` (of `next`), is taken off.
+    void keep_closed(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& displacement);
 
     /// Jump of all frozen displacements at a place on a crack, plus side minus minus side, mm. By place: arc lengths
     /// change where a crack grows at its first point.

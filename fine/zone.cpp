@@ -103,24 +103,21 @@ void Zone::start(const Zone* old) {
     trial_ = committed_;
 }
 
-// Old points come first and in their order; one that is new has the history of the nearest. What the functions no
-// longer say of the displacement's gradient is kept beside them.
+// Old points come first and in their order; one that is new has a mean history of those around it on its side. What
+// the functions no longer say of the displacement's gradient is kept beside them.
 void Zone::take_state(const Zone& old, std::size_t old_element, std::size_t element) {
     const ElementOperator &before = old.operators_[old_element], &now = operators_[element];
     const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
     for (std::size_t q = 0; q < now.points.size(); ++q) {
-        std::size_t from = q;
-        if (q >= before.points.size()) {
-            const auto distance = [&](const IntegrationPoint& p) { return (p.x - now.points[q].x).squaredNorm(); };
-            from =
-                static_cast<std::size_t>(std::ranges::min_element(before.points, {}, distance) - before.points.begin());
-        }
-        const int source = old.first_point_[old_element] + static_cast<int>(from);
         const auto point = static_cast<std::size_t>(first_point_[element]) + q;
-        for (int c = 0; c < law_->state_size(); ++c)
-            committed_[static_cast<std::size_t>(c * points_) + point] = old.committed(c, source);
-        flowed_[point] = old.flowed_[static_cast<std::size_t>(source)];
-        const Eigen::Matrix2d rest = old.total_gradient(old_element, from, old_u) - now.displacement_gradient(u, q);
+        Eigen::Matrix2d rest = -now.displacement_gradient(u, q);
+        for (const auto& [from, share] : history_of(now.points, q, before.points)) {
+            const int source = old.first_point_[old_element] + static_cast<int>(from);
+            for (int c = 0; c < law_->state_size(); ++c)
+                committed_[static_cast<std::size_t>(c * points_) + point] += share * old.committed(c, source);
+            flowed_[point] = static_cast<unsigned char>(flowed_[point] | old.flowed_[static_cast<std::size_t>(source)]);
+            rest += share * old.total_gradient(old_element, from, old_u);
+        }
         if (frozen_gradient_.empty()) {
             if (rest.cwiseAbs().maxCoeff() < 1e-14) continue;
             frozen_gradient_.assign(static_cast<std::size_t>(points_), Eigen::Matrix2d::Zero());
@@ -287,6 +284,16 @@ double Zone::dissipation() const {
             sum +=
                 operators_[e].points[q].weight * committed(state::dissipation, first_point_[e] + static_cast<int>(q));
         }
+    }
+    return sum;
+}
+
+double Zone::stored_energy() const {
+    double sum = 0.0;
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        const double* state = committed_.data() + first_point_[e];
+        for (const IntegrationPoint& point : operators_[e].points)
+            sum += point.weight * law_->stored_energy(state++, points_);
     }
     return sum;
 }

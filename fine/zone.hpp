@@ -51,8 +51,13 @@ public:
     [[nodiscard]] std::vector<std::int32_t> yielding_points() const;
     [[nodiscard]] double largest_plastic_increment() const;
 
-    /// Integrals of the committed state.
+    /// Integrals of the committed state, N.
     [[nodiscard]] double dissipation() const;
+    [[nodiscard]] double stored_energy() const;
+    /// Displacement gradient at a point of an element, with what its functions no longer say.
+    [[nodiscard]] Eigen::Matrix2d committed_gradient(std::size_t element, std::size_t point) const {
+        return total_gradient(element, point, gather(committed_u_, operators_[element].unknowns));
+    }
     /// Adds the share of the zone's bulk to the domain integrals of a tip.
     void add_to(RingSums& rings) const;
     /// Largest distance from the tip to a point that has ever flowed.

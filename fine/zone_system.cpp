@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "common/stopwatch.hpp"
 
@@ -16,11 +17,13 @@ ZoneSystem::ZoneSystem(const Case& input)
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
-    if (old) freeze_tips_left_by(patch.mesh);
+    if (old) keep_displacement(patch);
     make_contact(patch);
     carry_unknowns(patch, old_contact.get());
     zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), old.get(), committed_.displacement);
+    const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
+    if (old) open_new_faces(before);
 }
 
 std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {
@@ -45,12 +48,23 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
     find_tip_stations();
 }
 
-void ZoneSystem::freeze_tips_left_by(const EnrichedMesh& next) {
+// No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
+void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
+    zone_->evaluate(committed_.displacement);
+    Eigen::VectorXd force = zone_->internal_force();
+    contact_->add_force(committed_.pressure, force);
+    opening_.open(before, patch_.mesh, -force);
+}
+
+void ZoneSystem::keep_displacement(const coupling::Patch& next) {
     for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
         const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
-        if (std::ranges::none_of(next.tips, [&](const Tip& other) { return same_place(tip, other); }))
+        const auto same = [&](const Tip& other) { return same_place(tip, other); };
+        if (std::ranges::none_of(next.mesh.tips, same) && std::ranges::none_of(next.mesh.left_tips, same))
             frozen_.freeze(patch_.mesh, t, committed_.displacement);
     }
+    frozen_.keep_closed(patch_.mesh, next.mesh,
+                        carry_over(patch_.mesh, committed_.displacement, next.mesh, next.displacement));
 }
 
 void ZoneSystem::find_tip_stations() {
@@ -145,11 +159,15 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
         if (contact_->statuses()[static_cast<std::size_t>(k)] == 0) trial_.pressure[k] = 0.0;
     }
-    increments_.push({trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure});
+    const Unknowns move{trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
     committed_ = trial_;
     zone_->commit(reversal);
     contact_->commit();
     coupling::StepReport report;
+    report.energy = {.stored = zone_->stored_energy(),
+                     .released = opening_.release(move.displacement),
+                     .load_path = patch_.unit_load.dot(move.displacement)};
+    increments_.push(move);
     report_tips(report);
     report_rings(report);
     report_faces(report);

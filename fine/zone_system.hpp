@@ -6,6 +6,7 @@
 #include "common/io/case.hpp"
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_interface.hpp"
+#include "fine/opening_faces.hpp"
 #include "fine/zone.hpp"
 
 namespace stria::fine {
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
     [[nodiscard]] const Eigen::VectorXd& pressure() const { return trial_.pressure; }
+    [[nodiscard]] const FrozenTips& frozen() const { return frozen_; }
     [[nodiscard]] ContactInterface::Rows contact_rows() const { return contact_->rows(trial_.pressure, gap_); }
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
@@ -67,8 +69,9 @@ private:
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
     void find_tip_stations();
-    void freeze_tips_left_by(const EnrichedMesh& next);
+    void keep_displacement(const coupling::Patch& next);
     void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
+    void open_new_faces(const EnrichedMesh& before);
     [[nodiscard]] Vec2 jump(const FaceStation& station) const;  // committed
     void report_tips(coupling::StepReport& report) const;
     void report_faces(coupling::StepReport& report) const;
@@ -82,6 +85,7 @@ private:
     FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
     Unknowns committed_, trial_;
+    OpeningFaces opening_;
     IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd gap_, load_;
     double largest_move_ = 0.0, load_factor_ = 0.0;

@@ -138,9 +138,20 @@ void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
     archive("y", y);
 }
 
+void members(auto& archive, Is<WorkBalance> auto& m) {
+    auto& [external, stored, dissipated, released, load_factor, load_displacement, imposed_force] = m;
+    archive("external", external);
+    archive("stored", stored);
+    archive("dissipated", dissipated);
+    archive("released", released);
+    archive("load_factor", load_factor);
+    archive("load_displacement", load_displacement);
+    archive("imposed_force", imposed_force);
+}
+
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, in_zone, displacement, load_factor, closed, cycle, last_cycle, increment, newton_iterations,
-           extensions, warnings, flowing_rings, growth_ended, load, equilibrium, zone] = m;
+           extensions, warnings, flowing_rings, growth_ended, load, work, equilibrium, zone] = m;
     archive("cracks", cracks);
     archive("in_zone", in_zone);
     archive("displacement", displacement);
@@ -155,6 +166,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("flowing_rings", flowing_rings);
     archive("growth_ended", growth_ended);
     archive("load", load);
+    archive("work", work);
     archive("equilibrium", equilibrium);
     archive("zone", zone);
 }

@@ -80,7 +80,11 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
     row.load = load(increment);
     row.displacement = loaded_ ? increment.machine.displacement : missing;
     row.newton_iterations = increment.newton.count();
-    row.dissipation = increment.zone.dissipation;
+    row.dissipation = increment.work.dissipated;
+    row.external_work = increment.work.external;
+    row.stored_energy = increment.work.stored;
+    row.released_energy = increment.work.released;
+    row.balance_error = increment.work.error();
     last_.clear();
     if (increment.tips.empty()) last_.push_back(row);
     for (std::size_t t = 0; t < increment.tips.size(); ++t) {

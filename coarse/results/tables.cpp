@@ -35,6 +35,10 @@ constexpr std::array history_table{
     Column<HistoryRow>{"T_stress", &HistoryRow::T_stress},
     Column<HistoryRow>{"J_spread", &HistoryRow::J_spread},
     Column<HistoryRow>{"K_spread", &HistoryRow::K_spread},
+    Column<HistoryRow>{"external_work", &HistoryRow::external_work},
+    Column<HistoryRow>{"stored_energy", &HistoryRow::stored_energy},
+    Column<HistoryRow>{"released_energy", &HistoryRow::released_energy},
+    Column<HistoryRow>{"balance_error", &HistoryRow::balance_error},
 };
 
 constexpr std::array cycle_table{

@@ -35,6 +35,10 @@ struct HistoryRow {
     double T_stress = missing;           // MPa
     double J_spread = missing;           // over the rings, relative
     double K_spread = missing;           // likewise
+    double external_work = missing;      // N, per mm of thickness, total so far
+    double stored_energy = missing;      // N
+    double released_energy = missing;    // N, total so far
+    double balance_error = missing;      // N
 };
 
 /// One cycle and tip.

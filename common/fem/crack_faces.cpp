@@ -115,6 +115,19 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
     return nowhere;
 }
 
+std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x) {
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
+            const Vec2 d = piece.points[k + 1] - piece.points[k], to_x = x - piece.points[k];
+            const double t = to_x.dot(d) / d.squaredNorm();
+            if (t < -1e-9 || t > 1.0 + 1e-9 || (to_x - t * d).norm() > 1e-9 * d.norm()) continue;
+            return piece.s[k] + std::clamp(t, 0.0, 1.0) * (piece.s[k + 1] - piece.s[k]);
+        }
+    }
+    return std::nullopt;
+}
+
 double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eigen::VectorXd& u) {
     return opening_at_intercept(mesh, tip, [&](const FaceStation& station) { return station.opening(u); });
 }

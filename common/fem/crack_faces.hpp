@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "common/fem/enriched_mesh.hpp"
@@ -42,6 +43,9 @@ std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip
 
 /// The station at an arc length (weight 0); empty terms where no piece of the mesh holds it.
 FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s);
+
+/// The arc length at which a mesh's pieces of a crack hold a place, if they do.
+std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x);
 
 /// Crack tip opening displacement at the 90 degree intercept: the opening where it equals twice the distance to the
 /// tip. Negative where the mesh does not hold the intercept.

@@ -137,7 +137,7 @@ void ElementBasis::evaluate(const Vec2& xi, const Vec2& x, int side, BasisValues
     const int own_functions = ties_.size() > 0 ? static_cast<int>(functions_.size()) : functions();
     out.value.resize(own_functions);
     out.gradient.resize(own_functions, 2);
-    int cached_tip = -1;
+    const Tip* cached_tip = nullptr;
     TipFunctions tip;
     for (std::size_t k = 0; k < functions_.size(); ++k) {
         const Function& function = functions_[k];
@@ -152,10 +152,9 @@ void ElementBasis::evaluate(const Vec2& xi, const Vec2& x, int side, BasisValues
             out.value[f] = n * psi;
             out.gradient.row(f) = dn * psi;
         } else {
-            if (cached_tip != function.term.owner) {
-                cached_tip = function.term.owner;
-                tip =
-                    tip_functions(mesh_->tips[static_cast<std::size_t>(cached_tip)], x, tip_where, mesh_->tip_exponent);
+            if (const Tip* own = &mesh_->tip_of(function.term); own != cached_tip) {
+                cached_tip = own;
+                tip = tip_functions(*own, x, tip_where, mesh_->tip_exponent);
             }
             const double psi = tip.value[function.term.function] - function.term.shift;
             out.value[f] = n * psi;

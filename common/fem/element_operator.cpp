@@ -20,6 +20,8 @@ public:
         size_ = (corners_[2] - corners_[0]).norm();
         if (piece != nullptr) cut_ = cut_element(corners_, *piece);
         if (basis_.singular()) {
+            singular_points_ = mesh.tips;
+            singular_points_.insert(singular_points_.end(), mesh.left_tips.begin(), mesh.left_tips.end());
             for (const Tip& tip : mesh.tips) {
                 if (side_of_polygon(corners_, tip.position) >= 0) tips_.push_back(tip.position);
             }
@@ -111,7 +113,7 @@ private:
 
     [[nodiscard]] double distance_to_tip(const Vec2& a, const Vec2& d) const {
         double nearest = 1e300;
-        for (const Tip& tip : mesh_.tips) {
+        for (const Tip& tip : singular_points_) {
             const double t = std::clamp((tip.position - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
             nearest = std::min(nearest, (tip.position - a - t * d).norm());
         }
@@ -140,6 +142,7 @@ private:
     std::array<Vec2, 4> corners_;
     double size_ = 0.0;
     std::optional<CutElement> cut_;
+    std::vector<Tip> singular_points_;
     std::vector<Vec2> tips_;  // on or in the element, where it has tip functions
     ElementOperator result_;
 };

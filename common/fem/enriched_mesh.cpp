@@ -67,6 +67,18 @@ bool same_place(const Tip& a, const Tip& b) {
     return a.crack == b.crack && a.upper == b.upper && a.position == b.position && a.direction == b.direction;
 }
 
+namespace {
+
+/// The same function on two meshes: a tip that has moved has others, unless the old one's stay.
+bool same_on(const EnrichedMesh& from, const Term& old, const EnrichedMesh& to, const Term& term) {
+    using enum Term::Kind;
+    if (term.kind == Heaviside || old.kind == Heaviside) return old.same_function(term);
+    return (old.kind == Gathered) == (term.kind == Gathered) && old.function == term.function &&
+           same_place(from.tip_of(old), to.tip_of(term));
+}
+
+}  // namespace
+
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial) {
     std::map<int, int> old_node;  // by id
@@ -78,10 +90,11 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
         int same = 0;
         if (term > 0) {
             const Term& own = to.terms[n][static_cast<std::size_t>(term - 1)];
-            same = from.term_index(found->second, own);
-            const bool of_tip = own.kind != Term::Kind::Heaviside;
-            const auto tip = static_cast<std::size_t>(own.owner);
-            if (same == 0 || (of_tip && !same_place(from.tips[tip], to.tips[tip]))) continue;
+            const auto& old = from.terms[static_cast<std::size_t>(found->second)];
+            const auto is_same = [&](const Term& other) { return same_on(from, other, to, own); };
+            const auto twin = std::ranges::find_if(old, is_same);
+            if (twin == old.end()) continue;
+            same = static_cast<int>(twin - old.begin()) + 1;
         }
         if (from.follows(found->second, same)) continue;
         initial.segment<2>(unknown) = values.segment<2>(from.unknown(found->second, same, 0));
@@ -126,6 +139,7 @@ void drop_unseen_terms(EnrichedMesh& mesh) {
 EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements) {
     EnrichedMesh part;
     part.tips = whole.tips;
+    part.left_tips = whole.left_tips;
     part.tip_exponent = whole.tip_exponent;
     part.tip_functions = whole.tip_functions;
 

@@ -15,9 +15,9 @@ using Vec2 = Eigen::Vector2d;
 /// One enrichment term of a node: N_i (psi(x) - psi(x_i)), shifted so that it vanishes at the node. A gathered tip
 /// function has one pair of unknowns for all nodes that carry it: sum_i N_i (psi - sum_k N_k psi(x_k)).
 struct Term {
-    enum class Kind : int { Heaviside, Tip, Gathered };
+    enum class Kind : int { Heaviside, Tip, Gathered, Left };
     Kind kind;
-    int owner;     // Heaviside: crack index; else tip index
+    int owner;     // Heaviside: crack index; Left: index into EnrichedMesh::left_tips; else tip index
     int function;  // alpha of eq. (2), from 0; Heaviside: 0
     double shift;  // psi(x_i)
 
@@ -66,6 +66,7 @@ struct EnrichedMesh {
 
     std::vector<CrackPiece> pieces;  // ordered by crack, then along it
     std::vector<Tip> tips;
+    std::vector<Tip> left_tips;             // that cracks have outgrown, where their functions stay unknowns
     double tip_exponent = 0.5;              // 1/(n+1) of eq. (2)
     int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
     std::vector<std::vector<Term>> terms;   // per node; gathered ones last
@@ -105,6 +106,12 @@ struct EnrichedMesh {
                 return first_gathered[static_cast<std::size_t>(t.owner)] + 2 * t.function + component;
         }
         return first_unknown[static_cast<std::size_t>(node)] + 2 * term + component;
+    }
+
+    /// Of a term with a tip's function.
+    [[nodiscard]] const Tip& tip_of(const Term& term) const {
+        const auto owner = static_cast<std::size_t>(term.owner);
+        return term.kind == Term::Kind::Left ? left_tips[owner] : tips[owner];
     }
 
     /// Index of a term of a node for unknown(); 0 where the node has no such term.

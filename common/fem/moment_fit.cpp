@@ -57,6 +57,25 @@ bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, c
     return true;
 }
 
+/// The points keep as large a part of their weights as lets one more inside the side make up for what they miss, in
+/// area and first moments. Without points it stands at the centroid.
+IntegrationPoint add_missing(std::vector<IntegrationPoint*>& points, std::span<const Vec2> polygon,
+                             const Monomials& wanted, const Monomials& present, const Frame& frame) {
+    constexpr int parts = 10;
+    IntegrationPoint added{};
+    for (int kept = points.empty() ? 0 : parts; kept >= 0; --kept) {
+        const double part = double(kept) / parts;
+        const Monomials missing = wanted - part * present;
+        if (kept > 0 && missing[0] <= 0.01 * wanted[0]) continue;
+        added.x = frame.centre + frame.length * missing.segment<2>(1) / missing[0];
+        added.weight = missing[0];
+        if (kept > 0 && side_of_polygon(polygon, added.x) <= 0) continue;
+        for (IntegrationPoint* point : points) point->weight *= part;
+        break;
+    }
+    return added;
+}
+
 }  // namespace
 
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
@@ -115,10 +134,46 @@ void fit_weights(const CutElement& cut, const std::array<Vec2, 4>& corners, std:
         }
         if ((present - wanted).norm() <= exact * wanted[0]) continue;
         if (fit_side(own, wanted, frame, 6) || fit_side(own, wanted, frame, 3)) continue;
-        for (IntegrationPoint* point : own) point->weight = 0.0;
-        const Vec2 centroid = frame.centre + length * wanted.segment<2>(1) / wanted[0];
-        points.push_back({centroid, map_to_parent(corners, centroid), wanted[0], side, 0});
+        IntegrationPoint added = add_missing(own, polygon, wanted, present, frame);
+        added.xi = map_to_parent(corners, added.x);
+        added.side = side;
+        points.push_back(added);
     }
+}
+
+std::vector<PointShare> history_of(std::span<const IntegrationPoint> now, std::size_t q,
+                                   std::span<const IntegrationPoint> before) {
+    if (q < before.size()) return {{q, 1.0}};
+    const auto beside = [&](const IntegrationPoint& from) { return from.side != -now[q].side; };
+    const bool all = std::ranges::none_of(before, beside);
+    std::vector<PointShare> history;
+    std::vector<Vec2> places;
+    for (std::size_t from = 0; from < before.size(); ++from) {
+        if (!all && !beside(before[from])) continue;
+        history.push_back({from, 0.0});
+        places.push_back(before[from].x);
+    }
+    const Eigen::VectorXd shares = shares_at(now[q].x, places);
+    for (std::size_t k = 0; k < places.size(); ++k) history[k].share = shares[static_cast<Eigen::Index>(k)];
+    std::erase_if(history, [](const PointShare& source) { return source.share == 0.0; });
+    return history;
+}
+
+Eigen::VectorXd shares_at(const Vec2& x, std::span<const Vec2> points) {
+    constexpr double near = 1e-3;
+    const Eigen::Index n = std::ssize(points);
+    double length = 0.0;
+    for (const Vec2& point : points) length = std::max(length, (point - x).norm());
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3 + n, n);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(3 + n);
+    b[0] = 1.0;
+    for (Eigen::Index q = 0; q < n; ++q) {
+        const Vec2 d = (points[static_cast<std::size_t>(q)] - x) / length;
+        A.col(q).head(3) << 1.0, d.x(), d.y();
+        A(3 + q, q) = near * d.norm();
+    }
+    const Eigen::VectorXd shares = non_negative_least_squares(A, b);
+    return shares / shares.sum();
 }
 
 }  // namespace stria

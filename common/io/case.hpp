@@ -113,6 +113,8 @@ enum class GrowthAt { Maximum, Minimum };
 
 enum class GrowthLaw { Prescribed, Paris, Ctod };
 enum class GrowthDriving { Range, EffectiveRange };  // K_max - K_min, K_max - K_op
+/// What becomes of a tip's functions where it has left: a fixed displacement, or unknowns still.
+enum class Retain { Frozen, All };
 enum class GrowthDirection { HoopStress, Straight };
 
 struct GrowthSection {
@@ -123,6 +125,7 @@ struct GrowthSection {
     double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C dCTOD^m, mm
     GrowthDriving driving = GrowthDriving::Range;
     GrowthDirection direction = GrowthDirection::HoopStress;
+    Retain retain = Retain::Frozen;
     std::optional<double> until = {};      // mm, crack length
     std::optional<double> toughness = {};  // MPa sqrt(mm)
     bool operator==(const GrowthSection&) const = default;

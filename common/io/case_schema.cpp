@@ -218,6 +218,9 @@ Section<GrowthSection> growth_section() {
         .says("At which extreme of the cycle the crack grows.");
     s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm) or mm").at_least(0.0).says("Of the law of da/dN.");
     s.value("m", &GrowthSection::m).at_least(0.0).says("Of the law of da/dN.");
+    s.choice<Retain>("retain", &GrowthSection::retain, {{"frozen", Retain::Frozen}, {"all", Retain::All}})
+        .says("Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
+              "comparison.");
     s.choice<GrowthDriving>("driving", &GrowthSection::driving,
                             {{"dK", GrowthDriving::Range}, {"dK_eff", GrowthDriving::EffectiveRange}})
         .says("What drives Paris' law: K_max - K_min, or K_max - K_op.");

@@ -30,6 +30,12 @@ struct Elasticity {
         return std::numbers::sqrt2 * shear_modulus() * std::max(std::numbers::sqrt3, hydrostatic);
     }
 
+    /// Elastic energy density, N/mm2: (1/2) stress : compliance : stress.
+    [[nodiscard]] double energy(const Mandel& stress) const {
+        const double trace = mandel_identity.dot(stress);
+        return ((1.0 + poisson) * stress.squaredNorm() - poisson * trace * trace) / (2.0 * young);
+    }
+
     /// sigma = stiffness : eps with all of xx, yy, zz, sqrt(2) xy. In plane stress the zz strain is no unknown: its row
     /// and column are zero.
     [[nodiscard]] MandelMatrix stiffness() const {

@@ -10,7 +10,7 @@ namespace stria::fine {
 
 class Elastic final : public MaterialLaw {
 public:
-    explicit Elastic(const Elasticity& elasticity) : stiffness_(elasticity.stiffness()) {}
+    explicit Elastic(const Elasticity& elasticity) : elasticity_(elasticity), stiffness_(elasticity.stiffness()) {}
 
     [[nodiscard]] int state_size() const override { return state::back_stress; }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
@@ -18,9 +18,13 @@ public:
     [[nodiscard]] double elastic_margin(int /*points*/, int /*stride*/, const double* /*committed*/) const override {
         return std::numeric_limits<double>::infinity();
     }
+    [[nodiscard]] double stored_energy(const double* state, int stride) const override {
+        return elasticity_.energy(tensor_at(state, stride, state::stress));
+    }
     [[nodiscard]] MandelMatrix elastic() const override { return stiffness_; }
 
 private:
+    Elasticity elasticity_;
     MandelMatrix stiffness_;
 };
 

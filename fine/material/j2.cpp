@@ -142,6 +142,16 @@ double J2Parameters::elastic_margin(int points, int stride, const double* commit
     return std::max(margin, 0.0);
 }
 
+double J2Parameters::stored_energy(const double* state, int stride) const {
+    const double p = state[static_cast<std::ptrdiff_t>(state::accumulated) * stride];
+    double energy = elasticity.energy(tensor_at(state, stride, state::stress)) + 0.5 * isotropic * p * p;
+    for (std::size_t k = 0; k < kinematic.size(); ++k) {
+        const Mandel X = tensor_at(state, stride, state::back_stress + 4 * static_cast<int>(k));
+        if (kinematic[k] > 0.0) energy += 0.75 * X.squaredNorm() / kinematic[k];
+    }
+    return energy;
+}
+
 J2::J2(const J2Parameters& parameters)
     : parameters_(parameters), bulk_(parameters.elasticity.bulk_modulus()),
       shear_(parameters.elasticity.shear_modulus()),

@@ -19,6 +19,10 @@ struct J2Parameters {
     [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
     /// As in MaterialLaw.
     [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const;
+
+    /// Of sigma : d eps_p = X : d eps_p + (sigma_y + R) dp hardening stores the first term and R dp; sigma_y dp is
+    /// dissipated. With X = 2/3 C eps_p and R = H p both are functions of the state: 3/4 X : X / C and H p^2 / 2.
+    [[nodiscard]] double stored_energy(const double* state, int stride) const;
 };
 
 class J2 final : public MaterialLaw {
@@ -32,6 +36,9 @@ public:
                 double* tangent, unsigned char* yielding) const override;
     [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
         return parameters_.elastic_margin(points, stride, committed);
+    }
+    [[nodiscard]] double stored_energy(const double* state, int stride) const override {
+        return parameters_.stored_energy(state, stride);
     }
     [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }
 

@@ -18,6 +18,9 @@ public:
     [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
         return parameters_.elastic_margin(points, stride, committed);
     }
+    [[nodiscard]] double stored_energy(const double* state, int stride) const override {
+        return parameters_.stored_energy(state, stride);
+    }
     [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }
 
 private:

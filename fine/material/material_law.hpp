@@ -24,6 +24,13 @@ inline constexpr int dissipation = 10;    // plastic dissipation density, integr
 inline constexpr int back_stress = 11;    // 4 components for each back stress, MPa
 }  // namespace state
 
+/// A tensor of one point.
+[[nodiscard]] inline Mandel tensor_at(const double* state, int stride, int component) {
+    const double* first = state + static_cast<std::ptrdiff_t>(component) * stride;
+    return {first[0], first[stride], first[2 * static_cast<std::ptrdiff_t>(stride)],
+            first[3 * static_cast<std::ptrdiff_t>(stride)]};
+}
+
 class MaterialLaw {
 public:
     virtual ~MaterialLaw() = default;
@@ -40,6 +47,10 @@ public:
     /// The smallest change of the von Mises stress that makes one of the committed points flow, MPa, not below zero;
     /// infinite where nothing can.
     [[nodiscard]] virtual double elastic_margin(int points, int stride, const double* committed) const = 0;
+
+    /// Energy density that a point holds, N/mm2: elastic, and what hardening stores. `state`: its first component, the
+    /// others `stride` apart.
+    [[nodiscard]] virtual double stored_energy(const double* state, int stride) const = 0;
 
     /// Elastic stiffness in Mandel form (zz row and column zero in plane stress).
     [[nodiscard]] virtual MandelMatrix elastic() const = 0;

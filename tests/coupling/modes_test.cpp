@@ -86,8 +86,8 @@ std::vector<double> numbers_of(const coarse::TipResult& tip) {
 }
 
 std::vector<double> numbers_of(const coupling::StepReport& report) {
-    std::vector<double> numbers{report.dissipation, static_cast<double>(report.unknowns),
-                                static_cast<double>(report.multipliers)};
+    std::vector<double> numbers{report.dissipation, report.energy.stored, report.energy.released,
+                                static_cast<double>(report.unknowns), static_cast<double>(report.multipliers)};
     for (const coupling::TipReport& tip : report.tips) {
         numbers.insert(numbers.end(), {tip.CTOD, tip.plastic_zone, tip.plastic_zone_axis, tip.plastic_reach});
     }

@@ -94,7 +94,8 @@ TEST_F(CsvFile, DropsALineThatACrashCutShort) {
 TEST(Tables, HaveTheColumnsUsersKnow) {
     EXPECT_EQ(joined(history_columns()),
               "increment,cycle,load_factor,load,displacement,tip,x,y,a,K_I,K_II,J,CMOD,CTOD,newton_iterations,"
-              "contact_length,plastic_zone,dissipation,plastic_zone_axis,T_stress,J_spread,K_spread");
+              "contact_length,plastic_zone,dissipation,plastic_zone_axis,T_stress,J_spread,K_spread,external_work,"
+              "stored_energy,released_energy,balance_error");
     EXPECT_EQ(joined(cycle_columns()),
               "cycle,tip,a,da,dN,K_max,K_min,K_op,K_cl,U,dK_eff,J_max,CTOD_range,forward_zone,cyclic_zone,"
               "newton_iterations,fine_points,fine_unknowns,wall_s,forward_zone_axis,cyclic_zone_axis,K_op_contact,"

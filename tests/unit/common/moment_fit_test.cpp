@@ -89,5 +89,29 @@ TEST_F(CutSquare, ASliverWithoutPointsGetsOneOfItsOwn) {
     EXPECT_EQ(points_.back().side, -1);
 }
 
+TEST_F(CutSquare, ARowOfPointsKeepsWhatItCanCarry) {
+    cut({0.0, 0.37}, {1.0, 0.37});
+    EXPECT_EQ(points_.size(), count_ + 1);
+    EXPECT_LT(points_.back().weight, 0.5 * 0.37);
+    EXPECT_LT(points_.back().x.y(), 0.37);
+}
+
+TEST(SharesOfPoints, MakeALinearFieldAmongThemAndNeverLeaveThem) {
+    const std::vector<IntegrationPoint> points = place_points(
+        std::array<Vec2, 4>{Vec2(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, nullptr, {}, false, {.subcells = 2});
+    std::vector<Vec2> places;
+    for (const IntegrationPoint& point : points) places.push_back(point.x);
+    for (int k = 0; k < 50; ++k) {
+        const Vec2 x(0.5 + 0.38 * std::sin(5.0 * k), 0.5 + 0.38 * std::cos(9.0 * k));
+        const Eigen::VectorXd shares = shares_at(x, places);
+        Vec2 mean = Vec2::Zero();
+        for (std::size_t q = 0; q < places.size(); ++q) mean += shares[static_cast<Eigen::Index>(q)] * places[q];
+        EXPECT_LT((mean - x).norm(), 1e-4);
+        EXPECT_GE(shares.minCoeff(), 0.0);
+        EXPECT_NEAR(shares.sum(), 1.0, 1e-14);
+    }
+    EXPECT_NEAR(shares_at({0.1, 0.0}, places)[0], 1.0, 1e-3);  // of the point nearest to it
+}
+
 }  // namespace
 }  // namespace stria::test

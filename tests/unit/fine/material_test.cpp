@@ -64,6 +64,27 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLaw, testing::ValuesIn(laws), [](const auto& law) { return law.param.name; });
 
+// Backward Euler has a potential: what an increment stores and dissipates. So the work balance has no error of the law.
+TEST_P(EveryLaw, StressIsTheDerivativeOfWhatIsStoredAndDissipated) {
+    const double h = 1e-7;
+    const auto energy = [&](const std::vector<double>& committed, const Mandel& increment) {
+        const PointUpdate trial = update_point(point_.law(), committed, increment);
+        return point_.law().stored_energy(trial.state.data(), 1) + trial.scalar(state::dissipation);
+    };
+    for (int step = 0; step < 200; ++step) {
+        const std::vector<double> committed = point_.last().state;
+        const Mandel increment = random_increment();
+        Mandel derivative = Mandel::Zero();
+        for (const int j : {0, 1, 3}) {
+            const Mandel nudge = h * Mandel::Unit(j);
+            derivative[j] = (energy(committed, increment + nudge) - energy(committed, increment - nudge)) / (2.0 * h);
+        }
+        Mandel stress = point_.strain_by(increment).stress();
+        stress[2] = 0.0;
+        EXPECT_LT((derivative - stress).norm(), 1e-5 * 350.0) << step;
+    }
+}
+
 TEST_P(EveryLaw, TangentIsTheDerivativeOfTheStressAndSymmetric) {
     const double h = 1e-8;
     int compared = 0;

@@ -1,0 +1,68 @@
+// What keeping the functions of old tips as unknowns (growth.retain) buys and costs.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "tests/support/condition_number.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr double growth = 0.031;  // of the width
+
+Case growing_edge_crack(Retain retain) {
+    Case input = edge_crack(0.3, 3.0, End::Pulled);
+    input.mesh.size = 1.0 / 21.0;
+    input.fine.refine = 8;
+    input.load = {.steps = 2, .blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}};
+    input.growth.emplace().increment = growth;
+    input.growth->retain = retain;
+    return input;
+}
+
+/// What a linear body releases over the sum of K^2 / E' da.
+double released_by(Retain retain) {
+    const RunHistory run = run_direct(growing_edge_crack(retain));
+    double irwin = 0.0;
+    for (std::size_t i = 1; i < run.increments.size(); ++i) {
+        const coarse::TipResult &from = run.increments[i - 1].tips[0], &to = run.increments[i].tips[0];
+        irwin += 0.5 * (from.K_I * from.K_I + to.K_I * to.K_I) / plane_modulus * (to.a - from.a);
+    }
+    return run.increments.back().work.released / irwin;
+}
+
+TEST(RetainedFunctions, LetALinearBodyReleaseAll) {
+    const double frozen = released_by(Retain::Frozen), retained = released_by(Retain::All);
+    std::cout << fmt::format("released over K^2/E' da: frozen {:.4f}, retained {:.4f}\n", frozen, retained);
+    EXPECT_NEAR(retained, 1.0, 0.01);
+    EXPECT_LT(frozen, retained);
+}
+
+// Of the elastic stiffness with every old function, diagonal scaled to one.
+TEST(RetainedFunctions, AreNearlyWhatOtherFunctionsSayAlready) {
+    for (const Enrichment enrichment : {Enrichment::Single, Enrichment::Topological}) {
+        Case input = edge_crack(0.3, 3.0, End::Pulled);
+        input.mesh.size = 1.0 / 61.0;
+        input.fine.enrichment = enrichment;
+        coarse::Scene retained = coarse::make_scene(input);
+        for (int step = 1; step <= 4; ++step) {
+            input.cracks[0].points[1].x() += 0.7 / 61.0;
+            retained = coarse::with_functions_left(coarse::make_scene(input, retained.mesh), retained.enriched);
+        }
+        const coarse::Scene longer = coarse::make_scene(input, retained.mesh);
+        const std::vector<char> no_zone(longer.mesh.elements.size(), 0);
+        const double before = condition_number(coarse::Structure(longer, no_zone)),
+                     after = condition_number(coarse::Structure(retained, no_zone));
+        std::cout << fmt::format(
+            "{} functions, 4 steps: {} unknowns, condition {:.2e}; with old functions {}, {:.2e}\n",
+            longer.enriched.tip_functions, longer.enriched.unknowns, before, retained.enriched.unknowns, after);
+        EXPECT_GT(after, before);
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
