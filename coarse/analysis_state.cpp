@@ -55,7 +55,8 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
     for (std::size_t k = 0; k < input.cracks.size(); ++k) input.cracks[k].points = points_of(from.cracks.at(k));
     if (input != scene_->input) {
         if (input.growth && input.growth->retain == Retain::All)
-            throw CaseError("--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
+            throw CaseError(
+                "--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
         grown_ = std::make_unique<Scene>(make_scene(input, scene_->mesh));
         scene_ = grown_.get();
         (void)solve_nominal();

@@ -41,8 +41,8 @@ struct EquilibriumState {
 
 /// What a testing machine reads at the loaded boundary, along its direction.
 struct MachineReading {
-    double displacement = 0.0;  // mean, mm
-    double force = 0.0;         // of what holds it, N/mm; zero where forces load it
+    double displacement = 0.0;   // mean, mm
+    double force = 0.0;          // of what holds it, N/mm; zero where forces load it
     double imposed_force = 0.0;  // what unit imposed displacements do work against, N
 };
 

@@ -76,7 +76,8 @@ inline coupling::Patch patch_of(int unknowns) {
 }
 
 inline coupling::PatchDisplacement displacement_of(int iteration, int unknowns) {
-    coupling::PatchDisplacement displacement{.iteration = iteration, .predictor = 0.5, .load_factor = 1.0, .boundary = {}};
+    coupling::PatchDisplacement displacement{
+        .iteration = iteration, .predictor = 0.5, .load_factor = 1.0, .boundary = {}};
     displacement.boundary = Eigen::VectorXd::LinSpaced(unknowns, -1.0 / 3.0, 0.1 * (iteration + 1)).array().sin();
     return displacement;
 }

@@ -1,4 +1,5 @@
-// Brings a scene to equilibrium at one load in process: the shortest way from a Scene to what its tips and faces report.
+// Brings a scene to equilibrium at one load in process: the shortest way from a Scene to what its tips and faces
+// report.
 #pragma once
 
 #include "coarse/condensed_equilibrium.hpp"

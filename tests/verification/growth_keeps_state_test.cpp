@@ -95,6 +95,10 @@ public:
     }
     void rollback() override { model_.rollback(); }
     coupling::ZoneState state() override { return model_.state(); }
+    coupling::ZoneSnapshot snapshot() override { return model_.snapshot(); }
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override {
+        model_.restore(patch, snapshot);
+    }
 
     std::vector<Change> changes;
     double misreported = 0.0;              // mm, of the openings of faces
@@ -214,7 +218,7 @@ std::vector<Change> changes_of(const Case& input) {
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
         last = std::make_unique<coarse::Scene>(structure.scene());
         witness.scene = last.get();
-        witness.structure_u = increment.displacement;
+        witness.structure_u = increment.equilibrium->structure_displacement();
     };
     coarse::FatigueAnalysis(scene, factory, listener).run();
     EXPECT_LT(witness.misreported, 1e-14);

@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "app/study/run_files.hpp"
-#include "common/io/number_table.hpp"
 #include "app/study/table.hpp"
+#include "common/io/number_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria::study {

@@ -216,8 +216,8 @@ TEST_F(CaseFile, SaysPlainlyWhatThisVersionHasNot) {
     EXPECT_EQ(complaint_about("friction = 0.0", "friction = 0.2"),
               "case.toml:16: crack.0.contact.friction = 0.2 is not available in this version; contact is frictionless, "
               "friction = 0");
-    for (const char* passage : {"[regions]\nsteel = \"a\"\n",
-                                "[material.steel]\nyoung = 1.0\n", "[material.isotropic]\nlaw = \"voce\"\nQ = 1.0\n"})
+    for (const char* passage : {"[regions]\nsteel = \"a\"\n", "[material.steel]\nyoung = 1.0\n",
+                                "[material.isotropic]\nlaw = \"voce\"\nQ = 1.0\n"})
         EXPECT_NE(complaint(complete + passage).find("is not available in this version"), std::string::npos) << passage;
     EXPECT_NE(complaint(complete, {"material.kinematic.0.gamma=5"}).find("not available"), std::string::npos);
 }
