@@ -94,6 +94,7 @@ public:
 
     void apply() override {
         const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        correction_ *= zone_.step();
         trial_ += correction_.head(n);
         load_factor_ += correction_[n + m];
         impose_held();

@@ -155,7 +155,7 @@ void FineModel::advance_interior() {
     kept << inner.jumps, step;
     pressure(touching_) = inner.multipliers;
     const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
-    system_.move(tree_->expand(moving, kept), pressure);
+    system_.move(system_.step() * tree_->expand(moving, kept), system_.step() * pressure);
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {

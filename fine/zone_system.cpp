@@ -105,6 +105,7 @@ void ZoneSystem::predict(const Predictor& predictor) {
     }
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
+    damping_.begin();
 }
 
 void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure) {
@@ -131,7 +132,7 @@ void ZoneSystem::linearise() {
     load_ = load_factor_ * patch_.unit_load - force;
 }
 
-coupling::PatchResponse ZoneSystem::measure() const {
+coupling::PatchResponse ZoneSystem::measure() {
     coupling::PatchResponse response;
     std::vector<char> on_boundary(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
     for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
@@ -140,6 +141,7 @@ coupling::PatchResponse ZoneSystem::measure() const {
         if (on_boundary[static_cast<std::size_t>(i)] == 0)
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
+    step_ = damping_.factor(response.interior_residual);
     response.contact_residual = contact_->residual(trial_.pressure, gap_);
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();

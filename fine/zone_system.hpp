@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "common/damping.hpp"
 #include "common/io/case.hpp"
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_interface.hpp"
@@ -48,7 +49,9 @@ public:
     [[nodiscard]] ContactInterface::Rows contact_rows() const { return contact_->rows(trial_.pressure, gap_); }
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
-    [[nodiscard]] coupling::PatchResponse measure() const;
+    [[nodiscard]] coupling::PatchResponse measure();
+    /// What of the correction that follows is to be taken.
+    [[nodiscard]] double step() const { return step_; }
 
     coupling::StepReport commit(bool reversal);
     [[nodiscard]] coupling::ZoneState state() const;
@@ -85,6 +88,8 @@ private:
     FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
     Unknowns committed_, trial_;
+    Damping damping_;
+    double step_ = 1.0;
     OpeningFaces opening_;
     IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd gap_, load_;
