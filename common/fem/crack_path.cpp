@@ -8,6 +8,7 @@
 #include "common/error.hpp"
 #include "common/fem/crack_crossings.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace stria {
 namespace {
@@ -107,7 +108,11 @@ private:
         const Crossing* end = a != nullptr ? a : b;
         for (const MeshEdge& edge : skeleton_.edges()) {
             const Vec2 tip = a != nullptr ? chain.first.back() : chain.first.front();
-            if (end == nullptr || !intersect(tip, tip, node(edge.first), node(edge.second))) continue;
+            const Vec2 &first = node(edge.first), &second = node(edge.second);
+            // To rounding: the middle may be rounded onto an edge that the tip is an ulp off.
+            const double off =
+                std::max(distance_to_segment(tip, first, second), distance_to_segment(middle, first, second));
+            if (end == nullptr || off > 1e-9 * (first - second).norm()) continue;
             const int left = orientation(chain.first.front(), chain.first.back(), centre(edge.elements[0])) > 0 ? 0 : 1;
             CrackPiece result = make_piece(edge.elements[static_cast<std::size_t>(1 - left)], chain, a, b);
             result.neighbour = edge.elements[static_cast<std::size_t>(left)];
