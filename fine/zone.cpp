@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/fem/moment_fit.hpp"
 
@@ -16,7 +17,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
       }) {
     if (old != nullptr) counts_ = old->counts_;
     start(old);
-    measure_margins();
+    settle();
 }
 
 Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
@@ -33,7 +34,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     flowed_.assign(n, 0);
     tangents_ = elastic_stiffness_;
     changed_.assign(operators_.size(), 1);
-    proven_.assign(operators_.size(), 0);
+    proven_.assign(operators_.size(), 1);  // no force is known yet
     was_plastic_.assign(operators_.size(), 0);
     force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
     committed_u_ = trial_u_ = displacement;
@@ -221,17 +222,28 @@ void Zone::commit(bool reversal) {
     trial_ = committed_;
     committed_u_ = trial_u_;
     increment_.setZero();
-    measure_margins();
+    settle();
     if (half_cycle_ended_) std::ranges::fill(flowed_, static_cast<unsigned char>(0));
     for (std::size_t q = 0; q < flowed_.size(); ++q) flowed_[q] = static_cast<unsigned char>(flowed_[q] | yielding_[q]);
     half_cycle_ended_ = reversal;
 }
 
+void Zone::settle() {
+    settle_forces();
+    measure_margins();
+}
+
 void Zone::measure_margins() {
-    std::ranges::fill(proven_, static_cast<char>(0));
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         const int count = static_cast<int>(operators_[e].points.size());
         bound_.set_margin(e, law_->elastic_margin(count, points_, committed_.data() + first_point_[e]));
+    }
+}
+
+// Where the points were not looked at before the commit, the forces are now those of their stresses.
+void Zone::settle_forces() {
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (std::exchange(proven_[e], static_cast<char>(0)) == 0) continue;
         with_kernel(operators_[e], [&](const auto& kernel) {
             const auto force = kernel.force(
                 committed_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first_point_[e], points_);
@@ -256,120 +268,6 @@ Mandel Zone::trial_stress(std::size_t e, std::size_t q) const {
 Mandel Zone::committed_mandel(int component, int point) const {
     return {committed(component, point), committed(component + 1, point), committed(component + 2, point),
             committed(component + 3, point)};
-}
-
-std::vector<std::int32_t> Zone::yielding_points() const {
-    std::vector<std::int32_t> count(operators_.size(), 0);
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        const auto begin = yielding_.begin() + first_point_[e];
-        count[e] = static_cast<std::int32_t>(
-            std::count_if(begin, begin + std::ssize(operators_[e].points), [](auto y) { return y != 0; }));
-    }
-    return count;
-}
-
-double Zone::largest_plastic_increment() const {
-    double largest = 0.0;
-    const auto offset = static_cast<std::size_t>(state::accumulated) * static_cast<std::size_t>(points_);
-    for (std::size_t q = 0; q < static_cast<std::size_t>(points_); ++q) {
-        if (yielding_[q] != 0) largest = std::max(largest, trial_[offset + q] - committed_[offset + q]);
-    }
-    return largest;
-}
-
-double Zone::dissipation() const {
-    double sum = 0.0;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            sum +=
-                operators_[e].points[q].weight * committed(state::dissipation, first_point_[e] + static_cast<int>(q));
-        }
-    }
-    return sum;
-}
-
-double Zone::stored_energy() const {
-    double sum = 0.0;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        const double* state = committed_.data() + first_point_[e];
-        for (const IntegrationPoint& point : operators_[e].points)
-            sum += point.weight * law_->stored_energy(state++, points_);
-    }
-    return sum;
-}
-
-void Zone::add_to(RingSums& rings) const {
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        const ElementOperator& op = operators_[e];
-        if (!rings.enter(static_cast<int>(e))) continue;
-        const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const int point = first_point_[e] + static_cast<int>(q);
-            rings.add(op.points[q], committed_mandel(state::stress, point), total_gradient(e, q, u),
-                      committed(state::work, point));
-        }
-    }
-}
-
-double Zone::plastic_reach(const Tip& tip) const {
-    double largest = 0.0;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            if (committed(state::accumulated, first_point_[e] + static_cast<int>(q)) > 0.0)
-                largest = std::max(largest, (operators_[e].points[q].x - tip.position).norm());
-        }
-    }
-    return largest;
-}
-
-double Zone::plastic_extent(const Tip& tip, double half_angle) const {
-    double largest = 0.0;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            if (flowed_[static_cast<std::size_t>(first_point_[e]) + q] == 0) continue;
-            const TipPolar polar = tip_polar(tip, operators_[e].points[q].x, 0);
-            if (std::abs(polar.theta) <= half_angle) largest = std::max(largest, polar.r);
-        }
-    }
-    return largest;
-}
-
-double Zone::force_ahead(const Tip& tip, double radius) const {
-    const Vec2 normal(-tip.direction.y(), tip.direction.x());
-    double sum = 0.0;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        const std::vector<IntegrationPoint>& points = operators_[e].points;
-        const double diagonal = (mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][0])] -
-                                 mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][2])])
-                                    .norm();
-        if ((points.front().x - tip.position).norm() > radius + 2.0 * diagonal) continue;
-        for (std::size_t q = 0; q < points.size(); ++q) {
-            const IntegrationPoint& p = points[q];
-            const Vec2 from_tip = p.x - tip.position;
-            const double along = from_tip.dot(tip.direction);
-            if (from_tip.norm() > radius || along < std::abs(from_tip.dot(normal))) continue;
-            sum += p.weight * normal.dot(in_plane(trial_stress(e, q)) * normal);
-        }
-    }
-    return sum;
-}
-
-void Zone::describe(coupling::ZoneState& out) const {
-    out.displacement = committed_u_;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            const IntegrationPoint& p = operators_[e].points[q];
-            const int point = first_point_[e] + static_cast<int>(q);
-            out.element.push_back(static_cast<std::int32_t>(e));
-            out.side.push_back(static_cast<std::int8_t>(p.side));
-            out.x.push_back(p.x.x());
-            out.y.push_back(p.x.y());
-            out.weight.push_back(p.weight);
-            for (int c = 0; c < 4; ++c) out.stress.push_back(committed(state::stress + c, point));
-            for (int c = 0; c < 4; ++c) out.plastic_strain.push_back(committed(state::plastic_strain + c, point));
-            out.accumulated.push_back(committed(state::accumulated, point));
-        }
-    }
 }
 
 }  // namespace stria::fine

@@ -93,6 +93,8 @@ private:
     template <class Kernel> [[nodiscard]] bool proves_elastic(std::size_t e, const Kernel& kernel);
     template <class Kernel> void evaluate_element(std::size_t e, const Kernel& kernel);
     void update_points(char proven);
+    void settle();
+    void settle_forces();
     void measure_margins();
     [[nodiscard]] Mandel trial_stress(std::size_t e, std::size_t q) const;
     [[nodiscard]] double committed(int component, int point) const {

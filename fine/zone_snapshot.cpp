@@ -48,7 +48,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
         std::ranges::any_of(frozen, [](const Eigen::Matrix2d& gradient) { return !gradient.isZero(0.0); });
     if (some) frozen_gradient_ = std::move(frozen);
     trial_ = committed_;
-    measure_margins();
+    settle();
 }
 
 void Zone::remember(coupling::ZoneSnapshot& out) const {

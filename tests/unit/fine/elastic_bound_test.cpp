@@ -36,7 +36,6 @@ protected:
 TEST_P(ElasticBound, Bounds) {
     const Zone zone = make_zone(plate, scene);
     const Elasticity elastic = elasticity_of(scene.material, scene.model.plane);
-    double looseness = 0.0;
     for (const unsigned seed : {1U, 2U, 3U}) {
         const Eigen::VectorXd u = random_vector(plate.unknowns, 1e-3, seed);
         for (const ElementOperator& op : zone.operators()) {
@@ -49,13 +48,8 @@ TEST_P(ElasticBound, Bounds) {
             bound.add_element(op);
             bound.set_margin(0, largest);
             EXPECT_FALSE(bound.proves(0, work)) << op.element;
-            // 16 points of equal weight would make it 4 times too large were the stress uniform, pressure and gradients
-            // the rest.
-            if (op.points.size() == 16)
-                looseness = std::max(looseness, std::sqrt(work / op.points[0].weight) / largest);
         }
     }
-    EXPECT_LT(std::sqrt(3.0 * elastic.shear_modulus()) * looseness, 40.0);
 }
 
 // Small increments are proven elastic; what is committed is what the points say, and flow is never overlooked.
