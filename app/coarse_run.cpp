@@ -15,14 +15,12 @@ namespace stria {
 namespace {
 
 void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::Summary& summary) {
-    const coupling::Traffic traffic = fine.traffic();
-    summary.messages = traffic.messages_sent + traffic.messages_received;
-    summary.bytes = traffic.bytes_sent + traffic.bytes_received;
+    summary.work += fine.traffic();
     for (const coupling::StepReport& rank : fine.reports(zone)) {
         summary.points_of_ranks.push_back(rank.points);
         summary.multipliers_of_ranks.push_back(rank.multipliers);
     }
-    summary.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
+    summary.work.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
 }
 
 }  // namespace
@@ -137,19 +135,13 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.fine_unknowns = zone.unknowns;
     summary.fine_points = zone.points;
     summary.multipliers = zone.multipliers;
-    summary.fronts_refactored = zone.fronts_refactored;
-    summary.factors_reused = zone.factors_reused;
-    summary.points_evaluated = zone.points_evaluated;
-    summary.points_proven_elastic = zone.points_proven_elastic;
-    summary.tangents_computed = zone.tangents_computed;
-    summary.elastic_tangents_reused = zone.elastic_tangents_reused;
+    summary.work = zone.work;
+    summary.work += analysis.work();
     summary.newton_iterations = analysis.newton_iterations();
     summary.step_cuts = analysis.cuts();
     summary.zone_extensions = analysis.zone_extensions();
     summary.yield_warnings = analysis.yield_warnings();
     summary.flowing_rings = analysis.flowing_rings();
-    summary.structure_checks_full = analysis.yield_guard().full_checks();
-    summary.structure_checks_by_bound = analysis.yield_guard().checks_by_bound();
     if (fine != nullptr) add_ranks(*fine, zone, summary);
     const double output = recorder.output_seconds() + checkpoint_s_;
     summary.timing = {.mesh = mesh_s_,

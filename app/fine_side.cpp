@@ -46,14 +46,10 @@ void FineSide::put_together(const Case& input) {
     together_ = std::make_unique<coupling::FineRanks>(std::move(each), remembered_increments(input.load.steps));
 }
 
-coupling::Traffic FineSide::traffic() const {
-    coupling::Traffic sum;
-    for (const coupling::RemoteFineScale* remote : remotes_) {
-        sum.messages_sent += remote->traffic().messages_sent;
-        sum.messages_received += remote->traffic().messages_received;
-        sum.bytes_sent += remote->traffic().bytes_sent;
-        sum.bytes_received += remote->traffic().bytes_received;
-    }
+coupling::WorkCounts FineSide::traffic() const {
+    coupling::WorkCounts sum;
+    sum.fine_ranks = std::ssize(scales_);
+    for (const coupling::RemoteFineScale* remote : remotes_) sum += remote->traffic();
     return sum;
 }
 

@@ -25,8 +25,8 @@ public:
     /// One as it is, several as one.
     [[nodiscard]] coupling::FineScale& scale() { return together_ ? *together_ : *scales_.front(); }
 
-    /// With all of them.
-    [[nodiscard]] coupling::Traffic traffic() const;
+    /// What has crossed between them and the coarse one, and how many there are.
+    [[nodiscard]] coupling::WorkCounts traffic() const;
 
     /// The last report of each; `whole`: that of all.
     [[nodiscard]] std::vector<coupling::StepReport> reports(const coupling::StepReport& whole) const;

@@ -70,6 +70,10 @@ int run_in_process(const RunOptions& options) {
     use_one_thread();
     const Case input = read_case(options.case_path, options.overrides);
     CoarseRun run(options, input, {options.mode, 1, isatty(STDOUT_FILENO) != 0});
+    if (!needs_fine(input)) {
+        coarse::CondensedFactory alone(nullptr);
+        return run.perform(alone, nullptr);
+    }
     if (options.mode == "monolithic") {
         MonolithicFactory factory(run.scene().input);
         return run.perform(factory, nullptr);

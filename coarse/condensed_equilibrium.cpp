@@ -113,6 +113,7 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 // times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w = 0,
 // k = 1.)
 void CondensedEquilibrium::factor_tangent() {
+    ++work_.gamma_factored;
     definite_ = factor_.factor(bordered_tangent());
     if (!definite_) general_factor_.compute(bordered_tangent());
 }
@@ -133,7 +134,10 @@ Eigen::MatrixXd CondensedEquilibrium::bordered_tangent() {
 double CondensedEquilibrium::solve() {
     if (fine_ == nullptr) return 0.0;
     const auto& [w, k] = controlled_;
-    if (!response_.same_tangent) factor_tangent();
+    if (response_.same_tangent)
+        ++work_.gamma_factors_reused;
+    else
+        factor_tangent();
     const double sigma = sigma_;
     Eigen::MatrixXd right(w.size(), 2);
     right << residual_ + sigma * off_target_ * w, load_derivative() - sigma * k * w;
@@ -166,7 +170,10 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     if (fine_ == nullptr) return {};
     const Stopwatch watch(exchange_s_);
     coupling::StepReport report = fine_->commit(reversal);
-    if (scene_.input.coupling.state != "auto") (void)fine_->state();
+    if (scene_.input.coupling.state == "auto")
+        ++work_.states_not_sent;
+    else
+        (void)fine_->state();
     return report;
 }
 
@@ -198,12 +205,18 @@ void CondensedEquilibrium::restore(const EquilibriumState& state) {
 }
 
 Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
-    if (!expanded_) expanded_ = structure_.expand(trial_, load_factor_);
+    if (!expanded_) {
+        expanded_ = structure_.expand(trial_, load_factor_);
+        ++work_.structure_solves_full;
+    }
     return *expanded_;
 }
 
 const Eigen::VectorXd& CondensedEquilibrium::near_displacement() const {
-    if (!near_known_) structure_.expand_near(trial_, load_factor_, near_);
+    if (!near_known_) {
+        structure_.expand_near(trial_, load_factor_, near_);
+        ++work_.structure_solves_near;
+    }
     near_known_ = true;
     return near_;
 }

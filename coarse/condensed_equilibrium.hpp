@@ -32,6 +32,7 @@ public:
     [[nodiscard]] EquilibriumState state() const override;
     void restore(const EquilibriumState& state) override;
     [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
+    [[nodiscard]] coupling::WorkCounts work() const override { return work_; }
 
 private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
@@ -73,6 +74,7 @@ private:
     mutable Eigen::VectorXd near_;                     // near_displacement(), of the trial state where near_known_
     mutable bool near_known_ = false;
     double exchange_s_ = 0.0;
+    mutable coupling::WorkCounts work_;
 };
 
 }  // namespace stria::coarse

@@ -91,6 +91,9 @@ public:
 
     /// Seconds spent waiting for and talking to the zone.
     [[nodiscard]] virtual double exchange_seconds() const { return 0.0; }
+
+    /// What has been solved for, and what had not to be, but for the zone's part.
+    [[nodiscard]] virtual coupling::WorkCounts work() const { return {}; }
 };
 
 }  // namespace stria::coarse

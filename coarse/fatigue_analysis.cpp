@@ -67,7 +67,10 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
     coupling::Patch patch;
     if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
     patch.ahead = closure_.ahead(scene_->enriched);
-    if (equilibrium_) earlier_exchange_s_ += equilibrium_->exchange_seconds();
+    if (equilibrium_) {
+        earlier_exchange_s_ += equilibrium_->exchange_seconds();
+        earlier_work_ += equilibrium_->work();
+    }
     const coupling::Patch* zone_patch = has_zone ? &patch : nullptr;
     if (from != nullptr)
         equilibrium_ = factory_.resume(*structure_, zone_patch, committed_, from->zone);
@@ -300,6 +303,13 @@ void FatigueAnalysis::end_cycle(Increment& increment) {
         for (CycleResult& cycle : increment.cycles) cycle.dN = cycles_passed(*growth, grown, before, after);
     }
     last_cycle_ = increment.cycles;
+}
+
+coupling::WorkCounts FatigueAnalysis::work() const {
+    coupling::WorkCounts work = earlier_work_;
+    work += equilibrium_->work();
+    work += guard_.work();
+    return work;
 }
 
 void FatigueAnalysis::look_at_rings(const Increment& increment) {

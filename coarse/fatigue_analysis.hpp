@@ -69,7 +69,8 @@ public:
     [[nodiscard]] int cuts() const { return controller_.cuts(); }
     [[nodiscard]] int zone_extensions() const { return extensions_; }
     [[nodiscard]] int yield_warnings() const { return warnings_; }
-    [[nodiscard]] const YieldGuard& yield_guard() const { return guard_; }
+    /// Of the structure.
+    [[nodiscard]] coupling::WorkCounts work() const;
     /// Increments in which some tip had no ring outside what has flowed.
     [[nodiscard]] int flowing_rings() const { return flowing_rings_; }
     [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }
@@ -120,6 +121,7 @@ private:
     bool growth_ended_ = false;
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
     double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
+    coupling::WorkCounts earlier_work_;  // of equilibria before the present one
 };
 
 }  // namespace stria::coarse

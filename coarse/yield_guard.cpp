@@ -32,11 +32,11 @@ std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     std::vector<int> yielding = near_elements_beyond(limit_, *structure_, near);
     const Eigen::VectorXd seen_by_near = gather(near, structure_->near_unknowns());
     if (far_->at(seen_by_near, equilibrium.load_factor()) <= limit_) {
-        ++checks_by_bound_;
+        ++work_.structure_checks_by_bound;
         --unpaid_;
         return yielding;
     }
-    ++full_checks_;
+    ++work_.structure_checks_full;
     const Eigen::VectorXd whole = equilibrium.structure_displacement();
     const double largest = largest_far_stress(*structure_, whole);
     if (largest > limit_) return stria::coarse::elements_beyond(limit_, *structure_, whole);

@@ -22,14 +22,13 @@ public:
     [[nodiscard]] std::vector<int> elements_beyond(const Equilibrium& equilibrium);
 
     /// Checks of the far elements one by one, and by their bound.
-    [[nodiscard]] int full_checks() const { return full_checks_; }
-    [[nodiscard]] int checks_by_bound() const { return checks_by_bound_; }
+    [[nodiscard]] const coupling::WorkCounts& work() const { return work_; }
 
 private:
     double limit_;
     const Structure* structure_ = nullptr;
     std::optional<FarStressBound> far_;  // where something may yield
-    int full_checks_ = 0, checks_by_bound_ = 0;
+    coupling::WorkCounts work_;
     int unpaid_ = 0;  // what was learnt about this structure, less the checks that it saved
 };
 

@@ -70,12 +70,7 @@ void add_counters(StepReport& whole, const StepReport& part) {
     whole.points += part.points;
     whole.unknowns += part.unknowns;
     whole.multipliers += part.multipliers;
-    whole.fronts_refactored += part.fronts_refactored;
-    whole.points_evaluated += part.points_evaluated;
-    whole.points_proven_elastic += part.points_proven_elastic;
-    whole.tangents_computed += part.tangents_computed;
-    whole.elastic_tangents_reused += part.elastic_tangents_reused;
-    whole.factors_reused += part.factors_reused;
+    whole.work += part.work;
     raise(whole.constitutive_s, part.constitutive_s);
     raise(whole.contact_s, part.contact_s);
     raise(whole.factor_s, part.factor_s);

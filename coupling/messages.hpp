@@ -8,6 +8,7 @@
 
 #include "common/fem/enriched_mesh.hpp"
 #include "common/predictor.hpp"
+#include "coupling/work_counts.hpp"
 
 namespace stria::coupling {
 
@@ -107,10 +108,8 @@ struct StepReport {
     double dissipation = 0;              // N, per mm of thickness: integral over the zone
     EnergyReport energy;
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
-    std::int64_t fronts_refactored = 0, factors_reused = 0;           // so far
-    std::int64_t points_evaluated = 0, points_proven_elastic = 0;     // so far: return mappings, and saved ones
-    std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;  // so far: of elements
-    double constitutive_s = 0, contact_s = 0, factor_s = 0;           // time so far per phase
+    WorkCounts work;
+    double constitutive_s = 0, contact_s = 0, factor_s = 0;  // time so far per phase
 };
 
 /// Full internal-variable state and interior displacements: at commits that need them.

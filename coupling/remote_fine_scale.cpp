@@ -34,7 +34,17 @@ void RemoteFineScale::set_patch(const Patch& patch) { ask(Tag::Patch, pack(patch
 
 void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag::Displacement, pack(displacement)); }
 
-PatchResponse RemoteFineScale::collect() { return unpack<PatchResponse>(answer(Tag::Response).bytes); }
+PatchResponse RemoteFineScale::collect() {
+    const Message message = answer(Tag::Response);
+    auto response = unpack<PatchResponse>(message.bytes);
+    if (response.same_tangent) {
+        ++traffic_.tangents_not_sent;
+        traffic_.bytes_not_sent += bytes_with_tangent_ - std::ssize(message.bytes);
+    } else {
+        bytes_with_tangent_ = std::ssize(message.bytes);
+    }
+    return response;
+}
 
 void RemoteFineScale::begin_commit(bool reversal) {
     send(Tag::Commit, pack(Commit{reversal}));
@@ -61,16 +71,16 @@ void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
     require(!in_flight_, "one question in flight");
     transport_.send(tag, bytes);
     in_flight_ = tag != Tag::Stop;
-    ++traffic_.messages_sent;
-    traffic_.bytes_sent += std::ssize(bytes);
+    ++traffic_.messages;
+    traffic_.bytes += std::ssize(bytes);
 }
 
 Message RemoteFineScale::receive() {
     require(in_flight_, "an answer is read once, after its question");
     in_flight_ = false;
     Message message = transport_.receive();
-    ++traffic_.messages_received;
-    traffic_.bytes_received += std::ssize(message.bytes);
+    ++traffic_.messages;
+    traffic_.bytes += std::ssize(message.bytes);
     return message;
 }
 

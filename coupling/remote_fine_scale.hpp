@@ -9,12 +9,6 @@
 
 namespace stria::coupling {
 
-/// What one conversation has cost.
-struct Traffic {
-    std::int64_t messages_sent = 0, messages_received = 0;
-    std::int64_t bytes_sent = 0, bytes_received = 0;
-};
-
 /// Strictly question and answer, one question in flight. Failures on the other side arrive as the exception they were
 /// there; a lost partner or a broken message is ComponentLost.
 class RemoteFineScale final : public FineScale {
@@ -36,7 +30,8 @@ public:
     ZoneSnapshot snapshot() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
-    [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+    /// What has crossed, both ways, and what had not to.
+    [[nodiscard]] const WorkCounts& traffic() const { return traffic_; }
 
 private:
     void send(Tag tag, std::span<const std::byte> bytes);
@@ -45,7 +40,8 @@ private:
     Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
 
     Transport& transport_;
-    Traffic traffic_;
+    WorkCounts traffic_;
+    std::int64_t bytes_with_tangent_ = 0;  // of the last answer that brought one
     bool in_flight_ = false, commit_begun_ = false;
 };
 

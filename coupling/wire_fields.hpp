@@ -101,13 +101,15 @@ void fields(auto& wire, Is<EnergyReport> auto& m) {
     wire(stored, released, load_path);
 }
 
+void fields(auto& wire, Is<WorkCounts> auto& m) {
+    for (const NamedWorkCount& count : named_work_counts) wire(m.*count.value);
+}
+
 void fields(auto& wire, Is<StepReport> auto& m) {
-    auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers,
-           fronts_refactored, factors_reused, points_evaluated, points_proven_elastic, tangents_computed,
-           elastic_tangents_reused, constitutive_s, contact_s, factor_s] = m;
-    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers,
-         fronts_refactored, factors_reused, points_evaluated, points_proven_elastic, tangents_computed,
-         elastic_tangents_reused, constitutive_s, contact_s, factor_s);
+    auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers, work,
+           constitutive_s, contact_s, factor_s] = m;
+    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers, work,
+         constitutive_s, contact_s, factor_s);
 }
 
 void fields(auto& wire, Is<FrozenTip> auto& m) {

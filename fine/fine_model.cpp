@@ -99,7 +99,9 @@ void FineModel::factor() {
     if (all_changed_) std::ranges::fill(changed_, static_cast<char>(1));
     const long before = tree_->refactored();
     tree_->factor(system_.zone().tangents(), changed_);
-    fronts_refactored_ += tree_->refactored() - before;
+    const long refactored = tree_->refactored() - before;
+    work_.fronts_refactored += refactored;
+    work_.fronts_kept += tree_->fronts() - refactored;
     std::ranges::fill(changed_, static_cast<char>(0));
     all_changed_ = false;
 }
@@ -110,9 +112,11 @@ void FineModel::condense(coupling::PatchResponse& response) {
     for (std::size_t e = 0; e < changed.size(); ++e) changed_[e] = static_cast<char>(changed_[e] | changed[e]);
     response.same_tangent = last_factor_serves(response);
     if (response.same_tangent)
-        ++factors_reused_;
+        ++work_.factors_reused;
     else
         factor();
+
+    work_.multipliers_bulk += std::ranges::count(at_root_, static_cast<char>(0));
 
     // An open multiplier loses its pressure whatever else moves: only closed ones are unknowns.
     const ContactInterface& contact = system_.contact();
@@ -161,8 +165,7 @@ void FineModel::advance_interior() {
 coupling::StepReport FineModel::commit(bool reversal) {
     coupling::StepReport report = system_.commit(reversal);
     report.factor_s = factor_s_;
-    report.fronts_refactored = fronts_refactored_;
-    report.factors_reused = factors_reused_;
+    report.work += work_;
     committed_at_root_ = at_root_;
     return report;
 }

@@ -52,7 +52,7 @@ private:
     double factor_s_ = 0.0;
     bool all_changed_ = true;
     std::vector<char> changed_;  // per element: its tangent is not that of the last factor
-    std::int64_t fronts_refactored_ = 0, factors_reused_ = 0;
+    coupling::WorkCounts work_;  // of condensing
 };
 
 }  // namespace stria::fine

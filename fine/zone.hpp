@@ -71,12 +71,12 @@ public:
     /// All that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
 
-    /// So far, summed over evaluations.
-    struct Counts {
-        std::int64_t points_evaluated = 0, points_proven_elastic = 0;
-        std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;  // elements
-    };
-    [[nodiscard]] const Counts& counts() const { return counts_; }
+    /// So far, summed over evaluations: of points and elements.
+    [[nodiscard]] const coupling::WorkCounts& counts() const { return counts_; }
+    /// Numbers that all points store beyond their stresses.
+    [[nodiscard]] std::int64_t history_values() const {
+        return static_cast<std::int64_t>(points_) * (law_->state_size() - state::plastic_strain);
+    }
 
 private:
     /// Points that an element has already; none: they are placed anew.
@@ -121,7 +121,7 @@ private:
     std::vector<int> first_force_;                         // per element, in:
     std::vector<double> committed_forces_, trial_forces_;  // nodal, element by element
     Eigen::VectorXd increment_;                            // trial less committed displacement
-    Counts counts_;
+    coupling::WorkCounts counts_;
 
     // Per point, component by component (material_law.hpp).
     std::vector<double> committed_, trial_, strain_, tangent_;

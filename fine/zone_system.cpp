@@ -45,6 +45,7 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = committed_;
+    contact_->settle(committed_.displacement);
     find_tip_stations();
 }
 
@@ -125,7 +126,7 @@ void ZoneSystem::linearise() {
         zone_->evaluate(trial_.displacement);
     }
     const Stopwatch watch(contact_s_);
-    gap_ = contact_->gaps(trial_.displacement);
+    gap_ = contact_->gaps_that_matter(trial_.displacement, trial_.pressure, contact_work_);
     contact_->choose_statuses(trial_.pressure, gap_);
     Eigen::VectorXd force = zone_->internal_force();
     contact_->add_force(trial_.pressure, force);
@@ -164,7 +165,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     const Unknowns move{trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
     committed_ = trial_;
     zone_->commit(reversal);
-    contact_->commit();
+    contact_->commit(committed_.displacement);
     coupling::StepReport report;
     report.energy = {.stored = zone_->stored_energy(),
                      .released = opening_.release(move.displacement),
@@ -177,11 +178,10 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     report.points = zone_->points();
     report.unknowns = patch_.mesh.unknowns + contact_->multipliers();
     report.multipliers = contact_->multipliers();
-    const Zone::Counts& counts = zone_->counts();
-    report.points_evaluated = counts.points_evaluated;
-    report.points_proven_elastic = counts.points_proven_elastic;
-    report.tangents_computed = counts.tangents_computed;
-    report.elastic_tangents_reused = counts.elastic_tangents_reused;
+    report.work = zone_->counts();
+    report.work += contact_work_;
+    report.work.history_values = zone_->history_values();
+    report.work.interface_elements = contact_->interface_elements();
     report.constitutive_s = constitutive_s_;
     report.contact_s = contact_s_;
     return report;

@@ -95,6 +95,7 @@ private:
     Eigen::VectorXd gap_, load_;
     double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
+    coupling::WorkCounts contact_work_;
 };
 
 }  // namespace stria::fine

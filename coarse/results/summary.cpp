@@ -113,7 +113,7 @@ std::string Json::text() const {
 Json to_json(const Summary& summary) {
     Json::Array tips;
     for (const HistoryRow& row : summary.last) tips.push_back(last_values(row));
-    return Json::Object{{"status", summary.status},
+    Json::Object object{{"status", summary.status},
                         {"version", summary.version},
                         {"mode", summary.mode},
                         {"ranks", summary.ranks},
@@ -127,21 +127,13 @@ Json to_json(const Summary& summary) {
                         {"step_cuts", summary.step_cuts},
                         {"zone_extensions", summary.zone_extensions},
                         {"yield_warnings", summary.yield_warnings},
-                        {"flowing_rings", summary.flowing_rings},
-                        {"fronts_refactored", summary.fronts_refactored},
-                        {"factors_reused", summary.factors_reused},
-                        {"points_evaluated", summary.points_evaluated},
-                        {"points_proven_elastic", summary.points_proven_elastic},
-                        {"tangents_computed", summary.tangents_computed},
-                        {"elastic_tangents_reused", summary.elastic_tangents_reused},
-                        {"structure_checks_full", summary.structure_checks_full},
-                        {"structure_checks_by_bound", summary.structure_checks_by_bound},
-                        {"messages", summary.messages},
-                        {"bytes", summary.bytes},
-                        {"ranks_idle", summary.ranks_idle},
-                        {"points_of_ranks", list_of(summary.points_of_ranks)},
-                        {"multipliers_of_ranks", list_of(summary.multipliers_of_ranks)},
-                        {"tips", tips}};
+                        {"flowing_rings", summary.flowing_rings}};
+    for (const coupling::NamedWorkCount& count : coupling::named_work_counts)
+        object.push_back({count.name, summary.work.*count.value});
+    object.push_back({"points_of_ranks", list_of(summary.points_of_ranks)});
+    object.push_back({"multipliers_of_ranks", list_of(summary.multipliers_of_ranks)});
+    object.push_back({"tips", tips});
+    return object;
 }
 
 void write_json(const std::filesystem::path& path, const Json& value) { write_whole_text(path, value.text()); }

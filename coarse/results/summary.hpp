@@ -57,18 +57,10 @@ struct Summary {
     std::int64_t coarse_unknowns = 0, interface_unknowns = 0, fine_unknowns = 0, fine_points = 0;
     std::int64_t newton_iterations = 0;
     // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, increments in
-    // which a tip had no ring outside its plastic zone, and what crossed.
+    // which a tip had no ring outside its plastic zone, and work done and skipped.
     std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, flowing_rings = 0;
-    // Not done, or done only where something changed: fronts factored, Newton iterations that took the last factor.
-    std::int64_t fronts_refactored = 0, factors_reused = 0;
-    std::int64_t points_evaluated = 0, points_proven_elastic = 0;
-    std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;
-    // Checks of the far elements for yield: one by one, and by their bound.
-    std::int64_t structure_checks_full = 0, structure_checks_by_bound = 0;
-    std::int64_t messages = 0, bytes = 0;
-    // Of each fine rank; those without an element idle.
-    std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;
-    std::int64_t ranks_idle = 0;
+    coupling::WorkCounts work;
+    std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;  // of each fine rank
     Timing timing;
     std::vector<HistoryRow> last;  // last row of each tip
 };

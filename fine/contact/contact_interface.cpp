@@ -6,6 +6,11 @@
 #include <tuple>
 
 namespace stria::fine {
+namespace {
+
+constexpr int points_of_element = 4;  // Gauss points of an interface element
+
+}  // namespace
 
 ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
                                    const std::vector<CrackSection>& cracks, int subcells, double stiffness,
@@ -18,7 +23,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();
         for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
-        for (FaceStation& station : face_stations(mesh, crack, subcells, 4)) {
+        for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
             if (station.s < section.notch) continue;
             station.fixed_jump = frozen.jump(crack, station.x);
             stations_.push_back(std::move(station));
@@ -35,6 +40,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
     status_.assign(static_cast<std::size_t>(count), 0);
     committed_status_ = status_;
     assemble(mesh, stiffness);
+    find_closing();
 }
 
 void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
@@ -97,8 +103,42 @@ std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, 
     return values;
 }
 
+void ContactInterface::find_closing() {
+    closing_ = B_.cwiseAbs().rowwise().sum().cwiseQuotient(weight_);
+    for (Eigen::Index k = 0; k < B_.rows(); ++k) {
+        std::vector<Entry>& row = entries_.emplace_back();
+        for (Eigen::Index j = 0; j < B_.cols(); ++j)
+            if (B_(k, j) != 0.0) row.push_back({j, B_(k, j)});
+    }
+}
+
+double ContactInterface::gap_of(std::size_t k, const Eigen::VectorXd& jumps) const {
+    const auto i = static_cast<Eigen::Index>(k);
+    double sum = fixed_gap_[i];
+    for (const auto& [jump, value] : entries_[k]) sum += value * jumps[jump];
+    return sum / weight_[i];
+}
+
 Eigen::VectorXd ContactInterface::gaps(const Eigen::VectorXd& u) const {
-    return (B_ * gather(u, jump_unknowns_) + fixed_gap_).cwiseQuotient(weight_);
+    const Eigen::VectorXd jumps = gather(u, jump_unknowns_);
+    Eigen::VectorXd gap(multipliers());
+    for (std::size_t k = 0; k < entries_.size(); ++k) gap[static_cast<Eigen::Index>(k)] = gap_of(k, jumps);
+    return gap;
+}
+
+Eigen::VectorXd ContactInterface::gaps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& pressure,
+                                                   coupling::WorkCounts& work) const {
+    if (entries_.empty()) return {};
+    const Eigen::VectorXd jumps = gather(u, jump_unknowns_);
+    const double moved = (1.0 + 1e-9) * (jumps - settled_jumps_).cwiseAbs().maxCoeff();  // rounding included
+    Eigen::VectorXd gap = settled_gap_ - moved * closing_;
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        const bool surely_open = status_[k] == 0 && pressure[i] <= 0.0 && gap[i] > 0.0;
+        ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
+        if (!surely_open) gap[i] = gap_of(k, jumps);
+    }
+    return gap;
 }
 
 void ContactInterface::add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const {
@@ -111,6 +151,20 @@ void ContactInterface::begin_increment() {
     status_ = committed_status_;
     visited_.clear();
     one_at_a_time_ = false;
+}
+
+void ContactInterface::commit(const Eigen::VectorXd& u) {
+    committed_status_ = status_;
+    settle(u);
+}
+
+void ContactInterface::settle(const Eigen::VectorXd& u) {
+    settled_jumps_ = gather(u, jump_unknowns_);
+    settled_gap_ = gaps(u);
+}
+
+std::int64_t ContactInterface::interface_elements() const {
+    return (std::ssize(stations_) + points_of_element - 1) / points_of_element;
 }
 
 void ContactInterface::choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) {

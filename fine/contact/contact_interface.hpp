@@ -38,6 +38,12 @@ public:
     /// Weighted gaps g = (B u + g_0) / w, mm, with g_0 of the fixed jumps.
     [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& u) const;
 
+    /// The same where faces may touch. A multiplier that is open and without pressure, and whose gap at settle() is
+    /// wider than what jumps that have moved so far since can close, stays open: a gap above zero that is no wider than
+    /// its own stands for it. `work` counts both.
+    [[nodiscard]] Eigen::VectorXd gaps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& pressure,
+                                                   coupling::WorkCounts& work) const;
+
     /// Adds -B^T p to a vector over the zone's unknowns: the faces push each other apart.
     void add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const;
 
@@ -46,7 +52,9 @@ public:
     void choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
     /// From what was committed.
     void begin_increment();
-    void commit() { committed_status_ = status_; }
+    void commit(const Eigen::VectorXd& u);
+    /// Takes the gaps of a committed displacement as those to start from.
+    void settle(const Eigen::VectorXd& u);
 
     [[nodiscard]] const std::vector<std::int8_t>& statuses() const { return status_; }
     [[nodiscard]] const std::vector<std::int8_t>& committed_statuses() const { return committed_status_; }
@@ -72,6 +80,7 @@ public:
     [[nodiscard]] double pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const;
 
     [[nodiscard]] const std::vector<FaceStation>& stations() const { return stations_; }
+    [[nodiscard]] std::int64_t interface_elements() const;
 
     /// Identity of each multiplier across a change of zone: crack and place of its node.
     struct Key {
@@ -94,13 +103,22 @@ private:
     [[nodiscard]] const CrackSpace* space_of(int crack) const;
     [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
     void assemble(const EnrichedMesh& mesh, double stiffness);
+    void find_closing();
+    [[nodiscard]] double gap_of(std::size_t k, const Eigen::VectorXd& jumps) const;
 
     std::vector<CrackSpace> spaces_;
     std::vector<FaceStation> stations_;
     std::vector<Key> keys_;
     std::vector<int> jump_unknowns_;
     Eigen::MatrixXd B_;
+    struct Entry {
+        Eigen::Index jump;
+        double value;
+    };
+    std::vector<std::vector<Entry>> entries_;  // of B, row by row, without its zeros
     Eigen::VectorXd weight_, augmentation_, fixed_gap_;
+    Eigen::VectorXd closing_;  // most that a gap closes by where no jump unknown moves more than one
+    Eigen::VectorXd settled_jumps_, settled_gap_;  // of what was committed
     std::vector<std::int8_t> status_, committed_status_;
     std::set<std::vector<std::int8_t>> visited_;
     bool one_at_a_time_ = false;

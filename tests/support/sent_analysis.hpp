@@ -34,7 +34,8 @@ struct RunHistory {
     std::vector<Followed> increments;
     std::vector<std::pair<coarse::LoadStep, coarse::NewtonReport>> attempts;
     std::vector<coarse::TipResult> nominal;  // elastic, for the load factor 1
-    int cuts = 0, extensions = 0, yield_warnings = 0, full_checks = 0, checks_by_bound = 0;
+    int cuts = 0, extensions = 0, yield_warnings = 0;
+    std::int64_t full_checks = 0, checks_by_bound = 0;
 
     [[nodiscard]] const Followed& at_load(double factor) const {  // for the first time
         for (const Followed& increment : increments) {
@@ -69,8 +70,8 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     history.cuts = analysis.cuts();
     history.extensions = analysis.zone_extensions();
     history.yield_warnings = analysis.yield_warnings();
-    history.full_checks = analysis.yield_guard().full_checks();
-    history.checks_by_bound = analysis.yield_guard().checks_by_bound();
+    history.full_checks = analysis.work().structure_checks_full;
+    history.checks_by_bound = analysis.work().structure_checks_by_bound;
     return history;
 }
 

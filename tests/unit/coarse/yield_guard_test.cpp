@@ -40,7 +40,8 @@ Case with_forces(double force) {
 }
 
 struct Watched {
-    int increments = 0, extensions = 0, full_checks = 0, checks_by_bound = 0;
+    int increments = 0, extensions = 0;
+    std::int64_t full_checks = 0, checks_by_bound = 0;
     std::vector<char> in_zone;
 };
 
@@ -59,8 +60,8 @@ Watched run(const Case& input) {
     FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
     watched.extensions = analysis.zone_extensions();
-    watched.full_checks = analysis.yield_guard().full_checks();
-    watched.checks_by_bound = analysis.yield_guard().checks_by_bound();
+    watched.full_checks = analysis.work().structure_checks_full;
+    watched.checks_by_bound = analysis.work().structure_checks_by_bound;
     watched.in_zone = analysis.structure().in_zone();
     return watched;
 }

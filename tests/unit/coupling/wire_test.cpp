@@ -68,6 +68,7 @@ StepReport small_report() {
     report.mouth_opening = {std::numeric_limits<double>::quiet_NaN(), 0.3};
     report.energy = {.stored = 7.0, .released = 0.5, .load_path = 0.25};
     report.points = 1'000'000'000'000;
+    for (std::int64_t value = 100; const NamedWorkCount& count : named_work_counts) report.work.*count.value = ++value;
     report.factor_s = 0.25;
     return report;
 }
@@ -169,6 +170,8 @@ TEST(Wire, Report) {
     EXPECT_EQ(copy.energy.released, 0.5);
     EXPECT_EQ(copy.energy.load_path, 0.25);
     EXPECT_EQ(copy.points, 1'000'000'000'000);
+    for (const NamedWorkCount& count : named_work_counts)
+        EXPECT_EQ(copy.work.*count.value, small_report().work.*count.value) << count.name;
     EXPECT_EQ(copy.factor_s, 0.25);
 }
 

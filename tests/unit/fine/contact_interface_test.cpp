@@ -64,6 +64,35 @@ TEST(ContactInterface, AUniformGapIsSeenByEveryMultiplier) {
     EXPECT_LT((gaps.array() - 0.25).abs().maxCoeff(), 1e-13);
 }
 
+// Opened like a wedge: what closes by more and more touches where it is narrow, and is not looked at where it is wide.
+TEST(ContactInterface, GapsThatCannotCloseAreNotLookedAt) {
+    const Cut cut(1.3, 4.2);
+    ContactInterface contact = cut.contact();
+    const Vec2 normal = Vec2(1.3 - 4.2, 8.0).normalized();
+    const auto wedge = [&](double closed_by) {
+        return cut.opened([&, closed_by](const Vec2& x) { return ((0.01 + 0.1 * x.x() - closed_by) * normal).eval(); });
+    };
+    contact.settle(wedge(0.0));
+    const Eigen::VectorXd no_pressure = Eigen::VectorXd::Zero(contact.multipliers());
+    coupling::WorkCounts work;
+    for (const double closed_by : {0.0, 0.005, 0.1, 0.3, 2.0}) {
+        const Eigen::VectorXd u = wedge(closed_by);
+        const Eigen::VectorXd all = contact.gaps(u), some = contact.gaps_that_matter(u, no_pressure, work);
+        for (Eigen::Index k = 0; k < all.size(); ++k) {
+            EXPECT_EQ(all[k] > 0.0, some[k] > 0.0) << closed_by << ' ' << k;
+            EXPECT_LE(some[k], all[k] + 1e-15);
+            EXPECT_TRUE(all[k] > 0.0 || some[k] == all[k]);
+        }
+        EXPECT_TRUE(closed_by > 0.0 || work.gaps_evaluated == 0);
+    }
+    EXPECT_GT(work.gaps_proven_open, contact.multipliers());
+    EXPECT_GT(work.gaps_evaluated, contact.multipliers());
+    EXPECT_EQ(work.gaps_proven_open + work.gaps_evaluated, 5 * contact.multipliers());
+    const coupling::WorkCounts before = work;  // who bears or may pull is looked at, however wide
+    (void)contact.gaps_that_matter(wedge(0.0), Eigen::VectorXd::Ones(contact.multipliers()), work);
+    EXPECT_EQ(work.gaps_evaluated - before.gaps_evaluated, contact.multipliers());
+}
+
 TEST(ContactInterface, EveryMultiplierHasAJumpOfItsOwn) {  // or a pressure would do no work
     for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}, {2.001, 3.999}}) {
         const Eigen::MatrixXd B = Cut(left, right).contact().operator_B();

@@ -78,7 +78,7 @@ TEST_P(ElasticBound, ChangesNoResult) {
         // Committing looks at every point: as many flow as the proof had said.
         EXPECT_EQ(proving.yielding_points(), yielding) << k;
     }
-    const Zone::Counts& counts = proving.counts();
+    const coupling::WorkCounts& counts = proving.counts();
     EXPECT_GT(counts.points_proven_elastic, 0);
     EXPECT_GT(counts.tangents_computed, 0);
     EXPECT_GT(counts.elastic_tangents_reused, 0);

@@ -1,0 +1,88 @@
+// What was done, and what was skipped because something proved that it need not be done: the counters of summary.json.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace stria::coupling {
+
+/// Sums since the run was started or resumed; those "at present" are sizes. Each part of the program counts its own,
+/// the rest stays zero, so that those of several parts add up. A new counter is a line here and one in
+/// `named_work_counts`: the wire, the sums and summary.json go by that list.
+struct WorkCounts {
+    // Points and elements of the zone.
+    std::int64_t points_evaluated = 0;         // return mappings
+    std::int64_t points_proven_elastic = 0;    // return mappings saved: no energy of the increment to flow with
+    std::int64_t tangents_computed = 0;        // of elements
+    std::int64_t elastic_tangents_reused = 0;  // elements that kept their elastic matrix
+    std::int64_t history_values = 0;           // at present: stored numbers of all points beyond stresses
+
+    // Faces.
+    std::int64_t interface_elements = 0;  // at present: pieces of the faces that may touch, cut by sub-quadrangles
+    std::int64_t gaps_evaluated = 0;      // weighted gaps of multipliers
+    std::int64_t gaps_proven_open = 0;    // too wide to close by what the zone has moved since the last commit
+    std::int64_t multipliers_bulk = 0;    // whose jumps were condensed like any other unknown, over iterations
+
+    // Condensing the zone.
+    std::int64_t fronts_refactored = 0;
+    std::int64_t fronts_kept = 0;     // below which no tangent had changed
+    std::int64_t factors_reused = 0;  // iterations that factored no front
+
+    // The structure.
+    std::int64_t gamma_factored = 0;         // the condensed tangent on Gamma
+    std::int64_t gamma_factors_reused = 0;   // corrections that took the last factor
+    std::int64_t structure_solves_full = 0;  // displacement of the whole structure
+    std::int64_t structure_solves_near = 0;  // of the near elements alone
+    std::int64_t structure_checks_full = 0;  // far elements looked at one by one for yield
+    std::int64_t structure_checks_by_bound = 0;
+
+    // Between the components.
+    std::int64_t fine_ranks = 0;  // started
+    std::int64_t ranks_idle = 0;  // of them without an element
+    std::int64_t messages = 0;
+    std::int64_t bytes = 0;
+    std::int64_t tangents_not_sent = 0;  // answers without a tangent: it was that of the answer before
+    std::int64_t bytes_not_sent = 0;     // by those
+    std::int64_t states_not_sent = 0;    // commits that asked for no state of all points
+};
+
+struct NamedWorkCount {
+    const char* name;
+    std::int64_t WorkCounts::*value;
+};
+
+inline constexpr std::array named_work_counts{
+    NamedWorkCount{"points_evaluated", &WorkCounts::points_evaluated},
+    NamedWorkCount{"points_proven_elastic", &WorkCounts::points_proven_elastic},
+    NamedWorkCount{"tangents_computed", &WorkCounts::tangents_computed},
+    NamedWorkCount{"elastic_tangents_reused", &WorkCounts::elastic_tangents_reused},
+    NamedWorkCount{"history_values", &WorkCounts::history_values},
+    NamedWorkCount{"interface_elements", &WorkCounts::interface_elements},
+    NamedWorkCount{"gaps_evaluated", &WorkCounts::gaps_evaluated},
+    NamedWorkCount{"gaps_proven_open", &WorkCounts::gaps_proven_open},
+    NamedWorkCount{"multipliers_bulk", &WorkCounts::multipliers_bulk},
+    NamedWorkCount{"fronts_refactored", &WorkCounts::fronts_refactored},
+    NamedWorkCount{"fronts_kept", &WorkCounts::fronts_kept},
+    NamedWorkCount{"factors_reused", &WorkCounts::factors_reused},
+    NamedWorkCount{"gamma_factored", &WorkCounts::gamma_factored},
+    NamedWorkCount{"gamma_factors_reused", &WorkCounts::gamma_factors_reused},
+    NamedWorkCount{"structure_solves_full", &WorkCounts::structure_solves_full},
+    NamedWorkCount{"structure_solves_near", &WorkCounts::structure_solves_near},
+    NamedWorkCount{"structure_checks_full", &WorkCounts::structure_checks_full},
+    NamedWorkCount{"structure_checks_by_bound", &WorkCounts::structure_checks_by_bound},
+    NamedWorkCount{"fine_ranks", &WorkCounts::fine_ranks},
+    NamedWorkCount{"ranks_idle", &WorkCounts::ranks_idle},
+    NamedWorkCount{"messages", &WorkCounts::messages},
+    NamedWorkCount{"bytes", &WorkCounts::bytes},
+    NamedWorkCount{"tangents_not_sent", &WorkCounts::tangents_not_sent},
+    NamedWorkCount{"bytes_not_sent", &WorkCounts::bytes_not_sent},
+    NamedWorkCount{"states_not_sent", &WorkCounts::states_not_sent},
+};
+static_assert(sizeof(WorkCounts) == named_work_counts.size() * sizeof(std::int64_t), "a counter has no name");
+
+inline WorkCounts& operator+=(WorkCounts& sum, const WorkCounts& more) {
+    for (const NamedWorkCount& count : named_work_counts) sum.*count.value += more.*count.value;
+    return sum;
+}
+
+}  // namespace stria::coupling
