@@ -34,6 +34,7 @@ AnalysisState FatigueAnalysis::state() const {
     state.in_zone = structure_->in_zone();
     state.displacement = committed_behind_ ? equilibrium_->structure_displacement() : committed_;
     state.load_factor = load_factor_;
+    state.largest_force = largest_force_;
     state.closed = closed_;
     state.cycle = cycle_meter_.memory();
     state.last_cycle = last_cycle_;
@@ -66,6 +67,7 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
             "a state is of the mesh of its scene");
     committed_ = from.displacement;
     load_factor_ = from.load_factor;
+    largest_force_ = from.largest_force;
     closed_ = from.closed;
     cycle_meter_.resume(from.cycle);
     last_cycle_ = from.last_cycle;

@@ -134,7 +134,8 @@ bool FatigueAnalysis::has_grown_enough() const {
 }
 
 NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
-    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, scene_->input.solver);
+    NewtonReport report =
+        find_equilibrium(*equilibrium_, step.target, step.predictor, scene_->input.solver, largest_force_);
     newton_iterations_ += report.count();
     listener_.attempted(step, report);
     return report;
@@ -276,6 +277,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     increment.opening_changes = changes;
     increment.load_factor = load_factor_ = equilibrium_->load_factor();
     increment.newton = report;
+    largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
     increment.machine = equilibrium_->machine_reading();
     equilibrium_->begin_commit(step.reversal);
     const RingIntegrals own = ring_integrals(*structure_, equilibrium_->near_displacement());

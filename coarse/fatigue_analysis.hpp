@@ -34,7 +34,8 @@ struct AnalysisState {
     std::vector<char> in_zone;     // per element
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone, mm
     double load_factor = 0.0;
-    std::vector<char> closed;  // signals of the closure meter
+    double largest_force = 0.0;  // largest scale of a residual up to now, N/mm
+    std::vector<char> closed;    // signals of the closure meter
     CycleMemory cycle;
     std::vector<CycleResult> last_cycle;  // one a tip, of the last cycle that ended
     int increment = 0, newton_iterations = 0, extensions = 0, warnings = 0, flowing_rings = 0;
@@ -112,6 +113,7 @@ private:
     Eigen::VectorXd committed_;             // displacement of the whole mesh; behind while increments are accepted:
     bool committed_behind_ = false;         // refresh_committed()
     double load_factor_ = 0.0;              // committed
+    double largest_force_ = 0.0;            // scale of the residual, over all that was committed, N/mm
     WorkBalance work_;                      // committed
     ClosureMeter closure_;
     std::vector<char> closed_;  // signals of the closure meter, committed

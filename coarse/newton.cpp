@@ -20,7 +20,7 @@ std::string NewtonReport::table() const {
 }
 
 NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
-                              const SolverSection& solver) {
+                              const SolverSection& solver, double largest_force) {
     NewtonReport report;
     try {
         equilibrium.begin(target, predictor);
@@ -29,7 +29,9 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
             if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
             const double correction = equilibrium.solve();
             report.iterations.push_back({residual, correction});
-            if (residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance) {
+            const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
+            const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
+            if (settled || rounding) {
                 report.converged = true;
                 return report;
             }

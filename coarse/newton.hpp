@@ -26,9 +26,11 @@ struct NewtonReport {
 };
 
 /// Converged: the largest of the three residuals is at most `tolerance` times the force scale, the target is met to
-/// `tolerance`, and the correction that is still due is at most 100 `tolerance` of the largest displacement. Does not
-/// throw on failure: the caller cuts.
+/// `tolerance`, and the correction that is still due is at most 100 `tolerance` of the largest displacement. Where an
+/// elastic body is without load no force balances another, and all that is left is the rounding of forces that were
+/// there: residuals within 1e-13 of `largest_force`, N/mm, the largest scale that this body has seen, are nothing. Does
+/// not throw on failure: the caller cuts.
 NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
-                              const SolverSection& solver);
+                              const SolverSection& solver, double largest_force = 0.0);
 
 }  // namespace stria::coarse

@@ -29,7 +29,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     const auto n = static_cast<std::size_t>(points_), components = static_cast<std::size_t>(law_->state_size());
     committed_.assign(components * n, 0.0);
     strain_.assign(4 * n, 0.0);
-    tangent_.assign(16 * n, 0.0);
+    tangent_.assign(law_->flows() ? 16 * n : 0, 0.0);
     yielding_.assign(n, 0);
     flowed_.assign(n, 0);
     tangents_ = elastic_stiffness_;
@@ -81,9 +81,6 @@ std::optional<std::vector<IntegrationPoint>> Zone::points_kept(std::size_t eleme
 
 void Zone::start(const Zone* old) {
     if (old != nullptr) half_cycle_ended_ = old->half_cycle_ended_;
-    const auto put = [&](int component, int point, double value) {
-        committed_[static_cast<std::size_t>(component * points_ + point)] = value;
-    };
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         if (old != nullptr) {
             const auto found = old->element_of_id_.find(mesh_.element_ids[e]);
@@ -94,12 +91,8 @@ void Zone::start(const Zone* old) {
         }
         const ElementOperator& op = operators_[e];
         const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const int point = first_point_[e] + static_cast<int>(q);
-            const Mandel strain = op.strain(u, q), stress = elastic_.stiffness() * strain;
-            for (int c = 0; c < 4; ++c) put(state::stress + c, point, stress[c]);
-            put(state::work, point, 0.5 * stress.dot(strain));
-        }
+        double* state = committed_.data() + first_point_[e];
+        for (std::size_t q = 0; q < op.points.size(); ++q) law_->begin(op.strain(u, q), state++, points_);
     }
     trial_ = committed_;
 }
@@ -167,7 +160,7 @@ void Zone::update_points(char proven) {
         const int first = first_point_[begin], end = e < operators_.size() ? first_point_[e] : points_;
         if (end > first) {
             law_->update(end - first, points_, strain_.data() + first, committed_.data() + first, trial_.data() + first,
-                         tangent_.data() + first, yielding_.data() + first);
+                         law_->flows() ? tangent_.data() + first : nullptr, yielding_.data() + first);
             counts_.points_evaluated += end - first;
         }
         while (e < operators_.size() && proven_[e] != proven) ++e;

@@ -97,9 +97,11 @@ private:
     void settle_forces();
     void measure_margins();
     [[nodiscard]] Mandel trial_stress(std::size_t e, std::size_t q) const;
+    /// Zero where the law stores no such component.
     [[nodiscard]] double committed(int component, int point) const {
-        return committed_[static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) +
-                          static_cast<std::size_t>(point)];
+        const std::size_t place =
+            static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) + static_cast<std::size_t>(point);
+        return place < committed_.size() ? committed_[place] : 0.0;
     }
     [[nodiscard]] Mandel committed_mandel(int component, int point) const;
 

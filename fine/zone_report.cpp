@@ -54,7 +54,7 @@ void Zone::add_to(RingSums& rings) const {
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const int point = first_point_[e] + static_cast<int>(q);
             rings.add(op.points[q], committed_mandel(state::stress, point), total_gradient(e, q, u),
-                      committed(state::work, point));
+                      law_->work(committed_.data() + point, points_));
         }
     }
 }

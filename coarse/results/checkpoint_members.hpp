@@ -150,12 +150,13 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 }
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, in_zone, displacement, load_factor, closed, cycle, last_cycle, increment, newton_iterations,
-           extensions, warnings, flowing_rings, growth_ended, load, work, equilibrium, zone] = m;
+    auto& [cracks, in_zone, displacement, load_factor, largest_force, closed, cycle, last_cycle, increment,
+           newton_iterations, extensions, warnings, flowing_rings, growth_ended, load, work, equilibrium, zone] = m;
     archive("cracks", cracks);
     archive("in_zone", in_zone);
     archive("displacement", displacement);
     archive("load_factor", load_factor);
+    archive("largest_force", largest_force);
     archive("closed", closed);
     archive("cycle", cycle);
     archive("last_cycle", last_cycle);

@@ -1,4 +1,4 @@
-// Isotropic linear elasticity as a material law: the zone of a case without a yield stress.
+// Isotropic linear elasticity as a material law: the zone of a case without a yield stress. No history but the stress.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@ class Elastic final : public MaterialLaw {
 public:
     explicit Elastic(const Elasticity& elasticity) : elasticity_(elasticity), stiffness_(elasticity.stiffness()) {}
 
-    [[nodiscard]] int state_size() const override { return state::back_stress; }
+    [[nodiscard]] int state_size() const override { return state::plastic_strain; }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;
     [[nodiscard]] double elastic_margin(int /*points*/, int /*stride*/, const double* /*committed*/) const override {

@@ -29,8 +29,6 @@ class J2 final : public MaterialLaw {
 public:
     explicit J2(const J2Parameters& parameters);
 
-    int substeps = 1;  // of a strain increment at points that flow
-
     [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                 double* tangent, unsigned char* yielding) const override;

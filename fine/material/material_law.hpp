@@ -14,7 +14,8 @@
 namespace stria::fine {
 
 /// Points are stored component by component: entry (component c, point q) at [c * stride + q].
-/// Every law's state begins with these components, all in Mandel form; further back stresses follow.
+/// Every law's state begins with the stress; one by which points may flow goes on with the others, all in Mandel form,
+/// and further back stresses. What a law does not store is zero, but for the work.
 namespace state {
 inline constexpr int stress = 0;          // 4 components, MPa
 inline constexpr int plastic_strain = 4;  // 4 components
@@ -38,9 +39,13 @@ public:
     /// Number of state components of a point.
     [[nodiscard]] virtual int state_size() const = 0;
 
+    /// Whether a point may ever flow.
+    [[nodiscard]] bool flows() const { return state_size() > state::plastic_strain; }
+
     /// Updates `points` points stored with `stride`: strain increments (4 components) and committed states in, trial
-    /// states and consistent tangents (16 components, row-major 4 x 4 Mandel) out; `yielding[q]` = plastic flow in this
-    /// increment. Pure: same inputs, same bits. Throws NumericalFailure where the return mapping fails.
+    /// states and consistent tangents (16 components, row-major 4 x 4 Mandel; none where nothing flows: it is
+    /// elastic()) out; `yielding[q]` = plastic flow in this increment. Pure: same inputs, same bits. Throws
+    /// NumericalFailure where the return mapping fails.
     virtual void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
                         double* tangent, unsigned char* yielding) const = 0;
 
@@ -54,6 +59,18 @@ public:
 
     /// Elastic stiffness in Mandel form (zz row and column zero in plane stress).
     [[nodiscard]] virtual MandelMatrix elastic() const = 0;
+
+    /// Writes the state of a point that has been elastic up to a total strain; the rest of it is zero already.
+    void begin(const Mandel& strain, double* state, int stride) const {
+        const Mandel stress = elastic() * strain;
+        for (int c = 0; c < 4; ++c) state[static_cast<std::ptrdiff_t>(c) * stride] = stress[c];
+        if (flows()) state[static_cast<std::ptrdiff_t>(state::work) * stride] = 0.5 * stress.dot(strain);
+    }
+
+    /// Stress work density, N/mm2: a function of the stress where nothing flows.
+    [[nodiscard]] double work(const double* state, int stride) const {
+        return flows() ? state[static_cast<std::ptrdiff_t>(state::work) * stride] : stored_energy(state, stride);
+    }
 };
 
 /// The law of a case, of plane strain or plane stress: J2 with linear isotropic and Prager hardening, or elastic where

@@ -17,9 +17,13 @@ struct PointUpdate {
     MandelMatrix tangent;
     bool yields;
 
-    [[nodiscard]] Mandel tensor(int component) const { return Eigen::Map<const Mandel>(state.data() + component); }
+    [[nodiscard]] Mandel tensor(int c) const { return {scalar(c), scalar(c + 1), scalar(c + 2), scalar(c + 3)}; }
     [[nodiscard]] Mandel stress() const { return tensor(fine::state::stress); }
-    [[nodiscard]] double scalar(int component) const { return state[static_cast<std::size_t>(component)]; }
+    /// Zero where the law stores no such component.
+    [[nodiscard]] double scalar(int component) const {
+        const auto place = static_cast<std::size_t>(component);
+        return place < state.size() ? state[place] : 0.0;
+    }
 };
 
 inline PointUpdate update_point(const fine::MaterialLaw& law, const std::vector<double>& committed,
@@ -28,7 +32,7 @@ inline PointUpdate update_point(const fine::MaterialLaw& law, const std::vector<
     Eigen::Matrix<double, 4, 4, Eigen::RowMajor> tangent;
     unsigned char yields = 0;
     law.update(1, 1, strain_increment.data(), committed.data(), update.state.data(), tangent.data(), &yields);
-    update.tangent = tangent;
+    update.tangent = law.flows() ? MandelMatrix(tangent) : law.elastic();
     update.yields = yields != 0;
     return update;
 }

@@ -107,6 +107,18 @@ TEST(Newton, MeasuresResidualsByTheForceScale) {
     EXPECT_TRUE(find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver).converged);
 }
 
+// Nothing balances at no load, and rounding is all there is: what is that small beside forces of before is at rest.
+TEST(Newton, WithoutLoadAsksForNoLessThanRounding) {
+    Spring spring;
+    spring.force = [](double u) { return u; };
+    spring.stiffness = [](double) { return 1.0; };
+    spring.interior = spring.scale = 1e-15;  // of forces of 100 that were
+    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 0.0}, 0.0, solver).converged);
+    EXPECT_TRUE(find_equilibrium(spring, {Control::Load, 0.0}, 0.0, solver, 100.0).converged);
+    spring.interior = 1e-10;
+    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 0.0}, 0.0, solver, 100.0).converged);
+}
+
 TEST(Newton, ReportsThatItDidNotConverge) {
     Spring spring;
     spring.force = [](double u) { return std::cbrt(u); };  // each step overshoots to -2 u

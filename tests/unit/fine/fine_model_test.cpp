@@ -176,5 +176,17 @@ TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
     EXPECT_EQ(again.digest.multiplier, first.digest.multiplier);
 }
 
+TEST(FineModel, WithoutContactSaysNothingOfIt) {
+    Case free = scene;
+    free.cracks[0].contact.reset();
+    FineModel model(free);
+    model.set_patch(patch);
+    const PatchResponse response = settled(model, stretched(1e-3));
+    EXPECT_TRUE(response.digest.status.empty() && response.digest.multiplier.empty());
+    const coupling::StepReport report = model.commit(false);
+    EXPECT_TRUE(report.faces.empty());
+    EXPECT_EQ(report.multipliers + report.work.interface_elements + report.work.gaps_evaluated, 0);
+}
+
 }  // namespace
 }  // namespace stria::test
