@@ -78,7 +78,7 @@ public:
     double solve() override {
         const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
         Eigen::VectorXd right(n + m + 1);
-        right << residual_, zone_.contact_rows().right_hand_side, off_target_;
+        right << residual_, zone_.contact_right_hand_side(), off_target_;
         for (int i = 0; i < n; ++i)
             if (held_[at(i)] != 0) right[i] = 0.0;
         std::vector<Triplet> entries;
@@ -199,15 +199,16 @@ private:
 
     void add_contact(std::vector<Triplet>& entries) const {
         const int n = scene_.enriched.unknowns;
-        const fine::ContactInterface::Rows rows = zone_.contact_rows();
-        const auto& jumps = zone_.contact().jump_unknowns();
-        for (int k = 0; k < zone_.contact().multipliers(); ++k) {
-            for (int j = 0; j < std::ssize(jumps); ++j) {
-                const int unknown = whole_[at(jumps[at(j)])];
-                add(entries, n + k, unknown, rows.jump(k, j));
-                add(entries, unknown, n + k, -zone_.contact().operator_B()(k, j));
+        const fine::ContactInterface& contact = zone_.contact();
+        const Eigen::VectorXd open = contact.open_diagonal();
+        for (int k = 0; k < contact.multipliers(); ++k) {
+            const bool closed = contact.statuses()[at(k)] != 0;
+            for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it) {
+                const int unknown = whole_[at(static_cast<int>(it.col()))];
+                add(entries, unknown, n + k, -it.value());
+                if (closed) add(entries, n + k, unknown, -it.value());
             }
-            add(entries, n + k, n + k, rows.diagonal[k]);
+            if (!closed) add(entries, n + k, n + k, open[k]);
         }
     }
 

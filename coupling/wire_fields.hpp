@@ -118,8 +118,8 @@ void fields(auto& wire, Is<FrozenTip> auto& m) {
 }
 
 void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
-    auto& [crack, place, pressure, closed, at_root, increments] = m;
-    wire(crack, place, pressure, closed, at_root, increments);
+    auto& [crack, place, pressure, closed, increments] = m;
+    wire(crack, place, pressure, closed, increments);
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {

@@ -21,7 +21,6 @@ struct WorkCounts {
     std::int64_t interface_elements = 0;  // at present: pieces of the faces that may touch, cut by sub-quadrangles
     std::int64_t gaps_evaluated = 0;      // weighted gaps of multipliers
     std::int64_t gaps_proven_open = 0;    // too wide to close by what the zone has moved since the last commit
-    std::int64_t multipliers_bulk = 0;    // whose jumps were condensed like any other unknown, over iterations
 
     // Condensing the zone.
     std::int64_t fronts_refactored = 0;
@@ -60,7 +59,6 @@ inline constexpr std::array named_work_counts{
     NamedWorkCount{"interface_elements", &WorkCounts::interface_elements},
     NamedWorkCount{"gaps_evaluated", &WorkCounts::gaps_evaluated},
     NamedWorkCount{"gaps_proven_open", &WorkCounts::gaps_proven_open},
-    NamedWorkCount{"multipliers_bulk", &WorkCounts::multipliers_bulk},
     NamedWorkCount{"fronts_refactored", &WorkCounts::fronts_refactored},
     NamedWorkCount{"fronts_kept", &WorkCounts::fronts_kept},
     NamedWorkCount{"factors_reused", &WorkCounts::factors_reused},

@@ -23,7 +23,6 @@ struct MultiplierSnapshot {
     Vec2 place = Vec2::Zero();       // mm
     double pressure = 0.0;           // MPa
     bool closed = false;             // its status
-    bool at_root = false;            // its jumps are kept to the root of the tree
     std::vector<double> increments;  // of the pressure, like those of the displacement
 };
 

@@ -6,16 +6,13 @@
 
 #include "common/substructure/front_tree.hpp"
 #include "coupling/fine_scale.hpp"
-#include "fine/contact/contact_block.hpp"
 #include "fine/zone_system.hpp"
 
 namespace stria::fine {
 
-/// Bulk unknowns are condensed by a tree of fronts onto the jumps of faces that touch, or lie beside such, and the
-/// boundary; those jumps and the closed multipliers are eliminated in a small dense block (DESIGN section 1). Faces far
-/// from touching are bulk like any other; where one closes, the tree is planted anew with its jumps at the root. The
-/// interior follows each boundary displacement through the last factor, so the iterates are those of Newton's method on
-/// the whole system.
+/// All unknowns of the zone, multipliers of its contact included, are condensed by a tree of fronts onto the boundary
+/// (DESIGN section 1). The interior follows each boundary displacement through the last factor, so the iterates are
+/// those of Newton's method on the whole system.
 class FineModel : public coupling::FineScale {
 public:
     explicit FineModel(const Case& input);
@@ -24,7 +21,7 @@ public:
     void request(const coupling::PatchDisplacement& displacement) override;
     coupling::PatchResponse collect() override;
     coupling::StepReport commit(bool reversal) override;
-    void rollback() override;
+    void rollback() override {}  // the next increment starts from what is committed
     coupling::ZoneState state() override;
     coupling::ZoneSnapshot snapshot() override;
     void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override;
@@ -33,7 +30,9 @@ public:
 
 private:
     void plant_tree();
-    void keep_touching_to_root();
+    void find_changes();
+    [[nodiscard]] Eigen::MatrixXd multiplier_matrix(int k) const;
+    [[nodiscard]] Eigen::VectorXd due() const;
     void advance_interior();
     [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
     void factor();
@@ -41,17 +40,14 @@ private:
 
     ZoneSystem system_;
     std::unique_ptr<FrontTree> tree_;
-    std::vector<char> at_root_, committed_at_root_;  // per multiplier: its jumps are kept to the root of the tree
-    std::vector<int> root_jumps_;   // such jumps that are not on the boundary, as indices into jump_unknowns()
-    std::vector<int> kept_;         // boundary of the tree: these jumps, then Gamma
-    std::vector<int> kept_column_;  // of each jump unknown: its place in kept_, -1 where it has none
-    std::vector<int> touching_;     // multipliers in the block
-    ContactBlock block_;
+    static constexpr std::int8_t none = -1;
+    std::vector<std::int8_t> in_tree_;  // status of each multiplier in the last factor, or to be in the next one
+    std::vector<Eigen::MatrixXd> multiplier_matrices_;
     ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
     coupling::PatchDisplacement asked_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;
-    std::vector<char> changed_;  // per element: its tangent is not that of the last factor
+    std::vector<char> changed_;  // per element, then multiplier: its matrix is not that of the last factor
     coupling::WorkCounts work_;  // of condensing
 };
 

@@ -46,7 +46,10 @@ public:
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
     [[nodiscard]] const Eigen::VectorXd& pressure() const { return trial_.pressure; }
     [[nodiscard]] const FrozenTips& frozen() const { return frozen_; }
-    [[nodiscard]] ContactInterface::Rows contact_rows() const { return contact_->rows(trial_.pressure, gap_); }
+    /// Of the multipliers' part of the semismooth system.
+    [[nodiscard]] Eigen::VectorXd contact_right_hand_side() const {
+        return contact_->right_hand_side(trial_.pressure, gap_);
+    }
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
     [[nodiscard]] coupling::PatchResponse measure();

@@ -18,36 +18,22 @@ public:
         return size() == 0 || lapack::cholesky(size(), lower_.data(), size()) == 0;
     }
 
-    /// L^-1 b.
-    [[nodiscard]] Eigen::MatrixXd forward(Eigen::MatrixXd b) const { return solved(lapack::Op::Plain, std::move(b)); }
-
-    /// L^-T b.
-    [[nodiscard]] Eigen::MatrixXd backward(Eigen::MatrixXd b) const {
-        return solved(lapack::Op::Transposed, std::move(b));
+    [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd b) const {
+        for (const lapack::Op op : {lapack::Op::Plain, lapack::Op::Transposed}) solve_triangle(op, b);
+        return b;
     }
-
-    [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd b) const { return backward(forward(std::move(b))); }
 
     [[nodiscard]] int size() const { return static_cast<int>(lower_.rows()); }
 
 private:
-    [[nodiscard]] Eigen::MatrixXd solved(lapack::Op op, Eigen::MatrixXd b) const {
-        if (b.size() > 0) {
-            lapack::solve_triangle(lapack::Side::Left, lapack::Triangle::Lower, op, lapack::Diagonal::General, size(),
-                                   static_cast<int>(b.cols()), lower_.data(), size(), b.data(), size());
-        }
-        return b;
+    void solve_triangle(lapack::Op op, Eigen::MatrixXd& b) const {
+        if (b.size() == 0) return;
+        lapack::solve_triangle(lapack::Side::Left, lapack::Triangle::Lower, op, lapack::Diagonal::General, size(),
+                               static_cast<int>(b.cols()), lower_.data(), size(), b.data(), size());
     }
 
     Eigen::MatrixXd lower_;
 };
-
-/// Lower triangle of C += sign A^T A.
-inline void add_square_of_transposed(Eigen::MatrixXd& C, double sign, const Eigen::MatrixXd& A) {
-    if (A.size() == 0) return;
-    const int n = static_cast<int>(C.rows()), k = static_cast<int>(A.rows());
-    lapack::add_square_of_transposed(n, k, sign, A.data(), k, 1.0, C.data(), n);
-}
 
 /// Fills the upper triangle from the lower one.
 inline void mirror_lower(Eigen::MatrixXd& C) {

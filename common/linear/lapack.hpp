@@ -73,12 +73,6 @@ inline void add_square(int n, int k, double alpha, const double* a, int stride_a
     dsyrk_("L", "N", &n, &k, &alpha, a, &stride_a, &beta, c, &stride_c);
 }
 
-/// Lower triangle of C (n x n) = beta C + alpha A^T A, A of k x n.
-inline void add_square_of_transposed(int n, int k, double alpha, const double* a, int stride_a, double beta, double* c,
-                                     int stride_c) {
-    dsyrk_("L", "T", &n, &k, &alpha, a, &stride_a, &beta, c, &stride_c);
-}
-
 /// C (m x n) -= A B, A of m x k.
 inline void subtract_product(int m, int n, int k, const double* a, int stride_a, const double* b, int stride_b,
                              double* c, int stride_c) {

@@ -1,4 +1,4 @@
-// Sparse matrices of the structure: assembled triplets, Eigen's compressed columns with 32-bit indices.
+// Sparse matrices: assembled triplets, Eigen's compressed columns (or rows) with 32-bit indices.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -6,6 +6,7 @@
 namespace stria {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 using Triplet = Eigen::Triplet<double, int>;
 
 }  // namespace stria

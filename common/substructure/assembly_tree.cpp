@@ -122,6 +122,20 @@ std::vector<Reach> reaches(const Layout& layout, const std::vector<Node>& nodes)
     return reach;
 }
 
+/// Of each multiplier: what shares an element with it.
+std::vector<std::vector<int>> acted_on(const Layout& layout) {
+    const int first = layout.unknowns - layout.multipliers;
+    std::vector<std::vector<int>> result(at(layout.multipliers));
+    for (const std::vector<int>& unknowns : layout.element_unknowns) {
+        for (const int multiplier : unknowns) {
+            if (multiplier < first) continue;
+            for (const int unknown : unknowns)
+                if (unknown < first) result[at(multiplier - first)].push_back(unknown);
+        }
+    }
+    return result;
+}
+
 /// All that meets in a node: what its children keep, or what its elements hold.
 std::vector<int> unknowns_at(const Node& node, const Layout& layout, const std::vector<Node>& nodes) {
     std::vector<int> unknowns;
@@ -153,18 +167,25 @@ void AssemblyTree::rank_unknowns(const Layout& layout) {
     for (const int unknown : layout.boundary) rank[at(unknown)] = next++;
 
     next = 0;
+    const int first_multiplier = layout.unknowns - layout.multipliers;
+    const std::vector<std::vector<int>> partners = acted_on(layout);
+    const auto is_ranked = [&](int unknown) { return rank[at(unknown)] >= 0; };
     std::vector<int> first_node(nodes.size());  // of the subtree: nodes are numbered children before parents
     for (int index = 0; index < static_cast<int>(nodes.size()); ++index) {
         Node& node = nodes[at(index)];
         first_node[at(index)] = node.leaf() ? index : first_node[at(node.children[0])];
         node.first_rank = next;
-        for (const int unknown : unknowns_at(node, layout, nodes)) {
+        for (const int unknown : unknowns_at(node, layout, nodes)) {  // ascending: multipliers come last
             const auto [first, last] = reach[at(unknown)];
             const bool complete = first >= first_node[at(index)] && last <= index;
-            if (complete && rank[at(unknown)] < 0) {
-                rank[at(unknown)] = next++;
-            } else {
+            const bool is_multiplier = unknown >= first_multiplier;
+            const bool waits =
+                is_multiplier && !std::ranges::all_of(partners[at(unknown - first_multiplier)], is_ranked);
+            if (!complete || waits || is_ranked(unknown)) {
                 node.kept.push_back(unknown);
+            } else {
+                rank[at(unknown)] = next++;
+                if (is_multiplier) ++node.multipliers;
             }
         }
         node.eliminated = next - node.first_rank;

@@ -21,6 +21,7 @@ struct AssemblyTree {
         std::vector<Placement> from_elements;  // one for each of them
         int first_rank = 0;                    // its eliminated unknowns follow each other
         int eliminated = 0;
+        int multipliers = 0;    // of them, the last ones
         std::vector<int> kept;  // ranks, ascending
     };
 

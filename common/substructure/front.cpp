@@ -23,9 +23,10 @@ bool vanishes(double pivot, double scale, double tolerance) {
 
 }  // namespace
 
-Front::Front(int eliminated, int kept, Symmetry symmetry)
-    : symmetry_(symmetry), eliminated_(eliminated), kept_(kept), stride_(std::max(1, eliminated + kept)),
-      panel_(eliminated + kept, eliminated), schur_(kept, kept), scale_(eliminated) {
+Front::Front(int eliminated, int multipliers, int kept, Symmetry symmetry)
+    : symmetry_(symmetry), eliminated_(eliminated), multipliers_(multipliers), kept_(kept),
+      stride_(std::max(1, eliminated + kept)), panel_(eliminated + kept, eliminated), schur_(kept, kept),
+      scale_(eliminated) {
     if (symmetric()) return;
     upper_.resize(eliminated, kept);
     row_scale_.resize(eliminated);
@@ -75,15 +76,35 @@ int Front::eliminate(double tolerance) {
 }
 
 int Front::eliminate_symmetric(double tolerance) {
+    const int ordinary = eliminated_ - multipliers_;
     scale_ = panel_.topRows(eliminated_).diagonal();
-    if (const int failed = lapack::cholesky(eliminated_, panel_.data(), stride_); failed > 0) return failed - 1;
-    for (int i = 0; i < eliminated_; ++i) {
+    if (const int failed = lapack::cholesky(ordinary, panel_.data(), stride_); failed > 0) return failed - 1;
+    for (int i = 0; i < ordinary; ++i) {
         if (vanishes(panel_(i, i) * panel_(i, i), scale_[i], tolerance)) return i;
     }
-    double* below = panel_.data() + eliminated_;
-    lapack::solve_triangle(Side::Right, Triangle::Lower, Op::Transposed, Diagonal::General, kept_, eliminated_,
-                           panel_.data(), stride_, below, stride_);
-    lapack::add_square(kept_, eliminated_, -1.0, below, stride_, 1.0, schur_.data(), std::max(1, kept_));
+    lapack::solve_triangle(Side::Right, Triangle::Lower, Op::Transposed, Diagonal::General, multipliers_ + kept_,
+                           ordinary, panel_.data(), stride_, panel_.data() + ordinary, stride_);
+    lapack::add_square(kept_, ordinary, -1.0, panel_.data() + eliminated_, stride_, 1.0, schur_.data(),
+                       std::max(1, kept_));
+    return multipliers_ > 0 ? eliminate_multipliers(tolerance) : -1;
+}
+
+// What the ordinary pivots leave of the multipliers' block is negative definite: its negative is factored.
+int Front::eliminate_multipliers(double tolerance) {
+    const int ordinary = eliminated_ - multipliers_;
+    const auto columns = panel_.leftCols(ordinary).bottomRows(multipliers_ + kept_);
+    auto own = panel_.rightCols(multipliers_).bottomRows(multipliers_ + kept_);
+    own = columns * columns.topRows(multipliers_).transpose() - own;
+    scale_.tail(multipliers_) = own.diagonal();
+    double* pivots = own.data();
+    if (const int failed = lapack::cholesky(multipliers_, pivots, stride_); failed > 0) return ordinary + failed - 1;
+    for (int i = 0; i < multipliers_; ++i) {
+        if (vanishes(own(i, i) * own(i, i), scale_[ordinary + i], tolerance)) return ordinary + i;
+    }
+    double* below = pivots + multipliers_;
+    lapack::solve_triangle(Side::Right, Triangle::Lower, Op::Transposed, Diagonal::General, kept_, multipliers_, pivots,
+                           stride_, below, stride_);
+    lapack::add_square(kept_, multipliers_, 1.0, below, stride_, 1.0, schur_.data(), std::max(1, kept_));
     return -1;
 }
 
@@ -127,6 +148,7 @@ void Front::forward(Vector own, Vector kept) const {
                            panel_.data(), stride_, own.data());
     lapack::subtract_product(Op::Plain, kept_, eliminated_, panel_.data() + eliminated_, stride_, own.data(),
                              kept.data());
+    if (symmetric()) own.tail(multipliers_) *= -1.0;
 }
 
 void Front::backward(Vector own, const ConstVector& kept) const {

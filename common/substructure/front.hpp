@@ -25,15 +25,17 @@ struct Placement {
 
 class Front {
 public:
-    Front(int eliminated, int kept, Symmetry symmetry);
+    /// `multipliers`: the last so many of the eliminated unknowns, whose pivots are negative.
+    Front(int eliminated, int multipliers, int kept, Symmetry symmetry);
 
     void clear();
 
     /// Adds a square contribution, stored by columns. Symmetric: reads its entries of lower place only.
     void add(const Eigen::MatrixXd& contribution, const Placement& placement);
 
-    /// Factors the eliminated block and leaves the Schur complement (its lower triangle where symmetric). Returns the
-    /// place of the first pivot that is not finite, or below `tolerance` of the scale of its row and column; else -1.
+    /// Factors the eliminated block (L D L^T if symmetric, D one, and minus one for multipliers) and leaves the Schur
+    /// complement (its lower triangle where symmetric). Returns the place of the first pivot that is not finite, or
+    /// below `tolerance` of the scale of its row and column; else -1.
     [[nodiscard]] int eliminate(double tolerance);
 
     /// Fills the upper triangle of a symmetric Schur complement.
@@ -44,7 +46,7 @@ public:
     using Vector = Eigen::Ref<Eigen::VectorXd>;
     using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
 
-    /// own = L11^-1 P own, then kept -= L21 own.
+    /// own = L11^-1 P own, kept -= L21 own, then own = D own.
     void forward(Vector own, Vector kept) const;
 
     /// own = U11^-1 (own - U12 kept), where U = L^T if symmetric.
@@ -52,6 +54,7 @@ public:
 
 private:
     [[nodiscard]] int eliminate_symmetric(double tolerance);
+    [[nodiscard]] int eliminate_multipliers(double tolerance);
     [[nodiscard]] int eliminate_general(double tolerance);
 
     /// Scales columns, then rows, so that displacements beside pressures, whatever their units, have entries near 1.
@@ -67,6 +70,7 @@ private:
 
     Symmetry symmetry_;
     int eliminated_;
+    int multipliers_;
     int kept_;
     int stride_;                 // of panel_: LAPACK wants at least 1
     Eigen::MatrixXd panel_;      // columns of the eliminated unknowns, all rows: F11 over F21, then L11 (LU) over L21

@@ -19,7 +19,7 @@ auto at(int i) { return static_cast<std::size_t>(i); }
 struct FrontTree::Tree {
     explicit Tree(const Layout& layout);
 
-    void refactor(std::size_t index, std::span<const Eigen::MatrixXd> matrices);
+    void refactor(std::size_t index, const MatrixOfElement& matrix_of);
     [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
 
     std::size_t elements;
@@ -36,17 +36,17 @@ FrontTree::Tree::Tree(const Layout& layout)
     fronts.reserve(plan.nodes.size());
     for (const AssemblyTree::Node& node : plan.nodes) {
         const int kept = static_cast<int>(node.kept.size());
-        fronts.emplace_back(node.eliminated, kept, layout.symmetry);
+        fronts.emplace_back(node.eliminated, node.multipliers, kept, layout.symmetry);
         widest = std::max(widest, kept);
     }
 }
 
-void FrontTree::Tree::refactor(std::size_t index, std::span<const Eigen::MatrixXd> matrices) {
+void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_of) {
     const AssemblyTree::Node& node = plan.nodes[index];
     Front& front = fronts[index];
     front.clear();
     for (std::size_t i = 0; i < node.elements.size(); ++i) {
-        const Eigen::MatrixXd& matrix = matrices[at(node.elements[i])];
+        const Eigen::MatrixXd& matrix = matrix_of(node.elements[i]);
         const int order = node.from_elements[i].order;
         require(matrix.rows() == order && matrix.cols() == order, "front tree: element matrix of the wrong order");
         // Where a number is not finite no pivot need tell: it may stand between boundary unknowns.
@@ -76,9 +76,13 @@ FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
 FrontTree::~FrontTree() = default;
 
 void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed) {
+    require(matrices.size() == tree_->elements, "front tree: one matrix an element");
+    factor([&](int element) -> const Eigen::MatrixXd& { return matrices[at(element)]; }, changed);
+}
+
+void FrontTree::factor(const MatrixOfElement& matrix_of, std::span<const char> changed) {
     Tree& tree = *tree_;
-    require(matrices.size() == tree.elements && changed.size() == tree.elements,
-            "front tree: one matrix and one flag an element");
+    require(changed.size() == tree.elements, "front tree: one flag an element");
     // Until this call ends well nothing in the tree can be trusted: a throw leaves everything to be refactored.
     const bool everything = !std::exchange(tree.factored, false);
     for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
@@ -88,7 +92,7 @@ void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<cons
         const bool dirty = everything || std::ranges::any_of(node.elements, is_changed) ||
                            std::ranges::any_of(node.children, is_dirty);
         tree.dirty[index] = dirty ? 1 : 0;
-        if (dirty) tree.refactor(index, matrices);
+        if (dirty) tree.refactor(index, matrix_of);
     }
     if (tree.dirty.back() != 0) tree.fronts.back().mirror();
     tree.factored = true;

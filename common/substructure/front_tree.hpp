@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,10 +14,16 @@ namespace stria {
 
 enum class Symmetry { Symmetric, General };
 
+/// Multipliers enter by element matrices [0, -b; -b^T, 0] on (what they act on, themselves), or with a negative
+/// diagonal where they are idle. Each is eliminated in the front in which the last of the interior unknowns that it
+/// acts on is, after it: there its pivot, -b^T K^-1 b, is negative, and no search for pivots is needed.
 class FrontTree : public Substructure {
 public:
+    using MatrixOfElement = std::function<const Eigen::MatrixXd&(int element)>;
+
     struct Layout {
         int unknowns = 0;                                // numbered 0..unknowns-1
+        int multipliers = 0;                             // the last so many of them: Lagrange multipliers
         std::vector<std::vector<int>> element_unknowns;  // per element, the order of its matrix
         std::vector<Eigen::Vector2d> centres;            // per element, mm: what is bisected
         std::vector<int> boundary;                       // unknowns kept to the root, in this order
@@ -27,9 +34,10 @@ public:
     explicit FrontTree(Layout layout);
     ~FrontTree() override;
 
-    /// Refactors the paths from changed elements to the root (all, at the first call). `matrices[e]`: element matrix;
+    /// Refactors the paths from changed elements to the root (all, at the first call). `matrix_of(e)`: element matrix;
     /// `changed[e]`: its matrix differs from that of the last call. Throws NumericalFailure on a singular pivot block.
     /// Same inputs give the same bits, whatever was factored before.
+    void factor(const MatrixOfElement& matrix_of, std::span<const char> changed);
     void factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed);
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override;

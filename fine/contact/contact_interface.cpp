@@ -29,13 +29,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
             stations_.push_back(std::move(station));
         }
     }
-    std::set<int> jumping;
-    for (const FaceStation& station : stations_) {
-        for (const FaceStation::Term& term : station.terms) jumping.insert({term.unknown, term.unknown + 1});
-    }
-    jump_unknowns_.assign(jumping.begin(), jumping.end());
-
-    B_ = Eigen::MatrixXd::Zero(count, std::ssize(jump_unknowns_));
+    B_.resize(count, mesh.unknowns);
     weight_ = augmentation_ = fixed_gap_ = Eigen::VectorXd::Zero(count);
     status_.assign(static_cast<std::size_t>(count), 0);
     committed_status_ = status_;
@@ -68,20 +62,21 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
     }
     std::vector<int> node_of(static_cast<std::size_t>(mesh.unknowns));
     for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[static_cast<std::size_t>(unknown)] = node;
-    const auto column = [&](int unknown) {
-        return std::ranges::lower_bound(jump_unknowns_, unknown) - jump_unknowns_.begin();
-    };
+    std::vector<Triplet> entries;
     for (const FaceStation& station : stations_) {
         for (const FaceStation::Term& term : station.terms) {
             const Share& share =
                 shares.at({station.crack, branch_of(station), node_of[static_cast<std::size_t>(term.unknown)]});
             for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
                 if (multiplier < 0) continue;
-                for (int c = 0; c < 2; ++c)
-                    B_(multiplier, column(term.unknown + c)) += station.weight * value * term.value * station.normal[c];
+                for (int c = 0; c < 2; ++c) {
+                    const double push = station.weight * value * term.value * station.normal[c];
+                    if (push != 0.0) entries.emplace_back(multiplier, term.unknown + c, push);
+                }
             }
         }
     }
+    B_.setFromTriplets(entries.begin(), entries.end());
     for (const FaceStation& station : stations_) {
         for (const auto& [multiplier, value] : functions_at(station.crack, station.s))
             if (multiplier >= 0)
@@ -104,47 +99,37 @@ std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, 
 }
 
 void ContactInterface::find_closing() {
-    closing_ = B_.cwiseAbs().rowwise().sum().cwiseQuotient(weight_);
-    for (Eigen::Index k = 0; k < B_.rows(); ++k) {
-        std::vector<Entry>& row = entries_.emplace_back();
-        for (Eigen::Index j = 0; j < B_.cols(); ++j)
-            if (B_(k, j) != 0.0) row.push_back({j, B_(k, j)});
-    }
+    closing_ = (B_.cwiseAbs() * Eigen::VectorXd::Ones(B_.cols())).cwiseQuotient(weight_);
+    std::set<int> jumping;
+    for (Eigen::Index k = 0; k < B_.rows(); ++k)
+        for (SparseRows::InnerIterator it(B_, k); it; ++it) jumping.insert(static_cast<int>(it.col()));
+    jump_unknowns_.assign(jumping.begin(), jumping.end());
 }
 
-double ContactInterface::gap_of(std::size_t k, const Eigen::VectorXd& jumps) const {
-    const auto i = static_cast<Eigen::Index>(k);
-    double sum = fixed_gap_[i];
-    for (const auto& [jump, value] : entries_[k]) sum += value * jumps[jump];
-    return sum / weight_[i];
+double ContactInterface::gap_of(Eigen::Index k, const Eigen::VectorXd& u) const {
+    return (B_.row(k).dot(u) + fixed_gap_[k]) / weight_[k];
 }
 
 Eigen::VectorXd ContactInterface::gaps(const Eigen::VectorXd& u) const {
-    const Eigen::VectorXd jumps = gather(u, jump_unknowns_);
-    Eigen::VectorXd gap(multipliers());
-    for (std::size_t k = 0; k < entries_.size(); ++k) gap[static_cast<Eigen::Index>(k)] = gap_of(k, jumps);
-    return gap;
+    return (B_ * u + fixed_gap_).cwiseQuotient(weight_);
 }
 
 Eigen::VectorXd ContactInterface::gaps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& pressure,
                                                    coupling::WorkCounts& work) const {
-    if (entries_.empty()) return {};
-    const Eigen::VectorXd jumps = gather(u, jump_unknowns_);
-    const double moved = (1.0 + 1e-9) * (jumps - settled_jumps_).cwiseAbs().maxCoeff();  // rounding included
+    if (multipliers() == 0) return {};
+    const double moved =
+        (1.0 + 1e-9) * (gather(u, jump_unknowns_) - settled_jumps_).cwiseAbs().maxCoeff();  // rounding included
     Eigen::VectorXd gap = settled_gap_ - moved * closing_;
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        const bool surely_open = status_[k] == 0 && pressure[i] <= 0.0 && gap[i] > 0.0;
+    for (Eigen::Index k = 0; k < gap.size(); ++k) {
+        const bool surely_open = status_[static_cast<std::size_t>(k)] == 0 && pressure[k] <= 0.0 && gap[k] > 0.0;
         ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
-        if (!surely_open) gap[i] = gap_of(k, jumps);
+        if (!surely_open) gap[k] = gap_of(k, u);
     }
     return gap;
 }
 
 void ContactInterface::add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const {
-    const Eigen::VectorXd push = B_.transpose() * pressure;
-    for (std::size_t j = 0; j < jump_unknowns_.size(); ++j)
-        force[jump_unknowns_[j]] -= push[static_cast<Eigen::Index>(j)];
+    force -= B_.transpose() * pressure;
 }
 
 void ContactInterface::begin_increment() {
@@ -203,20 +188,11 @@ double ContactInterface::residual(const Eigen::VectorXd& pressure, const Eigen::
     return largest;
 }
 
-ContactInterface::Rows ContactInterface::rows(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
-    Rows result{Eigen::MatrixXd::Zero(B_.rows(), B_.cols()), Eigen::VectorXd::Zero(multipliers()),
-                Eigen::VectorXd::Zero(multipliers())};
-    for (int k = 0; k < multipliers(); ++k) {
-        if (status_[static_cast<std::size_t>(k)] != 0) {
-            result.jump.row(k) = -B_.row(k);
-            result.right_hand_side[k] = weight_[k] * gap[k];
-        } else {
-            const double d = weight_[k] / augmentation_[k];
-            result.diagonal[k] = -d;
-            result.right_hand_side[k] = d * pressure[k];
-        }
-    }
-    return result;
+Eigen::VectorXd ContactInterface::right_hand_side(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
+    Eigen::VectorXd right = weight_.cwiseProduct(pressure).cwiseQuotient(augmentation_);
+    for (Eigen::Index k = 0; k < right.size(); ++k)
+        if (status_[static_cast<std::size_t>(k)] != 0) right[k] = weight_[k] * gap[k];
+    return right;
 }
 
 double ContactInterface::reach_behind(const Tip& tip) const {

@@ -8,6 +8,7 @@
 #include "common/fem/crack_faces.hpp"
 #include "common/fem/element_operator.hpp"
 #include "common/io/case.hpp"
+#include "common/linear/sparse.hpp"
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_law.hpp"
 #include "fine/contact/multiplier_space.hpp"
@@ -26,14 +27,11 @@ public:
 
     [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
 
-    /// Unknowns with a jump at some station, ascending: the columns of B that are not zero.
-    [[nodiscard]] const std::vector<int>& jump_unknowns() const { return jump_unknowns_; }
-
-    /// B, one row a multiplier, one column a jump unknown: B_k = integral of Phi_k n . N, lumped: Phi_k is taken at the
-    /// centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the crack follows the
-    /// rows of the mesh each multiplier then holds the jump at its own node alone, and closed faces do not overlap
-    /// between nodes.
-    [[nodiscard]] const Eigen::MatrixXd& operator_B() const { return B_; }
+    /// B, one row a multiplier, one column an unknown of the mesh: B_k = integral of Phi_k n . N, lumped: Phi_k is
+    /// taken at the centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the
+    /// crack follows the rows of the mesh each multiplier then holds the jump at its own node alone, and closed faces
+    /// do not overlap between nodes.
+    [[nodiscard]] const SparseRows& operator_B() const { return B_; }
 
     /// Weighted gaps g = (B u + g_0) / w, mm, with g_0 of the fixed jumps.
     [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& u) const;
@@ -64,14 +62,11 @@ public:
     /// Largest complementarity residual as a force per thickness, N/mm.
     [[nodiscard]] double residual(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
 
-    /// Rows of the semismooth system over (jump unknowns, multipliers), right-hand side for the present statuses:
-    /// closed: -B_k du = B_k u;  open: -d_k dp = d_k p, with d_k = w_k/c_k.
-    struct Rows {
-        Eigen::MatrixXd jump;      // m x jump unknowns
-        Eigen::VectorXd diagonal;  // on the multipliers
-        Eigen::VectorXd right_hand_side;
-    };
-    [[nodiscard]] Rows rows(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+    /// The semismooth system for the present statuses. Closed: -B_k du = w_k g_k;  open: -d_k dp = d_k p_k, with
+    /// d_k = w_k / c_k.
+    [[nodiscard]] Eigen::VectorXd right_hand_side(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+    /// -d_k of all multipliers, whether open or not.
+    [[nodiscard]] Eigen::VectorXd open_diagonal() const { return -weight_.cwiseQuotient(augmentation_); }
 
     /// How far behind a tip the farthest closed multiplier of its crack lies, mm; negative: none is closed.
     [[nodiscard]] double reach_behind(const Tip& tip) const;
@@ -104,18 +99,13 @@ private:
     [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
     void assemble(const EnrichedMesh& mesh, double stiffness);
     void find_closing();
-    [[nodiscard]] double gap_of(std::size_t k, const Eigen::VectorXd& jumps) const;
+    [[nodiscard]] double gap_of(Eigen::Index k, const Eigen::VectorXd& u) const;
 
     std::vector<CrackSpace> spaces_;
     std::vector<FaceStation> stations_;
     std::vector<Key> keys_;
-    std::vector<int> jump_unknowns_;
-    Eigen::MatrixXd B_;
-    struct Entry {
-        Eigen::Index jump;
-        double value;
-    };
-    std::vector<std::vector<Entry>> entries_;  // of B, row by row, without its zeros
+    std::vector<int> jump_unknowns_;  // that B acts on, ascending
+    SparseRows B_;
     Eigen::VectorXd weight_, augmentation_, fixed_gap_;
     Eigen::VectorXd closing_;  // most that a gap closes by where no jump unknown moves more than one
     Eigen::VectorXd settled_jumps_, settled_gap_;  // of what was committed

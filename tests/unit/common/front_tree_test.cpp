@@ -226,6 +226,73 @@ TEST(FrontTree, AMultiplierNeedsThePivotOfItsNeighbour) {
     EXPECT_LT((tree.tangent() - Eigen::Matrix2d{{0, 6}, {0, 2}}).cwiseAbs().maxCoeff(), 1e-14);
 }
 
+/// Rows of constraints on unknowns of neighbouring nodes, some of them across the groups of elements; every third is
+/// idle.
+struct Constrained : Grid {
+    Constrained() : Grid(9, 7, Symmetry::Symmetric) {
+        keep_outline();
+        layout.multipliers = 3 * (nx - 2);
+        for (int j = 2; j <= 4; ++j)
+            for (int i = 1; i < nx - 1; ++i) add_multiplier(i, j);
+    }
+
+    void add_multiplier(int i, int j) {
+        layout.element_unknowns.push_back({2 * at(i, j) + 1, 2 * at(i + 1, j) + 1, 2 * at(i, j), layout.unknowns++});
+        layout.centres.emplace_back(i + 0.4, j);
+        matrices.push_back(matrix_of(changed.size() % 3 == 0));
+        changed.push_back(0);
+    }
+
+    static Eigen::MatrixXd matrix_of(bool idle) {
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4, 4);
+        if (idle) {
+            matrix(3, 3) = -1e-5;
+        } else {
+            matrix.row(3).head(3) << -1.0, -0.4, 0.2;
+            matrix.col(3) = matrix.row(3).transpose().eval();
+        }
+        return matrix;
+    }
+};
+
+TEST(FrontTree, MultipliersAreEliminatedWithWhatTheyActOn) {
+    const Constrained grid;
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const Eigen::MatrixXd& s = tree.tangent();
+    EXPECT_LT((s - grid.dense_schur()).cwiseAbs().maxCoeff(), 1e-11 * s.cwiseAbs().maxCoeff());
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
+    const ReducedLoad reduced = tree.reduce(load);
+    const Eigen::VectorXd boundary = Eigen::VectorXd::LinSpaced(s.cols(), 0.5, -0.5);
+    Eigen::VectorXd left = grid.dense() * tree.expand(reduced, boundary) - load;
+    EXPECT_LT((left(grid.layout.boundary) - (s * boundary - reduced.boundary)).cwiseAbs().maxCoeff(), 1e-10);
+    left(grid.layout.boundary).setZero();
+    EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(FrontTree, AMultiplierThatBecomesIdleDirtiesItsPath) {
+    Constrained grid;
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    const long before = tree.refactored();
+    grid.matrices.back() = Constrained::matrix_of(true);
+    grid.changed.back() = 1;
+    tree.factor(grid.matrices, grid.changed);
+    EXPECT_LT(tree.refactored() - before, tree.fronts() / 2);
+    FrontTree fresh(grid.layout);
+    fresh.factor(grid.matrices, grid.changed);
+    EXPECT_EQ(tree.tangent(), fresh.tangent());
+}
+
+TEST(FrontTree, MultipliersThatSayTheSameAreSingular) {
+    Constrained grid;
+    grid.add_multiplier(4, 3);
+    grid.matrices.back() = Constrained::matrix_of(false);
+    ++grid.layout.multipliers;
+    FrontTree tree(grid.layout);
+    EXPECT_THROW(tree.factor(grid.matrices, grid.changed), NumericalFailure);
+}
+
 TEST(FrontTree, AnUnknownWithoutElementIsAMistake) {
     Grid grid(3, 3, Symmetry::Symmetric);
     ++grid.layout.unknowns;

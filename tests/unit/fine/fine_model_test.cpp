@@ -104,13 +104,17 @@ public:
             const std::vector<int>& unknowns = system_.zone().operators()[e].unknowns;
             matrix(unknowns, unknowns) += system_.zone().tangents()[e];
         }
-        const auto rows = system_.contact_rows();
-        const std::vector<int>& jumps = system_.contact().jump_unknowns();
-        matrix.bottomRows(m)(Eigen::all, jumps) = rows.jump;
-        matrix.rightCols(m)(jumps, Eigen::all) = -system_.contact().operator_B().transpose();
-        matrix.bottomRightCorner(m, m) = rows.diagonal.asDiagonal();
+        const Eigen::MatrixXd B = system_.contact().operator_B();
+        const Eigen::VectorXd open = system_.contact().open_diagonal();
+        matrix.topRightCorner(n, m) = -B.transpose();
+        for (Eigen::Index k = 0; k < m; ++k) {
+            if (system_.contact().statuses()[static_cast<std::size_t>(k)] != 0)
+                matrix.row(n + k).head(n) = -B.row(k);
+            else
+                matrix(n + k, n + k) = open[k];
+        }
         Eigen::VectorXd right(n + m);
-        right << system_.load(), rows.right_hand_side;
+        right << system_.load(), system_.contact_right_hand_side();
         const Eigen::VectorXd step = boundary - gather(system_.displacement(), patch.boundary);
         for (std::size_t k = 0; k < patch.boundary.size(); ++k) {
             matrix.row(patch.boundary[k]).setZero();
