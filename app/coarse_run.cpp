@@ -23,6 +23,7 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
         summary.multipliers_of_ranks.push_back(rank.multipliers);
     }
     summary.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
+    summary.history_moves = fine.history_moves();
 }
 
 }  // namespace

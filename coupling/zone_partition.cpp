@@ -6,7 +6,6 @@
 #include <numeric>
 #include <span>
 
-#include "common/error.hpp"
 #include "common/fem/element_basis.hpp"
 
 namespace stria::coupling {
@@ -60,21 +59,25 @@ private:
     std::map<int, int> first_;
 };
 
-std::vector<Group> groups_of(const EnrichedMesh& zone) {
-    Union sets(zone.elements.size());
+/// What has to stay together in a mesh. `element`: in the sets, of each of the mesh.
+void tie_together(const EnrichedMesh& mesh, const std::vector<int>& element, Union& sets) {
     JoinByKey on_crack(sets), about_hanging_node(sets);
-    const std::vector<int> piece = piece_of_elements(zone), crack = crack_of_unknowns(zone);
-    for (const CrackPiece& p : zone.pieces) {
-        on_crack(p.crack, p.element);
-        if (p.neighbour >= 0) on_crack(p.crack, p.neighbour);
+    const std::vector<int> piece = piece_of_elements(mesh), crack = crack_of_unknowns(mesh);
+    for (const CrackPiece& p : mesh.pieces) {
+        on_crack(p.crack, element[at(p.element)]);
+        if (p.neighbour >= 0) on_crack(p.crack, element[at(p.neighbour)]);
     }
-    for (int e = 0; e < std::ssize(zone.elements); ++e) {
-        const ElementBasis basis(zone, e, piece[at(e)] >= 0);
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
         for (const int unknown : basis.unknowns())
-            if (unknown % 2 == 0 && crack[at(unknown)] >= 0) on_crack(crack[at(unknown)], e);
-        for (const int node : zone.elements[at(e)])
-            if (zone.tie(node) != nullptr) about_hanging_node(node, e);
+            if (unknown % 2 == 0 && crack[at(unknown)] >= 0) on_crack(crack[at(unknown)], element[at(e)]);
+        for (const int node : mesh.elements[at(e)])
+            if (mesh.tie(node) != nullptr) about_hanging_node(node, element[at(e)]);
     }
+}
+
+/// The sets of a zone, all of whose elements are in one.
+std::vector<Group> groups_of(const EnrichedMesh& zone, Union& sets) {
     std::vector<Group> groups;
     std::vector<int> place(zone.elements.size(), -1);
     for (int e = 0; e < std::ssize(zone.elements); ++e) {
@@ -133,25 +136,27 @@ void bisect(std::span<Group> groups, int first_rank, int ranks) {
     bisect(groups.subspan(before), first_rank + half, ranks - half);
 }
 
+/// The rank that has most of each group; the first of those that have as much.
 void keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<Group>& groups) {
     for (Group& group : groups) {
+        std::map<int, int> share;
         for (const int element : group.elements) {
             const auto owner = owners.find(zone.element_ids[at(element)]);
-            if (owner == owners.end()) continue;
-            if (group.rank >= 0 && group.rank != owner->second)
-                throw CaseError("elements with history on two fine ranks have met at a crack; one fine rank can do it");
-            group.rank = owner->second;
+            if (owner != owners.end()) ++share[owner->second];
         }
+        if (!share.empty())
+            group.rank = std::ranges::max_element(share, {}, [](const auto& s) { return s.second; })->first;
     }
 }
 
-/// Ring by ring about those that have a rank; what touches none of them joins the rank with least.
-void join_neighbours(const EnrichedMesh& zone, int ranks, std::vector<Group>& groups) {
+/// Ring by ring about those that have a rank; what touches none of them joins the rank with least, but none that idles:
+/// what it may have had once is no more its own.
+void join_neighbours(const EnrichedMesh& zone, std::vector<Group>& groups) {
     std::vector<int> rank_at(zone.nodes.size(), -1);
-    std::vector<double> weight(at(ranks), 0.0);
+    std::map<int, double> weight;
     const auto give = [&](Group& group, int rank) {
         group.rank = rank;
-        weight[at(rank)] += group.weight();
+        weight[rank] += group.weight();
         for (const int element : group.elements)
             for (const int node : zone.elements[at(element)]) rank_at[at(node)] = rank;
     };
@@ -173,24 +178,46 @@ void join_neighbours(const EnrichedMesh& zone, int ranks, std::vector<Group>& gr
             }
         }
     }
+    const auto least = [](const auto& share) { return share.second; };
     for (Group& group : groups)
-        if (group.rank < 0) give(group, static_cast<int>(std::ranges::min_element(weight) - weight.begin()));
+        if (group.rank < 0) give(group, std::ranges::min_element(weight, {}, least)->first);
 }
 
-}  // namespace
-
-std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const std::map<int, int>& owners) {
-    std::vector<Group> groups = groups_of(zone);
-    if (owners.empty()) {
-        bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
-    } else {
-        keep_owners(zone, owners, groups);
-        join_neighbours(zone, ranks, groups);
-    }
+std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<Group>& groups) {
     std::vector<int> rank(zone.elements.size(), 0);
     for (const Group& group : groups)
         for (const int element : group.elements) rank[at(element)] = group.rank;
     return rank;
+}
+
+std::vector<int> counted(std::size_t size) {
+    std::vector<int> numbers(size);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+}  // namespace
+
+std::vector<int> share_out(const EnrichedMesh& zone, int ranks) {
+    Union sets(zone.elements.size());
+    tie_together(zone, counted(zone.elements.size()), sets);
+    std::vector<Group> groups = groups_of(zone, sets);
+    bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
+    return ranks_of_elements(zone, groups);
+}
+
+std::vector<int> share_on(const EnrichedMesh& zone, const EnrichedMesh& before, const std::map<int, int>& owners) {
+    std::map<int, int> element;  // by id
+    for (int e = 0; e < std::ssize(zone.elements); ++e) element[zone.element_ids[at(e)]] = e;
+    std::vector<int> still;
+    for (const int id : before.element_ids) still.push_back(element.at(id));
+    Union sets(zone.elements.size());
+    tie_together(zone, counted(zone.elements.size()), sets);
+    tie_together(before, still, sets);
+    std::vector<Group> groups = groups_of(zone, sets);
+    keep_owners(zone, owners, groups);
+    join_neighbours(zone, groups);
+    return ranks_of_elements(zone, groups);
 }
 
 }  // namespace stria::coupling

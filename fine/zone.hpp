@@ -77,6 +77,7 @@ public:
         std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;  // elements
     };
     [[nodiscard]] const Counts& counts() const { return counts_; }
+    void count_on_from(const Counts& counts) { counts_ = counts; }
 
 private:
     /// Points that an element has already; none: they are placed anew.

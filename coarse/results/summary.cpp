@@ -139,6 +139,7 @@ Json to_json(const Summary& summary) {
                         {"messages", summary.messages},
                         {"bytes", summary.bytes},
                         {"ranks_idle", summary.ranks_idle},
+                        {"history_moves", summary.history_moves},
                         {"points_of_ranks", list_of(summary.points_of_ranks)},
                         {"multipliers_of_ranks", list_of(summary.multipliers_of_ranks)},
                         {"tips", tips}};

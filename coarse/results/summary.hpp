@@ -69,6 +69,7 @@ struct Summary {
     // Of each fine rank; those without an element idle.
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;
     std::int64_t ranks_idle = 0;
+    std::int64_t history_moves = 0;  // growth steps before which history moved from rank to rank
     Timing timing;
     std::vector<HistoryRow> last;  // last row of each tip
 };
