@@ -46,19 +46,19 @@ FineRanks::~FineRanks() = default;
 void FineRanks::set_patch(const Patch& patch) {
     if (owner_.empty()) {
         owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(scales_.size())));
+    } else if (const auto kept = share_on(patch.mesh, owner_)) {
+        owner_ = by_id(patch.mesh, *kept);
     } else {
-        std::map<int, int> next = by_id(patch.mesh, share_on(patch.mesh, patch_.mesh, owner_));
-        if (std::ranges::any_of(owner_, [&](const auto& owner) { return next.at(owner.first) != owner.second; }))
-            move_history(next);
-        owner_ = std::move(next);
+        // Who has lost all elements once idles for good: what it knows is no more true.
+        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(ranks_.size()), patch_.mesh));
+        move_history();
     }
     take(patch, known_displacement(patch), nullptr);
 }
 
 // Of the patch that all know. It changes no state, as a checkpoint would not.
-void FineRanks::move_history(std::map<int, int> owners) {
+void FineRanks::move_history() {
     const ZoneSnapshot all = snapshot();
-    owner_ = std::move(owners);
     take(Patch(patch_), all.displacement, &all);
     ++history_moves_;
 }

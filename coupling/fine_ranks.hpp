@@ -15,7 +15,7 @@ namespace stria::coupling {
 /// Ranks meet on seams: unknowns that several of them see and the structure does not. They are eliminated in a tree of
 /// fronts whose elements are the ranks, so that Gamma is all that the coarse component knows of, and the iterates are
 /// those of one rank. Elements keep their rank, for their history lives there; where a crack that has grown ties
-/// together those of several, history moves first and the geometry changes then.
+/// together those of several, the zone is shared out anew: history moves first and the geometry changes then.
 class FineRanks final : public FineScale {
 public:
     /// `ranks` must outlive this. `remembered`: increments, for predictors (predictor.hpp).
@@ -41,7 +41,7 @@ private:
     struct Rank;
 
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
-    void move_history(std::map<int, int> owners);
+    void move_history();
     [[nodiscard]] std::vector<EnrichedMesh> divide(const EnrichedMesh& zone);
     void find_seams();
     void take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);

@@ -76,8 +76,15 @@ void tie_together(const EnrichedMesh& mesh, const std::vector<int>& element, Uni
     }
 }
 
-/// The sets of a zone, all of whose elements are in one.
-std::vector<Group> groups_of(const EnrichedMesh& zone, Union& sets) {
+std::vector<Group> groups_of(const EnrichedMesh& zone, const EnrichedMesh& before) {
+    Union sets(zone.elements.size());
+    std::map<int, int> element;  // by id
+    for (int e = 0; e < std::ssize(zone.elements); ++e) element[zone.element_ids[at(e)]] = e;
+    for (const EnrichedMesh* mesh : {&zone, &before}) {
+        std::vector<int> in_zone;
+        for (const int id : mesh->element_ids) in_zone.push_back(element.at(id));
+        tie_together(*mesh, in_zone, sets);
+    }
     std::vector<Group> groups;
     std::vector<int> place(zone.elements.size(), -1);
     for (int e = 0; e < std::ssize(zone.elements); ++e) {
@@ -136,21 +143,20 @@ void bisect(std::span<Group> groups, int first_rank, int ranks) {
     bisect(groups.subspan(before), first_rank + half, ranks - half);
 }
 
-/// The rank that has most of each group; the first of those that have as much.
-void keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<Group>& groups) {
+/// False where a group has elements of several.
+bool keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<Group>& groups) {
     for (Group& group : groups) {
-        std::map<int, int> share;
         for (const int element : group.elements) {
             const auto owner = owners.find(zone.element_ids[at(element)]);
-            if (owner != owners.end()) ++share[owner->second];
+            if (owner == owners.end()) continue;
+            if (group.rank >= 0 && group.rank != owner->second) return false;
+            group.rank = owner->second;
         }
-        if (!share.empty())
-            group.rank = std::ranges::max_element(share, {}, [](const auto& s) { return s.second; })->first;
     }
+    return true;
 }
 
-/// Ring by ring about those that have a rank; what touches none of them joins the rank with least, but none that idles:
-/// what it may have had once is no more its own.
+/// Ring by ring about those that have a rank; what touches none of them joins the rank with least.
 void join_neighbours(const EnrichedMesh& zone, std::vector<Group>& groups) {
     std::vector<int> rank_at(zone.nodes.size(), -1);
     std::map<int, double> weight;
@@ -190,32 +196,17 @@ std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<G
     return rank;
 }
 
-std::vector<int> counted(std::size_t size) {
-    std::vector<int> numbers(size);
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return numbers;
-}
-
 }  // namespace
 
-std::vector<int> share_out(const EnrichedMesh& zone, int ranks) {
-    Union sets(zone.elements.size());
-    tie_together(zone, counted(zone.elements.size()), sets);
-    std::vector<Group> groups = groups_of(zone, sets);
+std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before) {
+    std::vector<Group> groups = groups_of(zone, before);
     bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
     return ranks_of_elements(zone, groups);
 }
 
-std::vector<int> share_on(const EnrichedMesh& zone, const EnrichedMesh& before, const std::map<int, int>& owners) {
-    std::map<int, int> element;  // by id
-    for (int e = 0; e < std::ssize(zone.elements); ++e) element[zone.element_ids[at(e)]] = e;
-    std::vector<int> still;
-    for (const int id : before.element_ids) still.push_back(element.at(id));
-    Union sets(zone.elements.size());
-    tie_together(zone, counted(zone.elements.size()), sets);
-    tie_together(before, still, sets);
-    std::vector<Group> groups = groups_of(zone, sets);
-    keep_owners(zone, owners, groups);
+std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners) {
+    std::vector<Group> groups = groups_of(zone, {});
+    if (!keep_owners(zone, owners, groups)) return std::nullopt;
     join_neighbours(zone, groups);
     return ranks_of_elements(zone, groups);
 }
