@@ -21,6 +21,7 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
         summary.multipliers_of_ranks.push_back(rank.multipliers);
     }
     summary.work.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
+    summary.work.history_moves = fine.history_moves();
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "app/fine_side.hpp"
 
 #include <exception>
-#include <fmt/format.h>
 
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
@@ -9,14 +8,7 @@
 
 namespace stria {
 
-// An element that a crack comes to cut would have to move to the crack's rank, history and all.
-void check_fine_ranks(const Case& input, int ranks) {
-    if (ranks > 1 && input.growth)
-        throw CaseError(fmt::format("--fine {}: cracks grow with one fine rank in this version", ranks));
-}
-
 FineSide::FineSide(const Case& input, int ranks) {
-    check_fine_ranks(input, ranks);
     for (int k = 0; k < ranks; ++k) scales_.push_back(std::make_unique<fine::FineModel>(input));
     put_together(input);
 }
@@ -35,7 +27,6 @@ FineSide::FineSide(const Case& input, const coupling::MpiSession& session) {
         }
     }
     if (refusal) std::rethrow_exception(refusal);
-    check_fine_ranks(input, session.peers());
     put_together(input);
 }
 

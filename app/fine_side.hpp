@@ -11,9 +11,6 @@
 
 namespace stria {
 
-/// Throws CaseError where a case cannot be run by that many fine ranks.
-void check_fine_ranks(const Case& input, int ranks);
-
 class FineSide {
 public:
     /// In this process. `input` must outlive this.
@@ -27,6 +24,9 @@ public:
 
     /// What has crossed between them and the coarse one, and how many there are.
     [[nodiscard]] coupling::WorkCounts traffic() const;
+
+    /// How often history had to move from one of them to another.
+    [[nodiscard]] int history_moves() const { return together_ ? together_->history_moves() : 0; }
 
     /// The last report of each; `whole`: that of all.
     [[nodiscard]] std::vector<coupling::StepReport> reports(const coupling::StepReport& whole) const;

@@ -172,7 +172,6 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
 
 int launch(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
-    check_fine_ranks(input, options.fine_ranks);
     const bool with_fine = needs_fine(input);
     const std::vector<std::string> command = launch_command(options, programs_folder(), with_fine);
     if (options.verbose) fmt::print("{}\n", fmt::join(command, " "));

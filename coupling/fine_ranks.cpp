@@ -21,6 +21,12 @@ int place_of(const std::vector<int>& ascending, int unknown) {
     return static_cast<int>(std::ranges::lower_bound(ascending, unknown) - ascending.begin());
 }
 
+std::map<int, int> by_id(const EnrichedMesh& zone, const std::vector<int>& rank_of) {
+    std::map<int, int> owners;
+    for (std::size_t e = 0; e < rank_of.size(); ++e) owners[zone.element_ids[e]] = rank_of[e];
+    return owners;
+}
+
 }  // namespace
 
 /// One of those with elements.
@@ -37,12 +43,32 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
 
 FineRanks::~FineRanks() = default;
 
-void FineRanks::set_patch(const Patch& patch) { take(patch, known_displacement(patch), nullptr); }
+void FineRanks::set_patch(const Patch& patch) {
+    if (owner_.empty()) {
+        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(scales_.size())));
+    } else if (const auto kept = share_on(patch.mesh, owner_)) {
+        owner_ = by_id(patch.mesh, *kept);
+    } else {
+        // Who has lost all elements once idles for good: what it knows is no more true.
+        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(ranks_.size()), patch_.mesh));
+        move_history();
+    }
+    take(patch, known_displacement(patch), nullptr);
+}
+
+// Of the patch that all know. It changes no state, as a checkpoint would not.
+void FineRanks::move_history() {
+    const ZoneSnapshot all = snapshot();
+    take(Patch(patch_), all.displacement, &all);
+    ++history_moves_;
+}
 
 void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     owner_.clear();
     if (snapshot.ranks == std::ssize(scales_))
         for (std::size_t e = 0; e < snapshot.element.size(); ++e) owner_[snapshot.element[e]] = snapshot.rank[e];
+    else
+        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(scales_.size())));
     take(patch, snapshot.displacement, &snapshot);
     for (const Eigen::VectorXd& increment : snapshot.increments | std::views::reverse)
         increments_.push(gather(increment, kept_));
@@ -68,15 +94,16 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
 }
 
 std::vector<EnrichedMesh> FineRanks::divide(const EnrichedMesh& zone) {
-    const std::vector<int> rank_of = share_out(zone, static_cast<int>(scales_.size()), owner_);
-    for (std::size_t e = 0; e < rank_of.size(); ++e) owner_[zone.element_ids[e]] = rank_of[e];
     ranks_.clear();
     std::vector<EnrichedMesh> parts;
     for (std::size_t r = 0; r < scales_.size(); ++r) {
         std::vector<int> elements;
-        for (std::size_t e = 0; e < rank_of.size(); ++e)
-            if (rank_of[e] == static_cast<int>(r)) elements.push_back(static_cast<int>(e));
-        if (elements.empty()) continue;
+        for (int e = 0; e < std::ssize(zone.elements); ++e)
+            if (owner_.at(zone.element_ids[at(e)]) == static_cast<int>(r)) elements.push_back(e);
+        if (elements.empty()) {
+            forget_state(reports_[r]);
+            continue;
+        }
         parts.push_back(extract(zone, elements));
         ranks_.push_back({scales_[r], r, std::move(elements), whole_unknowns(zone, parts.back()), {}});
     }
@@ -230,6 +257,7 @@ ZoneSnapshot FineRanks::snapshot() {
     whole.ranks = static_cast<std::int32_t>(scales_.size());
     whole.displacement = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
     whole.increments.assign(increments_.all().size(), whole.displacement);
+    whole.held = whole.displacement;
     for (const Rank& rank : ranks_)
         add(whole, rank.scale->snapshot(), static_cast<std::int32_t>(rank.number), rank.unknowns);
     std::ranges::stable_sort(whole.multipliers, {}, &MultiplierSnapshot::crack);

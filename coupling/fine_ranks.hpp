@@ -14,7 +14,8 @@ namespace stria::coupling {
 
 /// Ranks meet on seams: unknowns that several of them see and the structure does not. They are eliminated in a tree of
 /// fronts whose elements are the ranks, so that Gamma is all that the coarse component knows of, and the iterates are
-/// those of one rank. Elements keep their rank for the whole run.
+/// those of one rank. Elements keep their rank, for their history lives there; where a crack that has grown ties
+/// together those of several, the zone is shared out anew: history moves first and the geometry changes then.
 class FineRanks final : public FineScale {
 public:
     /// `ranks` must outlive this. `remembered`: increments, for predictors (predictor.hpp).
@@ -30,13 +31,17 @@ public:
     ZoneSnapshot snapshot() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
-    /// The last of each rank; empty ones of ranks without an element.
+    /// The last of each rank; of ranks without an element what they have done.
     [[nodiscard]] const std::vector<StepReport>& reports() const { return reports_; }
+
+    /// How often history had to move.
+    [[nodiscard]] int history_moves() const { return history_moves_; }
 
 private:
     struct Rank;
 
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
+    void move_history();
     [[nodiscard]] std::vector<EnrichedMesh> divide(const EnrichedMesh& zone);
     void find_seams();
     void take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);
@@ -61,6 +66,7 @@ private:
     double load_factor_ = 0.0;
     IncrementMemory<Eigen::VectorXd> increments_;
     std::vector<StepReport> reports_;
+    int history_moves_ = 0;
 };
 
 }  // namespace stria::coupling

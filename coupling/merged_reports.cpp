@@ -100,6 +100,17 @@ StepReport sum_of(const std::vector<StepReport>& parts, const std::vector<Ring>&
     return whole;
 }
 
+void forget_state(StepReport& report) {
+    report.tips.clear();
+    report.rings.clear();
+    report.faces.clear();
+    report.contact_length.clear();
+    report.mouth_opening.clear();
+    report.dissipation = 0.0;
+    report.energy = {};
+    report.points = report.unknowns = report.multipliers = 0;
+}
+
 void add(ZoneState& whole, const ZoneState& part, const std::vector<int>& unknowns, const std::vector<int>& elements) {
     whole.displacement(unknowns) = part.displacement;
     for (const std::int32_t element : part.element)

@@ -123,9 +123,9 @@ void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {
-    auto& [ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, multipliers,
-           frozen_tips] = m;
-    wire(ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, multipliers,
+    auto& [ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, held,
+           multipliers, frozen_tips] = m;
+    wire(ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, held, multipliers,
          frozen_tips);
 }
 

@@ -13,6 +13,8 @@ struct WorkCounts {
     // Points and elements of the zone.
     std::int64_t points_evaluated = 0;         // return mappings
     std::int64_t points_proven_elastic = 0;    // return mappings saved: no energy of the increment to flow with
+    std::int64_t points_at_rest = 0;           // those of condensed parts that stay elastic: not a product was formed
+    std::int64_t elements_woken = 0;           // of such parts, because they could flow or touch
     std::int64_t tangents_computed = 0;        // of elements
     std::int64_t elastic_tangents_reused = 0;  // elements that kept their elastic matrix
     std::int64_t history_values = 0;           // at present: stored numbers of all points beyond stresses
@@ -36,8 +38,9 @@ struct WorkCounts {
     std::int64_t structure_checks_by_bound = 0;
 
     // Between the components.
-    std::int64_t fine_ranks = 0;  // started
-    std::int64_t ranks_idle = 0;  // of them without an element
+    std::int64_t fine_ranks = 0;     // started
+    std::int64_t ranks_idle = 0;     // of them without an element
+    std::int64_t history_moves = 0;  // growth steps before which history moved from rank to rank
     std::int64_t messages = 0;
     std::int64_t bytes = 0;
     std::int64_t tangents_not_sent = 0;  // answers without a tangent: it was that of the answer before
@@ -53,6 +56,8 @@ struct NamedWorkCount {
 inline constexpr std::array named_work_counts{
     NamedWorkCount{"points_evaluated", &WorkCounts::points_evaluated},
     NamedWorkCount{"points_proven_elastic", &WorkCounts::points_proven_elastic},
+    NamedWorkCount{"points_at_rest", &WorkCounts::points_at_rest},
+    NamedWorkCount{"elements_woken", &WorkCounts::elements_woken},
     NamedWorkCount{"tangents_computed", &WorkCounts::tangents_computed},
     NamedWorkCount{"elastic_tangents_reused", &WorkCounts::elastic_tangents_reused},
     NamedWorkCount{"history_values", &WorkCounts::history_values},
@@ -70,6 +75,7 @@ inline constexpr std::array named_work_counts{
     NamedWorkCount{"structure_checks_by_bound", &WorkCounts::structure_checks_by_bound},
     NamedWorkCount{"fine_ranks", &WorkCounts::fine_ranks},
     NamedWorkCount{"ranks_idle", &WorkCounts::ranks_idle},
+    NamedWorkCount{"history_moves", &WorkCounts::history_moves},
     NamedWorkCount{"messages", &WorkCounts::messages},
     NamedWorkCount{"bytes", &WorkCounts::bytes},
     NamedWorkCount{"tangents_not_sent", &WorkCounts::tangents_not_sent},

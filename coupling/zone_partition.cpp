@@ -6,7 +6,6 @@
 #include <numeric>
 #include <span>
 
-#include "common/error.hpp"
 #include "common/fem/element_basis.hpp"
 
 namespace stria::coupling {
@@ -60,20 +59,31 @@ private:
     std::map<int, int> first_;
 };
 
-std::vector<Group> groups_of(const EnrichedMesh& zone) {
-    Union sets(zone.elements.size());
+/// What has to stay together in a mesh. `element`: in the sets, of each of the mesh.
+void tie_together(const EnrichedMesh& mesh, const std::vector<int>& element, Union& sets) {
     JoinByKey on_crack(sets), about_hanging_node(sets);
-    const std::vector<int> piece = piece_of_elements(zone), crack = crack_of_unknowns(zone);
-    for (const CrackPiece& p : zone.pieces) {
-        on_crack(p.crack, p.element);
-        if (p.neighbour >= 0) on_crack(p.crack, p.neighbour);
+    const std::vector<int> piece = piece_of_elements(mesh), crack = crack_of_unknowns(mesh);
+    for (const CrackPiece& p : mesh.pieces) {
+        on_crack(p.crack, element[at(p.element)]);
+        if (p.neighbour >= 0) on_crack(p.crack, element[at(p.neighbour)]);
     }
-    for (int e = 0; e < std::ssize(zone.elements); ++e) {
-        const ElementBasis basis(zone, e, piece[at(e)] >= 0);
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
         for (const int unknown : basis.unknowns())
-            if (unknown % 2 == 0 && crack[at(unknown)] >= 0) on_crack(crack[at(unknown)], e);
-        for (const int node : zone.elements[at(e)])
-            if (zone.tie(node) != nullptr) about_hanging_node(node, e);
+            if (unknown % 2 == 0 && crack[at(unknown)] >= 0) on_crack(crack[at(unknown)], element[at(e)]);
+        for (const int node : mesh.elements[at(e)])
+            if (mesh.tie(node) != nullptr) about_hanging_node(node, element[at(e)]);
+    }
+}
+
+std::vector<Group> groups_of(const EnrichedMesh& zone, const EnrichedMesh& before) {
+    Union sets(zone.elements.size());
+    std::map<int, int> element;  // by id
+    for (int e = 0; e < std::ssize(zone.elements); ++e) element[zone.element_ids[at(e)]] = e;
+    for (const EnrichedMesh* mesh : {&zone, &before}) {
+        std::vector<int> in_zone;
+        for (const int id : mesh->element_ids) in_zone.push_back(element.at(id));
+        tie_together(*mesh, in_zone, sets);
     }
     std::vector<Group> groups;
     std::vector<int> place(zone.elements.size(), -1);
@@ -133,25 +143,26 @@ void bisect(std::span<Group> groups, int first_rank, int ranks) {
     bisect(groups.subspan(before), first_rank + half, ranks - half);
 }
 
-void keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<Group>& groups) {
+/// False where a group has elements of several.
+bool keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<Group>& groups) {
     for (Group& group : groups) {
         for (const int element : group.elements) {
             const auto owner = owners.find(zone.element_ids[at(element)]);
             if (owner == owners.end()) continue;
-            if (group.rank >= 0 && group.rank != owner->second)
-                throw CaseError("elements with history on two fine ranks have met at a crack; one fine rank can do it");
+            if (group.rank >= 0 && group.rank != owner->second) return false;
             group.rank = owner->second;
         }
     }
+    return true;
 }
 
 /// Ring by ring about those that have a rank; what touches none of them joins the rank with least.
-void join_neighbours(const EnrichedMesh& zone, int ranks, std::vector<Group>& groups) {
+void join_neighbours(const EnrichedMesh& zone, std::vector<Group>& groups) {
     std::vector<int> rank_at(zone.nodes.size(), -1);
-    std::vector<double> weight(at(ranks), 0.0);
+    std::map<int, double> weight;
     const auto give = [&](Group& group, int rank) {
         group.rank = rank;
-        weight[at(rank)] += group.weight();
+        weight[rank] += group.weight();
         for (const int element : group.elements)
             for (const int node : zone.elements[at(element)]) rank_at[at(node)] = rank;
     };
@@ -173,24 +184,31 @@ void join_neighbours(const EnrichedMesh& zone, int ranks, std::vector<Group>& gr
             }
         }
     }
+    const auto least = [](const auto& share) { return share.second; };
     for (Group& group : groups)
-        if (group.rank < 0) give(group, static_cast<int>(std::ranges::min_element(weight) - weight.begin()));
+        if (group.rank < 0) give(group, std::ranges::min_element(weight, {}, least)->first);
 }
 
-}  // namespace
-
-std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const std::map<int, int>& owners) {
-    std::vector<Group> groups = groups_of(zone);
-    if (owners.empty()) {
-        bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
-    } else {
-        keep_owners(zone, owners, groups);
-        join_neighbours(zone, ranks, groups);
-    }
+std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<Group>& groups) {
     std::vector<int> rank(zone.elements.size(), 0);
     for (const Group& group : groups)
         for (const int element : group.elements) rank[at(element)] = group.rank;
     return rank;
+}
+
+}  // namespace
+
+std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before) {
+    std::vector<Group> groups = groups_of(zone, before);
+    bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
+    return ranks_of_elements(zone, groups);
+}
+
+std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners) {
+    std::vector<Group> groups = groups_of(zone, {});
+    if (!keep_owners(zone, owners, groups)) return std::nullopt;
+    join_neighbours(zone, groups);
+    return ranks_of_elements(zone, groups);
 }
 
 }  // namespace stria::coupling

@@ -41,6 +41,7 @@ ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const 
     }
     own.displacement = gather(whole.displacement, unknowns);
     for (const Eigen::VectorXd& increment : whole.increments) own.increments.push_back(gather(increment, unknowns));
+    own.held = gather(whole.held, unknowns);
     const auto here = [&](int crack) { return std::ranges::find(part.pieces, crack, &CrackPiece::crack); };
     for (const MultiplierSnapshot& multiplier : whole.multipliers)
         if (here(multiplier.crack) != part.pieces.end()) own.multipliers.push_back(multiplier);
@@ -58,6 +59,7 @@ void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const
     whole.half_cycle_ended = part.half_cycle_ended;
     whole.displacement(unknowns) = part.displacement;
     for (std::size_t k = 0; k < part.increments.size(); ++k) whole.increments.at(k)(unknowns) = part.increments[k];
+    whole.held(unknowns) += part.held;
     append(whole.multipliers, part.multipliers);
     append(whole.frozen_tips, part.frozen_tips);
 }

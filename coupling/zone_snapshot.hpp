@@ -43,6 +43,7 @@ struct ZoneSnapshot {
     // Of all unknowns of the patch's mesh, mm.
     Eigen::VectorXd displacement;
     std::vector<Eigen::VectorXd> increments;  // the last ones, for predictors; the last of all first
+    Eigen::VectorXd held;                     // by opening faces, N/mm: zero between increments, but for a growth's
 
     std::vector<MultiplierSnapshot> multipliers;  // crack by crack, along each
     std::vector<FrozenTip> frozen_tips;

@@ -22,8 +22,8 @@ template <class List> void as_bytes(auto& archive, const char* name, List& list)
 
 void members(auto& archive, auto& snapshot) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(snapshot)>>, ZoneSnapshot> {
-    auto& [ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, multipliers,
-           frozen_tips] = snapshot;
+    auto& [ranks, element, rank, points, columns, history, half_cycle_ended, displacement, increments, held,
+           multipliers, frozen_tips] = snapshot;
     archive("ranks", ranks);
     archive("element", element);
     archive("rank", rank);
@@ -33,6 +33,7 @@ void members(auto& archive, auto& snapshot) requires
     archive("half_cycle_ended", half_cycle_ended);
     archive("displacement", displacement);
     archive("increments", increments);
+    archive("held", held);
     as_bytes(archive, "multipliers", multipliers);
     as_bytes(archive, "frozen_tips", frozen_tips);
 }

@@ -4,6 +4,12 @@
 
 namespace stria::fine {
 
+OpeningFaces::OpeningFaces(const Eigen::VectorXd& held) {
+    for (int i = 0; i < held.size(); ++i)
+        if (held[i] != 0.0) jumps_.push_back(i);
+    held_ = gather(held, jumps_);
+}
+
 void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held) {
     Eigen::VectorXd is_new = Eigen::VectorXd::Zero(before.unknowns);
     for (const int unknown : jumps_) is_new[unknown] = 1.0;
@@ -18,6 +24,12 @@ double OpeningFaces::release(const Eigen::VectorXd& move) {
     const double released = jumps_.empty() ? 0.0 : 0.5 * held_.dot(gather(move, jumps_));
     jumps_.clear();
     return released;
+}
+
+Eigen::VectorXd OpeningFaces::held(int unknowns) const {
+    Eigen::VectorXd held = Eigen::VectorXd::Zero(unknowns);
+    if (!jumps_.empty()) held(jumps_) = held_;
+    return held;
 }
 
 }  // namespace stria::fine

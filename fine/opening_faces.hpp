@@ -14,6 +14,11 @@ namespace stria::fine {
 /// away while the jumps open by du (Fig. 3b): along a path on which they fade in proportion, F . du / 2 is released.
 class OpeningFaces {
 public:
+    OpeningFaces() = default;
+
+    /// As held() gave it.
+    explicit OpeningFaces(const Eigen::VectorXd& held);
+
     /// `held`: on the unknowns of `next`, the forces in need of balance at the displacement that both meshes share. To
     /// be called again where the mesh changes once more before equilibrium: what has opened since the last release
     /// counts.
@@ -21,6 +26,9 @@ public:
 
     /// N per mm of thickness: released by a move to equilibrium. Nothing is left to be released then.
     double release(const Eigen::VectorXd& move);
+
+    /// What is yet to be released: on all unknowns of a mesh the forces that held its new jumps, zero elsewhere, N/mm.
+    [[nodiscard]] Eigen::VectorXd held(int unknowns) const;
 
 private:
     std::vector<int> jumps_;  // unknowns of the new jumps

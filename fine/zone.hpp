@@ -77,6 +77,7 @@ public:
     [[nodiscard]] std::int64_t history_values() const {
         return static_cast<std::int64_t>(points_) * (law_->state_size() - state::plastic_strain);
     }
+    void count_on_from(const coupling::WorkCounts& counts) { counts_ = counts; }
 
 private:
     /// Points that an element has already; none: they are placed anew.

@@ -79,6 +79,7 @@ coupling::ZoneSnapshot ZoneSystem::snapshot() const {
     zone_->remember(out);
     out.displacement = committed_.displacement;
     for (const Unknowns& increment : increments_.all()) out.increments.push_back(increment.displacement);
+    out.held = opening_.held(patch_.mesh.unknowns);
     for (int k = 0; k < contact_->multipliers(); ++k) {
         const ContactInterface::Key& key = contact_->keys()[static_cast<std::size_t>(k)];
         coupling::MultiplierSnapshot multiplier;
@@ -115,7 +116,10 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     contact_->restore(std::move(statuses));
     increments_.clear();
     for (Unknowns& increment : increments | std::views::reverse) increments_.push(std::move(increment));
+    opening_ = OpeningFaces(snapshot.held);
+    const Zone::Counts so_far = zone_ ? zone_->counts() : Zone::Counts();
     zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), snapshot);
+    zone_->count_on_from(so_far);
     begin_with(patch);
 }
 

@@ -55,18 +55,6 @@ TEST_P(KilledComponent, EndsTheRunInTime) {
 INSTANTIATE_TEST_SUITE_P(Either, KilledComponent, testing::Values("stria-fine", "stria-coarse"),
                          [](const auto& test) { return std::string(test.param).substr(6); });
 
-TEST(SeveralFineRanks, AreRefusedWhereACrackGrows) {
-    const TemporaryFolder folder;
-    const std::vector<std::string> words{"run",   shipped_sent,           "-o", folder / "results",
-                                         "--set", "growth.increment=0.25"};
-    for (const char* mode : {"mpi", "inprocess"}) {
-        std::vector<std::string> command = words;
-        command.insert(command.end(), {"--mode", mode, "--fine", "2"});
-        EXPECT_EQ(run_program("stria", command, folder / "log"), 2);
-        EXPECT_NE(text_of(folder / "log").find("cracks grow with one fine rank"), std::string::npos);
-    }
-}
-
 TEST(SeveralFineRanks, AreRefusedByTheMonolithicMode) {
     const TemporaryFolder folder;
     EXPECT_EQ(run_program("stria", {"run", shipped_sent, "--mode", "monolithic", "--fine", "2"}, folder / "log"), 2);

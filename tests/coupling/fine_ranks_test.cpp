@@ -88,6 +88,67 @@ TEST_P(FineRanks, AnswerAsOne) {
         for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(q[k][c], p[k][c], 1e-7);
 }
 
+class GrowingFineRanks : public FineRanks {
+protected:
+    void turn_to(const EnrichedMesh& mesh) {
+        patch = plate_patch(mesh);
+        one.set_patch(patch);
+        team.together->set_patch(patch);
+    }
+
+    /// Moves the boundary and commits; the last iterations stand still. Returns what one rank says.
+    coupling::StepReport commit_the_same(const Eigen::VectorXd& u) {
+        for (int iteration = 0; iteration < 12; ++iteration) {
+            const Eigen::VectorXd there = u * (1.0 - 0.1 * std::max(0, 3 - iteration));
+            const auto a = answer(one, iteration, there), b = answer(*team.together, iteration, there);
+            EXPECT_LT(difference(b.force, a.force), 1e-9);
+            EXPECT_LT(difference(b.tangent, a.tangent), 1e-9);
+            EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
+        }
+        const coupling::StepReport a = one.commit(false), b = team.together->commit(false);
+        EXPECT_NEAR(b.dissipation, a.dissipation, 1e-9 * a.dissipation);
+        EXPECT_NEAR(b.energy.released, a.energy.released, 1e-9 * a.dissipation);
+        EXPECT_NEAR(b.energy.stored, a.energy.stored, 1e-9 * a.energy.stored);
+        for (std::size_t t = 0; t < a.tips.size(); ++t) EXPECT_NEAR(b.tips[t].CTOD, a.tips[t].CTOD, 1e-9);
+        EXPECT_EQ(b.faces.size(), a.faces.size());
+        EXPECT_EQ(b.points, a.points);
+        EXPECT_LT(difference(team.together->state().displacement, one.state().displacement), 1e-9);
+        return a;
+    }
+};
+
+/// Twice before equilibrium is found again: what the first advance has opened is released with the second.
+TEST_P(GrowingFineRanks, AnswerAsOne) {
+    const auto crack_to = [&](double tip) { turn_to(plate_mesh(11, 9, plate_case({{0.0, 4.4}, {tip, 4.4}}))); };
+    crack_to(2.6);
+    const Eigen::VectorXd u = boundary(4e-3, 1);
+    EXPECT_EQ(commit_the_same(u).energy.released, 0.0);
+    for (const double tip : {4.6, 8.6}) {
+        crack_to(tip - 1.0);
+        crack_to(tip);
+        EXPECT_GT(std::abs(commit_the_same(u).energy.released), 0.0);
+    }
+    EXPECT_EQ(team.together->history_moves() > 0, GetParam() > 1);
+}
+
+/// Each has a rank of its own until their tips are near each other.
+TEST_P(GrowingFineRanks, BringCracksTogether) {
+    input.cracks.push_back(input.cracks[0]);
+    const auto cracks_to = [&](double left, double right) {
+        turn_to(with_hanging_node(plate_mesh(11, 9, two_cracks(left, right, 11.0)), {6.0, 4.0}));
+    };
+    const auto with_multipliers = [&] {
+        return std::ranges::count_if(team.together->reports(), [](const auto& rank) { return rank.multipliers > 0; });
+    };
+    cracks_to(3.6, 8.4);
+    const Eigen::VectorXd u = boundary(4e-3, 1);
+    (void)commit_the_same(u);
+    EXPECT_EQ(with_multipliers(), std::min(GetParam(), 2));
+    cracks_to(6.6, 5.4);
+    (void)commit_the_same(u);
+    EXPECT_EQ(with_multipliers(), 1);
+}
+
 TEST_P(FineRanks, WorkOnAfterAFailure) {
     one.set_patch(patch);
     team.together->set_patch(patch);
@@ -117,6 +178,7 @@ TEST(IdleFineRanks, AreAskedForNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Number, FineRanks, testing::Values(1, 2, 3, 5));
+INSTANTIATE_TEST_SUITE_P(Number, GrowingFineRanks, testing::Values(1, 2, 3, 5));
 
 }  // namespace
 }  // namespace stria::test

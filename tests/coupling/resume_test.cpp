@@ -230,7 +230,8 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
     expect_same_to_rounding(2, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace stria::test

@@ -1,6 +1,7 @@
 // Small plates of unit elements with a crack: their meshes, the zone they make, and displacements with a jump.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <utility>
@@ -30,6 +31,28 @@ inline EnrichedMesh plate_mesh(int columns, int rows, const Case& input, int tip
     for (int i = 0; i <= columns; ++i) xs.push_back(i);
     for (int i = 0; i <= rows; ++i) ys.push_back(i);
     return coarse::enrich(coarse::grid_mesh(xs, ys), input.cracks, {.functions = tip_functions, .exponent = 0.5});
+}
+
+/// Two cracks, from the left and from the right, between whose rows a node hangs in the middle: its elements are those
+/// of both once the tips are near it.
+inline Case two_cracks(double left, double right, double width) {
+    Case input = plate_case({{0.0, 5.5}, {left, 5.5}});
+    input.cracks.push_back(input.cracks[0]);
+    input.cracks[1].points = {{width, 2.5}, {right, 2.5}};
+    return input;
+}
+inline EnrichedMesh with_hanging_node(EnrichedMesh mesh, const Vec2& place) {
+    const auto node_at = [&](const Vec2& x) {
+        const auto same = [&](const Vec2& node) { return (node - x).norm() < 1e-12; };
+        return static_cast<int>(std::ranges::find_if(mesh.nodes, same) - mesh.nodes.begin());
+    };
+    const Vec2 edge(1.0, 0.0);
+    mesh.tied = {{.node = node_at(place),
+                  .ends = {node_at(place - edge), node_at(place + edge)},
+                  .side = 1.0,
+                  .jump_tied = false}};
+    mesh.number();
+    return mesh;
 }
 
 /// The whole plate as the zone: all unknowns of its outer nodes are shared.

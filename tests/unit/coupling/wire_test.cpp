@@ -124,6 +124,7 @@ TEST(Wire, Restore) {
     snapshot.half_cycle_ended = true;
     snapshot.displacement = Eigen::Vector2d(1e-300, 2.0);
     snapshot.increments = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)};
+    snapshot.held = Eigen::Vector2d(0.0, -5.0);
     snapshot.multipliers = {{.crack = 1, .place = {0.5, 0.25}, .closed = true, .increments = {0.1, 0.2}}};
     snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
     const Restore copy = there_and_back(Restore{small_patch(), snapshot});
@@ -131,6 +132,7 @@ TEST(Wire, Restore) {
     EXPECT_TRUE(std::signbit(copy.snapshot.history.at(1)));
     EXPECT_TRUE(copy.snapshot.half_cycle_ended);
     EXPECT_EQ(copy.snapshot.increments, snapshot.increments);
+    EXPECT_EQ(copy.snapshot.held, snapshot.held);
     EXPECT_EQ(copy.snapshot.multipliers.at(0).place, Vec2(0.5, 0.25));
     EXPECT_TRUE(copy.snapshot.multipliers[0].closed);
     EXPECT_EQ(copy.snapshot.multipliers[0].increments, snapshot.multipliers[0].increments);

@@ -6,16 +6,32 @@
 #include <numeric>
 #include <set>
 
-#include "common/error.hpp"
 #include "common/fem/element_basis.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
 namespace {
 
-using coupling::share_out;
+using coupling::share_on, coupling::share_out;
 
 std::set<int> ranks_in(const std::vector<int>& rank) { return {rank.begin(), rank.end()}; }
+
+std::map<int, int> owners_of(const EnrichedMesh& mesh, const std::vector<int>& rank) {
+    std::map<int, int> owners;
+    for (std::size_t e = 0; e < rank.size(); ++e) owners[mesh.element_ids[e]] = rank[e];
+    return owners;
+}
+
+/// Ranks of the elements that carry pieces of a crack or see its functions.
+std::set<int> ranks_of_cracks(const EnrichedMesh& zone, const std::vector<int>& rank) {
+    const std::vector<int> piece = piece_of_elements(zone);
+    std::set<int> found;
+    for (int e = 0; e < std::ssize(zone.elements); ++e) {
+        const auto i = static_cast<std::size_t>(e);
+        if (ElementBasis(zone, e, piece[i] >= 0).enriched() || piece[i] >= 0) found.insert(rank[i]);
+    }
+    return found;
+}
 
 /// 12 x 9 elements; the crack enters from the left and ends in the middle of one.
 class ZonePartition : public testing::Test {
@@ -26,35 +42,25 @@ protected:
 
 TEST_F(ZonePartition, BalancesElements) {
     for (const int ranks : {1, 2, 3, 4, 6}) {
-        const std::vector<int> rank = share_out(zone, ranks, {});
+        const std::vector<int> rank = share_out(zone, ranks);
         EXPECT_EQ(std::ssize(ranks_in(rank)), ranks);
         for (int r = 0; r < ranks; ++r) EXPECT_LE(std::abs(std::ranges::count(rank, r) - 108 / ranks), 12) << r;
     }
 }
 
-TEST_F(ZonePartition, WhatSeesACrackStaysTogether) {
-    const std::vector<int> rank = share_out(zone, 4, {}), piece = piece_of_elements(zone);
-    std::set<int> of_crack;
-    for (int e = 0; e < std::ssize(zone.elements); ++e) {
-        const auto i = static_cast<std::size_t>(e);
-        if (ElementBasis(zone, e, piece[i] >= 0).enriched() || piece[i] >= 0) of_crack.insert(rank[i]);
-    }
-    EXPECT_EQ(of_crack.size(), 1U);
-}
+TEST_F(ZonePartition, WhatSeesACrackStaysTogether) { EXPECT_EQ(ranks_of_cracks(zone, share_out(zone, 4)).size(), 1U); }
 
 TEST_F(ZonePartition, MoreRanksThanElementsLeaveTheLastWithoutAny) {
     const EnrichedMesh small = extract(zone, {8, 9, 10});
-    EXPECT_EQ(share_out(small, 7, {}), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(share_out(small, 7), (std::vector<int>{0, 1, 2}));
 }
 
 TEST_F(ZonePartition, ElementsKeepTheirRankAndNewOnesJoinANeighbour) {
     std::vector<int> first(96);
     std::iota(first.begin(), first.end(), 0);  // all rows but the uppermost
     const EnrichedMesh before = extract(zone, first);
-    const std::vector<int> earlier = share_out(before, 3, {});
-    std::map<int, int> owners;
-    for (std::size_t e = 0; e < earlier.size(); ++e) owners[before.element_ids[e]] = earlier[e];
-    const std::vector<int> later = share_out(zone, 3, owners);
+    const std::vector<int> earlier = share_out(before, 3);
+    const std::vector<int> later = share_on(zone, owners_of(before, earlier)).value();
     for (std::size_t e = 0; e < 96; ++e) EXPECT_EQ(later[e], earlier[e]);
     for (std::size_t e = 96; e < 108; ++e) {
         std::set<int> below;
@@ -64,13 +70,30 @@ TEST_F(ZonePartition, ElementsKeepTheirRankAndNewOnesJoinANeighbour) {
     }
 }
 
-TEST_F(ZonePartition, HistoryOfACutElementDoesNotMove) {
-    const std::vector<int> rank = share_out(zone, 2, {});
-    std::map<int, int> owners;
-    for (std::size_t e = 0; e < rank.size(); ++e) owners[zone.element_ids[e]] = rank[e];
-    const Case grown = plate_case({{0.0, 4.4}, {11.6, 4.4}});
-    EXPECT_NO_THROW((void)share_out(zone, 2, owners));
-    EXPECT_THROW((void)share_out(plate_mesh(12, 9, grown), 2, owners), CaseError);
+TEST_F(ZonePartition, IsMadeAnewWhereALongerCrackCutsElementsOfAnotherRank) {
+    const std::vector<int> earlier = share_out(zone, 2);
+    EXPECT_EQ(share_on(zone, owners_of(zone, earlier)), earlier);
+    const EnrichedMesh longer = plate_mesh(12, 9, plate_case({{0.0, 4.4}, {9.6, 4.4}}));
+    EXPECT_FALSE(share_on(longer, owners_of(zone, earlier)).has_value());
+    const std::vector<int> later = share_out(longer, 2, zone);
+    EXPECT_EQ(ranks_of_cracks(longer, later).size(), 1U);
+    EXPECT_EQ(ranks_of_cracks(zone, later).size(), 1U);
+    EXPECT_LE(std::abs(std::ranges::count(later, 0) - 54), 12);
+}
+
+/// What either mesh ties together, for history moves while they are apart.
+TEST(CracksThatMeet, EndOnOneRank) {
+    const auto plate = [](double left, double right) {
+        return with_hanging_node(plate_mesh(12, 9, two_cracks(left, right, 12.0)), {6.0, 4.0});
+    };
+    const EnrichedMesh apart = plate(3.6, 8.4), together = plate(6.6, 6.4);
+    const std::vector<int> earlier = share_out(apart, 2);
+    EXPECT_EQ(ranks_of_cracks(apart, earlier), (std::set<int>{0, 1}));
+    EXPECT_FALSE(share_on(together, owners_of(apart, earlier)).has_value());
+    const std::vector<int> later = share_out(together, 2, apart);
+    EXPECT_EQ(ranks_of_cracks(together, later).size(), 1U);
+    EXPECT_EQ(ranks_of_cracks(apart, later), ranks_of_cracks(together, later));
+    EXPECT_EQ(ranks_in(later).size(), 2U);
 }
 
 }  // namespace
