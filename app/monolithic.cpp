@@ -282,6 +282,7 @@ std::unique_ptr<coarse::Equilibrium> MonolithicFactory::resume(const coarse::Str
                                                                const coupling::ZoneSnapshot& zone) {
     if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, 0.0);
     zone_.restore(*patch, zone);
+    zone_.wake({}, {});
     return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, 0.0);
 }
 

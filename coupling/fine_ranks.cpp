@@ -255,7 +255,7 @@ void FineRanks::rollback() {
 ZoneSnapshot FineRanks::snapshot() {
     ZoneSnapshot whole;
     whole.ranks = static_cast<std::int32_t>(scales_.size());
-    whole.displacement = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
+    whole.displacement = whole.rest_displacement = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
     whole.increments.assign(increments_.all().size(), whole.displacement);
     whole.held = whole.displacement;
     for (const Rank& rank : ranks_)

@@ -35,11 +35,14 @@ ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const 
         own.element.push_back(id);
         own.rank.push_back(whole.rank[e]);
         own.points.push_back(whole.points[e]);
+        own.quiet_half_cycles.push_back(whole.quiet_half_cycles[e]);
+        own.resting.push_back(whole.resting[e]);
         const auto columns = static_cast<std::size_t>(whole.columns);
         const auto begin = whole.history.begin() + static_cast<std::ptrdiff_t>(histories[e].first_row * columns);
         own.history.insert(own.history.end(), begin, begin + static_cast<std::ptrdiff_t>(histories[e].rows * columns));
     }
     own.displacement = gather(whole.displacement, unknowns);
+    own.rest_displacement = gather(whole.rest_displacement, unknowns);
     for (const Eigen::VectorXd& increment : whole.increments) own.increments.push_back(gather(increment, unknowns));
     own.held = gather(whole.held, unknowns);
     const auto here = [&](int crack) { return std::ranges::find(part.pieces, crack, &CrackPiece::crack); };
@@ -54,10 +57,13 @@ void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const
     append(whole.element, part.element);
     whole.rank.insert(whole.rank.end(), part.element.size(), rank);
     append(whole.points, part.points);
+    append(whole.quiet_half_cycles, part.quiet_half_cycles);
+    append(whole.resting, part.resting);
     whole.columns = part.columns;
     append(whole.history, part.history);
     whole.half_cycle_ended = part.half_cycle_ended;
     whole.displacement(unknowns) = part.displacement;
+    whole.rest_displacement(unknowns) = part.rest_displacement;
     for (std::size_t k = 0; k < part.increments.size(); ++k) whole.increments.at(k)(unknowns) = part.increments[k];
     whole.held(unknowns) += part.held;
     append(whole.multipliers, part.multipliers);

@@ -30,9 +30,11 @@ struct ZoneSnapshot {
     std::int32_t ranks = 1;  // that gave it
 
     // Per element.
-    std::vector<std::int32_t> element;  // id in the whole mesh
-    std::vector<std::int32_t> rank;     // whose it is
-    std::vector<std::int32_t> points;   // how many it has
+    std::vector<std::int32_t> element;            // id in the whole mesh
+    std::vector<std::int32_t> rank;               // whose it is
+    std::vector<std::int32_t> points;             // how many it has
+    std::vector<std::int32_t> quiet_half_cycles;  // since something has flowed in it
+    std::vector<std::int32_t> resting;            // its points are those of `rest_displacement`
 
     // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has
     // flowed in this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.
@@ -42,6 +44,7 @@ struct ZoneSnapshot {
 
     // Of all unknowns of the patch's mesh, mm.
     Eigen::VectorXd displacement;
+    Eigen::VectorXd rest_displacement;
     std::vector<Eigen::VectorXd> increments;  // the last ones, for predictors; the last of all first
     Eigen::VectorXd held;                     // by opening faces, N/mm: zero between increments, but for a growth's
 

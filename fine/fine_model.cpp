@@ -1,6 +1,7 @@
 #include "fine/fine_model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/stopwatch.hpp"
 
@@ -11,6 +12,7 @@ FineModel::FineModel(const Case& input) : system_(input) {}
 void FineModel::set_patch(const coupling::Patch& patch) {
     system_.set_patch(patch);
     plant_tree();
+    begin_rest(system_.may_rest());
 }
 
 void FineModel::plant_tree() {
@@ -50,11 +52,87 @@ coupling::PatchResponse FineModel::collect() {
         advance_interior();
     system_.set_load_factor(asked_.load_factor);
     system_.set_boundary(asked_.boundary);
-    system_.linearise();
-    find_changes();
+    linearise();
     coupling::PatchResponse response = system_.measure();
+    if (may_be_last(response) && wake_what_would_flow()) {
+        linearise();
+        response = system_.measure();
+    }
     condense(response);
     return response;
+}
+
+void FineModel::linearise() {
+    system_.linearise();
+    if (some_rest_) system_.add_response(tree_->response(moved_since_rest()).head(system_.load().size()));
+    find_changes();
+    rest_is_checked_ = false;
+}
+
+// Quiet subtrees of elements become leaves: their points and fronts are not looked at any more, until one would flow.
+void FineModel::begin_rest(std::vector<char> may_rest) {
+    some_rest_ = std::ranges::find(may_rest, 1) != may_rest.end();
+    if (!some_rest_) return;
+    if (all_changed_) {
+        find_changes();
+        factor();
+    }
+    may_rest.resize(changed_.size(), 0);  // multipliers never do
+    for (std::size_t e = 0; e < may_rest.size(); ++e)
+        if (changed_[e] != 0) may_rest[e] = 0;
+    tree_->rest(may_rest);
+    system_.rest(tree_->resting(), tree_->inside());
+    carry_rest_load();
+}
+
+// As a snapshot has it. Where the tree is another one, what does not fill a subtree of it is awake.
+void FineModel::rest_again(const coupling::ZoneSnapshot& snapshot) {
+    std::vector<char> resting(changed_.size(), 0);
+    for (std::size_t e = 0; e < snapshot.resting.size(); ++e) resting[e] = snapshot.resting[e] != 0 ? 1 : 0;
+    some_rest_ = std::ranges::find(resting, 1) != resting.end();
+    if (!some_rest_) return;
+    find_changes();
+    factor();
+    tree_->rest(resting);
+    system_.wake(tree_->resting(), tree_->inside());
+    carry_rest_load();
+}
+
+void FineModel::carry_rest_load() {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(std::ssize(tree_->inside()));
+    load.head(system_.displacement().size()) = system_.zone().rest_load();
+    tree_->carry(load);
+}
+
+Eigen::VectorXd FineModel::moved_since_rest() const {
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(std::ssize(tree_->inside()));
+    moved.head(system_.displacement().size()) = system_.displacement() - system_.zone().rest_displacement();
+    return moved;
+}
+
+// Generously: the structure, which decides, knows larger forces too.
+bool FineModel::may_be_last(const coupling::PatchResponse& response) const {
+    constexpr double margin = 10.0;
+    const double small = std::max(system_.tolerance() * response.interior_force, asked_.settled_below);
+    return some_rest_ && response.digest.status_changes == 0 &&
+           std::max(response.interior_residual, response.contact_residual) <= margin * small;
+}
+
+// True where something has been woken: then the trial state is to be evaluated again.
+bool FineModel::wake_what_would_flow() {
+    if (std::exchange(rest_is_checked_, true)) return false;
+    const Eigen::VectorXd& start = system_.zone().rest_displacement();
+    const std::vector<std::size_t> flowing =
+        system_.would_flow(start + tree_->follow(moved_since_rest()).head(start.size()));
+    if (flowing.empty()) return false;
+    std::vector<char> still = tree_->resting();
+    for (const std::size_t e : flowing) still[e] = 0;
+    const auto before = std::ranges::count(tree_->resting(), 1);
+    tree_->rest(still);
+    work_.elements_woken += before - std::ranges::count(tree_->resting(), 1);
+    system_.wake(tree_->resting(), tree_->inside());
+    carry_rest_load();
+    return true;
 }
 
 // What differs from the last factor: tangents of elements, and multipliers whose status has changed.
@@ -151,7 +229,12 @@ void FineModel::advance_interior() {
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {
+    if (some_rest_ && wake_what_would_flow()) linearise();
     coupling::StepReport report = system_.commit(reversal);
+    if (reversal) {
+        system_.wake({}, {});
+        begin_rest(system_.may_rest());
+    }
     report.factor_s = factor_s_;
     report.work += work_;
     return report;
@@ -164,6 +247,7 @@ coupling::ZoneSnapshot FineModel::snapshot() { return system_.snapshot(); }
 void FineModel::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
     system_.restore(patch, snapshot);
     plant_tree();
+    rest_again(snapshot);
 }
 
 }  // namespace stria::fine

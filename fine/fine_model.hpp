@@ -30,6 +30,13 @@ public:
 
 private:
     void plant_tree();
+    void begin_rest(std::vector<char> may_rest);
+    void rest_again(const coupling::ZoneSnapshot& snapshot);
+    void linearise();
+    [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
+    [[nodiscard]] bool may_be_last(const coupling::PatchResponse& response) const;
+    [[nodiscard]] bool wake_what_would_flow();
+    void carry_rest_load();
     void find_changes();
     [[nodiscard]] Eigen::MatrixXd multiplier_matrix(int k) const;
     [[nodiscard]] Eigen::VectorXd due() const;
@@ -47,6 +54,7 @@ private:
     coupling::PatchDisplacement asked_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;
+    bool some_rest_ = false, rest_is_checked_ = false;  // the latter: at the present trial state
     std::vector<char> changed_;  // per element, then multiplier: its matrix is not that of the last factor
     coupling::WorkCounts work_;  // of condensing
 };

@@ -34,10 +34,11 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     flowed_.assign(n, 0);
     tangents_ = elastic_stiffness_;
     changed_.assign(operators_.size(), 1);
-    proven_.assign(operators_.size(), 1);  // no force is known yet
+    course_.assign(operators_.size(), Course::Proven);  // no force is known yet
+    quiet_half_cycles_.assign(operators_.size(), 0);
     was_plastic_.assign(operators_.size(), 0);
     force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
-    committed_u_ = trial_u_ = displacement;
+    committed_u_ = trial_u_ = rest_u_ = displacement;
     increment_ = Eigen::VectorXd::Zero(mesh_.unknowns);
 }
 
@@ -101,6 +102,7 @@ void Zone::start(const Zone* old) {
 // the functions no longer say of the displacement's gradient is kept beside them.
 void Zone::take_state(const Zone& old, std::size_t old_element, std::size_t element) {
     const ElementOperator &before = old.operators_[old_element], &now = operators_[element];
+    quiet_half_cycles_[element] = old.quiet_half_cycles_[old_element];
     const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
     for (std::size_t q = 0; q < now.points.size(); ++q) {
         const auto point = static_cast<std::size_t>(first_point_[element]) + q;
@@ -129,14 +131,21 @@ Eigen::Matrix2d Zone::total_gradient(std::size_t e, std::size_t q, const Eigen::
 void Zone::evaluate(const Eigen::VectorXd& u) {
     trial_u_ = u;
     increment_ = u - committed_u_;
-    for (std::size_t e = 0; e < operators_.size(); ++e)
-        with_kernel(operators_[e],
-                    [&](const auto& kernel) { proven_[e] = static_cast<char>(proves_elastic(e, kernel)); });
-    update_points(0);
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (rests(e)) continue;
+        with_kernel(operators_[e], [&](const auto& kernel) {
+            course_[e] = proves_elastic(e, kernel) ? Course::Proven : Course::Evaluated;
+        });
+    }
+    update_points(Course::Evaluated);
     force_.setZero();
     force_scale_.setZero();
-    for (std::size_t e = 0; e < operators_.size(); ++e)
-        with_kernel(operators_[e], [&](const auto& kernel) { evaluate_element(e, kernel); });
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (rests(e))
+            counts_.points_at_rest += std::ssize(operators_[e].points);
+        else
+            with_kernel(operators_[e], [&](const auto& kernel) { evaluate_element(e, kernel); });
+    }
 }
 
 template <class Kernel> bool Zone::proves_elastic(std::size_t e, const Kernel& kernel) {
@@ -149,29 +158,33 @@ template <class Kernel> bool Zone::proves_elastic(std::size_t e, const Kernel& k
     return true;
 }
 
-// The points of all elements that are proven to be elastic, or of all that are not, in as long blocks as there are.
-void Zone::update_points(char proven) {
+// In as long blocks as there are.
+void Zone::update_points(Course course) {
     for (std::size_t e = 0; e < operators_.size();) {
         const std::size_t begin = e;
-        for (; e < operators_.size() && proven_[e] == proven; ++e)
-            with_kernel(operators_[e], [&](const auto& kernel) {
-                kernel.write_strains(increment_, strain_.data() + first_point_[e], points_);
-            });
-        const int first = first_point_[begin], end = e < operators_.size() ? first_point_[e] : points_;
-        if (end > first) {
-            law_->update(end - first, points_, strain_.data() + first, committed_.data() + first, trial_.data() + first,
-                         law_->flows() ? tangent_.data() + first : nullptr, yielding_.data() + first);
-            counts_.points_evaluated += end - first;
-        }
-        while (e < operators_.size() && proven_[e] != proven) ++e;
+        while (e < operators_.size() && course_[e] == course) ++e;
+        update_block(begin, e, increment_);
+        while (e < operators_.size() && course_[e] != course) ++e;
     }
+}
+
+void Zone::update_block(std::size_t begin, std::size_t end, const Eigen::VectorXd& increment) {
+    if (begin == end) return;
+    for (std::size_t e = begin; e < end; ++e)
+        with_kernel(operators_[e], [&](const auto& kernel) {
+            kernel.write_strains(increment, strain_.data() + first_point_[e], points_);
+        });
+    const int first = first_point_[begin], last = end < operators_.size() ? first_point_[end] : points_;
+    law_->update(last - first, points_, strain_.data() + first, committed_.data() + first, trial_.data() + first,
+                 law_->flows() ? tangent_.data() + first : nullptr, yielding_.data() + first);
+    counts_.points_evaluated += last - first;
 }
 
 template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel& kernel) {
     const ElementOperator& op = operators_[e];
     const int first = first_point_[e], count = static_cast<int>(op.points.size());
     double* element_force = trial_forces_.data() + first_force_[e];
-    if (proven_[e] == 0) {
+    if (course_[e] == Course::Evaluated) {
         const auto force =
             kernel.force(trial_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first, points_);
         std::copy_n(force.data(), op.unknowns.size(), element_force);
@@ -210,7 +223,7 @@ template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel&
 }
 
 void Zone::commit(bool reversal) {
-    update_points(1);
+    update_points(Course::Proven);
     committed_.swap(trial_);
     trial_ = committed_;
     committed_u_ = trial_u_;
@@ -219,36 +232,41 @@ void Zone::commit(bool reversal) {
     if (half_cycle_ended_) std::ranges::fill(flowed_, static_cast<unsigned char>(0));
     for (std::size_t q = 0; q < flowed_.size(); ++q) flowed_[q] = static_cast<unsigned char>(flowed_[q] | yielding_[q]);
     half_cycle_ended_ = reversal;
+    if (reversal) count_quiet_half_cycles();
 }
 
 void Zone::settle() {
     settle_forces();
-    measure_margins();
+    for (std::size_t e = 0; e < operators_.size(); ++e)
+        if (!rests(e)) measure_margin(e);
 }
 
-void Zone::measure_margins() {
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        const int count = static_cast<int>(operators_[e].points.size());
-        bound_.set_margin(e, law_->elastic_margin(count, points_, committed_.data() + first_point_[e]));
-    }
+void Zone::measure_margin(std::size_t e) {
+    const int count = static_cast<int>(operators_[e].points.size());
+    bound_.set_margin(e, law_->elastic_margin(count, points_, committed_.data() + first_point_[e]));
 }
 
 // Where the points were not looked at before the commit, the forces are now those of their stresses.
 void Zone::settle_forces() {
     for (std::size_t e = 0; e < operators_.size(); ++e) {
-        if (std::exchange(proven_[e], static_cast<char>(0)) == 0) continue;
-        with_kernel(operators_[e], [&](const auto& kernel) {
-            const auto force = kernel.force(
-                committed_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first_point_[e], points_);
-            std::copy_n(force.data(), operators_[e].unknowns.size(), trial_forces_.data() + first_force_[e]);
-        });
+        if (course_[e] != Course::Proven) continue;
+        course_[e] = Course::Evaluated;
+        find_forces(e);
     }
     committed_forces_ = trial_forces_;
 }
 
+void Zone::find_forces(std::size_t e) {
+    with_kernel(operators_[e], [&](const auto& kernel) {
+        const auto force = kernel.force(
+            committed_.data() + static_cast<std::ptrdiff_t>(state::stress) * points_ + first_point_[e], points_);
+        std::copy_n(force.data(), operators_[e].unknowns.size(), trial_forces_.data() + first_force_[e]);
+    });
+}
+
 Mandel Zone::trial_stress(std::size_t e, std::size_t q) const {
     const int point = first_point_[e] + static_cast<int>(q);
-    if (proven_[e] != 0)
+    if (course_[e] == Course::Proven)
         return committed_mandel(state::stress, point) +
                law_->elastic() * operators_[e].strain(gather(increment_, operators_[e].unknowns), q);
     Mandel stress;

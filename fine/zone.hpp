@@ -71,6 +71,25 @@ public:
     /// All that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
 
+    // Elements at rest: zone_rest.cpp.
+
+    /// Elements in which nothing has flowed for two half cycles, or ever can.
+    [[nodiscard]] std::vector<char> quiet() const;
+    /// These are left out of evaluate() from the committed state on: they respond elastically, and who condenses them
+    /// knows how.
+    void rest(const std::vector<char>& elements);
+    [[nodiscard]] bool rests(std::size_t element) const { return course_[element] == Course::Resting; }
+    /// Whether an element has points within a radius of a place, or could have.
+    [[nodiscard]] bool is_near(std::size_t element, const Vec2& place, double radius) const;
+    /// Where they came to rest: displacement of all unknowns, minus their nodal forces, and the scale of those.
+    [[nodiscard]] const Eigen::VectorXd& rest_displacement() const { return rest_u_; }
+    [[nodiscard]] Eigen::VectorXd rest_load() const;
+    /// Of those at rest, the ones that would flow at a displacement, which is the trial one from now on; it differs
+    /// from that of evaluate() only in what follows them.
+    [[nodiscard]] std::vector<std::size_t> would_flow(const Eigen::VectorXd& u);
+    /// Brings those that rest, and are not among `still`, to the committed displacement; evaluate() sees them again.
+    void wake(const std::vector<char>& still);
+
     /// So far, summed over evaluations: of points and elements.
     [[nodiscard]] const coupling::WorkCounts& counts() const { return counts_; }
     /// Numbers that all points store beyond their stresses.
@@ -93,11 +112,23 @@ private:
     [[nodiscard]] Eigen::Matrix2d total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const;
     template <class Kernel> [[nodiscard]] bool proves_elastic(std::size_t e, const Kernel& kernel);
     template <class Kernel> void evaluate_element(std::size_t e, const Kernel& kernel);
-    void update_points(char proven);
+    enum class Course : char { Evaluated, Proven, Resting };
+    void update_points(Course course);
+    void update_block(std::size_t begin, std::size_t end, const Eigen::VectorXd& increment);
     void settle();
     void settle_forces();
-    void measure_margins();
+    void find_forces(std::size_t e);
+    void measure_margin(std::size_t e);
+    void copy_state(std::size_t e, const std::vector<double>& from, std::vector<double>& to) const;
     [[nodiscard]] Mandel trial_stress(std::size_t e, std::size_t q) const;
+    void count_quiet_half_cycles();
+    [[nodiscard]] double energy_since_rest(std::size_t e) const;
+    struct PointState {
+        Mandel stress;
+        double work;
+    };
+    [[nodiscard]] Eigen::VectorXd moved_since_rest(std::size_t e) const;
+    [[nodiscard]] PointState committed_state(std::size_t e, std::size_t q, const Eigen::VectorXd& moved) const;
     /// Zero where the law stores no such component.
     [[nodiscard]] double committed(int component, int point) const {
         const std::size_t place =
@@ -120,7 +151,7 @@ private:
     // Elements that surely stay elastic: their trial force is the committed one plus that of their elastic matrix,
     // their points wait for the commit.
     ElasticBound bound_;
-    std::vector<char> proven_;
+    std::vector<Course> course_;
     std::vector<int> first_force_;                         // per element, in:
     std::vector<double> committed_forces_, trial_forces_;  // nodal, element by element
     Eigen::VectorXd increment_;                            // trial less committed displacement
@@ -130,6 +161,8 @@ private:
     std::vector<double> committed_, trial_, strain_, tangent_;
     std::vector<unsigned char> yielding_, flowed_;
     bool half_cycle_ended_ = false;
+    std::vector<int> quiet_half_cycles_;  // per element: since it has flowed
+    Eigen::VectorXd rest_u_;
 
     Eigen::VectorXd committed_u_, trial_u_, force_, force_scale_;
     std::vector<Eigen::MatrixXd> tangents_;

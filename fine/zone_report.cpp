@@ -42,6 +42,7 @@ double Zone::stored_energy() const {
         const double* state = committed_.data() + first_point_[e];
         for (const IntegrationPoint& point : operators_[e].points)
             sum += point.weight * law_->stored_energy(state++, points_);
+        if (rests(e)) sum += energy_since_rest(e);
     }
     return sum;
 }
@@ -50,11 +51,10 @@ void Zone::add_to(RingSums& rings) const {
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         const ElementOperator& op = operators_[e];
         if (!rings.enter(static_cast<int>(e))) continue;
-        const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
+        const Eigen::VectorXd u = gather(committed_u_, op.unknowns), moved = moved_since_rest(e);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const int point = first_point_[e] + static_cast<int>(q);
-            rings.add(op.points[q], committed_mandel(state::stress, point), total_gradient(e, q, u),
-                      law_->work(committed_.data() + point, points_));
+            const auto [stress, work] = committed_state(e, q, moved);
+            rings.add(op.points[q], stress, total_gradient(e, q, u), work);
         }
     }
 }
@@ -82,15 +82,19 @@ double Zone::plastic_extent(const Tip& tip, double half_angle) const {
     return largest;
 }
 
+bool Zone::is_near(std::size_t element, const Vec2& place, double radius) const {
+    const std::array<int, 4>& corners = mesh_.elements[element];
+    const double diagonal =
+        (mesh_.nodes[static_cast<std::size_t>(corners[0])] - mesh_.nodes[static_cast<std::size_t>(corners[2])]).norm();
+    return (operators_[element].points.front().x - place).norm() <= radius + 2.0 * diagonal;
+}
+
 double Zone::force_ahead(const Tip& tip, double radius) const {
     const Vec2 normal(-tip.direction.y(), tip.direction.x());
     double sum = 0.0;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         const std::vector<IntegrationPoint>& points = operators_[e].points;
-        const double diagonal = (mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][0])] -
-                                 mesh_.nodes[static_cast<std::size_t>(mesh_.elements[e][2])])
-                                    .norm();
-        if ((points.front().x - tip.position).norm() > radius + 2.0 * diagonal) continue;
+        if (!is_near(e, tip.position, radius)) continue;
         for (std::size_t q = 0; q < points.size(); ++q) {
             const IntegrationPoint& p = points[q];
             const Vec2 from_tip = p.x - tip.position;
@@ -105,6 +109,7 @@ double Zone::force_ahead(const Tip& tip, double radius) const {
 void Zone::describe(coupling::ZoneState& out) const {
     out.displacement = committed_u_;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
+        const Eigen::VectorXd moved = moved_since_rest(e);
         for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
             const IntegrationPoint& p = operators_[e].points[q];
             const int point = first_point_[e] + static_cast<int>(q);
@@ -113,7 +118,8 @@ void Zone::describe(coupling::ZoneState& out) const {
             out.x.push_back(p.x.x());
             out.y.push_back(p.x.y());
             out.weight.push_back(p.weight);
-            for (int c = 0; c < 4; ++c) out.stress.push_back(committed(state::stress + c, point));
+            const Mandel stress = committed_state(e, q, moved).stress;
+            for (int c = 0; c < 4; ++c) out.stress.push_back(stress[c]);
             for (int c = 0; c < 4; ++c) out.plastic_strain.push_back(committed(state::plastic_strain + c, point));
             out.accumulated.push_back(committed(state::accumulated, point));
         }

@@ -49,6 +49,11 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     if (some) frozen_gradient_ = std::move(frozen);
     trial_ = committed_;
     settle();
+    quiet_half_cycles_.assign(snapshot.quiet_half_cycles.begin(), snapshot.quiet_half_cycles.end());
+    std::vector<char> resting(operators_.size(), 0);
+    for (std::size_t e = 0; e < snapshot.resting.size(); ++e) resting[e] = snapshot.resting[e] != 0 ? 1 : 0;
+    rest(resting);
+    rest_u_ = snapshot.rest_displacement;
 }
 
 void Zone::remember(coupling::ZoneSnapshot& out) const {
@@ -72,6 +77,9 @@ void Zone::remember(coupling::ZoneSnapshot& out) const {
         }
     }
     out.half_cycle_ended = half_cycle_ended_;
+    out.quiet_half_cycles.assign(quiet_half_cycles_.begin(), quiet_half_cycles_.end());
+    for (std::size_t e = 0; e < operators_.size(); ++e) out.resting.push_back(rests(e) ? 1 : 0);
+    out.rest_displacement = rest_u_;
 }
 
 coupling::ZoneSnapshot ZoneSystem::snapshot() const {
@@ -117,7 +125,7 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     increments_.clear();
     for (Unknowns& increment : increments | std::views::reverse) increments_.push(std::move(increment));
     opening_ = OpeningFaces(snapshot.held);
-    const Zone::Counts so_far = zone_ ? zone_->counts() : Zone::Counts();
+    const coupling::WorkCounts so_far = zone_ ? zone_->counts() : coupling::WorkCounts();
     zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), snapshot);
     zone_->count_on_from(so_far);
     begin_with(patch);

@@ -15,6 +15,7 @@ ZoneSystem::ZoneSystem(const Case& input)
       increments_(remembered_increments(input.load.steps)) {}
 
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
+    if (zone_) wake({}, {});
     const std::unique_ptr<Zone> old = std::move(zone_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     if (old) keep_displacement(patch);
@@ -45,6 +46,7 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = committed_;
+    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
     contact_->settle(committed_.displacement);
     find_tip_stations();
 }
@@ -133,13 +135,49 @@ void ZoneSystem::linearise() {
     load_ = load_factor_ * patch_.unit_load - force;
 }
 
+std::vector<char> ZoneSystem::may_rest() const {
+    std::vector<char> may = zone_->quiet();
+    for (std::size_t e = 0; e < may.size(); ++e) {
+        const ElementOperator& op = zone_->operators()[e];
+        const auto bears_load = [&](int unknown) { return patch_.unit_load[unknown] != 0.0; };
+        if (std::ranges::any_of(op.unknowns, bears_load)) may[e] = 0;
+        for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
+            if (zone_->is_near(e, patch_.mesh.tips[t].position, patch_.ahead[t])) may[e] = 0;
+    }
+    return may;
+}
+
+void ZoneSystem::rest(const std::vector<char>& elements, const std::vector<char>& inside) {
+    zone_->rest(elements);
+    set_inside(inside);
+}
+
+std::vector<std::size_t> ZoneSystem::would_flow(const Eigen::VectorXd& displacement) {
+    const Stopwatch watch(constitutive_s_);
+    for (Eigen::Index i = 0; i < trial_.displacement.size(); ++i)
+        if (inside_[static_cast<std::size_t>(i)] != 0) trial_.displacement[i] = displacement[i];
+    return zone_->would_flow(trial_.displacement);
+}
+
+void ZoneSystem::wake(const std::vector<char>& still, const std::vector<char>& inside) {
+    zone_->wake(still);
+    set_inside(inside);
+}
+
+void ZoneSystem::set_inside(const std::vector<char>& inside) {
+    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    std::copy_n(inside.begin(), std::min(inside.size(), inside_.size()), inside_.begin());
+    force_scale_at_rest_ = zone_->rest_load().lpNorm<Eigen::Infinity>();
+}
+
 coupling::PatchResponse ZoneSystem::measure() {
     coupling::PatchResponse response;
     std::vector<char> on_boundary(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
     for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
+    response.interior_force = force_scale_at_rest_;
     for (int i = 0; i < patch_.mesh.unknowns; ++i) {
         response.interior_force = std::max(response.interior_force, zone_->force_scale()[i]);
-        if (on_boundary[static_cast<std::size_t>(i)] == 0)
+        if (on_boundary[static_cast<std::size_t>(i)] == 0 && inside_[static_cast<std::size_t>(i)] == 0)
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
     step_ = damping_.factor(response.interior_residual);

@@ -37,6 +37,18 @@ public:
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
     void linearise();
 
+    /// Elements that may rest: quiet ones, without loads of their own, that nobody asks what lies ahead of a tip.
+    [[nodiscard]] std::vector<char> may_rest() const;
+    /// From the committed state on; `inside`: unknowns, by a flag, that follow the others. Of those neither loads nor
+    /// residuals are known here.
+    void rest(const std::vector<char>& elements, const std::vector<char>& inside);
+    /// The trial unknowns inside go where they follow the others to; the elements that would flow there.
+    [[nodiscard]] std::vector<std::size_t> would_flow(const Eigen::VectorXd& displacement);
+    /// All but those that still rest are evaluated again.
+    void wake(const std::vector<char>& still, const std::vector<char>& inside);
+    /// What the elements at rest do to the others, N/mm.
+    void add_response(const Eigen::VectorXd& load) { load_ += load; }
+
     /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p), N/mm.
     [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
 
@@ -55,6 +67,7 @@ public:
     [[nodiscard]] coupling::PatchResponse measure();
     /// What of the correction that follows is to be taken.
     [[nodiscard]] double step() const { return step_; }
+    [[nodiscard]] double tolerance() const { return input_.solver.tolerance; }
 
     coupling::StepReport commit(bool reversal);
     [[nodiscard]] coupling::ZoneState state() const;
@@ -75,6 +88,7 @@ private:
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
     void find_tip_stations();
+    void set_inside(const std::vector<char>& inside);
     void keep_displacement(const coupling::Patch& next);
     void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
     void open_new_faces(const EnrichedMesh& before);
@@ -96,6 +110,8 @@ private:
     OpeningFaces opening_;
     IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd gap_, load_;
+    std::vector<char> inside_;  // per unknown: of what rests; empty: nothing does
+    double force_scale_at_rest_ = 0.0;
     double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;

@@ -137,6 +137,11 @@ int Front::eliminate_general(double tolerance) {
     return -1;
 }
 
+Eigen::VectorXd Front::times_schur(const Eigen::VectorXd& x) const {
+    if (!symmetric()) return schur_ * x;
+    return schur_.selfadjointView<Eigen::Lower>() * x;
+}
+
 void Front::mirror() {
     if (symmetric()) mirror_lower(schur_);
 }

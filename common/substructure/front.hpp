@@ -42,6 +42,7 @@ public:
     void mirror();
 
     [[nodiscard]] const Eigen::MatrixXd& schur() const { return schur_; }
+    [[nodiscard]] Eigen::VectorXd times_schur(const Eigen::VectorXd& x) const;
 
     using Vector = Eigen::Ref<Eigen::VectorXd>;
     using ConstVector = Eigen::Ref<const Eigen::VectorXd>;

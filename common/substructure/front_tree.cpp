@@ -17,6 +17,8 @@ auto at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 struct FrontTree::Tree {
+    enum class Rest : char { Awake, Leaf, Inside };
+
     explicit Tree(const Layout& layout);
 
     void refactor(std::size_t index, const MatrixOfElement& matrix_of);
@@ -26,13 +28,18 @@ struct FrontTree::Tree {
     AssemblyTree plan;
     std::vector<Front> fronts;
     std::vector<char> dirty;
+    std::vector<Rest> rest;             // per node
+    std::vector<char> resting, inside;  // per element, per unknown
+    Eigen::VectorXd carried;            // by rank
     bool factored = false;
     long refactored = 0;
     int widest = 0;  // most unknowns that a front keeps
 };
 
 FrontTree::Tree::Tree(const Layout& layout)
-    : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()) {
+    : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()),
+      rest(plan.nodes.size(), Rest::Awake), resting(elements, 0), inside(plan.rank.size(), 0),
+      carried(Eigen::VectorXd::Zero(std::ssize(plan.rank))) {
     fronts.reserve(plan.nodes.size());
     for (const AssemblyTree::Node& node : plan.nodes) {
         const int kept = static_cast<int>(node.kept.size());
@@ -111,6 +118,7 @@ ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     y(tree.plan.rank) = load;
     Eigen::VectorXd buffer(tree.widest);
     for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
+        if (tree.rest[index] != Tree::Rest::Awake) continue;
         const AssemblyTree::Node& node = tree.plan.nodes[index];
         auto kept = buffer.head(std::ssize(node.kept));
         kept = y(node.kept);
@@ -129,10 +137,88 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
     x << load.interior, boundary;
     Eigen::VectorXd buffer(tree.widest);
     for (std::size_t index = tree.fronts.size(); index-- > 0;) {
+        if (tree.rest[index] != Tree::Rest::Awake) continue;
         const AssemblyTree::Node& node = tree.plan.nodes[index];
         auto kept = buffer.head(std::ssize(node.kept));
         kept = x(node.kept);
         tree.fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
+    }
+    return x(tree.plan.rank);
+}
+
+void FrontTree::rest(std::span<const char> may_rest) {
+    Tree& tree = *tree_;
+    require(tree.factored && may_rest.size() == tree.elements,
+            "front tree: factor() before rest(), one flag an element");
+    using Rest = Tree::Rest;
+    std::ranges::fill(tree.resting, static_cast<char>(0));
+    std::ranges::fill(tree.inside, static_cast<char>(0));
+    std::vector<char> inside(tree.plan.rank.size(), 0);  // by rank
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        const auto rests = [&](int child) { return tree.rest[at(child)] != Rest::Awake; };
+        const auto may = [&](int element) { return may_rest[at(element)] != 0; };
+        const bool all =
+            node.leaf() ? std::ranges::all_of(node.elements, may) : std::ranges::all_of(node.children, rests);
+        tree.rest[index] = all ? Rest::Leaf : Rest::Awake;
+        if (!all) continue;
+        for (const int child : node.children)
+            if (child >= 0) tree.rest[at(child)] = Rest::Inside;
+        for (const int element : node.elements) tree.resting[at(element)] = 1;
+        std::fill_n(inside.begin() + node.first_rank, node.eliminated, static_cast<char>(1));
+    }
+    for (std::size_t i = 0; i < inside.size(); ++i) tree.inside[i] = inside[at(tree.plan.rank[i])];
+    tree.carried.setZero();
+}
+
+const std::vector<char>& FrontTree::resting() const { return tree_->resting; }
+const std::vector<char>& FrontTree::inside() const { return tree_->inside; }
+
+void FrontTree::carry(const Eigen::VectorXd& load) {
+    Tree& tree = *tree_;
+    Eigen::VectorXd y(load.size());
+    y(tree.plan.rank) = load;
+    Eigen::VectorXd buffer(tree.widest);
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
+        if (tree.rest[index] == Tree::Rest::Awake) continue;
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        auto kept = buffer.head(std::ssize(node.kept));
+        kept = y(node.kept);
+        tree.fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
+        y(node.kept) = kept;
+    }
+    tree.carried = y;
+}
+
+Eigen::VectorXd FrontTree::response(const Eigen::VectorXd& move) const {
+    const Tree& tree = *tree_;
+    Eigen::VectorXd x(move.size());
+    x(tree.plan.rank) = move;
+    Eigen::VectorXd load = tree.carried;
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
+        if (tree.rest[index] == Tree::Rest::Awake) continue;
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        load.segment(node.first_rank, node.eliminated).setZero();
+        if (tree.rest[index] != Tree::Rest::Leaf) continue;
+        const Eigen::VectorXd kept = x(node.kept);
+        load(node.kept) -= tree.fronts[index].times_schur(kept);
+    }
+    return load(tree.plan.rank);
+}
+
+Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
+    const Tree& tree = *tree_;
+    Eigen::VectorXd x(move.size());
+    x(tree.plan.rank) = move;
+    Eigen::VectorXd buffer(tree.widest);
+    for (std::size_t index = tree.fronts.size(); index-- > 0;) {
+        if (tree.rest[index] == Tree::Rest::Awake) continue;
+        const AssemblyTree::Node& node = tree.plan.nodes[index];
+        auto own = x.segment(node.first_rank, node.eliminated);
+        own = tree.carried.segment(node.first_rank, node.eliminated);
+        auto kept = buffer.head(std::ssize(node.kept));
+        kept = x(node.kept);
+        tree.fronts[index].backward(own, kept);
     }
     return x(tree.plan.rank);
 }

@@ -44,6 +44,20 @@ public:
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
 
+    /// Subtrees whose elements may all rest serve as leaves from now on: factor(), reduce() and expand() leave alone
+    /// what is inside them, and their elements do not change. Loads and displacements of what rests are in the
+    /// functions below.
+    void rest(std::span<const char> may_rest);
+    [[nodiscard]] const std::vector<char>& resting() const;  // per element
+    [[nodiscard]] const std::vector<char>& inside() const;   // per unknown: of a subtree that rests
+
+    /// Carries the load that is due on the elements that rest, on all unknowns, onto what is awake. Kept.
+    void carry(const Eigen::VectorXd& load);
+    /// What those subtrees do to the unknowns awake once all have moved by `move` since: the carried load - S move.
+    [[nodiscard]] Eigen::VectorXd response(const Eigen::VectorXd& move) const;
+    /// `move` with the unknowns inside them following the others.
+    [[nodiscard]] Eigen::VectorXd follow(const Eigen::VectorXd& move) const;
+
     /// Fronts in the tree, and fronts refactored so far (counters of DESIGN 8).
     [[nodiscard]] int fronts() const;
     [[nodiscard]] long refactored() const;

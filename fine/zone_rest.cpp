@@ -1,0 +1,112 @@
+// Elements at rest: where nothing has flowed for a cycle the zone is a linear substructure about its stored plastic
+// strain (DESIGN section 1). Its points stay where they were; whether one would flow is looked at once an increment.
+#include "fine/zone.hpp"
+
+#include <algorithm>
+
+#include "fine/element_kernels.hpp"
+
+namespace stria::fine {
+
+void Zone::count_quiet_half_cycles() {
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        const auto begin = flowed_.begin() + first_point_[e];
+        const bool flowed = std::any_of(begin, begin + std::ssize(operators_[e].points), [](auto f) { return f != 0; });
+        quiet_half_cycles_[e] = flowed ? 0 : quiet_half_cycles_[e] + 1;
+    }
+}
+
+std::vector<char> Zone::quiet() const {
+    constexpr int whole_cycle = 2;
+    std::vector<char> quiet(operators_.size());
+    for (std::size_t e = 0; e < quiet.size(); ++e)
+        quiet[e] = !law_->flows() || quiet_half_cycles_[e] >= whole_cycle ? 1 : 0;
+    return quiet;
+}
+
+void Zone::rest(const std::vector<char>& elements) {
+    rest_u_ = committed_u_;
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (elements[e] == 0) continue;
+        course_[e] = Course::Resting;
+        changed_[e] = was_plastic_[e] = 0;
+        std::fill_n(yielding_.begin() + first_point_[e], operators_[e].points.size(), static_cast<unsigned char>(0));
+    }
+}
+
+Eigen::VectorXd Zone::rest_load() const {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh_.unknowns);
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (!rests(e)) continue;
+        const double* force = committed_forces_.data() + first_force_[e];
+        for (const int unknown : operators_[e].unknowns) load[unknown] -= *force++;
+    }
+    return load;
+}
+
+// Most are proven elastic by their energy; of the others the law tells, as of any point.
+std::vector<std::size_t> Zone::would_flow(const Eigen::VectorXd& u) {
+    trial_u_ = u;  // what rests has followed since evaluate()
+    const Eigen::VectorXd moved = u - rest_u_;
+    std::vector<std::size_t> found;
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (!rests(e)) continue;
+        bool proven = false;
+        with_kernel(operators_[e], [&](const auto& kernel) {
+            proven = bound_.proves(e, kernel.elastic(elastic_stiffness_[e], moved).work);
+        });
+        if (proven) continue;
+        update_block(e, e + 1, moved);
+        const auto begin = yielding_.begin() + first_point_[e], end = begin + std::ssize(operators_[e].points);
+        if (std::any_of(begin, end, [](auto y) { return y != 0; })) found.push_back(e);
+        std::fill(begin, end, static_cast<unsigned char>(0));
+        copy_state(e, committed_, trial_);
+    }
+    return found;
+}
+
+void Zone::copy_state(std::size_t e, const std::vector<double>& from, std::vector<double>& to) const {
+    for (int c = 0; c < law_->state_size(); ++c) {
+        const auto begin = static_cast<std::ptrdiff_t>(c) * points_ + first_point_[e];
+        std::copy_n(from.begin() + begin, operators_[e].points.size(), to.begin() + begin);
+    }
+}
+
+void Zone::wake(const std::vector<char>& still) {
+    const Eigen::VectorXd moved = committed_u_ - rest_u_;
+    for (std::size_t e = 0; e < operators_.size(); ++e) {
+        if (!rests(e) || (!still.empty() && still[e] != 0)) continue;
+        update_block(e, e + 1, moved);
+        copy_state(e, trial_, committed_);
+        course_[e] = Course::Evaluated;
+        find_forces(e);
+        std::copy_n(trial_forces_.begin() + first_force_[e], operators_[e].unknowns.size(),
+                    committed_forces_.begin() + first_force_[e]);
+        measure_margin(e);
+    }
+}
+
+// Of the element's unknowns; empty where it does not rest.
+Eigen::VectorXd Zone::moved_since_rest(std::size_t e) const {
+    if (!rests(e)) return {};
+    return gather(committed_u_, operators_[e].unknowns) - gather(rest_u_, operators_[e].unknowns);
+}
+
+double Zone::energy_since_rest(std::size_t e) const {
+    const Eigen::VectorXd moved = moved_since_rest(e);
+    const Eigen::Map<const Eigen::VectorXd> force(committed_forces_.data() + first_force_[e], moved.size());
+    return moved.dot(force + 0.5 * elastic_stiffness_[e] * moved);
+}
+
+Zone::PointState Zone::committed_state(std::size_t e, std::size_t q, const Eigen::VectorXd& moved) const {
+    const int point = first_point_[e] + static_cast<int>(q);
+    PointState state{committed_mandel(state::stress, point), law_->work(committed_.data() + point, points_)};
+    if (moved.size() == 0) return state;
+    const Mandel strain = operators_[e].strain(moved, q);
+    const Mandel change = law_->elastic() * strain;
+    state.work += (state.stress + 0.5 * change).dot(strain);
+    state.stress += change;
+    return state;
+}
+
+}  // namespace stria::fine
