@@ -117,7 +117,7 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     increments_.clear();
     for (Unknowns& increment : increments | std::views::reverse) increments_.push(std::move(increment));
     opening_ = OpeningFaces(snapshot.held);
-    const Zone::Counts so_far = zone_ ? zone_->counts() : Zone::Counts();
+    const coupling::WorkCounts so_far = zone_ ? zone_->counts() : coupling::WorkCounts();
     zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), snapshot);
     zone_->count_on_from(so_far);
     begin_with(patch);
