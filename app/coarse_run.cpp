@@ -136,8 +136,7 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.fine_unknowns = zone.unknowns;
     summary.fine_points = zone.points;
     summary.multipliers = zone.multipliers;
-    summary.work = zone.work;
-    summary.work += analysis.work();
+    summary.work = zone.work + analysis.work();
     summary.newton_iterations = analysis.newton_iterations();
     summary.step_cuts = analysis.cuts();
     summary.zone_extensions = analysis.zone_extensions();

@@ -18,9 +18,9 @@ ROOT = Path(__file__).resolve().parent.parent
 
 PHASES = {
     "fine_constitutive": "strains, return mapping, forces and tangents of the zone",
-    "fine_factor": "fronts, contact at the root, tangent on Gamma",
+    "fine_factor": "fronts with the multipliers in them, tangent on Gamma",
     "fine_contact": "gaps and statuses",
-    "exchange": "all the coarse side waits for the zone: the lines above and its reports",
+    "exchange": "from question to answer: the lines above, and in process also what the coarse side does meanwhile",
     "coarse_solve": "Gamma, near structure, guard, rings",
     "output": "tables",
 }
@@ -29,7 +29,7 @@ PHASES = {
 PARTS = {
     "return mapping": r"fine::(J2|J2PlaneStress|Elastic)::update",
     "strains, forces and tangents of points": r"fine::Zone::(evaluate|evaluate_element|update_points|commit|settle|measure_margins|proves_elastic)",
-    "contact": r"fine::Contact(Interface|Block)::",
+    "contact": r"fine::ContactInterface::",
     "fronts: factor": r"FrontTree::factor",
     "fronts: solve": r"FrontTree::(reduce|expand)",
     "Gamma: factor": r"CondensedEquilibrium::factor_tangent",

@@ -307,13 +307,6 @@ void FatigueAnalysis::end_cycle(Increment& increment) {
     last_cycle_ = increment.cycles;
 }
 
-coupling::WorkCounts FatigueAnalysis::work() const {
-    coupling::WorkCounts work = earlier_work_;
-    work += equilibrium_->work();
-    work += guard_.work();
-    return work;
-}
-
 void FatigueAnalysis::look_at_rings(const Increment& increment) {
     const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
     if (tip == increment.tips.end()) return;

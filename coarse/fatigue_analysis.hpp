@@ -71,7 +71,7 @@ public:
     [[nodiscard]] int zone_extensions() const { return extensions_; }
     [[nodiscard]] int yield_warnings() const { return warnings_; }
     /// Of the structure.
-    [[nodiscard]] coupling::WorkCounts work() const;
+    [[nodiscard]] coupling::WorkCounts work() const { return earlier_work_ + equilibrium_->work() + guard_.work(); }
     /// Increments in which some tip had no ring outside what has flowed.
     [[nodiscard]] int flowing_rings() const { return flowing_rings_; }
     [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }

@@ -89,4 +89,6 @@ inline WorkCounts& operator+=(WorkCounts& sum, const WorkCounts& more) {
     return sum;
 }
 
+inline WorkCounts operator+(WorkCounts one, const WorkCounts& other) { return one += other; }
+
 }  // namespace stria::coupling
