@@ -46,15 +46,17 @@ void FineModel::plant_tree() {
 void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
 
 coupling::PatchResponse FineModel::collect() {
-    if (asked_.iteration == 0)
+    if (asked_.iteration == 0) {
         system_.predict(asked_.predictor);
-    else
+        rest_was_checked_ = false;
+    } else {
         advance_interior();
+    }
     system_.set_load_factor(asked_.load_factor);
     system_.set_boundary(asked_.boundary);
     linearise();
     coupling::PatchResponse response = system_.measure();
-    if (may_be_last(response) && wake_what_would_flow()) {
+    if (is_time_to_check_rest(response) && wake_what_would_flow()) {
         linearise();
         response = system_.measure();
     }
@@ -110,17 +112,20 @@ Eigen::VectorXd FineModel::moved_since_rest() const {
     return moved;
 }
 
-// Generously: the structure, which decides, knows larger forces too.
-bool FineModel::may_be_last(const coupling::PatchResponse& response) const {
-    constexpr double margin = 10.0;
-    const double small = std::max(system_.tolerance() * response.interior_force, asked_.settled_below);
-    return some_rest_ && response.digest.status_changes == 0 &&
-           std::max(response.interior_residual, response.contact_residual) <= margin * small;
+// Once as soon as the state is roughly known, so that what is woken has iterations to come; and where this may be the
+// last one: generously, for the structure, which decides, knows larger forces too.
+bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) const {
+    if (!some_rest_ || response.digest.status_changes != 0) return false;
+    constexpr double roughly = 1e-2, margin = 10.0;
+    const double residual = std::max(response.interior_residual, response.contact_residual);
+    return residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.settled_below) ||
+           (!rest_was_checked_ && asked_.iteration > 0 && residual <= roughly * response.interior_force);
 }
 
 // True where something has been woken: then the trial state is to be evaluated again.
 bool FineModel::wake_what_would_flow() {
     if (std::exchange(rest_is_checked_, true)) return false;
+    rest_was_checked_ = true;
     const Eigen::VectorXd& start = system_.zone().rest_displacement();
     const std::vector<std::size_t> flowing =
         system_.would_flow(start + tree_->follow(moved_since_rest()).head(start.size()));

@@ -34,7 +34,7 @@ private:
     void rest_again(const coupling::ZoneSnapshot& snapshot);
     void linearise();
     [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
-    [[nodiscard]] bool may_be_last(const coupling::PatchResponse& response) const;
+    [[nodiscard]] bool is_time_to_check_rest(const coupling::PatchResponse& response) const;
     [[nodiscard]] bool wake_what_would_flow();
     void carry_rest_load();
     void find_changes();
@@ -54,7 +54,8 @@ private:
     coupling::PatchDisplacement asked_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;
-    bool some_rest_ = false, rest_is_checked_ = false;  // the latter: at the present trial state
+    // Something rests; it was looked at: at the present trial state, in this increment.
+    bool some_rest_ = false, rest_is_checked_ = false, rest_was_checked_ = false;
     std::vector<char> changed_;  // per element, then multiplier: its matrix is not that of the last factor
     coupling::WorkCounts work_;  // of condensing
 };

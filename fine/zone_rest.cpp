@@ -1,10 +1,11 @@
 // Elements at rest: where nothing has flowed for a cycle the zone is a linear substructure about its stored plastic
 // strain (DESIGN section 1). Its points stay where they were; whether one would flow is looked at once an increment.
-#include "fine/zone.hpp"
-
 #include <algorithm>
 
+#include "common/stopwatch.hpp"
+
 #include "fine/element_kernels.hpp"
+#include "fine/zone_system.hpp"
 
 namespace stria::fine {
 
@@ -107,6 +108,46 @@ Zone::PointState Zone::committed_state(std::size_t e, std::size_t q, const Eigen
     state.work += (state.stress + 0.5 * change).dot(strain);
     state.stress += change;
     return state;
+}
+
+void ZoneSystem::add_response(const Eigen::VectorXd& load) {
+    load_ += load;
+    response_ = load;
+}
+
+std::vector<char> ZoneSystem::may_rest() const {
+    std::vector<char> may = zone_->quiet();
+    for (std::size_t e = 0; e < may.size(); ++e) {
+        const ElementOperator& op = zone_->operators()[e];
+        const auto bears_load = [&](int unknown) { return patch_.unit_load[unknown] != 0.0; };
+        if (std::ranges::any_of(op.unknowns, bears_load)) may[e] = 0;
+        for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
+            if (zone_->is_near(e, patch_.mesh.tips[t].position, patch_.ahead[t])) may[e] = 0;
+    }
+    return may;
+}
+
+void ZoneSystem::rest(const std::vector<char>& elements, const std::vector<char>& inside) {
+    zone_->rest(elements);
+    set_inside(inside);
+}
+
+std::vector<std::size_t> ZoneSystem::would_flow(const Eigen::VectorXd& displacement) {
+    const Stopwatch watch(constitutive_s_);
+    for (Eigen::Index i = 0; i < trial_.displacement.size(); ++i)
+        if (inside_[static_cast<std::size_t>(i)] != 0) trial_.displacement[i] = displacement[i];
+    return zone_->would_flow(trial_.displacement);
+}
+
+void ZoneSystem::wake(const std::vector<char>& still, const std::vector<char>& inside) {
+    zone_->wake(still);
+    set_inside(inside);
+}
+
+void ZoneSystem::set_inside(const std::vector<char>& inside) {
+    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    std::copy_n(inside.begin(), std::min(inside.size(), inside_.size()), inside_.begin());
+    force_scale_at_rest_ = zone_->rest_load().lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace stria::fine

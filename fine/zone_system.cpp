@@ -133,41 +133,7 @@ void ZoneSystem::linearise() {
     Eigen::VectorXd force = zone_->internal_force();
     contact_->add_force(trial_.pressure, force);
     load_ = load_factor_ * patch_.unit_load - force;
-}
-
-std::vector<char> ZoneSystem::may_rest() const {
-    std::vector<char> may = zone_->quiet();
-    for (std::size_t e = 0; e < may.size(); ++e) {
-        const ElementOperator& op = zone_->operators()[e];
-        const auto bears_load = [&](int unknown) { return patch_.unit_load[unknown] != 0.0; };
-        if (std::ranges::any_of(op.unknowns, bears_load)) may[e] = 0;
-        for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
-            if (zone_->is_near(e, patch_.mesh.tips[t].position, patch_.ahead[t])) may[e] = 0;
-    }
-    return may;
-}
-
-void ZoneSystem::rest(const std::vector<char>& elements, const std::vector<char>& inside) {
-    zone_->rest(elements);
-    set_inside(inside);
-}
-
-std::vector<std::size_t> ZoneSystem::would_flow(const Eigen::VectorXd& displacement) {
-    const Stopwatch watch(constitutive_s_);
-    for (Eigen::Index i = 0; i < trial_.displacement.size(); ++i)
-        if (inside_[static_cast<std::size_t>(i)] != 0) trial_.displacement[i] = displacement[i];
-    return zone_->would_flow(trial_.displacement);
-}
-
-void ZoneSystem::wake(const std::vector<char>& still, const std::vector<char>& inside) {
-    zone_->wake(still);
-    set_inside(inside);
-}
-
-void ZoneSystem::set_inside(const std::vector<char>& inside) {
-    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
-    std::copy_n(inside.begin(), std::min(inside.size(), inside_.size()), inside_.begin());
-    force_scale_at_rest_ = zone_->rest_load().lpNorm<Eigen::Infinity>();
+    response_.resize(0);
 }
 
 coupling::PatchResponse ZoneSystem::measure() {
@@ -175,8 +141,10 @@ coupling::PatchResponse ZoneSystem::measure() {
     std::vector<char> on_boundary(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
     for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
     response.interior_force = force_scale_at_rest_;
+    const Eigen::VectorXd scale =
+        response_.size() > 0 ? zone_->force_scale() + response_.cwiseAbs() : zone_->force_scale();
     for (int i = 0; i < patch_.mesh.unknowns; ++i) {
-        response.interior_force = std::max(response.interior_force, zone_->force_scale()[i]);
+        response.interior_force = std::max(response.interior_force, scale[i]);
         if (on_boundary[static_cast<std::size_t>(i)] == 0 && inside_[static_cast<std::size_t>(i)] == 0)
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }

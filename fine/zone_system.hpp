@@ -47,7 +47,7 @@ public:
     /// All but those that still rest are evaluated again.
     void wake(const std::vector<char>& still, const std::vector<char>& inside);
     /// What the elements at rest do to the others, N/mm.
-    void add_response(const Eigen::VectorXd& load) { load_ += load; }
+    void add_response(const Eigen::VectorXd& load);
 
     /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p), N/mm.
     [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
@@ -112,6 +112,7 @@ private:
     Eigen::VectorXd gap_, load_;
     std::vector<char> inside_;  // per unknown: of what rests; empty: nothing does
     double force_scale_at_rest_ = 0.0;
+    Eigen::VectorXd response_;  // of what rests, N/mm; empty: nothing does
     double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;

@@ -128,10 +128,14 @@ TEST_P(Modes, MonolithicIsTheSameToRounding) {
     const RunHistory whole = run_analysis(input(), factory);
     ASSERT_EQ(whole.increments.size(), direct->increments.size());
     const coarse::TipResult& scale = direct->at_maximum().tips[0];
+    std::int64_t rested = 0;
     for (std::size_t k = 0; k < whole.increments.size(); ++k) {
         const Followed &a = direct->increments[k], &b = whole.increments[k];
         const coarse::TipResult &p = a.tips[0], &q = b.tips[0];
-        EXPECT_EQ(a.newton.count(), b.newton.count()) << "increment " << k + 1;
+        // What rests joins the iterations when it is woken; one matrix knows no rest.
+        if (std::exchange(rested, a.zone.work.points_at_rest) == a.zone.work.points_at_rest) {
+            EXPECT_EQ(a.newton.count(), b.newton.count()) << "increment " << k + 1;
+        }
         EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J);
         EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I);
         EXPECT_NEAR(p.K_II, q.K_II, 1e-9 * scale.K_I);  // zero by symmetry

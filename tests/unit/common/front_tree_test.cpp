@@ -270,6 +270,61 @@ TEST(FrontTree, MultipliersAreEliminatedWithWhatTheyActOn) {
     EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-10);
 }
 
+// A linear problem does not care which of its elements rest.
+TEST_P(FrontTreeOfEither, SubtreesAtRestRespondAsTheirElementsDo) {
+    Grid grid(9, 7, GetParam());
+    grid.ground();
+    grid.keep_outline();
+    FrontTree tree(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    std::vector<char> may_rest(grid.matrices.size());
+    for (std::size_t e = 0; e < may_rest.size(); ++e) may_rest[e] = grid.layout.centres[e].x() > 2.0 ? 1 : 0;
+    tree.rest(may_rest);
+    const auto resting = std::ranges::count(tree.resting(), 1);
+    EXPECT_GT(resting, 20);
+    EXPECT_LE(resting, std::ranges::count(may_rest, 1));
+    Eigen::MatrixXd awake = grid.dense(), asleep = Eigen::MatrixXd::Zero(awake.rows(), awake.cols());
+    for (std::size_t e = 0; e < may_rest.size(); ++e) {
+        if (tree.resting()[e] == 0) continue;
+        const std::vector<int>& unknowns = grid.layout.element_unknowns[e];
+        asleep(unknowns, unknowns) += grid.matrices[e];
+    }
+    awake -= asleep;
+    // Loads on the elements at rest, and the unknowns awake moved: those inside follow until nothing is due on them.
+    const Eigen::VectorXd load = asleep * Eigen::VectorXd::LinSpaced(awake.rows(), -1.0, 2.0);
+    tree.carry(load);
+    Eigen::VectorXd move = Eigen::VectorXd::LinSpaced(awake.rows(), 0.5, -0.3);
+    const Eigen::VectorXd response = tree.response(move), followed = tree.follow(move);
+    const Eigen::VectorXd due = load - asleep * followed;
+    for (Eigen::Index i = 0; i < due.size(); ++i) {
+        const bool inside = tree.inside()[static_cast<std::size_t>(i)] != 0;
+        EXPECT_NEAR(due[i], response[i], 1e-10);
+        EXPECT_NEAR(response[i], inside ? 0.0 : response[i], 0.0);
+        EXPECT_TRUE(inside || followed[i] == move[i]);
+    }
+}
+
+TEST_P(FrontTreeOfEither, LoadsPassAroundWhatRests) {
+    Grid grid(9, 7, GetParam());
+    grid.ground();
+    grid.keep_outline();
+    FrontTree tree(grid.layout), whole(grid.layout);
+    tree.factor(grid.matrices, grid.changed);
+    whole.factor(grid.matrices, grid.changed);
+    std::vector<char> may_rest(grid.matrices.size(), 1);
+    may_rest[30] = 0;
+    tree.rest(may_rest);
+    Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
+    for (Eigen::Index i = 0; i < load.size(); ++i)
+        if (tree.inside()[static_cast<std::size_t>(i)] != 0) load[i] = 0.0;
+    const ReducedLoad reduced = tree.reduce(load), expected = whole.reduce(load);
+    EXPECT_EQ(reduced.boundary, expected.boundary);
+    const Eigen::VectorXd boundary = Eigen::VectorXd::LinSpaced(reduced.boundary.size(), 0.1, 0.2);
+    const Eigen::VectorXd x = tree.expand(reduced, boundary), y = whole.expand(expected, boundary);
+    for (Eigen::Index i = 0; i < load.size(); ++i)
+        EXPECT_EQ(x[i], tree.inside()[static_cast<std::size_t>(i)] != 0 ? 0.0 : y[i]);
+}
+
 TEST(FrontTree, AMultiplierThatBecomesIdleDirtiesItsPath) {
     Constrained grid;
     FrontTree tree(grid.layout);

@@ -23,11 +23,12 @@ const EnrichedMesh plate = plate_mesh(6, 5, scene);
 const coupling::Patch patch = plate_patch(plate);
 
 /// Boundary displacements: stretched across the crack by a strain, with some noise.
-Eigen::VectorXd stretched(double strain, unsigned seed = 1) {
-    const auto pull = [&](const Vec2& x) { return Vec2(0.1 * strain * x.x(), strain * (x.y() - 2.5)); };
+Eigen::VectorXd stretched(double strain, unsigned seed = 1, const coupling::Patch& zone = patch) {
+    const double middle = zone.mesh.nodes.back().y() / 2.0;
+    const auto pull = [&](const Vec2& x) { return Vec2(0.1 * strain * x.x(), strain * (x.y() - middle)); };
     const Eigen::VectorXd u =
-        two_sided(plate, mouth, tip, pull, pull) + random_vector(plate.unknowns, 0.02 * std::abs(strain), seed);
-    return gather(u, patch.boundary);
+        two_sided(zone.mesh, mouth, tip, pull, pull) + random_vector(zone.mesh.unknowns, 0.02 * std::abs(strain), seed);
+    return gather(u, zone.boundary);
 }
 
 /// The answer once the interior is in equilibrium. Every call is a new attempt at the same increment.
@@ -90,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(States, Superelement,
 /// Newton's method on all interior unknowns and multipliers in one dense matrix, the boundary imposed.
 class FullNewton {
 public:
-    FullNewton() : system_(scene) { system_.set_patch(patch); }
+    explicit FullNewton(const coupling::Patch& zone = patch) : system_(scene) { system_.set_patch(zone); }
 
     PatchResponse begin(const Eigen::VectorXd& boundary, const Predictor& predictor) {
         system_.predict(predictor);
@@ -98,7 +99,8 @@ public:
     }
 
     PatchResponse iterate(const Eigen::VectorXd& boundary) {
-        const Eigen::Index n = plate.unknowns, m = system_.contact().multipliers();
+        const coupling::Patch& zone = system_.patch();
+        const Eigen::Index n = zone.mesh.unknowns, m = system_.contact().multipliers();
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
         for (std::size_t e = 0; e < system_.zone().operators().size(); ++e) {
             const std::vector<int>& unknowns = system_.zone().operators()[e].unknowns;
@@ -115,18 +117,22 @@ public:
         }
         Eigen::VectorXd right(n + m);
         right << system_.load(), system_.contact_right_hand_side();
-        const Eigen::VectorXd step = boundary - gather(system_.displacement(), patch.boundary);
-        for (std::size_t k = 0; k < patch.boundary.size(); ++k) {
-            matrix.row(patch.boundary[k]).setZero();
-            matrix(patch.boundary[k], patch.boundary[k]) = 1.0;
-            right[patch.boundary[k]] = step[static_cast<Eigen::Index>(k)];
+        const Eigen::VectorXd step = boundary - gather(system_.displacement(), zone.boundary);
+        for (std::size_t k = 0; k < zone.boundary.size(); ++k) {
+            matrix.row(zone.boundary[k]).setZero();
+            matrix(zone.boundary[k], zone.boundary[k]) = 1.0;
+            right[zone.boundary[k]] = step[static_cast<Eigen::Index>(k)];
         }
         const Eigen::VectorXd correction = matrix.partialPivLu().solve(right);
         system_.move(correction.head(n), correction.tail(m));
         return evaluate(boundary);
     }
 
-    void commit() { system_.commit(false); }
+    void commit(bool reversal) { last_ = system_.commit(reversal); }
+    [[nodiscard]] const coupling::StepReport& last() const { return last_; }
+    [[nodiscard]] coupling::ZoneState state() const { return system_.state(); }
+    /// On the boundary.
+    [[nodiscard]] Eigen::VectorXd force() const { return -gather(system_.load(), system_.patch().boundary); }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return system_.displacement(); }
 
 private:
@@ -136,6 +142,7 @@ private:
         return system_.measure();
     }
     ZoneSystem system_;
+    coupling::StepReport last_;
 };
 
 TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
@@ -159,9 +166,77 @@ TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
             EXPECT_EQ(condensed.digest.status, whole.digest.status);
         }
         model.commit(false);
-        full.commit();
+        full.commit(false);
         EXPECT_LT((model.state().displacement - full.displacement()).lpNorm<Eigen::Infinity>(), 1e-12) << strain;
     }
+}
+
+/// A plate whose crack sees little of it: after a whole cycle most of it rests.
+class Resting : public testing::Test {
+protected:
+    /// Both to equilibrium, and committed.
+    coupling::StepReport go_to(double strain, bool reversal) {
+        const Eigen::VectorXd boundary = stretched(strain, 1, zone_);
+        const auto settled_whole = [](const PatchResponse& r) {
+            return r.interior_residual < 1e-11 * r.interior_force;
+        };
+        PatchResponse condensed, whole;
+        for (int iteration = 0; iteration < 40; ++iteration) {
+            model_.request({.iteration = iteration, .boundary = boundary});
+            condensed = model_.collect();
+            whole = iteration == 0 ? full_.begin(boundary, {}) : full_.iterate(boundary);
+            if (iteration > 2 && settled_whole(condensed) && settled_whole(whole)) break;
+        }
+        EXPECT_LT((condensed.force - full_.force()).lpNorm<Eigen::Infinity>(), 1e-9 * condensed.interior_force);
+        coupling::StepReport report = model_.commit(reversal);
+        full_.commit(reversal);
+        const Eigen::VectorXd difference = model_.state().displacement - full_.displacement();
+        EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-11) << strain;
+        return report;
+    }
+
+    /// Between nothing and a peak, in increments that Newton's full steps can follow.
+    coupling::StepReport cycles(int count, double peak) {
+        coupling::StepReport last;
+        const int steps = static_cast<int>(std::ceil(peak / 2.5e-4));
+        for (int half = 0; half < 2 * count; ++half) {
+            for (int k = 1; k <= steps; ++k) last = go_to(peak * (half % 2 == 0 ? k : steps - k) / steps, k == steps);
+        }
+        return last;
+    }
+
+    EnrichedMesh mesh_ = plate_mesh(11, 9, scene);
+    coupling::Patch zone_ = plate_patch(mesh_);
+    FineModel model_{scene};
+    FullNewton full_{zone_};
+    void SetUp() override { model_.set_patch(zone_); }
+};
+
+TEST_F(Resting, ChangesNoDisplacementAndNoForce) {
+    EXPECT_EQ(cycles(1, 8e-4).work.points_at_rest, 0);
+    const coupling::WorkCounts work = cycles(2, 8e-4).work;
+    EXPECT_GT(work.points_at_rest, work.points_evaluated / 4);
+}
+
+TEST_F(Resting, WhatWouldFlowIsWoken) {
+    cycles(2, 8e-4);
+    const coupling::StepReport overload = cycles(1, 2.4e-3);
+    EXPECT_GT(overload.work.elements_woken, 0);
+    cycles(1, 8e-4);
+}
+
+TEST_F(Resting, ItsReportsAreThoseOfAnAwakeZone) {
+    cycles(3, 8e-4);
+    const coupling::StepReport condensed = go_to(5e-4, false);
+    EXPECT_GT(condensed.work.points_at_rest, 0);
+    const coupling::StepReport whole = full_.last();
+    EXPECT_NEAR(condensed.energy.stored, whole.energy.stored, 1e-11 * whole.energy.stored);
+    EXPECT_NEAR(condensed.dissipation, whole.dissipation, 1e-10 * whole.dissipation);
+    const coupling::ZoneState resting = model_.state(), awake = full_.state();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < awake.stress.size(); ++i)
+        largest = std::max(largest, std::abs(resting.stress[i] - awake.stress[i]));
+    EXPECT_LT(largest, 1e-6);  // MPa
 }
 
 TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
