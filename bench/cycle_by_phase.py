@@ -28,7 +28,7 @@ PHASES = {
 # A sample belongs to the innermost of its functions that stands here.
 PARTS = {
     "return mapping": r"fine::(J2|J2PlaneStress|Elastic)::update",
-    "strains, forces and tangents of points": r"fine::Zone::(evaluate|evaluate_element|update_points|commit|settle|measure_margins|proves_elastic)",
+    "strains, forces and tangents of points": r"fine::Zone::(evaluate|evaluate_element|update_points|update_block|would_flow|commit|settle|measure_margins|proves_elastic)",
     "contact": r"fine::ContactInterface::",
     "fronts: factor": r"FrontTree::factor",
     "fronts: solve": r"FrontTree::(reduce|expand)",
