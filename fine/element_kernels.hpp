@@ -42,6 +42,13 @@ public:
         return result;
     }
 
+    /// The work of such a displacement, given by its nodal values.
+    [[nodiscard]] double work(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& values) const {
+        const Eigen::Map<const Eigen::Matrix<double, unknowns, 1>> nodal(values.data(), 2 * count_);
+        const Eigen::Map<const Matrix> K(stiffness.data(), 2 * count_, 2 * count_);
+        return nodal.dot(K.lazyProduct(nodal));
+    }
+
     [[nodiscard]] Nodal force(const double* stress, std::ptrdiff_t stride) const {
         Nodal force = Nodal::Zero(2, count_);
         for (std::size_t q = 0; q < op_.points.size(); ++q) {

@@ -36,6 +36,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     changed_.assign(operators_.size(), 1);
     course_.assign(operators_.size(), Course::Proven);  // no force is known yet
     quiet_half_cycles_.assign(operators_.size(), 0);
+    looked_at_u_.assign(trial_forces_.size(), 0.0);
     was_plastic_.assign(operators_.size(), 0);
     force_ = force_scale_ = Eigen::VectorXd::Zero(mesh_.unknowns);
     committed_u_ = trial_u_ = rest_u_ = displacement;

@@ -75,9 +75,9 @@ public:
 
     /// Elements in which nothing has flowed for two half cycles, or ever can.
     [[nodiscard]] std::vector<char> quiet() const;
-    /// These are left out of evaluate() from the committed state on: they respond elastically, and who condenses them
-    /// knows how.
-    void rest(const std::vector<char>& elements);
+    /// These are left out of evaluate() from now on: they respond elastically, and who condenses them knows how.
+    /// `displacement`: that of their points' states.
+    void rest(const std::vector<char>& elements, const Eigen::VectorXd& displacement);
     [[nodiscard]] bool rests(std::size_t element) const { return course_[element] == Course::Resting; }
     /// Whether an element has points within a radius of a place, or could have.
     [[nodiscard]] bool is_near(std::size_t element, const Vec2& place, double radius) const;
@@ -123,6 +123,8 @@ private:
     [[nodiscard]] Mandel trial_stress(std::size_t e, std::size_t q) const;
     void count_quiet_half_cycles();
     [[nodiscard]] double energy_since_rest(std::size_t e) const;
+    [[nodiscard]] bool flows_at(std::size_t e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest);
+    void look_from(std::size_t e, const Eigen::VectorXd& u);
     struct PointState {
         Mandel stress;
         double work;
@@ -163,6 +165,7 @@ private:
     bool half_cycle_ended_ = false;
     std::vector<int> quiet_half_cycles_;  // per element: since it has flowed
     Eigen::VectorXd rest_u_;
+    std::vector<double> looked_at_u_;  // nodal, element by element: where its margin at rest was measured
 
     Eigen::VectorXd committed_u_, trial_u_, force_, force_scale_;
     std::vector<Eigen::MatrixXd> tangents_;

@@ -25,11 +25,12 @@ std::vector<char> Zone::quiet() const {
     return quiet;
 }
 
-void Zone::rest(const std::vector<char>& elements) {
-    rest_u_ = committed_u_;
+void Zone::rest(const std::vector<char>& elements, const Eigen::VectorXd& displacement) {
+    rest_u_ = displacement;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         if (elements[e] == 0) continue;
         course_[e] = Course::Resting;
+        look_from(e, rest_u_);
         changed_[e] = was_plastic_[e] = 0;
         std::fill_n(yielding_.begin() + first_point_[e], operators_[e].points.size(), static_cast<unsigned char>(0));
     }
@@ -45,25 +46,40 @@ Eigen::VectorXd Zone::rest_load() const {
     return load;
 }
 
-// Most are proven elastic by their energy; of the others the law tells, as of any point.
 std::vector<std::size_t> Zone::would_flow(const Eigen::VectorXd& u) {
     trial_u_ = u;  // what rests has followed since evaluate()
-    const Eigen::VectorXd moved = u - rest_u_;
+    const Eigen::VectorXd since_rest = u - rest_u_;
     std::vector<std::size_t> found;
-    for (std::size_t e = 0; e < operators_.size(); ++e) {
-        if (!rests(e)) continue;
-        bool proven = false;
-        with_kernel(operators_[e], [&](const auto& kernel) {
-            proven = bound_.proves(e, kernel.elastic(elastic_stiffness_[e], moved).work);
-        });
-        if (proven) continue;
-        update_block(e, e + 1, moved);
-        const auto begin = yielding_.begin() + first_point_[e], end = begin + std::ssize(operators_[e].points);
-        if (std::any_of(begin, end, [](auto y) { return y != 0; })) found.push_back(e);
-        std::fill(begin, end, static_cast<unsigned char>(0));
-        copy_state(e, committed_, trial_);
-    }
+    for (std::size_t e = 0; e < operators_.size(); ++e)
+        if (rests(e) && flows_at(e, u, since_rest)) found.push_back(e);
     return found;
+}
+
+// The energy of what it has moved since it was looked at the last time proves most elements elastic. Of the others the
+// law tells, as of any point, and how much is left until one flows.
+bool Zone::flows_at(std::size_t e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest) {
+    const auto count = std::ssize(operators_[e].unknowns);
+    const Eigen::VectorXd moved = gather(u, operators_[e].unknowns) -
+                                  Eigen::Map<const Eigen::VectorXd>(looked_at_u_.data() + first_force_[e], count);
+    double work = 0.0;
+    with_kernel(operators_[e], [&](const auto& kernel) { work = kernel.work(elastic_stiffness_[e], moved); });
+    if (bound_.proves(e, work)) return false;
+    update_block(e, e + 1, since_rest);
+    const auto begin = yielding_.begin() + first_point_[e], end = begin + std::ssize(operators_[e].points);
+    const bool flows = std::any_of(begin, end, [](auto y) { return y != 0; });
+    if (!flows) {
+        bound_.set_margin(
+            e, law_->elastic_margin(static_cast<int>(end - begin), points_, trial_.data() + first_point_[e]));
+        look_from(e, u);
+    }
+    std::fill(begin, end, static_cast<unsigned char>(0));
+    copy_state(e, committed_, trial_);
+    return flows;
+}
+
+void Zone::look_from(std::size_t e, const Eigen::VectorXd& u) {
+    const Eigen::VectorXd values = gather(u, operators_[e].unknowns);
+    std::ranges::copy(values, looked_at_u_.begin() + first_force_[e]);
 }
 
 void Zone::copy_state(std::size_t e, const std::vector<double>& from, std::vector<double>& to) const {
@@ -128,7 +144,7 @@ std::vector<char> ZoneSystem::may_rest() const {
 }
 
 void ZoneSystem::rest(const std::vector<char>& elements, const std::vector<char>& inside) {
-    zone_->rest(elements);
+    zone_->rest(elements, committed_.displacement);
     set_inside(inside);
 }
 

@@ -52,8 +52,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     quiet_half_cycles_.assign(snapshot.quiet_half_cycles.begin(), snapshot.quiet_half_cycles.end());
     std::vector<char> resting(operators_.size(), 0);
     for (std::size_t e = 0; e < snapshot.resting.size(); ++e) resting[e] = snapshot.resting[e] != 0 ? 1 : 0;
-    rest(resting);
-    rest_u_ = snapshot.rest_displacement;
+    rest(resting, snapshot.rest_displacement);
 }
 
 void Zone::remember(coupling::ZoneSnapshot& out) const {
