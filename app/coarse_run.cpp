@@ -149,6 +149,9 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.zone_extensions = analysis.zone_extensions();
     summary.yield_warnings = analysis.yield_warnings();
     summary.flowing_rings = analysis.flowing_rings();
+    summary.structure_factorisations = analysis.factorisations().near;
+    summary.structure_factors_kept = analysis.factorisations().kept;
+    summary.far_factorisations = analysis.factorisations().far;
     summary.structure_checks_full = analysis.yield_guard().full_checks();
     summary.structure_checks_by_bound = analysis.yield_guard().checks_by_bound();
     if (fine != nullptr) add_ranks(*fine, zone, summary);
@@ -156,6 +159,7 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.timing = {.mesh = mesh_s_,
                       .setup = analysis.setup_seconds(),
                       .coarse_factor = analysis.coarse_factor_seconds(),
+                      .growth = analysis.growth_seconds(),
                       .fine_constitutive = zone.constitutive_s,
                       .fine_contact = zone.contact_s,
                       .fine_factor = zone.factor_s,

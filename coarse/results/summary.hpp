@@ -45,7 +45,7 @@ struct Json::Member {
 
 /// Seconds per phase. mesh + setup + exchange + coarse_solve + output make the total; the others are parts of those.
 struct Timing {
-    double mesh = 0, setup = 0, coarse_factor = 0, fine_constitutive = 0, fine_contact = 0, fine_factor = 0;
+    double mesh = 0, setup = 0, coarse_factor = 0, growth = 0, fine_constitutive = 0, fine_contact = 0, fine_factor = 0;
     double exchange = 0, coarse_solve = 0, output = 0, checkpoint = 0, total = 0;
 };
 
@@ -63,6 +63,8 @@ struct Summary {
     std::int64_t fronts_refactored = 0, factors_reused = 0;
     std::int64_t points_evaluated = 0, points_proven_elastic = 0;
     std::int64_t tangents_computed = 0, elastic_tangents_reused = 0;
+    // Near elements condensed onto Gamma, and taken as they were; far elements condensed onto their rim.
+    std::int64_t structure_factorisations = 0, structure_factors_kept = 0, far_factorisations = 0;
     // Checks of the far elements for yield: one by one, and by their bound.
     std::int64_t structure_checks_full = 0, structure_checks_by_bound = 0;
     std::int64_t messages = 0, bytes = 0;
