@@ -27,7 +27,7 @@ FarBody::FarBody(const Scene& scene, std::vector<char> far, StructureSeconds& se
 }
 
 ReducedLoad FarBody::reduce(const Eigen::VectorXd& load) const {
-    constexpr std::size_t most = 4;  // kinds of loads that a structure has
+    constexpr std::size_t most = 5;  // a structure has no more of them
     const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) { return answer.load == load; });
     if (known != answers_.end()) return known->reduced;
     if (answers_.size() == most) answers_.erase(answers_.begin());
