@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coarse/crack_growth.hpp"
 #include "coarse/rings.hpp"
 #include "common/fem/plain_operator.hpp"
 
@@ -51,12 +50,14 @@ double reach_of_zone(const EnrichedMesh& mesh, int tip, const std::vector<char>&
     return reach;
 }
 
-/// A ring grows no faster than its tip advances; a zone goes with its tip.
+/// A ring grows no faster than its tip advances; a zone goes with its tip. How long the run will be must not show: it
+/// may be resumed with more cycles.
 Neighbourhood with_room(const Scene& scene, int tip, const std::vector<char>& nodes_of_zone) {
     constexpr double most = 0.25;  // of the largest ring's radius: what is near is paid for in each increment
+    constexpr int steps = 20;
     const double radius = largest_ring(scene, tip);
     if (!scene.input.growth) return {radius, 0.0};
-    const double room = std::min(planned_growth(*scene.input.growth, scene.input.load), most * radius);
+    const double room = std::min(steps * scene.input.growth->increment, most * radius);
     return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
 }
 
