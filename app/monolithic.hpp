@@ -11,6 +11,7 @@ public:
     explicit MonolithicFactory(const Case& input) : zone_(input) {}
     std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
                                               const Eigen::VectorXd& committed, double load_factor) override;
+    void extend_zone(const coupling::Patch& patch) override { zone_.set_patch(patch); }
     std::unique_ptr<coarse::Equilibrium> resume(const coarse::Structure& structure, const coupling::Patch* patch,
                                                 const Eigen::VectorXd& committed,
                                                 const coupling::ZoneSnapshot& zone) override;

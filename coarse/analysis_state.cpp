@@ -32,12 +32,14 @@ AnalysisState FatigueAnalysis::state() const {
     AnalysisState state;
     for (const CrackSection& crack : scene_->input.cracks) state.cracks.push_back(polyline_of(crack));
     state.in_zone = structure_->in_zone();
+    state.far = far_;
     state.displacement = committed_behind_ ? equilibrium_->structure_displacement() : committed_;
     state.load_factor = load_factor_;
     state.largest_force = largest_force_;
     state.closed = closed_;
     state.cycle = cycle_meter_.memory();
     state.last_cycle = last_cycle_;
+    state.nominal = nominal_;
     state.increment = increment_;
     state.newton_iterations = newton_iterations_;
     state.extensions = extensions_;
@@ -60,7 +62,7 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
                 "--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
         grown_ = std::make_unique<Scene>(make_scene(input, scene_->mesh));
         scene_ = grown_.get();
-        (void)solve_nominal();
+        nominal_displacement_ = {};
     }
     require(std::ssize(from.displacement) == scene_->enriched.unknowns &&
                 from.in_zone.size() == scene_->mesh.elements.size(),
@@ -71,6 +73,8 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
     closed_ = from.closed;
     cycle_meter_.resume(from.cycle);
     last_cycle_ = from.last_cycle;
+    nominal_ = from.nominal;
+    controller_.set_scale(target_of_unit(scene_->input.load, nominal_, grown()));
     increment_ = from.increment;
     newton_iterations_ = from.newton_iterations;
     extensions_ = from.extensions;

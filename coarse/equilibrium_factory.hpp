@@ -22,7 +22,10 @@ public:
     virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                               const Eigen::VectorXd& committed, double load_factor) = 0;
 
-    /// The same, but the zone goes on from a snapshot; Equilibrium::restore() is to follow.
+    /// The zone takes more elements, with their functions as they are; make() is to follow before anyone asks it.
+    virtual void extend_zone(const coupling::Patch& patch) = 0;
+
+    /// As make(), but the zone goes on from a snapshot; Equilibrium::restore() is to follow.
     virtual std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
                                                 const Eigen::VectorXd& committed,
                                                 const coupling::ZoneSnapshot& zone) = 0;
@@ -40,6 +43,7 @@ public:
     explicit CondensedFactory(coupling::FineScale* fine) : fine_(fine) {}
     std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                       const Eigen::VectorXd& committed, double load_factor) override;
+    void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
     std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
                                         const Eigen::VectorXd& committed, const coupling::ZoneSnapshot& zone) override;
     coupling::ZoneState zone_state() override { return fine_->state(); }

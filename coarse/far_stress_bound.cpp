@@ -16,7 +16,13 @@ constexpr std::ptrdiff_t most_states = 24;  // then all but the pivot is learnt 
 }  // namespace
 
 FarStressBound::FarStressBound(const Structure& structure)
-    : structure_(structure), weight_(smallest_far_weight(structure)) {}
+    : structure_(&structure), far_(structure.factors().far), weight_(smallest_far_weight(structure)) {}
+
+bool FarStressBound::turn_to(const Structure& structure) {
+    if (structure.factors().far != far_) return false;
+    structure_ = &structure;
+    return true;
+}
 
 /// Coordinates of a state; leaves its remainder in `displacement`. Twice over the modes, so that rounding of the first
 /// pass does not stay in it.
@@ -35,8 +41,8 @@ FarStressBound::Coordinates FarStressBound::resolve(Eigen::VectorXd& displacemen
 }
 
 double FarStressBound::stress_of(const Eigen::VectorXd& remainder) const {
-    const double twice_energy = remainder.dot(structure_.far_force(remainder));
-    return std::sqrt(3.0 * structure_.scene().elastic.shear_modulus() * std::max(0.0, twice_energy) / weight_);
+    const double twice_energy = remainder.dot(structure_->far_force(remainder));
+    return std::sqrt(3.0 * structure_->scene().elastic.shear_modulus() * std::max(0.0, twice_energy) / weight_);
 }
 
 double FarStressBound::bound_beside(const Known& known, double scale, const Coordinates& place) const {
@@ -49,10 +55,10 @@ double FarStressBound::bound_beside(const Known& known, double scale, const Coor
     return bound;
 }
 
-double FarStressBound::at(const Eigen::VectorXd& near_displacement, double load_factor) const {
+double FarStressBound::at(const Eigen::VectorXd& rim_displacement, double load_factor) const {
     if (weight_ == infinite) return 0.0;
     if (load_factor != 0.0 && pivot_.size() == 0) return infinite;
-    Eigen::VectorXd remainder = near_displacement;
+    Eigen::VectorXd remainder = rim_displacement;
     const Coordinates place = resolve(remainder, load_factor);
     double bound = bound_beside({}, 0.0, place);
     for (const Known& known : known_) {
@@ -64,15 +70,12 @@ double FarStressBound::at(const Eigen::VectorXd& near_displacement, double load_
 }
 
 double FarStressBound::stress_of_mode(const Eigen::VectorXd& displacement) const {
-    const std::vector<int>& free = structure_.free_places();
-    Eigen::VectorXd gamma = Eigen::VectorXd::Zero(std::ssize(structure_.gamma()));
-    gamma(free) = displacement.tail(std::ssize(free));
-    return largest_far_stress(structure_, structure_.expand(gamma, 0.0));
+    return largest_far_stress(*structure_, structure_->expand_far(displacement));
 }
 
-void FarStressBound::learn(const Eigen::VectorXd& near_displacement, double load_factor, double largest_stress) {
+void FarStressBound::learn(const Eigen::VectorXd& rim_displacement, double load_factor, double largest_stress) {
     if (load_factor != 0.0 && pivot_.size() == 0) {
-        pivot_ = near_displacement / load_factor;
+        pivot_ = rim_displacement / load_factor;
         pivot_stress_ = largest_stress / std::abs(load_factor);
         return;
     }
@@ -80,10 +83,10 @@ void FarStressBound::learn(const Eigen::VectorXd& near_displacement, double load
         modes_.clear();
         known_.clear();
     }
-    Eigen::VectorXd remainder = near_displacement;
+    Eigen::VectorXd remainder = rim_displacement;
     Coordinates place = resolve(remainder, load_factor);
     if (place.remainder > worth_a_mode * largest_stress) {
-        Eigen::VectorXd force = structure_.far_force(remainder);
+        Eigen::VectorXd force = structure_->far_force(remainder);
         const double norm = std::sqrt(remainder.dot(force));
         remainder /= norm;
         force /= norm;

@@ -1,9 +1,7 @@
 #include "coarse/fatigue_analysis.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <utility>
 
 #include "coarse/crack_growth.hpp"
@@ -25,7 +23,12 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-    const std::vector<double> largest_K_I = solve_nominal();
+    std::vector<double> largest_K_I;
+    if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
+        far_ = far_elements(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+        structure_ = solve_nominal(scene);
+        largest_K_I = largest_nominal_K(*structure_);
+    }
     if (!nominal_.empty()) first_length_ = nominal_.front().a;
     closure_ = ClosureMeter(scene.input, largest_K_I);
     cycle_meter_ = CycleMeter(scene.input.closure.definition, closure_, nominal_.size());
@@ -35,38 +38,34 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
         build(select_zone(scene, largest_K_I));
 }
 
-// K_1(a), and the K of eq. (3): an elastic solution on the coarse mesh with traction-free faces.
-std::vector<double> FatigueAnalysis::solve_nominal() {
-    const LoadSection& load = scene_->input.load;
-    if (scene_->enriched.tips.empty() && load.control == Control::Load) return {};
-    note_if_large("elastic solution of the whole body");
-    structure_ = std::make_unique<Structure>(*scene_, std::vector<char>(scene_->mesh.elements.size(), 0));
-    nominal_displacement_ = structure_->expand({}, 1.0);
-    nominal_ = fracture_parameters(*structure_, nominal_displacement_, {});
-    controller_.set_scale(target_of_unit(load, nominal_, grown()));
-    const double largest = largest_load_factor(load, *structure_, nominal_, grown());
-    std::vector<double> largest_K_I;
-    for (const TipResult& tip : nominal_) largest_K_I.push_back(tip.K_I * largest);
-    return largest_K_I;
+// Structures one after another, each with what serves of the last one's factors.
+std::unique_ptr<Structure> FatigueAnalysis::condense(const Scene& scene, const std::vector<char>& in_zone) {
+    const Stopwatch watch(coarse_factor_s_);
+    const bool known = knows_far_body();
+    auto structure = std::make_unique<Structure>(scene, in_zone, far_, std::exchange(factors_, {}));
+    factors_ = structure->factors();
+    if (!known && factors_.far) ++factorisations_.far;
+    return structure;
 }
+
+bool FatigueAnalysis::knows_far_body() const { return factors_.far && factors_.far->far() == far_; }
 
 // Of the first tip.
 double FatigueAnalysis::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
 
 void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisState* from) {
     const bool has_zone = std::ranges::any_of(in_zone, [](char inside) { return inside != 0; });
-    const bool reuse = structure_ && structure_->in_zone() == in_zone;  // the nominal solution's factor
-    if (!reuse) {
-        const Stopwatch watch(coarse_factor_s_);
+    const std::shared_ptr<const NearFactor> near = factors_.near;
+    if (!structure_ || &structure_->scene() != scene_ || structure_->in_zone() != in_zone) {  // else the nominal one
+        far_ = from != nullptr ? from->far : far_elements(*scene_, in_zone, far_);
         note_if_large("condensing the structure onto the zone's boundary");
         if (!equilibrium_) structure_.reset();  // the nominal one: two factors at once would take twice the memory
-        structure_ = std::make_unique<Structure>(*scene_, in_zone);
+        structure_ = condense(*scene_, in_zone);
     }
+    ++(near && factors_.near == near ? factorisations_.kept : factorisations_.near);
     guard_.turn_to(*structure_, nominal_displacement_);
     structure_->make_rings();
-    coupling::Patch patch;
-    if (has_zone) patch = make_patch(*scene_, in_zone, structure_->gamma(), committed_);
-    patch.ahead = closure_.ahead(scene_->enriched);
+    const coupling::Patch patch = has_zone ? patch_of(in_zone, structure_->gamma()) : coupling::Patch();
     if (equilibrium_) {
         earlier_exchange_s_ += equilibrium_->exchange_seconds();
         earlier_work_ += equilibrium_->work();
@@ -81,6 +80,12 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
     const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                                in_zone.size(), zone, structure_->unknowns(), structure_->gamma().size()));
+}
+
+coupling::Patch FatigueAnalysis::patch_of(const std::vector<char>& in_zone, const std::vector<int>& gamma) const {
+    coupling::Patch patch = make_patch(*scene_, in_zone, gamma, committed_);
+    patch.ahead = closure_.ahead(scene_->enriched);
+    return patch;
 }
 
 // Where a factor takes seconds, the user should know what is going on.
@@ -113,26 +118,6 @@ bool FatigueAnalysis::reach(const LoadStep& step) {
     return true;
 }
 
-bool FatigueAnalysis::has_grown_enough() const {
-    const GrowthSection& growth = *scene_->input.growth;
-    if (!last_cycle_.empty() && fastest_rate(growth, last_cycle_) <= 0.0) {
-        listener_.note("nothing drives a tip any more: the crack is arrested");
-        return true;
-    }
-    for (std::size_t t = 0; t < nominal_.size(); ++t) {
-        const double K = nominal_[t].K_I * load_factor_;
-        if (growth.until && nominal_[t].a >= *growth.until * (1.0 - 1e-9)) {
-            listener_.note(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal_[t].a));
-            return true;
-        }
-        if (growth.toughness && K >= *growth.toughness) {
-            listener_.note(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", t, K));
-            return true;
-        }
-    }
-    return false;
-}
-
 NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
     NewtonReport report =
         find_equilibrium(*equilibrium_, step.target, step.predictor, scene_->input.solver, largest_force_);
@@ -163,68 +148,6 @@ std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step
         throw NumericalFailure(
             fmt::format("an increment that had converged, to {}, did not again", to_text(step.target)));
     return changes;
-}
-
-// Figure 3: (a) the cracks are longer, and nothing else changes: no stress, no displacement, no internal variable; (b)
-// at constant load the body finds equilibrium with them.
-bool FatigueAnalysis::grow(const LoadStep& reached) {
-    const std::vector<double> advance_by = advances(*scene_->input.growth, last_cycle_, nominal_.size());
-    auto next = scene_of_longer_cracks(with_longer_cracks(*scene_, nominal_, advance_by));
-    if (!next) return false;
-    std::unique_ptr<Scene> nominal;
-    refresh_committed();
-    take_into_zone(next->enriched);
-    const Scene& before = *scene_;
-    std::vector<char> in_zone = structure_->in_zone();
-    scene_ = next.get();
-    const std::vector<char> about_tips = select_zone(*scene_, solve_nominal());
-    for (std::size_t e = 0; e < in_zone.size(); ++e) in_zone[e] = static_cast<char>(in_zone[e] | about_tips[e]);
-    if (scene_->input.growth->retain == Retain::All && needs_fine(scene_->input)) {
-        nominal = std::exchange(next, std::make_unique<Scene>(with_functions_left(*next, before.enriched)));
-        scene_ = next.get();
-    }
-    committed_ =
-        carry_over(before.enriched, committed_, scene_->enriched, Eigen::VectorXd::Zero(scene_->enriched.unknowns));
-    build(in_zone);
-    grown_ = std::move(next);
-
-    LoadStep step;
-    step.cycle = reached.cycle;
-    step.target = reached.target;
-    step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
-    NewtonReport report = attempt(step);
-    while (report.converged && zone_must_grow(step)) report = attempt(step);
-    if (!report.converged) {
-        throw NumericalFailure(fmt::format("after the crack has grown in cycle {}: {} at {}", step.cycle,
-                                           report.failure, to_text(step.target)));
-    }
-    accept(step, report, {});
-    controller_.forget_increments();
-    return true;
-}
-
-// Null where a crack leaves the body or meets another one.
-std::unique_ptr<Scene> FatigueAnalysis::scene_of_longer_cracks(const Case& input) {
-    try {
-        auto next = std::make_unique<Scene>(make_scene(input, scene_->mesh));
-        if (next->enriched.tips.size() == scene_->enriched.tips.size()) return next;
-        listener_.note("the next advance takes a crack out of the body: growth ends here");
-    } catch (const CaseError& error) {
-        listener_.note(fmt::format("growth ends here: {}", error.what()));
-    }
-    return nullptr;
-}
-
-// What the longer crack changes the functions of is fine before: there its state is kept. Without a zone nobody sees
-// what is released.
-void FatigueAnalysis::take_into_zone(const EnrichedMesh& longer) {
-    const std::vector<char>& now = structure_->in_zone();
-    if (std::ranges::find(now, static_cast<char>(1)) == now.end()) {
-        work_.released = std::numeric_limits<double>::quiet_NaN();
-        return;
-    }
-    const std::vector<char> in_zone = with_changed_functions(now, scene_->enriched, longer);
-    if (in_zone != now) build(in_zone);
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {

@@ -32,18 +32,26 @@ struct AnalysisState {
     };
     std::vector<Polyline> cracks;
     std::vector<char> in_zone;     // per element
+    std::vector<char> far;         // per element: with which the structure was condensed (it shows in the last bits)
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone, mm
     double load_factor = 0.0;
     double largest_force = 0.0;  // largest scale of a residual up to now, N/mm
     std::vector<char> closed;    // signals of the closure meter
     CycleMemory cycle;
     std::vector<CycleResult> last_cycle;  // one a tip, of the last cycle that ended
+    std::vector<TipResult> nominal;       // of the present lengths
     int increment = 0, newton_iterations = 0, extensions = 0, warnings = 0, flowing_rings = 0;
     bool growth_ended = false;  // the growth has ended the run
     LoadPosition load;
     WorkBalance work;
     EquilibriumState equilibrium;
     coupling::ZoneSnapshot zone;  // empty without one
+};
+
+/// How often the structure was condensed, and how often one whose matrix has not changed served again.
+struct Factorisations {
+    int near = 0, kept = 0;  // of the near elements, on top of the far ones
+    int far = 0;             // of the far ones, for structures and nominal solutions
 };
 
 class FatigueAnalysis {
@@ -76,13 +84,19 @@ public:
     [[nodiscard]] int flowing_rings() const { return flowing_rings_; }
     [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }
     [[nodiscard]] double setup_seconds() const { return setup_s_; }
+    [[nodiscard]] double growth_seconds() const { return growth_s_; }
     [[nodiscard]] double run_seconds() const { return run_s_; }
     [[nodiscard]] double coarse_factor_seconds() const { return coarse_factor_s_; }
+    [[nodiscard]] const Factorisations& factorisations() const { return factorisations_; }
 
 private:
-    std::vector<double> solve_nominal();
+    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const std::vector<char>& in_zone);
+    [[nodiscard]] bool knows_far_body() const;
+    [[nodiscard]] std::unique_ptr<Structure> solve_nominal(const Scene& scene);
+    [[nodiscard]] std::vector<double> largest_nominal_K(const Structure& body);
     void restore(const AnalysisState& from);
     void build(const std::vector<char>& in_zone, const AnalysisState* from = nullptr);
+    [[nodiscard]] coupling::Patch patch_of(const std::vector<char>& in_zone, const std::vector<int>& gamma) const;
     void refresh_committed();
     void note_if_large(const char* phase) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
@@ -96,7 +110,8 @@ private:
     [[nodiscard]] double grown() const;
     [[nodiscard]] bool grow(const LoadStep& reached);
     [[nodiscard]] std::unique_ptr<Scene> scene_of_longer_cracks(const Case& input);
-    void take_into_zone(const EnrichedMesh& longer);
+    void take(std::unique_ptr<Scene> longer);
+    [[nodiscard]] std::vector<char> zone_about(const Scene& longer);
     [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 
@@ -105,11 +120,14 @@ private:
     EquilibriumFactory& factory_;
     Listener listener_;
     LoadController controller_;
+    std::vector<char> far_;  // per element (near_elements.hpp)
+    StructureFactors factors_;
+    Factorisations factorisations_;
     std::unique_ptr<Structure> structure_;
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::vector<TipResult> nominal_;
-    Eigen::VectorXd nominal_displacement_;  // of the whole mesh for the load factor 1; empty where nobody asked
+    Eigen::VectorXd nominal_displacement_;  // of the whole mesh for the load factor 1; empty: its far body is known
     Eigen::VectorXd committed_;             // displacement of the whole mesh; behind while increments are accepted:
     bool committed_behind_ = false;         // refresh_committed()
     double load_factor_ = 0.0;              // committed
@@ -122,7 +140,7 @@ private:
     double first_length_ = 0.0;            // of the crack of the first tip at the start, mm
     bool growth_ended_ = false;
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
-    double setup_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
+    double setup_s_ = 0.0, growth_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
     coupling::WorkCounts earlier_work_;  // of equilibria before the present one
 };
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "coarse/elastic_force.hpp"
+#include "coarse/gamma.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 #include "common/stopwatch.hpp"
 #include "common/substructure/nested_dissection.hpp"
@@ -19,17 +20,34 @@ IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
     return rule;
 }
 
+bool same_bits(const SparseMatrix& a, const SparseMatrix& b) {
+    if (a.rows() != b.rows() || a.nonZeros() != b.nonZeros()) return false;
+    return std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr()) &&
+           std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
+}
+
 }  // namespace
 
-Structure::Structure(const Scene& scene, std::vector<char> in_zone)
-    : scene_(scene), in_zone_(std::move(in_zone)), is_near_(coarse::near_elements(scene, in_zone_)),
+Structure::Structure(const Scene& scene, std::vector<char> in_zone, const std::vector<char>& far,
+                     StructureFactors known)
+    : scene_(scene), in_zone_(std::move(in_zone)),
       mean_dilatation_(mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere) {
-    for (int e = 0; e < std::ssize(is_near_); ++e)
-        if (is_near_[at(e)] != 0) near_elements_.push_back(e);
+    for (int e = 0; e < std::ssize(in_zone_); ++e)
+        if (in_zone_[at(e)] == 0 && far[at(e)] == 0) near_elements_.push_back(e);
+    make_far_body(far, known);
     make_enriched_operators();
     keep_plain_operators();
     number_unknowns();
-    condense();
+    condense(known);
+}
+
+// A far body of other elements is forgotten first, lest two of them take twice the memory.
+void Structure::make_far_body(const std::vector<char>& far, StructureFactors& known) {
+    if (std::ranges::find(far, static_cast<char>(1)) == far.end()) return;
+    if (known.far && known.far->far() != far) known = {};
+    far_ = known.far ? known.far : std::make_shared<FarBody>(scene_, far, seconds_);
+    rim_ = far_->rim(scene_.enriched);
 }
 
 void Structure::make_enriched_operators() {
@@ -60,148 +78,93 @@ void Structure::keep_plain_operators() {
 void Structure::number_unknowns() {
     const Stopwatch watch(seconds_.assembly);
     const EnrichedMesh& mesh = scene_.enriched;
-    std::vector<char> coarse(at(mesh.unknowns), 0), fine = coarse, prescribed = coarse;
+    std::vector<char> coarse(at(mesh.unknowns), 0), prescribed = coarse;
     for (const PrescribedUnknown& p : scene_.prescribed) prescribed[at(p.unknown)] = 1;
     for_each_coarse([&](int element, std::span<const int> unknowns) {
         for (const int unknown : unknowns) coarse[at(unknown)] = 1;
         if (std::ranges::any_of(unknowns, [&](int unknown) { return prescribed[at(unknown)] != 0; }))
             supported_.push_back(element);
     });
-    const std::vector<int> piece = piece_of_elements(mesh);
-    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
-        if (in_zone_[at(e)] == 0) continue;
-        const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
-        for (const int unknown : basis.unknowns()) fine[at(unknown)] = 1;
-    }
+    gamma_ = gamma_of(scene_, in_zone_);
+    for (const int unknown : gamma_) coarse[at(unknown)] = 0;
     leaf_index_.assign(at(mesh.unknowns), -1);
-    for (int i = 0; i < mesh.unknowns; ++i) {
-        if (fine[at(i)] != 0 && (coarse[at(i)] != 0 || prescribed[at(i)] != 0 || scene_.observed[at(i)] != 0))
-            gamma_.push_back(i);
-        else if (coarse[at(i)] != 0 && prescribed[at(i)] == 0) {
-            leaf_index_[at(i)] = unknowns();
-            leaf_unknowns_.push_back(i);
-        }
-    }
+    const auto number = [&](int unknown) {
+        leaf_index_[at(unknown)] = unknowns();
+        leaf_unknowns_.push_back(unknown);
+    };
+    if (far_) std::ranges::for_each(far_->inner(mesh), number);
+    far_count_ = unknowns();
+    for (int i = 0; i < mesh.unknowns; ++i)
+        if (coarse[at(i)] != 0 && prescribed[at(i)] == 0 && leaf_index_[at(i)] < 0) number(i);
     for (int place = 0; place < static_cast<int>(gamma_.size()); ++place) {
         if (prescribed[at(gamma_[at(place)])] != 0) continue;
         free_places_.push_back(place);
-        leaf_index_[at(gamma_[at(place)])] = unknowns();
-        leaf_unknowns_.push_back(gamma_[at(place)]);
+        number(gamma_[at(place)]);
     }
 }
 
-/// Renumbers the leaf's unknowns, those that near elements see after the others, those of Gamma last; returns the
-/// elements' unknowns with their new numbers.
+/// Renumbers the leaf's near unknowns, those of the rim after the others, those of Gamma last; returns, numbered from
+/// the first near one, the unknowns of the near elements and, as one more, of the rim.
 IndexLists Structure::order_elimination() {
     const Stopwatch watch(seconds_.ordering);
     const EnrichedMesh& mesh = scene_.enriched;
     IndexLists of_elements;
     std::vector<Vec2> centres;
-    std::vector<char> late;
-    for_each_coarse([&](int element, std::span<const int> unknowns) {
+    for_each_near([&](int element, std::span<const int> unknowns) {
         of_elements.append(unknowns);
-        late.push_back(is_near_[at(element)]);
         centres.push_back(Vec2::Zero());
         for (const int node : mesh.elements[at(element)]) centres.back() += mesh.nodes[at(node)] / 4.0;
     });
-    of_elements.map([&](int unknown) { return leaf_index_[at(unknown)]; });
-    const auto boundary = static_cast<int>(free_places_.size());
+    std::vector<char> late(centres.size(), 1);
+    of_elements.append(rim_);
+    centres.push_back(Vec2::Zero());
+    late.push_back(0);  // what the far body shares with near elements is neither's own: it comes after both
+    of_elements.map(
+        [&](int unknown) { return leaf_index_[at(unknown)] < 0 ? -1 : leaf_index_[at(unknown)] - far_count_; });
+    const int near = unknowns() - far_count_, boundary = static_cast<int>(free_places_.size());
     std::vector<int> kept(at(boundary));
-    std::iota(kept.begin(), kept.end(), unknowns() - boundary);
-    const std::vector<int> order = nested_dissection(of_elements, centres, unknowns(), kept, late);
+    std::iota(kept.begin(), kept.end(), near - boundary);
+    const std::vector<int> order = nested_dissection(of_elements, centres, near, kept, late);
 
-    const std::vector<int> before = std::move(leaf_unknowns_);
+    const std::vector<int> before(near_unknowns().begin(), near_unknowns().end());
     std::vector<int> rank(before.size());
-    leaf_unknowns_.clear();
-    for (const int unknown : order) {
-        rank[at(unknown)] = unknowns();
-        leaf_index_[at(before[at(unknown)])] = unknowns();
-        leaf_unknowns_.push_back(before[at(unknown)]);
+    for (int k = 0; k < near; ++k) {
+        const int unknown = before[at(order[at(k)])];
+        rank[at(order[at(k)])] = k;
+        leaf_index_[at(unknown)] = far_count_ + k;
+        leaf_unknowns_[at(far_count_ + k)] = unknown;
     }
     of_elements.map([&](int unknown) { return unknown < 0 ? -1 : rank[at(unknown)]; });
-    number_near_unknowns(of_elements);
     return of_elements;
 }
 
+/// Of the near elements, the far ones condensed onto the rim.
 SparseMatrix Structure::assemble() {
     const IndexLists of_elements = order_elimination();
     const Stopwatch watch(seconds_.assembly);
     const MandelMatrix elastic = scene_.elastic.stiffness();
-    SparseMatrix lower = lower_pattern(of_elements, unknowns());
+    SparseMatrix lower = lower_pattern(of_elements, unknowns() - far_count_);
     std::size_t k = 0;
-    for_each_operator([&](const auto& op) { add_to_lower(lower, of_elements[k++], op.stiffness(elastic)); });
+    for_each_operator(near_elements_,
+                      [&](const auto& op) { add_to_lower(lower, of_elements[k++], op.stiffness(elastic)); });
+    if (far_) add_to_lower(lower, of_elements[k], far_->tangent());
     return lower;
 }
 
-void Structure::condense() {
+void Structure::condense(const StructureFactors& known) {
     SparseMatrix lower = assemble();
     const Stopwatch watch(seconds_.factor);
-    leaf_ = std::make_unique<SparseLeaf>(static_cast<int>(free_places_.size()), std::move(lower));
-    Eigen::VectorXd imposed = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
-    for (const PrescribedUnknown& p : scene_.prescribed) imposed[p.unknown] = p.value;
-    reduced_ = leaf_->reduce(gather(scene_.unit_force, leaf_unknowns_) + load_of_imposed(imposed));
-    near_load_ = reduced_.interior.tail(near_count_ - std::ssize(free_places_));
-    condense_readings();
-}
-
-/// What displacements of prescribed unknowns (of the whole mesh) do to the leaf's unknowns.
-Eigen::VectorXd Structure::load_of_imposed(const Eigen::VectorXd& imposed) const {
-    const MandelMatrix elastic = scene_.elastic.stiffness();
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(unknowns());
-    for (const int element : supported_) {
-        visit_operator(element, [&](const auto& op) {
-            const auto reaction = (op.stiffness(elastic) * gather(imposed, op.unknowns)).eval();
-            for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
-                const int row = leaf_index_[at(op.unknowns[i])];
-                if (row >= 0) load[row] -= reaction[static_cast<Eigen::Index>(i)];
-            }
-        });
+    const int boundary = static_cast<int>(free_places_.size());
+    if (known.near && known.near->boundary == boundary && same_bits(known.near->matrix, lower)) {
+        near_factor_ = known.near;
+    } else {
+        auto leaf = std::make_shared<const SparseLeaf>(boundary, SparseMatrix(lower));
+        near_factor_ = std::make_shared<NearFactor>(std::move(lower), boundary, std::move(leaf));
     }
-    return load;
-}
-
-/// Linear in Gamma's displacement and the load factor: what they make of the latter is seen with Gamma held.
-void Structure::condense_readings() {
-    const Eigen::VectorXd gamma_held = expand(Eigen::VectorXd::Zero(std::ssize(gamma_)), 1.0);
-    mean_displacement_.weights = leaf_->reduce(gather(scene_.mean_displacement, leaf_unknowns_)).boundary;
-    mean_displacement_.per_load_factor = scene_.mean_displacement.dot(gamma_held);
-    condense_energy(gamma_held);
-    holding_force_.weights = Eigen::VectorXd::Zero(std::ssize(free_places_));
-    if (!scene_.pull.isZero(0.0)) holding_force_ = force_of(scene_.pull, gamma_held);
-}
-
-/// Shares of the forces on the prescribed unknowns, in their order, summed.
-Controlled Structure::force_of(const Eigen::VectorXd& shares, const Eigen::VectorXd& gamma_held) const {
-    Eigen::VectorXd moved = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
-    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
-        moved[scene_.prescribed[k].unknown] = shares[static_cast<Eigen::Index>(k)];
-    return {leaf_->reduce(-load_of_imposed(moved)).boundary, shares.dot(forces_on_prescribed(gamma_held))};
-}
-
-// Of imposed displacements the reactions do the work; loads on the same unknowns do none of their own.
-void Structure::condense_energy(const Eigen::VectorXd& of_unit_load) {
-    Eigen::VectorXd force = scene_.unit_force;
-    Eigen::VectorXd imposed(std::ssize(scene_.prescribed));
-    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
-        imposed[static_cast<Eigen::Index>(k)] = scene_.prescribed[k].value;
-        force[scene_.prescribed[k].unknown] = 0.0;
-    }
-    load_displacement_.per_load_factor = force.dot(of_unit_load);
-    unit_energy_ = load_displacement_.per_load_factor;
-    load_displacement_.weights = reduced_.boundary;
-    imposed_force_.weights = Eigen::VectorXd::Zero(std::ssize(free_places_));
-    if (imposed.isZero(0.0)) return;
-    load_displacement_.weights = leaf_->reduce(gather(force, leaf_unknowns_)).boundary;
-    imposed_force_ = force_of(imposed, of_unit_load);
-    unit_energy_ += imposed_force_.per_load_factor;
-}
-
-// With the interior in equilibrium: u . K u = u_b . S u_b + 2 lambda m . u_b + lambda^2 e, where m, what imposed
-// displacements pull at the free places u_b, is the reduced load less that of the forces alone.
-double Structure::stored_energy(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
-    const Eigen::VectorXd u = on_free_places(gamma_displacement);
-    const Eigen::VectorXd pull = load_displacement_.weights - reduced_.boundary;
-    return 0.5 * (u.dot(tangent() * u) + load_factor * (2.0 * pull.dot(u) + load_factor * unit_energy_));
+    std::vector<int> rim;
+    for (const int unknown : rim_) rim.push_back(leaf_index_[at(unknown)] - far_count_);
+    leaf_ = std::make_unique<StackedLeaf>(far_, std::move(rim), near_factor_->leaf);
+    condense_loads();
 }
 
 Eigen::VectorXd Structure::on_free_places(const Eigen::VectorXd& gamma_values) const {
@@ -225,23 +188,6 @@ const RingForms& Structure::rings(int tip) const {
 
 void Structure::make_rings() const {
     for (int tip = 0; tip < std::ssize(scene_.enriched.tips); ++tip) (void)rings(tip);
-}
-
-Eigen::VectorXd Structure::forces_on_prescribed(const Eigen::VectorXd& u) const {
-    std::vector<int> row(at(scene_.enriched.unknowns), -1);
-    for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
-        row[at(scene_.prescribed[k].unknown)] = static_cast<int>(k);
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(std::ssize(scene_.prescribed));
-    for (const int element : supported_) {
-        visit_operator(element, [&](const auto& op) {
-            const auto force = elastic_force(op, gather(u, op.unknowns), scene_.elastic.stiffness());
-            for (std::size_t k = 0; k < op.unknowns.size(); ++k) {
-                const int own = row[at(op.unknowns[k])];
-                if (own >= 0) forces[own] += force[static_cast<Eigen::Index>(k)];
-            }
-        });
-    }
-    return forces;
 }
 
 Eigen::VectorXd Structure::internal_force(const Eigen::VectorXd& u) const {

@@ -1,4 +1,5 @@
-// The coarse component's elements: linear elastic, never subdivided, condensed once onto the boundary of the zone.
+// The coarse component's elements: linear elastic, never subdivided, condensed onto the boundary of the zone: the far
+// ones first, once for many structures, the near ones with these on top.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/far_body.hpp"
 #include "coarse/near_elements.hpp"
 #include "coarse/ring_forms.hpp"
 #include "coarse/scene.hpp"
@@ -13,24 +15,37 @@
 #include "common/fem/domain_integral.hpp"
 #include "common/fem/plain_operator.hpp"
 #include "common/index_lists.hpp"
-#include "common/linear/sparse_leaf.hpp"
+#include "common/linear/stacked_leaf.hpp"
 
 namespace stria::coarse {
 
-/// Seconds that a structure took to make.
-struct StructureSeconds {
-    double assembly = 0.0;  // numbering and stiffness
-    double ordering = 0.0;  // of the elimination
-    double factor = 0.0;    // analysis, factor, condensed tangent and load
+/// The near elements condensed onto Gamma: the same matrix has the same factor.
+struct NearFactor {
+    SparseMatrix matrix;  // lower triangle, in the order of elimination, with the far body's tangent on the rim
+    int boundary;
+    std::shared_ptr<const SparseLeaf> leaf;
+};
+
+/// What one structure leaves to the next.
+struct StructureFactors {
+    std::shared_ptr<const FarBody> far;  // null: no element is far
+    std::shared_ptr<const NearFactor> near;
 };
 
 class Structure {
 public:
-    /// `in_zone`: per element, 1 where the fine component owns it. Every element belongs to exactly one side.
-    Structure(const Scene& scene, std::vector<char> in_zone);
+    /// `in_zone`: per element, 1 where the fine component owns it. Every element belongs to exactly one side. `far`:
+    /// per element, 1 where each increment does without it. `known`: factors that serve again where they are those of
+    /// this structure too, to the last bit.
+    Structure(const Scene& scene, std::vector<char> in_zone, const std::vector<char>& far, StructureFactors known = {});
 
-    /// Gamma: unknowns of the whole mesh that zone elements share with coarse ones or that are prescribed or reported,
-    /// ascending.
+    /// With the far elements that near_elements.hpp chooses.
+    Structure(const Scene& scene, const std::vector<char>& in_zone)
+        : Structure(scene, in_zone, far_elements(scene, in_zone)) {}
+
+    [[nodiscard]] StructureFactors factors() const { return {far_, near_factor_}; }
+
+    /// Gamma (gamma.hpp).
     [[nodiscard]] const std::vector<int>& gamma() const { return gamma_; }
 
     /// Places in gamma() that are not prescribed: the unknowns of the condensed system, in order.
@@ -65,29 +80,34 @@ public:
 
     /// Coarse elements that each increment looks at, ascending; the others are far (near_elements.hpp).
     [[nodiscard]] const std::vector<int>& near_elements() const { return near_elements_; }
-    [[nodiscard]] bool is_far(int element) const {
-        return in_zone_[static_cast<std::size_t>(element)] == 0 && is_near_[static_cast<std::size_t>(element)] == 0;
-    }
+    [[nodiscard]] bool is_far(int element) const { return far_ && far_->far()[static_cast<std::size_t>(element)] != 0; }
 
     /// Unknowns that near elements see, and those of free_places(), which are the last, in their order. Prescribed ones
     /// are not among them.
     [[nodiscard]] std::span<const int> near_unknowns() const {
-        return std::span(leaf_unknowns_).last(static_cast<std::size_t>(near_count_));
+        return std::span(leaf_unknowns_).subspan(static_cast<std::size_t>(far_count_));
     }
 
-    /// expand() on near elements alone: overwrites in `u` (of the whole mesh) what they see. Costs the near part of the
-    /// factor.
+    /// Those that far elements see too: with the load factor they tell all of the far body. Ascending.
+    [[nodiscard]] const std::vector<int>& rim() const { return rim_; }
+
+    /// expand() on near elements alone: overwrites in `u` (of the whole mesh) what they see. Costs the near factor.
     void expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, Eigen::VectorXd& u) const;
 
-    /// What far elements resist with on near_unknowns(), given the displacement there of a state in equilibrium without
-    /// load, N/mm: what near ones beside them push. Half its product with that displacement is the far energy.
-    [[nodiscard]] Eigen::VectorXd far_force(const Eigen::VectorXd& near_displacement) const;
+    /// What far elements resist with on the rim, given its displacement and no load, N/mm. Half their product is the
+    /// far energy.
+    [[nodiscard]] Eigen::VectorXd far_force(const Eigen::VectorXd& rim_displacement) const;
+
+    /// All unknowns of the whole mesh that far elements see, given the same; others are zero.
+    [[nodiscard]] Eigen::VectorXd expand_far(const Eigen::VectorXd& rim_displacement) const;
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const std::vector<char>& in_zone() const { return in_zone_; }
     [[nodiscard]] int unknowns() const { return static_cast<int>(leaf_unknowns_.size()); }
     [[nodiscard]] const StructureSeconds& seconds() const { return seconds_; }
-    [[nodiscard]] double factor_entries() const { return leaf_->factor_entries(); }
+    [[nodiscard]] double factor_entries() const {
+        return near_factor_->leaf->factor_entries() + (far_ ? far_->factor_entries() : 0.0);
+    }
 
     /// The rings about a tip and the coarse elements' share in their domain integrals; made when first asked for.
     [[nodiscard]] const RingForms& rings(int tip) const;
@@ -115,37 +135,40 @@ public:
 private:
     template <class Visit> void visit_operator(int element, Visit&& visit) const;
     template <class Visit> void for_each_coarse(Visit&& visit) const;  // visit(element, its unknowns), ascending
+    template <class Visit> void for_each_near(Visit&& visit) const;    // likewise
 
     void make_enriched_operators();
     void keep_plain_operators();
     void number_unknowns();
+    void make_far_body(const std::vector<char>& far, StructureFactors& known);
     [[nodiscard]] IndexLists order_elimination();
     [[nodiscard]] Eigen::VectorXd load_of_imposed(const Eigen::VectorXd& imposed) const;
     [[nodiscard]] SparseMatrix assemble();
-    void condense();
+    void condense(const StructureFactors& known);
+    void condense_loads();
     void condense_readings();
-    void number_near_unknowns(const IndexLists& of_elements);
-    void find_rim(const IndexLists& of_elements, int first_near);
-    void condense_energy(const Eigen::VectorXd& of_unit_load);
-    [[nodiscard]] Controlled force_of(const Eigen::VectorXd& shares, const Eigen::VectorXd& gamma_held) const;
+    void find_near_supports();
+    void condense_energy();
+    [[nodiscard]] Controlled displacement_of(const Eigen::VectorXd& weights) const;
+    [[nodiscard]] Controlled force_of(const Eigen::VectorXd& shares) const;
 
     const Scene& scene_;
-    std::vector<char> in_zone_, is_near_;
+    std::vector<char> in_zone_;
     std::vector<int> near_elements_;
+    std::shared_ptr<const FarBody> far_;
+    std::shared_ptr<const NearFactor> near_factor_;
     bool mean_dilatation_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
     std::vector<PlainOperator> plain_;       // of near ones that are, ascending; empty: made on demand
     std::vector<int> plain_place_;           // per element: in plain_
     std::vector<int> supported_;             // coarse elements with a prescribed unknown
     std::vector<int> gamma_, free_places_;
-    std::vector<int> leaf_unknowns_;                // whole-mesh unknown of each leaf unknown
-    std::vector<int> leaf_index_;                   // and back; -1: prescribed or inside the zone
-    int near_count_ = 0;                            // of the leaf's unknowns: the last ones
-    std::vector<int> rim_elements_;                 // near ones beside far ones, ascending
-    IndexLists rim_places_;                         // in near_unknowns(), of each of their unknowns; -1: prescribed
-    std::vector<char> on_rim_;                      // per near unknown, 1 where far elements see it
+    std::vector<int> leaf_unknowns_;  // whole-mesh unknown of each leaf unknown
+    std::vector<int> leaf_index_;     // and back; -1: prescribed or inside the zone
+    int far_count_ = 0;               // of the leaf's unknowns: the first ones, which far elements alone see
+    std::vector<int> rim_;
     std::vector<PrescribedUnknown> near_supports_;  // that near elements see
-    std::unique_ptr<SparseLeaf> leaf_;
+    std::unique_ptr<StackedLeaf> leaf_;
     ReducedLoad reduced_;        // of the unit load factor
     Eigen::VectorXd near_load_;  // the near part of its interior
     Controlled mean_displacement_, holding_force_, load_displacement_, imposed_force_;
@@ -167,6 +190,17 @@ template <class Visit> void Structure::for_each_coarse(Visit&& visit) const {
     auto enriched = enriched_.begin();
     for (int element = 0; element < static_cast<int>(in_zone_.size()); ++element) {
         if (in_zone_[static_cast<std::size_t>(element)] != 0) continue;
+        if (is_plain(scene_.enriched, element))
+            visit(element, std::span<const int>(plain_unknowns(scene_.enriched, element)));
+        else
+            visit(element, std::span<const int>((enriched++)->unknowns));
+    }
+}
+
+// What is not plain is near.
+template <class Visit> void Structure::for_each_near(Visit&& visit) const {
+    auto enriched = enriched_.begin();
+    for (const int element : near_elements_) {
         if (is_plain(scene_.enriched, element))
             visit(element, std::span<const int>(plain_unknowns(scene_.enriched, element)));
         else

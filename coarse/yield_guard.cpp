@@ -19,19 +19,18 @@ YieldGuard::YieldGuard(const Case& input)
 
 void YieldGuard::turn_to(const Structure& structure, const Eigen::VectorXd& elastic) {
     structure_ = &structure;
+    if (limit_ == std::numeric_limits<double>::infinity() || (far_ && far_->turn_to(structure))) return;
     unpaid_ = 0;
-    if (limit_ == std::numeric_limits<double>::infinity()) return;
     far_.emplace(structure);
-    if (elastic.size() > 0)
-        far_->learn(gather(elastic, structure.near_unknowns()), 1.0, largest_far_stress(structure, elastic));
+    if (elastic.size() > 0) far_->learn(gather(elastic, structure.rim()), 1.0, largest_far_stress(structure, elastic));
 }
 
 std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     if (!far_) return {};
     const Eigen::VectorXd& near = equilibrium.near_displacement();
     std::vector<int> yielding = near_elements_beyond(limit_, *structure_, near);
-    const Eigen::VectorXd seen_by_near = gather(near, structure_->near_unknowns());
-    if (far_->at(seen_by_near, equilibrium.load_factor()) <= limit_) {
+    const Eigen::VectorXd rim = gather(near, structure_->rim());
+    if (far_->at(rim, equilibrium.load_factor()) <= limit_) {
         ++work_.structure_checks_by_bound;
         --unpaid_;
         return yielding;
@@ -41,7 +40,7 @@ std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     const double largest = largest_far_stress(*structure_, whole);
     if (largest > limit_) return stria::coarse::elements_beyond(limit_, *structure_, whole);
     if (unpaid_ < most_unpaid) {
-        far_->learn(seen_by_near, equilibrium.load_factor(), largest);
+        far_->learn(rim, equilibrium.load_factor(), largest);
         ++unpaid_;
     }
     return yielding;

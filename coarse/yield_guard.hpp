@@ -14,8 +14,9 @@ public:
     /// Nothing yields where the material has no yield stress.
     explicit YieldGuard(const Case& input);
 
-    /// Turns to another structure, which must outlive its checks. `elastic`: displacement of the whole mesh of some
-    /// state in equilibrium with it at the load factor 1, to begin the bound with; may be empty.
+    /// Turns to another structure, which must outlive its checks. Where its far body is another one, the bound begins
+    /// anew with `elastic`: displacement of the whole mesh of some state that is in equilibrium there at the load
+    /// factor 1; may be empty.
     void turn_to(const Structure& structure, const Eigen::VectorXd& elastic);
 
     /// Coarse elements that the trial state, in equilibrium, takes beyond the yield stress, ascending.
@@ -29,7 +30,7 @@ private:
     const Structure* structure_ = nullptr;
     std::optional<FarStressBound> far_;  // where something may yield
     coupling::WorkCounts work_;
-    int unpaid_ = 0;  // what was learnt about this structure, less the checks that it saved
+    int unpaid_ = 0;  // what was learnt about this far body, less the checks that it saved
 };
 
 }  // namespace stria::coarse

@@ -67,6 +67,24 @@ void members(auto& archive, Is<CycleResult> auto& m) {
     archive("dN", dN);
 }
 
+void members(auto& archive, Is<TipResult> auto& m) {
+    auto& [a, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, contact_length, plastic_zone,
+           plastic_zone_axis] = m;
+    archive("a", a);
+    archive("K_I", K_I);
+    archive("K_II", K_II);
+    archive("T_stress", T_stress);
+    archive("J", J);
+    archive("J_spread", J_spread);
+    archive("K_spread", K_spread);
+    archive("rings_flow", rings_flow);
+    archive("CTOD", CTOD);
+    archive("CMOD", CMOD);
+    archive("contact_length", contact_length);
+    archive("plastic_zone", plastic_zone);
+    archive("plastic_zone_axis", plastic_zone_axis);
+}
+
 void members(auto& archive, Is<CycleMemory::Path> auto& m) {
     auto& [load, mouth] = m;
     archive("load", load);
@@ -150,16 +168,19 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 }
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, in_zone, displacement, load_factor, largest_force, closed, cycle, last_cycle, increment,
-           newton_iterations, extensions, warnings, flowing_rings, growth_ended, load, work, equilibrium, zone] = m;
+    auto& [cracks, in_zone, far, displacement, load_factor, largest_force, closed, cycle, last_cycle, nominal,
+           increment, newton_iterations, extensions, warnings, flowing_rings, growth_ended, load, work, equilibrium,
+           zone] = m;
     archive("cracks", cracks);
     archive("in_zone", in_zone);
+    archive("far", far);
     archive("displacement", displacement);
     archive("load_factor", load_factor);
     archive("largest_force", largest_force);
     archive("closed", closed);
     archive("cycle", cycle);
     archive("last_cycle", last_cycle);
+    archive("nominal", nominal);
     archive("increment", increment);
     archive("newton_iterations", newton_iterations);
     archive("extensions", extensions);

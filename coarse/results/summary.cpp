@@ -40,6 +40,7 @@ Json to_json(const Timing& timing) {
     return Json::Object{{"mesh", timing.mesh},
                         {"setup", timing.setup},
                         {"coarse_factor", timing.coarse_factor},
+                        {"growth", timing.growth},
                         {"fine_constitutive", timing.fine_constitutive},
                         {"fine_contact", timing.fine_contact},
                         {"fine_factor", timing.fine_factor},

@@ -45,7 +45,7 @@ struct Json::Member {
 
 /// Seconds per phase. mesh + setup + exchange + coarse_solve + output make the total; the others are parts of those.
 struct Timing {
-    double mesh = 0, setup = 0, coarse_factor = 0, fine_constitutive = 0, fine_contact = 0, fine_factor = 0;
+    double mesh = 0, setup = 0, coarse_factor = 0, growth = 0, fine_constitutive = 0, fine_contact = 0, fine_factor = 0;
     double exchange = 0, coarse_solve = 0, output = 0, checkpoint = 0, total = 0;
 };
 

@@ -272,6 +272,8 @@ Eigen::VectorXd SparseLeaf::expand_last(const Eigen::VectorXd& last_of_load, con
     return x;
 }
 
+int SparseLeaf::unknowns() const { return factor_->size(); }
+
 double SparseLeaf::factor_entries() const { return factor_->entries; }
 
 }  // namespace stria

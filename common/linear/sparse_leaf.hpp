@@ -31,6 +31,9 @@ public:
     [[nodiscard]] Eigen::VectorXd expand_last(const Eigen::VectorXd& last_of_load,
                                               const Eigen::VectorXd& boundary) const;
 
+    /// The boundary's included.
+    [[nodiscard]] int unknowns() const;
+
     /// Entries in the Cholesky factor.
     [[nodiscard]] double factor_entries() const;
 

@@ -54,6 +54,12 @@ const Scenery small{"Small",
                      "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.4"},
                     13};
 
+/// Within a zone that holds its way already: the whole run keeps its structure's factor, what resumes makes it anew.
+const Scenery within{"Within",
+                     {"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.growth=0.25", "load.steps=6",
+                      "load.blocks=[{cycles=4, max=50.0, ratio=-1.0}]", "growth.increment=0.2"},
+                     20};
+
 /// Half way of an increment that was halved.
 const Scenery halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
@@ -207,7 +213,7 @@ TEST_P(Resume, StopsWhereItMatters) {
 TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
-                         testing::Values(still, again, extended, growing, small, halved, displaced, elastic),
+                         testing::Values(still, again, extended, growing, small, within, halved, displaced, elastic),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};

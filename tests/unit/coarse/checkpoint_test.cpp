@@ -23,6 +23,8 @@ Checkpoint some_checkpoint() {
     AnalysisState& state = checkpoint.analysis;
     state.cracks = {{{0.0, 20.25}, {100.0, 1.0 / 3.0}}};
     state.in_zone = {0, 1, 1};
+    state.far = {1, 0, 0};
+    state.nominal = {{.a = 7.0, .K_I = 0.1, .CMOD = -0.0}};
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
     state.closed = {1};
     state.increment = 57;
@@ -71,6 +73,9 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.mark.mesh, in.mark.mesh);
     EXPECT_EQ(out.analysis.cracks.at(0).y, in.analysis.cracks[0].y);
     EXPECT_EQ(out.analysis.in_zone, in.analysis.in_zone);
+    EXPECT_EQ(out.analysis.far, in.analysis.far);
+    EXPECT_EQ(out.analysis.nominal.at(0).K_I, in.analysis.nominal[0].K_I);
+    EXPECT_TRUE(std::signbit(out.analysis.nominal[0].CMOD));
     EXPECT_EQ(out.analysis.displacement, in.analysis.displacement);
     EXPECT_TRUE(std::signbit(out.analysis.displacement[1]));
     EXPECT_EQ(out.analysis.closed, in.analysis.closed);

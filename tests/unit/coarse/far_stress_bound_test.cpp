@@ -33,14 +33,14 @@ protected:
     }
 
     struct State {
-        Eigen::VectorXd whole, near;
+        Eigen::VectorXd whole, rim;
         double load_factor, largest_far;
     };
 
     [[nodiscard]] State state(const Eigen::VectorXd& gamma, double load_factor) const {
         State s;
         s.whole = structure.expand(gamma, load_factor);
-        s.near = gather(s.whole, structure.near_unknowns());
+        s.rim = gather(s.whole, structure.rim());
         s.load_factor = load_factor;
         s.largest_far = largest_far_stress(structure, s.whole);
         return s;
@@ -88,19 +88,19 @@ TEST_P(FarStress, FarForceIsThatOfTheFarElements) {
         const auto local = gather(s.whole, op.unknowns);
         energy += 0.5 * local.dot((op.stiffness(elastic) * local).eval());
     });
-    EXPECT_NEAR(0.5 * s.near.dot(structure.far_force(s.near)), energy, 1e-9 * energy);
+    EXPECT_NEAR(0.5 * s.rim.dot(structure.far_force(s.rim)), energy, 1e-9 * energy);
 }
 
 TEST_P(FarStress, BoundIsNeverBelowTheStress) {
     FarStressBound bound(structure);
-    EXPECT_EQ(bound.at(state(random_gamma(0.0), 10.0).near, 10.0), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(bound.at(state(random_gamma(0.0), 10.0).rim, 10.0), std::numeric_limits<double>::infinity());
     std::uniform_real_distribution<double> any(-50.0, 50.0);
     for (int k = 0; k < 40; ++k) {
         const State s = state(random_gamma(k % 3 == 0 ? 1e-3 : 1e-5), k % 5 == 0 ? 0.0 : any(generator));
-        EXPECT_GE(bound.at(s.near, s.load_factor), s.largest_far * (1.0 - 1e-9)) << k;
+        EXPECT_GE(bound.at(s.rim, s.load_factor), s.largest_far * (1.0 - 1e-9)) << k;
         if (k % 4 != 1) continue;
-        bound.learn(s.near, s.load_factor, s.largest_far);
-        EXPECT_LE(bound.at(s.near, s.load_factor), 1.03 * s.largest_far) << k;  // but for what is not worth a mode
+        bound.learn(s.rim, s.load_factor, s.largest_far);
+        EXPECT_LE(bound.at(s.rim, s.load_factor), 1.03 * s.largest_far) << k;  // but for what is not worth a mode
     }
 }
 
@@ -108,9 +108,9 @@ TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
     FarStressBound bound(structure);
     for (const double load_factor : {40.0, -30.0, 20.0}) {
         const State s = state(random_gamma(1e-5), load_factor);
-        bound.learn(s.near, load_factor, s.largest_far);
+        bound.learn(s.rim, load_factor, s.largest_far);
         for (const double scale : {1.0, 0.3, -0.7})
-            EXPECT_NEAR(bound.at(scale * s.near, scale * load_factor), std::abs(scale) * s.largest_far,
+            EXPECT_NEAR(bound.at(scale * s.rim, scale * load_factor), std::abs(scale) * s.largest_far,
                         1e-6 * s.largest_far);
     }
 }

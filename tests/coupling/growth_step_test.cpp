@@ -1,0 +1,71 @@
+// What a step of growth factors: the far body once, the structure where its zone changes; and that the nominal solution
+// is that of the whole body.
+#include <gtest/gtest.h>
+
+#include "coarse/fatigue_analysis.hpp"
+#include "fine/fine_model.hpp"
+#include "tests/support/pulled_plate.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr int cycles = 4;
+
+struct Grown {
+    coarse::Factorisations made;
+    int changes_of_zone = 0;
+    std::vector<double> K, K_of_the_whole;  // of each length
+};
+
+/// Elements of 1 mm, those about the tip split; by a factor of 4 along its way too.
+Grown grow(int refine) {
+    Case input = pulled_plate(1.0, true, true);
+    input.mesh.width = input.mesh.height = 40.0;
+    input.cracks[0].points = {{0.0, 20.4}, {7.3, 20.4}};
+    input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
+    input.load.steps = 4;
+    input.load.blocks = {{.cycles = cycles, .max = 30.0, .min = 0.0}};
+    input.growth = GrowthSection{.increment = 0.3};
+    input.fine.radius = 1.5;
+    input.fine.refine = refine;
+    const coarse::Scene scene = coarse::make_scene(input);
+    fine::FineModel fine(input);
+    coarse::CondensedFactory factory(&fine);
+    Grown grown;
+    std::vector<char> in_zone;
+    coarse::Listener listener;
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
+        if (structure.in_zone() != in_zone) ++grown.changes_of_zone;
+        in_zone = structure.in_zone();
+        if (!grown.K.empty() && grown.K.back() == increment.nominal_K[0]) return;
+        grown.K.push_back(increment.nominal_K[0]);
+        const coarse::Structure whole(structure.scene(), std::vector<char>(in_zone.size(), 0));
+        grown.K_of_the_whole.push_back(coarse::fracture_parameters(whole, whole.expand({}, 1.0), {})[0].K_I);
+    };
+    coarse::FatigueAnalysis analysis(scene, factory, listener);
+    analysis.run();
+    grown.made = analysis.factorisations();
+    return grown;
+}
+
+class GrowthStep : public testing::TestWithParam<int> {};
+
+TEST_P(GrowthStep, CondensesTheStructureWhereItsZoneChangesAndTheFarBodyOnce) {
+    const Grown grown = grow(GetParam());
+    EXPECT_EQ(grown.made.near, grown.changes_of_zone);
+    EXPECT_EQ(grown.made.near + grown.made.kept, 1 + cycles);
+    EXPECT_EQ(grown.changes_of_zone == 1, GetParam() > 1);
+    EXPECT_EQ(grown.made.far, 1);
+}
+
+TEST_P(GrowthStep, FindsTheNominalKOfTheWholeBody) {
+    const Grown grown = grow(GetParam());
+    ASSERT_EQ(grown.K.size(), static_cast<std::size_t>(1 + cycles));
+    for (std::size_t k = 0; k < grown.K.size(); ++k)
+        EXPECT_NEAR(grown.K[k], grown.K_of_the_whole[k], 1e-11 * grown.K_of_the_whole[k]) << k;
+}
+
+INSTANTIATE_TEST_SUITE_P(Refinement, GrowthStep, testing::Values(1, 4));
+
+}  // namespace
+}  // namespace stria::test
