@@ -58,6 +58,17 @@ std::vector<int> with_ends_of_edges(const EnrichedMesh& mesh, const std::vector<
 
 }  // namespace
 
+FrozenTips::FrozenTips(std::vector<coupling::FrozenTip> tips) {
+    for (coupling::FrozenTip& tip : tips) keep(std::move(tip));
+}
+
+void FrozenTips::keep(coupling::FrozenTip tip) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& node : tip.mesh.nodes) box.extend(node);
+    boxes_.push_back(box);
+    tips_.push_back(std::move(tip));
+}
+
 void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement) {
     std::vector<int> elements;
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
@@ -75,7 +86,7 @@ void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd
             own.segment<2>(unknown) = displacement.segment<2>(unknown);
     }
     frozen.displacement = carry_over(mesh, own, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
-    tips_.push_back(std::move(frozen));
+    keep(std::move(frozen));
 }
 
 void FrozenTips::keep_closed(const EnrichedMesh& before, const EnrichedMesh& next,
@@ -93,14 +104,16 @@ void FrozenTips::keep_closed(const EnrichedMesh& before, const EnrichedMesh& nex
             return !counting.contains(frozen.mesh.element_ids[static_cast<std::size_t>(piece.element)]);
         });
         frozen.displacement = -carry_over(next, jumps, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
-        tips_.push_back(std::move(frozen));
+        keep(std::move(frozen));
     }
 }
 
 Vec2 FrozenTips::jump(int crack, const Vec2& x) const {
     Vec2 sum = Vec2::Zero();
-    for (const coupling::FrozenTip& frozen : tips_) {
-        if (frozen.crack != crack) continue;
+    for (std::size_t t = 0; t < tips_.size(); ++t) {
+        const coupling::FrozenTip& frozen = tips_[t];
+        if (frozen.crack != crack || boxes_[t].squaredExteriorDistance(x) > 1e-6 * boxes_[t].sizes().squaredNorm())
+            continue;
         if (const auto s = arc_length_at(frozen.mesh, crack, x))
             sum += face_station_at(frozen.mesh, crack, *s).jump(frozen.displacement);
     }

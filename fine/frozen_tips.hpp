@@ -2,6 +2,7 @@
 // that a tip has left behind, and jumps that old unknowns would make in elements newly cut.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "coupling/zone_snapshot.hpp"
@@ -11,7 +12,7 @@ namespace stria::fine {
 class FrozenTips {
 public:
     FrozenTips() = default;
-    explicit FrozenTips(std::vector<coupling::FrozenTip> tips) : tips_(std::move(tips)) {}
+    explicit FrozenTips(std::vector<coupling::FrozenTip> tips);
 
     /// Keeps what a tip's functions are at `displacement` (all unknowns of the mesh).
     void freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement);
@@ -27,7 +28,10 @@ public:
     [[nodiscard]] const std::vector<coupling::FrozenTip>& tips() const { return tips_; }
 
 private:
+    void keep(coupling::FrozenTip tip);
+
     std::vector<coupling::FrozenTip> tips_;
+    std::vector<Eigen::AlignedBox2d> boxes_;  // about the elements of each: a long way leaves many behind
 };
 
 }  // namespace stria::fine
