@@ -1,13 +1,15 @@
-// Newton's method that goes to and fro between two states takes half a step.
+// Newton's method that goes to and fro between two states takes parts of a step.
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace stria {
 
 /// Watches the residuals of one increment. Full steps are best while they lead anywhere (NUMERICS 3); where after some
 /// of them the residual is no smaller than half of what it was two iterations ago, the two last states face each other
-/// across a kink of the piecewise linear problem, and the middle between them is nearer.
+/// across a kink of the piecewise linear problem, and the middle between them is nearer. Where halves go to and fro as
+/// well, quarters lead out of it.
 class Damping {
 public:
     void begin() { residuals_.clear(); }
@@ -16,7 +18,9 @@ public:
     double factor(double residual) {
         residuals_.push_back(residual);
         const std::size_t n = residuals_.size();
-        return n > full_steps && residuals_[n - 1] > 0.5 * residuals_[n - 3] ? 0.5 : 1.0;
+        if (n <= full_steps || residuals_[n - 1] <= 0.5 * residuals_[n - 3]) return 1.0;
+        constexpr std::array parts{0.5, 0.5, 0.25, 0.75};
+        return parts[(n - full_steps - 1) % parts.size()];
     }
 
 private:

@@ -17,9 +17,9 @@ TEST(Damping, LeavesStepsThatLeadSomewhere) {
     for (const double factor : factors({8.0, 9.0, 4.0, 3.0, 1.0, 0.5, 0.1, 0.01, 1e-5})) EXPECT_EQ(factor, 1.0);
 }
 
-TEST(Damping, HalvesThoseBetweenTwoStates) {
-    EXPECT_EQ(factors({8.0, 2.0, 1.0, 1.1, 1.0, 1.1, 1.0, 1.1, 0.4}),
-              (std::vector<double>{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 1.0}));
+TEST(Damping, TakesPartsOfThoseBetweenTwoStates) {
+    EXPECT_EQ(factors({8.0, 2.0, 1.0, 1.1, 1.0, 1.1, 1.0, 1.1, 1.0, 1.1, 0.4}),
+              (std::vector<double>{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.75, 1.0}));
 }
 
 }  // namespace
