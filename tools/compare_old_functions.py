@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Functions of tips that have moved on: frozen, or unknowns still (growth.retain), both against elements half as large.
+"""Functions of tips that have moved on: frozen, or unknowns still (growth.retain), both against elements half and a quarter as large.
 
     tools/compare_old_functions.py build/release/bin/stria
 
@@ -28,11 +28,13 @@ SCENE = {
     "output.faces": '"all"',
     "output.fields": '"none"',
 }
-VARIANTS = {  # elements of 0.08 mm at the tip, and of 0.04 mm
+VARIANTS = {  # elements of 0.08 mm at the tip, of 0.04 and of 0.02 mm
     "frozen": {"fine.refine": "32"},
     "retained": {"fine.refine": "32", "growth.retain": '"all"'},
     "frozen, elements half as large": {"fine.refine": "64"},
     "retained, elements half as large": {"fine.refine": "64", "growth.retain": '"all"'},
+    "frozen, a quarter": {"fine.refine": "128"},
+    "retained, a quarter": {"fine.refine": "128", "growth.retain": '"all"'},
 }
 BEHIND = (0.05, 0.1, 0.2, 0.4)  # mm
 
