@@ -142,9 +142,6 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.zone_extensions = analysis.zone_extensions();
     summary.yield_warnings = analysis.yield_warnings();
     summary.flowing_rings = analysis.flowing_rings();
-    summary.work.structure_factorisations = analysis.factorisations().near;
-    summary.work.structure_factors_kept = analysis.factorisations().kept;
-    summary.work.far_factorisations = analysis.factorisations().far;
     if (fine != nullptr) add_ranks(*fine, zone, summary);
     const double output = recorder.output_seconds() + checkpoint_s_;
     summary.timing = {.mesh = mesh_s_,

@@ -50,8 +50,9 @@ void measure(int across, int refine) {
     std::printf("| %zu | %s | %d | %.1f | %.0f |", scene.mesh.elements.size(), refine > 1 ? "within" : "moves",
                 analysis.structure().unknowns(), 1e3 * analysis.growth_seconds() / steps,
                 1e3 * analysis.setup_seconds());
-    const coarse::Factorisations& made = analysis.factorisations();
-    std::printf(" %d, %d, %d | %zu |", made.near, made.kept, made.far, analysis.structure().near_elements().size());
+    const coupling::WorkCounts made = analysis.work();
+    std::printf(" %ld, %ld, %ld | %zu |", made.structure_factorisations, made.structure_factors_kept,
+                made.far_factorisations, analysis.structure().near_elements().size());
     for (const coarse::TipResult& tip : analysis.nominal()) std::printf(" %.13g |", tip.K_I);
     std::printf("\n");
     std::fflush(stdout);

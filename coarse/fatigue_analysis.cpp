@@ -44,7 +44,7 @@ std::unique_ptr<Structure> FatigueAnalysis::condense(const Scene& scene, const s
     const bool known = knows_far_body();
     auto structure = std::make_unique<Structure>(scene, in_zone, far_, std::exchange(factors_, {}));
     factors_ = structure->factors();
-    if (!known && factors_.far) ++factorisations_.far;
+    if (!known && factors_.far) ++own_work_.far_factorisations;
     return structure;
 }
 
@@ -62,13 +62,13 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
         if (!equilibrium_) structure_.reset();  // the nominal one: two factors at once would take twice the memory
         structure_ = condense(*scene_, in_zone);
     }
-    ++(near && factors_.near == near ? factorisations_.kept : factorisations_.near);
+    ++(near && factors_.near == near ? own_work_.structure_factors_kept : own_work_.structure_factorisations);
     guard_.turn_to(*structure_, nominal_displacement_);
     structure_->make_rings();
     const coupling::Patch patch = has_zone ? patch_of(in_zone, structure_->gamma()) : coupling::Patch();
     if (equilibrium_) {
         earlier_exchange_s_ += equilibrium_->exchange_seconds();
-        earlier_work_ += equilibrium_->work();
+        own_work_ += equilibrium_->work();
     }
     const coupling::Patch* zone_patch = has_zone ? &patch : nullptr;
     if (from != nullptr)

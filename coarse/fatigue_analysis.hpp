@@ -48,12 +48,6 @@ struct AnalysisState {
     coupling::ZoneSnapshot zone;  // empty without one
 };
 
-/// How often the structure was condensed, and how often one whose matrix has not changed served again.
-struct Factorisations {
-    int near = 0, kept = 0;  // of the near elements, on top of the far ones
-    int far = 0;             // of the far ones, for structures and nominal solutions
-};
-
 class FatigueAnalysis {
 public:
     /// `from`: what to go on from, of the same case; null: the beginning.
@@ -79,7 +73,7 @@ public:
     [[nodiscard]] int zone_extensions() const { return extensions_; }
     [[nodiscard]] int yield_warnings() const { return warnings_; }
     /// Of the structure.
-    [[nodiscard]] coupling::WorkCounts work() const { return earlier_work_ + equilibrium_->work() + guard_.work(); }
+    [[nodiscard]] coupling::WorkCounts work() const { return own_work_ + equilibrium_->work() + guard_.work(); }
     /// Increments in which some tip had no ring outside what has flowed.
     [[nodiscard]] int flowing_rings() const { return flowing_rings_; }
     [[nodiscard]] double exchange_seconds() const { return earlier_exchange_s_ + equilibrium_->exchange_seconds(); }
@@ -87,7 +81,6 @@ public:
     [[nodiscard]] double growth_seconds() const { return growth_s_; }
     [[nodiscard]] double run_seconds() const { return run_s_; }
     [[nodiscard]] double coarse_factor_seconds() const { return coarse_factor_s_; }
-    [[nodiscard]] const Factorisations& factorisations() const { return factorisations_; }
 
 private:
     [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const std::vector<char>& in_zone);
@@ -122,7 +115,6 @@ private:
     LoadController controller_;
     std::vector<char> far_;  // per element (near_elements.hpp)
     StructureFactors factors_;
-    Factorisations factorisations_;
     std::unique_ptr<Structure> structure_;
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
@@ -141,7 +133,7 @@ private:
     bool growth_ended_ = false;
     int increment_ = 0, newton_iterations_ = 0, extensions_ = 0, warnings_ = 0, flowing_rings_ = 0;
     double setup_s_ = 0.0, growth_s_ = 0.0, run_s_ = 0.0, coarse_factor_s_ = 0.0, earlier_exchange_s_ = 0.0;
-    coupling::WorkCounts earlier_work_;  // of equilibria before the present one
+    coupling::WorkCounts own_work_;  // and that of equilibria before the present one
 };
 
 }  // namespace stria::coarse

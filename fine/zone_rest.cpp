@@ -1,5 +1,6 @@
 // Elements at rest: where nothing has flowed for a cycle the zone is a linear substructure about its stored plastic
-// strain (DESIGN section 1). Its points stay where they were; whether one would flow is looked at once an increment.
+// strain (DESIGN section 1). Its points stay where they were; whether one would flow is looked at early in an
+// increment and where it may end.
 #include <algorithm>
 
 #include "common/stopwatch.hpp"

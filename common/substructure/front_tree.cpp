@@ -22,6 +22,9 @@ struct FrontTree::Tree {
     explicit Tree(const Layout& layout);
 
     void refactor(std::size_t index, const MatrixOfElement& matrix_of);
+    /// Through the fronts that are awake, or those that are not; vectors by rank.
+    void forward(Eigen::VectorXd& y, bool awake) const;
+    void backward(Eigen::VectorXd& x, bool awake) const;
     [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
 
     std::size_t elements;
@@ -79,6 +82,29 @@ void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
     throw NumericalFailure("the tangent of the zone is singular at its unknown " + std::to_string(unknown));
 }
 
+void FrontTree::Tree::forward(Eigen::VectorXd& y, bool awake) const {
+    Eigen::VectorXd buffer(widest);
+    for (std::size_t index = 0; index < fronts.size(); ++index) {
+        if ((rest[index] == Rest::Awake) != awake) continue;
+        const AssemblyTree::Node& node = plan.nodes[index];
+        auto kept = buffer.head(std::ssize(node.kept));
+        kept = y(node.kept);
+        fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
+        y(node.kept) = kept;
+    }
+}
+
+void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
+    Eigen::VectorXd buffer(widest);
+    for (std::size_t index = fronts.size(); index-- > 0;) {
+        if ((rest[index] == Rest::Awake) != awake) continue;
+        const AssemblyTree::Node& node = plan.nodes[index];
+        auto kept = buffer.head(std::ssize(node.kept));
+        kept = x(node.kept);
+        fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
+    }
+}
+
 FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
 FrontTree::~FrontTree() = default;
 
@@ -116,15 +142,7 @@ ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     require(load.size() == std::ssize(tree.plan.rank), "front tree: a load on all unknowns");
     Eigen::VectorXd y(load.size());
     y(tree.plan.rank) = load;
-    Eigen::VectorXd buffer(tree.widest);
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        if (tree.rest[index] != Tree::Rest::Awake) continue;
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        kept = y(node.kept);
-        tree.fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
-        y(node.kept) = kept;
-    }
+    tree.forward(y, true);
     return {.interior = y.head(tree.plan.interior), .boundary = y.tail(y.size() - tree.plan.interior)};
 }
 
@@ -135,14 +153,7 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
             "front tree: expand() wants what reduce() gave");
     Eigen::VectorXd x(std::ssize(tree.plan.rank));
     x << load.interior, boundary;
-    Eigen::VectorXd buffer(tree.widest);
-    for (std::size_t index = tree.fronts.size(); index-- > 0;) {
-        if (tree.rest[index] != Tree::Rest::Awake) continue;
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        kept = x(node.kept);
-        tree.fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
-    }
+    tree.backward(x, true);
     return x(tree.plan.rank);
 }
 
@@ -178,15 +189,7 @@ void FrontTree::carry(const Eigen::VectorXd& load) {
     Tree& tree = *tree_;
     Eigen::VectorXd y(load.size());
     y(tree.plan.rank) = load;
-    Eigen::VectorXd buffer(tree.widest);
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        if (tree.rest[index] == Tree::Rest::Awake) continue;
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        kept = y(node.kept);
-        tree.fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
-        y(node.kept) = kept;
-    }
+    tree.forward(y, false);
     tree.carried = y;
 }
 
@@ -210,16 +213,12 @@ Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
     const Tree& tree = *tree_;
     Eigen::VectorXd x(move.size());
     x(tree.plan.rank) = move;
-    Eigen::VectorXd buffer(tree.widest);
-    for (std::size_t index = tree.fronts.size(); index-- > 0;) {
-        if (tree.rest[index] == Tree::Rest::Awake) continue;
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
         const AssemblyTree::Node& node = tree.plan.nodes[index];
-        auto own = x.segment(node.first_rank, node.eliminated);
-        own = tree.carried.segment(node.first_rank, node.eliminated);
-        auto kept = buffer.head(std::ssize(node.kept));
-        kept = x(node.kept);
-        tree.fronts[index].backward(own, kept);
+        if (tree.rest[index] != Tree::Rest::Awake)
+            x.segment(node.first_rank, node.eliminated) = tree.carried.segment(node.first_rank, node.eliminated);
     }
+    tree.backward(x, false);
     return x(tree.plan.rank);
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr int cycles = 4;
 
 struct Grown {
-    coarse::Factorisations made;
+    coupling::WorkCounts made;
     int changes_of_zone = 0;
     std::vector<double> K, K_of_the_whole;  // of each length
 };
@@ -44,7 +44,7 @@ Grown grow(int refine) {
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
-    grown.made = analysis.factorisations();
+    grown.made = analysis.work();
     return grown;
 }
 
@@ -52,10 +52,10 @@ class GrowthStep : public testing::TestWithParam<int> {};
 
 TEST_P(GrowthStep, CondensesTheStructureWhereItsZoneChangesAndTheFarBodyOnce) {
     const Grown grown = grow(GetParam());
-    EXPECT_EQ(grown.made.near, grown.changes_of_zone);
-    EXPECT_EQ(grown.made.near + grown.made.kept, 1 + cycles);
+    EXPECT_EQ(grown.made.structure_factorisations, grown.changes_of_zone);
+    EXPECT_EQ(grown.made.structure_factorisations + grown.made.structure_factors_kept, 1 + cycles);
     EXPECT_EQ(grown.changes_of_zone == 1, GetParam() > 1);
-    EXPECT_EQ(grown.made.far, 1);
+    EXPECT_EQ(grown.made.far_factorisations, 1);
 }
 
 TEST_P(GrowthStep, FindsTheNominalKOfTheWholeBody) {
