@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/coarse_run.hpp"
-#include "coarse/handbook_comparison.hpp"
-#include "coarse/zone_selection.hpp"
+#include "coarse/fracture/handbook_comparison.hpp"
+#include "coarse/zone/zone_selection.hpp"
 #include "common/io/case_file.hpp"
 
 namespace stria {

@@ -4,7 +4,7 @@
 
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
-#include "fine/fine_model.hpp"
+#include "fine/zone/fine_model.hpp"
 
 namespace stria {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "coarse/condensed_equilibrium.hpp"
-#include "common/fem/part_of_mesh.hpp"
+#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "common/enrichment/part_of_mesh.hpp"
 #include "common/linear/sparse_lu.hpp"
 
 namespace stria {

@@ -1,8 +1,8 @@
 // The yardstick of the coupling tests: structure, zone and contact in one sparse matrix, plain Newton, no condensation.
 #pragma once
 
-#include "coarse/fatigue_analysis.hpp"
-#include "fine/zone_system.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
+#include "fine/zone/zone_system.hpp"
 
 namespace stria {
 

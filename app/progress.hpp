@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "coarse/fatigue_analysis.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
 
 namespace stria {
 

@@ -14,7 +14,7 @@
 #include "common/linear/sparse_lu.hpp"
 #include "coupling/mpi_transport.hpp"
 #include "coupling/serve.hpp"
-#include "fine/fine_model.hpp"
+#include "fine/zone/fine_model.hpp"
 
 namespace stria {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "coarse/fracture_parameters.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "common/stopwatch.hpp"
 

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "coarse/fatigue_analysis.hpp"
-#include "coarse/scene.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/model/scene.hpp"
 #include "common/linear/sparse_lu.hpp"
-#include "fine/fine_model.hpp"
+#include "fine/zone/fine_model.hpp"
 
 namespace stria {
 namespace {

@@ -12,9 +12,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "coarse/fatigue_analysis.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
 #include "common/linear/sparse_lu.hpp"
-#include "fine/fine_model.hpp"
+#include "fine/zone/fine_model.hpp"
 
 namespace stria {
 namespace {

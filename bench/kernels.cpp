@@ -10,12 +10,12 @@
 #include <random>
 #include <string>
 
-#include "coarse/discretization.hpp"
+#include "coarse/model/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/linear/lapack.hpp"
 #include "common/linear/sparse_lu.hpp"
+#include "fine/bulk/element_kernels.hpp"
 #include "fine/contact/contact_interface.hpp"
-#include "fine/element_kernels.hpp"
 #include "fine/material/material_law.hpp"
 
 namespace {

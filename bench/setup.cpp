@@ -15,13 +15,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "coarse/discretization.hpp"
-#include "coarse/fracture_parameters.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/model/enrichment.hpp"
+#include "coarse/model/scene.hpp"
 #include "coarse/results/field_writer.hpp"
 #include "coarse/results/zone_fields.hpp"
-#include "coarse/scene.hpp"
 #include "coarse/specimen/specimen.hpp"
-#include "coarse/structure.hpp"
+#include "coarse/structure/structure.hpp"
 #include "common/linear/sparse_lu.hpp"
 
 namespace stria {

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <ranges>
 
+#include "common/enrichment/part_of_mesh.hpp"
 #include "common/error.hpp"
-#include "common/fem/element_operator.hpp"
-#include "common/fem/part_of_mesh.hpp"
+#include "common/integration/element_operator.hpp"
 #include "coupling/merged_reports.hpp"
 #include "coupling/zone_partition.hpp"
 

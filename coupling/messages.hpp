@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/fem/enriched_mesh.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
 #include "common/predictor.hpp"
 #include "coupling/work_counts.hpp"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "common/fem/element_basis.hpp"
+#include "common/enrichment/element_basis.hpp"
 
 namespace stria::coupling {
 namespace {

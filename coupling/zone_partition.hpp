@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/fem/enriched_mesh.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
 
 namespace stria::coupling {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "common/fem/element_operator.hpp"
+#include "common/integration/element_operator.hpp"
 
 namespace stria::coupling {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/fem/enriched_mesh.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
 
 namespace stria::coupling {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/fatigue_analysis.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/run_recorder.hpp"
 
 namespace stria::coarse {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "coarse/fatigue_analysis.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/csv.hpp"
 #include "coarse/results/field_writer.hpp"
 #include "coarse/results/summary.hpp"

@@ -4,11 +4,11 @@
 #include <map>
 #include <optional>
 
-#include "common/fem/cut_element.hpp"
-#include "common/fem/element_basis.hpp"
-#include "common/fem/part_of_mesh.hpp"
+#include "common/enrichment/element_basis.hpp"
+#include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
 namespace {

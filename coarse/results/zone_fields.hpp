@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coarse/results/field_writer.hpp"
-#include "coarse/structure.hpp"
+#include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {

@@ -5,14 +5,14 @@
 #include <set>
 #include <vector>
 
-#include "common/fem/crack_faces.hpp"
-#include "common/fem/element_operator.hpp"
+#include "common/integration/crack_faces.hpp"
+#include "common/integration/element_operator.hpp"
 #include "common/io/case.hpp"
 #include "common/linear/sparse.hpp"
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_law.hpp"
 #include "fine/contact/multiplier_space.hpp"
-#include "fine/frozen_tips.hpp"
+#include "fine/growth/frozen_tips.hpp"
 
 namespace stria::fine {
 

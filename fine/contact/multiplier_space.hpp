@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "common/fem/enriched_mesh.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
 
 namespace stria::fine {
 

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "app/monolithic.hpp"
-#include "coarse/condensed_equilibrium.hpp"
-#include "coarse/zone_selection.hpp"
+#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/zone/zone_selection.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "common/error.hpp"
-#include "fine/fine_model.hpp"
+#include "fine/zone/fine_model.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {

@@ -2,8 +2,8 @@
 // is that of the whole body.
 #include <gtest/gtest.h>
 
-#include "coarse/fatigue_analysis.hpp"
-#include "fine/fine_model.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
+#include "fine/zone/fine_model.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::test {

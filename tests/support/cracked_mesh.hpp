@@ -5,12 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include "coarse/discretization.hpp"
+#include "coarse/model/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
-#include "common/fem/cut_element.hpp"
-#include "common/fem/element_operator.hpp"
 #include "common/fem/mesh.hpp"
 #include "common/fem/quadrature.hpp"
+#include "common/integration/cut_element.hpp"
+#include "common/integration/element_operator.hpp"
 
 namespace stria::test {
 

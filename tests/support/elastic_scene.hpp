@@ -1,7 +1,7 @@
 // Elastic scenes put together by hand, for tests: no case file, no specimen.
 #pragma once
 
-#include "coarse/structure.hpp"
+#include "coarse/structure/structure.hpp"
 #include "tests/support/cracked_mesh.hpp"
 
 namespace stria::test {

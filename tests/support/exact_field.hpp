@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "common/fem/williams.hpp"
+#include "common/fracture/williams.hpp"
 #include "tests/support/elastic_scene.hpp"
 
 namespace stria::test {

@@ -2,11 +2,11 @@
 // report.
 #pragma once
 
-#include "coarse/condensed_equilibrium.hpp"
-#include "coarse/fracture_parameters.hpp"
-#include "coarse/newton.hpp"
-#include "coarse/zone_selection.hpp"
-#include "fine/fine_model.hpp"
+#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/newton.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "fine/zone/fine_model.hpp"
 
 namespace stria::test {
 

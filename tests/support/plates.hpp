@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "coarse/discretization.hpp"
+#include "coarse/model/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "coupling/messages.hpp"
 

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "coarse/fatigue_analysis.hpp"
-#include "coarse/scene.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/model/scene.hpp"
 #include "common/io/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
-#include "fine/fine_model.hpp"
+#include "fine/zone/fine_model.hpp"
 
 namespace stria::test {
 

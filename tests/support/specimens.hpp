@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "coarse/fracture_parameters.hpp"
-#include "coarse/scene.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/model/scene.hpp"
 
 namespace stria::test {
 

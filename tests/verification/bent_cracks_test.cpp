@@ -7,8 +7,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/discretization.hpp"
-#include "coarse/rings.hpp"
+#include "coarse/model/enrichment.hpp"
+#include "coarse/model/rings.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "tests/support/cracked_mesh.hpp"
 #include "tests/support/specimens.hpp"

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "common/fem/crack_faces.hpp"
-#include "common/fem/cut_element.hpp"
-#include "common/fem/element_basis.hpp"
+#include "common/enrichment/element_basis.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/integration/crack_faces.hpp"
+#include "common/integration/cut_element.hpp"
 #include "tests/support/one_equilibrium.hpp"
 
 namespace stria {

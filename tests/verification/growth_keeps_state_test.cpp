@@ -7,7 +7,7 @@
 #include <iostream>
 #include <map>
 
-#include "common/fem/crack_faces.hpp"
+#include "common/integration/crack_faces.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "coarse/fracture_parameters.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/material_point.hpp"
 

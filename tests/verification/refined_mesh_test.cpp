@@ -8,8 +8,8 @@
 #include <map>
 #include <numbers>
 
-#include "coarse/fracture_parameters.hpp"
-#include "coarse/refinement.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/model/mesh_refinement.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/specimens.hpp"

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/rings.hpp"
+#include "coarse/model/rings.hpp"
 #include "tests/support/one_equilibrium.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"

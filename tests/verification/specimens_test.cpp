@@ -8,10 +8,10 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/handbook_comparison.hpp"
+#include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/specimen/handbook.hpp"
-#include "coarse/structure_stresses.hpp"
-#include "coarse/zone_selection.hpp"
+#include "coarse/structure/structure_stresses.hpp"
+#include "coarse/zone/zone_selection.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {

@@ -6,8 +6,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/fracture_parameters.hpp"
-#include "coarse/scene.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/model/scene.hpp"
 #include "coarse/specimen/specimen.hpp"
 
 namespace stria::test {

@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "coarse/fracture_parameters.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "tests/support/condition_number.hpp"
 #include "tests/support/exact_field.hpp"
 

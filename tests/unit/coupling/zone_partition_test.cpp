@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "common/fem/element_basis.hpp"
+#include "common/enrichment/element_basis.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {

@@ -1,0 +1,99 @@
+// Newton's view of a nonlinear system on its way to one target: condensed across two components, or monolithic. The
+// load factor is one of its unknowns.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "coarse/load/target.hpp"
+#include "coupling/messages.hpp"
+
+namespace stria::coarse {
+
+/// How far the trial state is from equilibrium. Residuals are largest nodal forces, N/mm.
+struct Residual {
+    double boundary = 0.0;  // on the unknowns of the structure
+    double interior = 0.0;  // inside the zone
+    double contact = 0.0;   // complementarity
+    double scale = 0.0;     // the forces that balance
+    double target = 0.0;    // of what is controlled, relative to its target
+    int yielding_points = 0;
+    int closed = 0;                          // multipliers
+    int status_changes = 0;                  // since the iteration before
+    std::vector<double> contact_reach = {};  // per tip: how far behind it the farthest contact lies, mm; < 0: none
+    std::vector<double> force_ahead = {};    // per tip, where it is measured: normal stress over the sector ahead, N
+
+    [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
+    [[nodiscard]] bool is_finite() const { return std::isfinite(boundary + interior + contact + target); }
+    [[nodiscard]] bool within(double tolerance) const { return largest() <= tolerance * scale && target <= tolerance; }
+};
+
+/// All that an equilibrium remembers of what is committed, but for the zone's part.
+struct EquilibriumState {
+    double load_factor = 0.0;
+    Eigen::VectorXd displacement;             // of Gamma, mm
+    std::vector<Eigen::VectorXd> increments;  // of Gamma, for predictors; the last one first
+    std::vector<double> load_increments;      // likewise, of the load factor
+    Eigen::VectorXd whole;                    // of the whole mesh; empty where only Gamma is solved for
+    std::vector<Eigen::VectorXd> whole_increments;
+};
+
+/// What a testing machine reads at the loaded boundary, along its direction.
+struct MachineReading {
+    double displacement = 0.0;   // mean, mm
+    double force = 0.0;          // of what holds it, N/mm; zero where forces load it
+    double imposed_force = 0.0;  // what unit imposed displacements do work against, N
+};
+
+class Equilibrium {
+public:
+    Equilibrium() = default;
+    Equilibrium(const Equilibrium&) = delete;
+    Equilibrium& operator=(const Equilibrium&) = delete;
+    virtual ~Equilibrium() = default;
+
+    /// Trial state = what the predictor says, on the way to a target.
+    virtual void begin(const Target& target, const Predictor& predictor) = 0;
+
+    /// Evaluates the trial state and its tangent.
+    virtual Residual linearise() = 0;
+
+    /// Newton's correction of the linearised state: its largest displacement relative to the largest displacement there
+    /// is (1 at the start of a run).
+    virtual double solve() = 0;
+
+    /// Takes the correction.
+    virtual void apply() = 0;
+
+    /// Lets the commit() that must follow begin, where somebody else has a part in it.
+    virtual void begin_commit(bool /*reversal*/) {}
+
+    /// Trial becomes committed; `reversal` as in coupling::FineScale.
+    virtual coupling::StepReport commit(bool reversal) = 0;
+    virtual void rollback() = 0;
+
+    /// Of the trial state.
+    [[nodiscard]] virtual double load_factor() const = 0;
+
+    /// Displacement of the whole mesh, of the trial state; unknowns inside the zone are zero. Dear on a large mesh.
+    [[nodiscard]] virtual Eigen::VectorXd structure_displacement() const = 0;
+
+    /// The same where near elements see it; elsewhere anything. Valid until the trial state changes.
+    [[nodiscard]] virtual const Eigen::VectorXd& near_displacement() const = 0;
+
+    /// Of the trial state.
+    [[nodiscard]] virtual MachineReading machine_reading() const = 0;
+
+    /// Between increments.
+    [[nodiscard]] virtual EquilibriumState state() const = 0;
+    virtual void restore(const EquilibriumState& state) = 0;
+
+    /// Seconds spent waiting for and talking to the zone.
+    [[nodiscard]] virtual double exchange_seconds() const { return 0.0; }
+
+    /// What has been solved for, and what had not to be, but for the zone's part.
+    [[nodiscard]] virtual coupling::WorkCounts work() const { return {}; }
+};
+
+}  // namespace stria::coarse

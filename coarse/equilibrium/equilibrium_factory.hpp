@@ -1,0 +1,56 @@
+// What makes an equilibrium for a structure and a zone: the only thing that an analysis knows of modes.
+#pragma once
+
+#include <memory>
+
+#include "coarse/equilibrium/equilibrium.hpp"
+#include "coarse/structure/structure.hpp"
+#include "coupling/fine_scale.hpp"
+
+namespace stria::coarse {
+
+/// How equilibrium is found once structure and zone are known: condensed over a port, or monolithic. Only app/ chooses.
+class EquilibriumFactory {
+public:
+    EquilibriumFactory() = default;
+    EquilibriumFactory(const EquilibriumFactory&) = delete;
+    EquilibriumFactory& operator=(const EquilibriumFactory&) = delete;
+    virtual ~EquilibriumFactory() = default;
+
+    /// `patch`: null where the scene has no zone. `committed`: displacement of the whole mesh, reached at
+    /// `load_factor`.
+    virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
+                                              const Eigen::VectorXd& committed, double load_factor) = 0;
+
+    /// The zone takes more elements, with their functions as they are; make() is to follow before anyone asks it.
+    virtual void extend_zone(const coupling::Patch& patch) = 0;
+
+    /// As make(), but the zone goes on from a snapshot; Equilibrium::restore() is to follow.
+    virtual std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
+                                                const Eigen::VectorXd& committed,
+                                                const coupling::ZoneSnapshot& zone) = 0;
+
+    /// Full committed state of the zone.
+    virtual coupling::ZoneState zone_state() = 0;
+
+    /// All that the zone remembers; there must be one.
+    virtual coupling::ZoneSnapshot zone_snapshot() = 0;
+};
+
+/// Equilibrium of structure and zone over the port (null: no fine component).
+class CondensedFactory : public EquilibriumFactory {
+public:
+    explicit CondensedFactory(coupling::FineScale* fine) : fine_(fine) {}
+    std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
+                                      const Eigen::VectorXd& committed, double load_factor) override;
+    void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
+    std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
+                                        const Eigen::VectorXd& committed, const coupling::ZoneSnapshot& zone) override;
+    coupling::ZoneState zone_state() override { return fine_->state(); }
+    coupling::ZoneSnapshot zone_snapshot() override { return fine_->snapshot(); }
+
+private:
+    coupling::FineScale* fine_;
+};
+
+}  // namespace stria::coarse

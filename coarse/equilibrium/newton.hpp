@@ -1,0 +1,36 @@
+// Newton's method for one equilibrium: full steps, consistent tangents, a residual test and a correction test.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coarse/equilibrium/equilibrium.hpp"
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+struct NewtonIteration {
+    Residual residual;
+    double correction;  // relative to the largest displacement
+};
+
+struct NewtonReport {
+    bool converged = false;
+    std::vector<NewtonIteration> iterations;
+    std::string failure;  // what went wrong, where it did not converge
+
+    [[nodiscard]] int count() const { return static_cast<int>(iterations.size()); }
+    /// Fixed-width table of the iterations.
+    [[nodiscard]] std::string table() const;
+};
+
+/// Converged: the largest of the three residuals is at most `tolerance` times the force scale, the target is met to
+/// `tolerance`, and the correction that is still due is at most 100 `tolerance` of the largest displacement. Where an
+/// elastic body is without load no force balances another, and all that is left is the rounding of forces that were
+/// there: residuals within 1e-13 of `largest_force`, N/mm, the largest scale that this body has seen, are nothing. Does
+/// not throw on failure: the caller cuts.
+NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
+                              const SolverSection& solver, double largest_force = 0.0);
+
+}  // namespace stria::coarse

@@ -1,0 +1,32 @@
+#include "coarse/equilibrium/work_balance.hpp"
+
+#include "common/integration/element_operator.hpp"
+
+namespace stria::coarse {
+namespace {
+
+double load_displacement(const Structure& structure, const Eigen::VectorXd& u, double load_factor) {
+    return structure.load_displacement().at(structure.on_free_places(gather(u, structure.gamma())), load_factor);
+}
+
+}  // namespace
+
+void add_increment(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u, double load_factor,
+                   double imposed_force, const coupling::StepReport& zone) {
+    const double path = load_displacement(structure, u, load_factor);
+    balance.external +=
+        0.5 * (balance.load_factor + load_factor) * (path - balance.load_displacement + zone.energy.load_path);
+    balance.external += 0.5 * (balance.imposed_force + imposed_force) * (load_factor - balance.load_factor);
+    balance.released += zone.energy.released;
+    balance.stored = structure.stored_energy(gather(u, structure.gamma()), load_factor) + zone.energy.stored;
+    balance.dissipated = zone.dissipation;
+    balance.load_factor = load_factor;
+    balance.load_displacement = path;
+    balance.imposed_force = imposed_force;
+}
+
+void restart(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u) {
+    balance.load_displacement = load_displacement(structure, u, balance.load_factor);
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,33 @@
+// Whether the work that goes into the body comes out again: stored, dissipated, or released by its growing cracks.
+#pragma once
+
+#include "coarse/structure/structure.hpp"
+#include "coupling/messages.hpp"
+
+namespace stria::coarse {
+
+/// Of the whole body so far, N (per mm of thickness). All that must be kept to go on from a converged increment.
+struct WorkBalance {
+    double external = 0.0;    // done by loads and imposed displacements
+    double stored = 0.0;      // elastic energy and what hardening holds: of the present state
+    double dissipated = 0.0;  // by plastic flow
+    double released = 0.0;    // by faces that growth has opened; NaN where a crack grew without a zone to see it
+
+    // Where the last increment ended.
+    double load_factor = 0.0;
+    double load_displacement = 0.0;  // what the structure's unit loads do work on, N
+    double imposed_force = 0.0;      // what unit imposed displacements do work against, N
+
+    /// What trapezoids and backward Euler leave over: of second order in the increments.
+    [[nodiscard]] double error() const { return external - stored - dissipated - released; }
+};
+
+/// Adds an increment that ended at `u` (of the whole mesh; Gamma is looked at). `imposed_force`: what unit imposed
+/// displacements do work against there, N.
+void add_increment(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u, double load_factor,
+                   double imposed_force, const coupling::StepReport& zone);
+
+/// The structure has given elements to the zone, at the committed `u`.
+void restart(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u);
+
+}  // namespace stria::coarse

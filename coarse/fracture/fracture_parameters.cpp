@@ -1,0 +1,149 @@
+#include "coarse/fracture/fracture_parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <tuple>
+
+#include "common/integration/crack_faces.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// From the load line where the specimen has one; else arc length from the mouth, or half of it with two tips.
+double crack_length(const Scene& scene, const Tip& tip) {
+    if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
+    const EnrichedMesh& mesh = scene.enriched;
+    double first = 1e300, last = -1e300;
+    int tips = 0;
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != tip.crack) continue;
+        first = std::min(first, piece.s.front());
+        last = std::max(last, piece.s.back());
+    }
+    for (const Tip& other : mesh.tips) tips += other.crack == tip.crack ? 1 : 0;
+    return (last - first) / tips;
+}
+
+/// Opening at the crack's first point in the body, where the structure holds it.
+double mouth_opening(const Structure& structure, int crack, const Eigen::VectorXd& u) {
+    for (const CrackPiece& piece : structure.scene().enriched.pieces) {
+        if (piece.crack != crack) continue;
+        if (structure.in_zone()[at(piece.element)] != 0 || piece.entry < 0.0) break;
+        return face_station_at(structure.scene().enriched, crack, piece.s.front()).opening(u);
+    }
+    return std::nan("");
+}
+
+/// One ring's parameters.
+struct RingValues {
+    double J, K_I, K_II, T_stress;
+};
+
+std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
+                                  const coupling::StepReport& report) {
+    for (const coupling::RingReport& share : report.rings) {
+        if (share.tip == t)
+            total[at(share.number)] += {share.J, share.interaction_I, share.interaction_II, share.interaction_T};
+    }
+    const double modulus = scene.elastic.plane_modulus();
+    std::vector<RingValues> values;
+    for (const DomainIntegral& sum : total) {
+        values.push_back({sum.J, modulus / 2.0 * sum.interaction_I, modulus / 2.0 * sum.interaction_II,
+                          modulus * sum.interaction_T});
+    }
+    return values;
+}
+
+/// Largest less smallest over a scale; nothing to say with fewer than two rings or without a scale.
+double spread(std::span<const RingValues> rings, double RingValues::*value, double scale) {
+    if (rings.size() < 2 || scale == 0.0) return std::nan("");
+    const auto [least, most] = std::ranges::minmax(rings, {}, value);
+    return (most.*value - least.*value) / std::abs(scale);
+}
+
+/// J from the first ring, whatever has flowed in it. K and T from the first ring in which nothing has, or, failing
+/// that, from the one that begins farthest out; their spread over such rings alone.
+void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>& values, double plastic_reach,
+               TipResult& result) {
+    result.J = values.front().J;
+    result.J_spread = spread(values, &RingValues::J, result.J);
+    std::vector<RingValues> elastic;
+    for (std::size_t k = 0; k < rings.size(); ++k)
+        if (rings[k].inner >= plastic_reach) elastic.push_back(values[k]);
+    result.rings_flow = elastic.empty();
+    const auto farthest = std::ranges::max_element(rings, {}, &Annulus::inner) - rings.begin();
+    const RingValues& chosen = elastic.empty() ? values[static_cast<std::size_t>(farthest)] : elastic.front();
+    result.K_I = chosen.K_I;
+    result.K_II = chosen.K_II;
+    result.T_stress = chosen.T_stress;
+    const double K = std::hypot(chosen.K_I, chosen.K_II);
+    result.K_spread = std::max(spread(elastic, &RingValues::K_I, K), spread(elastic, &RingValues::K_II, K));
+}
+
+}  // namespace
+
+RingIntegrals ring_integrals(const Structure& structure, const Eigen::VectorXd& u) {
+    RingIntegrals integrals;
+    for (int t = 0; t < std::ssize(structure.scene().enriched.tips); ++t)
+        integrals.push_back(structure.rings(t).values(structure, u));
+    return integrals;
+}
+
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const coupling::StepReport& report) {
+    return fracture_parameters(structure, u, ring_integrals(structure, u), report);
+}
+
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const RingIntegrals& own, const coupling::StepReport& report) {
+    const Scene& scene = structure.scene();
+    const EnrichedMesh& mesh = scene.enriched;
+    std::vector<TipResult> results;
+    for (int t = 0; t < static_cast<int>(mesh.tips.size()); ++t) {
+        const Tip& tip = mesh.tips[at(t)];
+        TipResult result;
+        result.a = crack_length(scene, tip);
+        result.CTOD = std::nan("");
+        result.CMOD = mouth_opening(structure, tip.crack, u);
+        if (!report.tips.empty()) {
+            const coupling::TipReport& zone = report.tips[at(t)];
+            if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
+            result.plastic_zone = zone.plastic_zone;
+            result.plastic_zone_axis = zone.plastic_zone_axis;
+            result.contact_length = report.contact_length[at(tip.crack)];
+            if (std::isfinite(report.mouth_opening[at(tip.crack)])) result.CMOD = report.mouth_opening[at(tip.crack)];
+        } else {
+            const double opening = opening_at_intercept(mesh, tip, u);
+            if (opening >= 0.0) result.CTOD = opening;
+        }
+        const std::vector<Annulus>& rings = structure.rings(t).rings();
+        const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
+        put_rings(rings, values_on(t, scene, own[at(t)], report), plastic_reach, result);
+        results.push_back(result);
+    }
+    return results;
+}
+
+std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u,
+                                               const coupling::StepReport& report) {
+    const EnrichedMesh& mesh = structure.scene().enriched;
+    std::vector<coupling::FaceSample> samples = report.faces;
+    for (int crack = 0; crack < static_cast<int>(structure.scene().input.cracks.size()); ++crack) {
+        for (const FaceStation& station : face_stations(mesh, crack, 1, 4)) {
+            if (structure.in_zone()[at(station.element)] != 0) continue;
+            samples.push_back({.crack = crack,
+                               .s = station.s,
+                               .x = station.x.x(),
+                               .y = station.x.y(),
+                               .opening = station.opening(u),
+                               .slip = station.slip(u)});
+        }
+    }
+    std::ranges::stable_sort(samples, {}, [](const coupling::FaceSample& s) { return std::tuple(s.crack, s.s); });
+    return samples;
+}
+
+}  // namespace stria::coarse

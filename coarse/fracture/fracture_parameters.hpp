@@ -1,0 +1,39 @@
+// Stress intensities, T stress, J and openings of every tip: what the structure sees of the rings plus what the zone
+// reports.
+#pragma once
+
+#include <vector>
+
+#include "coarse/structure/structure.hpp"
+#include "coupling/messages.hpp"
+
+namespace stria::coarse {
+
+struct TipResult {
+    double a = 0.0;                         // mm, INTERFACE definitions
+    double K_I = 0.0, K_II = 0.0;           // MPa sqrt(mm)
+    double T_stress = 0.0;                  // MPa
+    double J = 0.0;                         // N/mm
+    double J_spread = 0.0, K_spread = 0.0;  // over the rings; NaN where fewer than two tell
+    bool rings_flow = false;                // every ring holds a point that has flowed: K, T are no elastic ones
+    double CTOD = 0.0, CMOD = 0.0;          // mm
+    double contact_length = 0.0;            // mm
+    double plastic_zone = 0.0, plastic_zone_axis = 0.0;  // mm
+};
+
+/// The structure's share in the domain integrals, tip by tip and ring by ring. `u`: displacement of the whole mesh, of
+/// which near elements are read.
+using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
+RingIntegrals ring_integrals(const Structure& structure, const Eigen::VectorXd& u);
+
+/// `u`: likewise, zero inside the zone; `report`: the zone's share (empty without a zone).
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const RingIntegrals& own, const coupling::StepReport& report);
+std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+                                           const coupling::StepReport& report);
+
+/// Openings of crack faces that the structure holds, joined with the zone's, ordered by crack and arc length.
+std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u,
+                                               const coupling::StepReport& report);
+
+}  // namespace stria::coarse

@@ -1,0 +1,28 @@
+#include "coarse/fracture/load_scale.hpp"
+
+#include <cmath>
+
+#include "coarse/load/load_history.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+
+double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nominal, double grown) {
+    if (load.control != Control::StressIntensity) return 1.0;
+    if (nominal.empty() || !(nominal.front().K_I > 0.0))
+        throw CaseError("load.control: \"K\" needs a crack tip with K_I > 0 under the unit load");
+    return std::exp(load.K_gradient * grown) / nominal.front().K_I;
+}
+
+double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
+                           double grown) {
+    double per_load_factor = 1.0 / target_of_unit(load, nominal, grown);
+    if (load.control == Control::Displacement) {
+        per_load_factor = elastic.mean_displacement().per_load_factor;
+        if (std::abs(per_load_factor) <= 1e-9 * elastic.expand({}, 1.0).lpNorm<Eigen::Infinity>())
+            throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
+    }
+    return largest_value(load) / per_load_factor;
+}
+
+}  // namespace stria::coarse

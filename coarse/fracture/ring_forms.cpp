@@ -1,0 +1,103 @@
+#include "coarse/fracture/ring_forms.hpp"
+
+#include <algorithm>
+
+#include "coarse/model/rings.hpp"
+#include "coarse/structure/structure.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// Adds the adjoint of sigma = C eps(u), grad u at point q: what the weights of both make of each element value.
+template <class Operator, class Values>
+void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic, const MutualWeights& weights,
+                 Values& local) {
+    op.add_force(elastic * weights.stress, q, local);
+    const auto& gradients = op.gradients[q];
+    local.reshaped(2, gradients.rows()) += op.points[q].weight * weights.gradient * gradients.transpose();
+}
+
+RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings) {
+    return {scene.enriched, scene.enriched.tips[static_cast<std::size_t>(tip)], scene.elastic, rings};
+}
+
+}  // namespace
+
+RingForms::RingForms(const Structure& structure, int tip) : tip_(tip), rings_(rings_about(structure.scene(), tip)) {
+    weigh_points(structure);
+    weigh_unknowns(structure);
+}
+
+void RingForms::weigh_points(const Structure& structure) {
+    RingSums geometry = sums_about(structure.scene(), tip_, rings_);
+    structure.for_each_operator(structure.near_elements(), [&](const auto& op) {
+        if (!geometry.enter(op.element)) return;
+        elements_.push_back(op.element);
+        unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
+        std::vector<int> entered;
+        for (const IntegrationPoint& point : op.points) {
+            entered.clear();
+            geometry.for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
+                entered.push_back(static_cast<int>(ring));
+                weights_.emplace_back(point.weight * dq);
+            });
+        }
+        entered_.append(entered);
+    });
+    std::ranges::sort(unknowns_);
+    unknowns_.erase(std::ranges::unique(unknowns_).begin(), unknowns_.end());
+}
+
+void RingForms::weigh_unknowns(const Structure& structure) {
+    const Scene& scene = structure.scene();
+    const Tip& about = scene.enriched.tips[static_cast<std::size_t>(tip_)];
+    const MandelMatrix elastic = scene.elastic.stiffness();
+    RingSums geometry = sums_about(scene, tip_, rings_);
+    interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
+    structure.for_each_operator(elements_, [&](const auto& op) {
+        using Values = typename std::decay_t<decltype(op)>::Values;
+        geometry.enter(op.element);
+        std::vector<Values> local(3 * rings_.size(), Values::Zero(std::ssize(op.unknowns)));
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const std::array<TipField, 3> fields = geometry.auxiliary(op.points[q]);
+            geometry.for_each_ring(op.points[q], [&](std::size_t ring, const Vec2& dq) {
+                for (std::size_t mode = 0; mode < 3; ++mode)
+                    add_adjoint(op, q, elastic, mutual_weights(about, fields[mode], dq), local[3 * ring + mode]);
+            });
+        }
+        for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
+            const auto row = std::ranges::lower_bound(unknowns_, op.unknowns[i]) - unknowns_.begin();
+            for (std::size_t column = 0; column < local.size(); ++column)
+                interactions_(row, static_cast<Eigen::Index>(column)) += local[column][static_cast<Eigen::Index>(i)];
+        }
+    });
+}
+
+std::vector<DomainIntegral> RingForms::values(const Structure& structure, const Eigen::VectorXd& u) const {
+    const Scene& scene = structure.scene();
+    const Tip& about = scene.enriched.tips[static_cast<std::size_t>(tip_)];
+    const MandelMatrix elastic = scene.elastic.stiffness();
+    std::vector<DomainIntegral> result(rings_.size());
+    std::size_t element = 0;
+    auto weight = weights_.begin();
+    structure.for_each_operator(elements_, [&](const auto& op) {
+        const std::span<const int> entered = entered_[element++];
+        const auto local = gather(u, op.unknowns);
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const Mandel strain = op.strain(local, q), stress = elastic * strain;
+            const Vec2 own =
+                energy_momentum(about, stress, op.displacement_gradient(local, q), 0.5 * stress.dot(strain));
+            for (const int ring : entered) result[static_cast<std::size_t>(ring)].J += own.dot(*weight++);
+        }
+    });
+    const Eigen::VectorXd sums = interactions_.transpose() * gather(u, unknowns_);
+    for (std::size_t ring = 0; ring < result.size(); ++ring) {
+        const auto first = static_cast<Eigen::Index>(3 * ring);
+        result[ring].interaction_I = sums[first];
+        result[ring].interaction_II = sums[first + 1];
+        result[ring].interaction_T = sums[first + 2];
+    }
+    return result;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,36 @@
+// The structure's share in the domain integrals about a tip. What the geometry says is worked out once: the
+// interactions are linear in the displacement, and J weighs the energy momentum of each point alike in every increment.
+#pragma once
+
+#include <vector>
+
+#include "common/fracture/domain_integral.hpp"
+#include "common/index_lists.hpp"
+
+namespace stria::coarse {
+
+class Structure;
+
+class RingForms {
+public:
+    RingForms(const Structure& structure, int tip);
+
+    [[nodiscard]] const std::vector<Annulus>& rings() const { return rings_; }
+
+    /// One a ring. `u`: displacement of the whole mesh, of which near elements are read.
+    [[nodiscard]] std::vector<DomainIntegral> values(const Structure& structure, const Eigen::VectorXd& u) const;
+
+private:
+    void weigh_points(const Structure& structure);
+    void weigh_unknowns(const Structure& structure);
+
+    int tip_;
+    std::vector<Annulus> rings_;
+    std::vector<int> elements_;     // coarse ones on which q varies in some ring, ascending
+    IndexLists entered_;            // of each: the rings in which it does
+    std::vector<Vec2> weights_;     // element by element, point by point, ring by ring of these: weight times grad q
+    std::vector<int> unknowns_;     // of the whole mesh, that these elements see, ascending
+    Eigen::MatrixXd interactions_;  // on these unknowns; columns I, II, T of the first ring, of the second, ...
+};
+
+}  // namespace stria::coarse

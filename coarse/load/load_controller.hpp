@@ -1,0 +1,84 @@
+// Hands out the next target, a load factor or a displacement, on the way from one extreme of the history to the next;
+// halves an increment that failed and lets it grow again.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coarse/load/load_history.hpp"
+#include "coarse/load/target.hpp"
+#include "common/predictor.hpp"
+
+namespace stria::coarse {
+
+struct LoadStep {
+    int cycle = 0;  // 0: the ramp
+    Target target;
+    // The same increment a cycle ago; else the last one, in proportion; nothing at the start and after a reversal.
+    Predictor predictor;
+    bool reversal = false;  // a half cycle ends here
+    bool at_maximum = false, at_minimum = false,
+         at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
+    bool ends_cycle = false;
+};
+
+/// How far a load has come: all that a controller remembers.
+struct LoadPosition {
+    struct Taken {
+        int cycle = 0;
+        double from = 0.0, to = 0.0;
+    };
+    std::size_t leg = 0;
+    int increments = 0;      // of the leg, done
+    double leg_start = 0.0;  // target where it began
+    double reached = 0.0;    // target: a load factor, or a displacement, mm
+    double fraction = 1.0;   // of a whole increment, after cuts
+    int consecutive_cuts = 0, cuts = 0;
+    std::vector<Taken> taken;  // increments to predict from, the last one first
+};
+
+class LoadController {
+public:
+    explicit LoadController(const LoadSection& load, const SolverSection& solver);
+
+    [[nodiscard]] const LoadPosition& position() const { return position_; }
+    /// Goes on from where another one stood, in a history that was the same up to there.
+    void resume(const LoadPosition& position) { position_ = position; }
+
+    /// What a unit of the history is as a target, from now on; 1, or where K is controlled the load factor of a unit of
+    /// K.
+    void set_scale(double scale) { scale_ = scale; }
+
+    /// The next target, or nothing when all is done.
+    [[nodiscard]] std::optional<LoadStep> next() const;
+
+    void accepted();
+
+    /// Increments taken so far are of no use to predict from: their unknowns are gone.
+    void forget_increments() { position_.taken.clear(); }
+
+    /// Halves the increment; false after `max_cuts` halvings.
+    [[nodiscard]] bool cut();
+
+    [[nodiscard]] int cuts() const { return position_.cuts; }
+    /// The value reached: a load factor, or a displacement, mm.
+    [[nodiscard]] double reached() const { return position_.reached; }
+    /// The larger magnitude of the two ends of the present way.
+    [[nodiscard]] double extreme() const;
+
+private:
+    [[nodiscard]] double end_of_leg() const;
+    [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
+    [[nodiscard]] int stop_nearest_to_zero() const;
+    [[nodiscard]] Predictor predictor(int cycle, double to) const;
+
+    Control control_;
+    std::vector<Leg> legs_;
+    int steps_;  // of a leg
+    double grading_, scale_ = 1.0;
+    LoadPosition position_;
+    std::size_t remembered_;
+    int max_cuts_ = 0;
+};
+
+}  // namespace stria::coarse

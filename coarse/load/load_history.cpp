@@ -1,0 +1,64 @@
+#include "coarse/load/load_history.hpp"
+
+#include <algorithm>
+
+namespace stria::coarse {
+namespace {
+
+/// Ways of no length are none; what their ends would have been, the end before is.
+void append(std::vector<Leg>& all, const Leg& leg) {
+    if (leg.from != leg.to) {
+        all.push_back(leg);
+    } else if (!all.empty()) {
+        all.back().ends_cycle = all.back().ends_cycle || leg.ends_cycle;
+        all.back().at_maximum = all.back().at_maximum || leg.at_maximum;
+    }
+}
+
+// A half cycle ends where the load turns, not where a block does.
+void mark_reversals(std::vector<Leg>& all) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool last = k + 1 == all.size();
+        all[k].reversal = last || (all[k].to - all[k].from) * (all[k + 1].to - all[k + 1].from) < 0.0;
+    }
+}
+
+}  // namespace
+
+std::vector<Leg> legs(const LoadSection& load) {
+    std::vector<Leg> all;
+    double at = 0.0;
+    int cycle = 0;
+    const auto go = [&](Leg leg) {
+        leg.from = at;
+        at = leg.to *= load.scale;
+        append(all, leg);
+    };
+    for (int repetition = 0; repetition < load.repeat; ++repetition) {
+        for (const LoadBlock& block : load.blocks) {
+            for (int k = 0; k < std::max(block.cycles, 1); ++k) {
+                go({.cycle = cycle, .from = 0, .to = block.max, .at_maximum = true, .ends_cycle = cycle > 0});
+                if (block.cycles > 0) go({.cycle = ++cycle, .from = 0, .to = block.min, .at_minimum = true});
+            }
+        }
+    }
+    if (cycle > 0)
+        go({.cycle = cycle, .from = 0, .to = load.blocks.back().max, .at_maximum = true, .ends_cycle = true});
+    mark_reversals(all);
+    return all;
+}
+
+int cycle_count(const LoadSection& load) {
+    int cycles = 0;
+    for (const LoadBlock& block : load.blocks) cycles += block.cycles;
+    return load.repeat * cycles;
+}
+
+double largest_value(const LoadSection& load) {
+    double largest = 0.0;
+    for (const LoadBlock& block : load.blocks)
+        largest = std::max({largest, load.scale * block.max, load.scale * block.min});
+    return largest;
+}
+
+}  // namespace stria::coarse

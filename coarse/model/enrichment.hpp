@@ -1,0 +1,32 @@
+// Eq. (1): which nodes of the mesh carry which enrichment, for one position of the cracks.
+#pragma once
+
+#include <optional>
+
+#include "common/crack/crack_path.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+/// Which nodes carry tip functions: those of the elements that hold a tip (the paper); those of all elements whose
+/// centre lies within a fixed radius, each with unknowns of its own (ill conditioned: kept for comparison); or the same
+/// with one pair of unknowns a function, freed from its interpolant (as well conditioned as plain elements).
+enum class TipSupport { Topological, Nodal, Gathered };
+
+struct TipEnrichment {
+    int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on the last edge before its tip
+    double exponent = 0.5;  // 1/(n+1)
+    TipSupport support = TipSupport::Topological;
+    std::optional<double> radius = {};  // mm, of fixed-radius supports; absent: 3/4 of the tip's reach
+};
+
+/// `auto`: within a fixed radius where nothing yields or touches, six functions with n = 1 of the tip's element where
+/// faces may touch, the single function with plasticity (NUMERICS 2).
+TipEnrichment choose_enrichment(const Case& input);
+
+/// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError
+/// for cracks that the mesh cannot hold.
+EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips);
+
+}  // namespace stria::coarse

@@ -1,0 +1,18 @@
+// The rings about each tip over which fracture parameters are integrated, chosen from the geometry alone.
+#pragma once
+
+#include <vector>
+
+#include "coarse/model/scene.hpp"
+#include "common/fracture/domain_integral.hpp"
+
+namespace stria::coarse {
+
+/// Outer radius of the largest ring around a tip: within its reach, and off forces.
+double largest_ring(const Scene& scene, int tip);
+
+/// Concentric rings within the largest one. The first is the thickest: J is taken there. Of the others those are left
+/// that are at least two elements thick, which also keeps them two elements off the tip's own.
+std::vector<Annulus> rings_about(const Scene& scene, int tip);
+
+}  // namespace stria::coarse

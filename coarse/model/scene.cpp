@@ -1,0 +1,181 @@
+#include "coarse/model/scene.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "coarse/model/enrichment.hpp"
+#include "coarse/model/mesh_refinement.hpp"
+#include "coarse/specimen/specimen.hpp"
+#include "coarse/zone/zone_refinement.hpp"
+#include "common/enrichment/element_basis.hpp"
+#include "common/error.hpp"
+#include "common/fem/quadrature.hpp"
+#include "common/fem/shape_q4.hpp"
+#include "common/integration/cut_element.hpp"
+#include "common/integration/element_operator.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Splits an element edge where a crack leaves it, so that each part lies on one side.
+std::vector<double> edge_breaks(const CrackPiece* piece, int edge) {
+    std::vector<double> breaks{0.0, 1.0};
+    if (piece != nullptr) {
+        for (const double place : {piece->entry, piece->exit}) {
+            if (place > edge && place < edge + 1) breaks.push_back(place - edge);
+        }
+    }
+    std::ranges::sort(breaks);
+    return breaks;
+}
+
+void add_edge_load(const Scene& scene, const EdgeLoad& load, const CrackPiece* piece, Eigen::VectorXd& force) {
+    const EdgeGeometry edge = edge_geometry(scene.mesh, load.edge);
+    const ElementBasis basis(scene.enriched, load.edge.element, piece != nullptr);
+    const std::vector<double> breaks = edge_breaks(piece, load.edge.edge);
+    BasisValues values;
+    for (std::size_t part = 0; part + 1 < breaks.size(); ++part) {
+        const double length = breaks[part + 1] - breaks[part];
+        int side = 0;
+        if (piece != nullptr)
+            side = cut_element(basis.corners(), *piece)
+                       .side_of(edge.at(breaks[part] + length / 2.0) + 1e-6 * edge.length() * edge.inward_normal());
+        for (const LinePoint& point : gauss_line(basis.singular() ? 16 : 3)) {
+            const Vec2 x = edge.at(breaks[part] + 0.5 * (1.0 + point.xi) * length);
+            const Vec2 traction = load.traction.at(x, edge.inward_normal());
+            basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
+            const double weight = 0.5 * point.weight * length * edge.length();
+            for (int f = 0; f < basis.functions(); ++f) {
+                for (int c = 0; c < 2; ++c)
+                    force[basis.unknowns()[at(2 * f + c)]] += weight * values.value[f] * traction[c];
+            }
+        }
+    }
+}
+
+/// Enriched terms that move a supported edge: Heaviside terms where the crack crosses it, and all tip functions.
+void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>, double>& held,
+                         std::map<int, double>& prescribed) {
+    const EnrichedMesh& mesh = scene.enriched;
+    for (const auto& [name, edges] : scene.mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) {
+            const auto nodes = edge_nodes(scene.mesh, edge);
+            for (int component = 0; component < 2; ++component) {
+                if (!held.contains({nodes[0], component}) || !held.contains({nodes[1], component})) continue;
+                for (const int side : {0, 1}) {
+                    const int node = nodes[at(side)], other = nodes[at(1 - side)];
+                    const auto& terms = mesh.terms[at(node)];
+                    for (int k = 0; k < static_cast<int>(terms.size()); ++k) {
+                        const Term& term = terms[at(k)];
+                        const bool crossed = std::ranges::any_of(mesh.terms[at(other)], [&](const Term& t) {
+                            return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
+                        });
+                        if (term.kind == Term::Kind::Tip || term.kind == Term::Kind::Left || crossed)
+                            prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
+                    }
+                }
+            }
+        }
+    }
+}
+
+void weigh_mean_displacement(Scene& scene) {
+    scene.mean_displacement = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    if (!loaded) return;
+    for (const auto& [node, weight] : mean_displacement(scene.mesh, *loaded))
+        scene.mean_displacement.segment<2>(scene.enriched.unknown(node, 0, 0)) += weight;
+}
+
+/// Direction of the loaded boundary on its prescribed unknowns, where no force tells its load.
+void weigh_reactions(Scene& scene) {
+    scene.pull = Eigen::VectorXd::Zero(std::ssize(scene.prescribed));
+    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    if (!loaded || !loaded->resultant.isZero(0.0)) return;
+    for (const int node : loaded->nodes) {
+        for (int c = 0; c < 2; ++c) {
+            const int unknown = scene.enriched.unknown(node, 0, c);
+            const auto found = std::ranges::lower_bound(scene.prescribed, unknown, {}, &PrescribedUnknown::unknown);
+            if (found != scene.prescribed.end() && found->unknown == unknown)
+                scene.pull[found - scene.prescribed.begin()] = loaded->direction[c];
+        }
+    }
+}
+
+}  // namespace
+
+Scene make_scene(const Case& input) {
+    if (input.fine.refine == 1) return make_scene(input, make_mesh(input));
+    const Scene unrefined = make_scene(input, make_mesh(input));
+    return make_scene(input, refine(unrefined.mesh, disks_to_refine(unrefined)));
+}
+
+Scene make_scene(const Case& input, Mesh mesh) {
+    Scene scene;
+    scene.input = input;
+    scene.elastic = elasticity_of(input.material, input.model.plane);
+    scene.mesh = std::move(mesh);
+    scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
+    scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
+    put_loads_on_unknowns(scene);
+    if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
+        throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");
+    return scene;
+}
+
+Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
+    EnrichedMesh& mesh = scene.enriched;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+        for (Term term : before.terms[node]) {
+            if (term.kind != Term::Kind::Tip && term.kind != Term::Kind::Left) continue;
+            const Tip& tip = before.tip_of(term);
+            const auto same = [&](const Tip& other) { return same_place(tip, other); };
+            if (std::ranges::any_of(mesh.tips, same)) continue;
+            auto left = std::ranges::find_if(mesh.left_tips, same);
+            if (left == mesh.left_tips.end()) left = mesh.left_tips.insert(left, tip);
+            term.kind = Term::Kind::Left;
+            term.owner = static_cast<int>(left - mesh.left_tips.begin());
+            mesh.terms[node].push_back(term);
+        }
+    }
+    mesh.number();
+    put_loads_on_unknowns(scene);
+    return scene;
+}
+
+void put_loads_on_unknowns(Scene& scene) {
+    const EnrichedMesh& mesh = scene.enriched;
+    scene.unit_force = Eigen::VectorXd::Zero(mesh.unknowns);
+    scene.observed.assign(at(mesh.unknowns), 0);
+    const auto observe = [&](int node) {
+        std::fill_n(scene.observed.begin() + mesh.unknown(node, 0, 0), 2, static_cast<char>(1));
+    };
+    const std::vector<int> piece = piece_of_elements(mesh);
+    for (const EdgeLoad& load : scene.loads.edges) {
+        const int p = piece[at(load.edge.element)];
+        add_edge_load(scene, load, p >= 0 ? &mesh.pieces[at(p)] : nullptr, scene.unit_force);
+        for (const int node : edge_nodes(scene.mesh, load.edge)) observe(node);
+    }
+    for (const PointForce& load : scene.loads.forces) {
+        scene.unit_force.segment<2>(mesh.unknown(load.node, 0, 0)) += load.force;
+        observe(load.node);
+    }
+    weigh_mean_displacement(scene);
+    std::map<std::pair<int, int>, double> held;
+    for (const PrescribedDisplacement& d : scene.loads.displacements) held[{d.node, d.component}] = d.value;
+    std::map<int, double> prescribed;
+    hold_enriched_terms(scene, held, prescribed);
+    for (const auto& pin : scene.free_motions.pins) held[{pin.node, pin.component}] = 0.0;
+    for (const auto& [where, value] : held) {
+        prescribed[mesh.unknown(where.first, 0, where.second)] = value;
+        observe(where.first);
+    }
+    scene.prescribed.clear();
+    for (const auto& [unknown, value] : prescribed) scene.prescribed.push_back({unknown, value});
+    weigh_reactions(scene);
+}
+
+}  // namespace stria::coarse

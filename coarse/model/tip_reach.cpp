@@ -1,0 +1,71 @@
+#include "coarse/model/tip_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/model/boundary_conditions.hpp"
+#include "common/geometry/segment.hpp"
+
+namespace stria::coarse {
+namespace {
+
+double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
+    double distance = 1e300;
+    for (const auto& [name, edges] : mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) {
+            const EdgeGeometry ends = edge_geometry(mesh, edge);
+            distance = std::min(distance, distance_to_segment(x, ends.from, ends.to));
+        }
+    }
+    return distance;
+}
+
+/// Where the polyline, walked from the tip, leaves the band around the tip's line: its distance from the tip.
+double straight_length(std::vector<Vec2> points, const Tip& tip, double band) {
+    if (tip.upper > 0) std::ranges::reverse(points);
+    const auto across = [&](const Vec2& x) {
+        const Vec2 d = x - tip.position;
+        return std::abs(tip.direction.x() * d.y() - tip.direction.y() * d.x());
+    };
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const double here = across(points[k]), next = across(points[k + 1]);
+        if (next <= band) continue;
+        const double t = std::clamp((band - here) / (next - here), 0.0, 1.0);
+        return (points[k] + t * (points[k + 1] - points[k]) - tip.position).norm();
+    }
+    return 1e300;
+}
+
+}  // namespace
+
+double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
+                 double band) {
+    double reach = distance_to_boundary(mesh, tip.position);
+    for (const Tip& other : tips) {
+        const double distance = (other.position - tip.position).norm();
+        if (distance > 0.0) reach = std::min(reach, distance / 2.0);
+    }
+    for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
+        const std::vector<Vec2>& points = cracks[static_cast<std::size_t>(crack)].points;
+        if (crack == tip.crack) {
+            reach = std::min(reach, straight_length(points, tip, band));
+            continue;
+        }
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+            reach = std::min(reach, distance_to_segment(tip.position, points[k], points[k + 1]) / 2.0);
+    }
+    return reach;
+}
+
+double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
+    double size = 0.0;
+    for (const CrackPiece& piece : mesh.pieces) {  // the crack's first, or its last
+        if (piece.crack != tip.crack) continue;
+        const auto& nodes = mesh.elements[static_cast<std::size_t>(piece.element)];
+        size = (mesh.nodes[static_cast<std::size_t>(nodes[2])] - mesh.nodes[static_cast<std::size_t>(nodes[0])]).norm();
+        if (tip.upper < 0) break;
+    }
+    return size;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,24 @@
+// How far around a tip its asymptotic field is the whole story.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/enrichment/enriched_mesh.hpp"
+#include "common/fem/mesh.hpp"
+#include "common/io/case.hpp"
+
+namespace stria::coarse {
+
+/// A bend that leaves the tip's line by less than this times its element's diagonal is none that the mesh could show.
+constexpr double bend_to_element = 0.25;
+
+/// Distance from a tip to the nearest of: the body's boundary, the middle between it and another tip or crack, and the
+/// place where its own crack leaves the line behind the tip by more than `band`, mm.
+double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
+                 double band);
+
+/// Diagonal of the element that holds a tip, mm.
+double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
+
+}  // namespace stria::coarse

@@ -1,0 +1,63 @@
+// An upper bound of the stresses in the far elements, from what the near ones do: the proof that they stay elastic
+// without a look at them.
+//
+// A state of the far part is linear in the load factor and the displacement u of the rim. Learnt from states
+// that were looked at element by element: a pivot p for the load factor 1, modes z_k without load, orthonormal in the
+// energy of the far part, and the largest stresses of each. Then u = lambda p + sum a_k z_k + d with a remainder d,
+// and by the triangle inequality the stress is at most |lambda| sigma_p + sum |a_k| sigma_k + sigma(d). Of d the far
+// energy W is known, and a point that stands for the area w can have no more of it than W:
+// sigma(d)^2 <= 6 G W / w, as the energy density is at least sigma^2 / (6 G). A state looked at before, scaled to the
+// same load factor, may take the place of lambda p: the sum is then over what distinguishes the two.
+#pragma once
+
+#include <vector>
+
+#include "coarse/structure/structure.hpp"
+
+namespace stria::coarse {
+
+class FarStressBound {
+public:
+    /// `structure` must outlive the bound, or the turn to another one.
+    explicit FarStressBound(const Structure& structure);
+
+    /// Turns to another structure if it has the same far body: all that was learnt is true of it. Else false.
+    [[nodiscard]] bool turn_to(const Structure& structure);
+
+    /// Upper bound of the von Mises stress in far elements, inserts left out, MPa. Infinite while nothing comparable
+    /// has been learnt. `rim_displacement`: on Structure::rim(), of a state in equilibrium.
+    [[nodiscard]] double at(const Eigen::VectorXd& rim_displacement, double load_factor) const;
+
+    /// Learns from such a state and its largest far stress. Costs an expansion of the far body and a look at its
+    /// elements; not for the pivot, the first state under load.
+    void learn(const Eigen::VectorXd& rim_displacement, double load_factor, double largest_stress);
+
+private:
+    struct Mode {
+        Eigen::VectorXd displacement, far_force;  // on the rim
+        double largest_stress;
+    };
+    struct Coordinates {
+        double load_factor;
+        std::vector<double> along;  // modes
+        double remainder;           // bound of its stress
+    };
+    struct Known {
+        Coordinates place;
+        double largest_stress;
+    };
+    [[nodiscard]] Coordinates resolve(Eigen::VectorXd& displacement, double load_factor) const;
+    [[nodiscard]] double stress_of(const Eigen::VectorXd& remainder) const;
+    [[nodiscard]] double bound_beside(const Known& known, double scale, const Coordinates& place) const;
+    [[nodiscard]] double stress_of_mode(const Eigen::VectorXd& displacement) const;
+
+    const Structure* structure_;
+    std::shared_ptr<const FarBody> far_;
+    double weight_;  // smallest, of a far point
+    Eigen::VectorXd pivot_;
+    double pivot_stress_ = 0.0;
+    std::vector<Mode> modes_;
+    std::vector<Known> known_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,187 @@
+#include "common/crack/crack_crossings.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.hpp"
+#include "common/geometry/clipping.hpp"
+
+namespace stria {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+std::pair<int, int> edge_key(int a, int b) { return std::minmax(a, b); }
+
+bool same_place(const Crossing& a, const Crossing& b) {
+    if (a.node >= 0 && b.node >= 0) return a.node == b.node;
+    if (a.edge != nullptr && b.edge != nullptr) return a.edge == b.edge && std::abs(a.fraction - b.fraction) < 1e-9;
+    return false;
+}
+
+/// Of the way along an edge, where the crossing lies on it.
+std::optional<double> fraction(const Crossing& crossing, int from, int to) {
+    if (from == crossing.edge->first && to == crossing.edge->second) return crossing.fraction;
+    if (from == crossing.edge->second && to == crossing.edge->first) return 1.0 - crossing.fraction;
+    return std::nullopt;
+}
+
+bool are_on(const Crossing& a, const Crossing& b, const MeshEdge& edge) {
+    const auto on = [&](const Crossing& c) {
+        return c.edge == &edge || (c.node >= 0 && (c.node == edge.first || c.node == edge.second));
+    };
+    return on(a) && on(b);
+}
+
+}  // namespace
+
+CrackCrossings::CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points)
+    : mesh_(mesh), points_(points), around_(elements_around_nodes(mesh)) {
+    for (const HangingNode& hanging : mesh.hanging) middle_[edge_key(hanging.ends[0], hanging.ends[1])] = hanging.node;
+    arc_.push_back(0.0);
+    for (std::size_t k = 1; k < points.size(); ++k) arc_.push_back(arc_.back() + (points[k] - points[k - 1]).norm());
+    collect_edges();
+    collect();
+}
+
+void CrackCrossings::collect_edges() {
+    std::map<std::pair<int, int>, std::size_t> index;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+        if (!near_crack(static_cast<int>(e))) continue;
+        const auto add = [&](int from, int to) {
+            const auto key = edge_key(from, to);
+            const auto [found, added] = index.try_emplace(key, edges_.size());
+            if (added)
+                edges_.push_back({key.first, key.second, {static_cast<int>(e), -1}});
+            else
+                edges_[found->second].elements[1] = static_cast<int>(e);
+        };
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int from = mesh_.elements[e][k], to = mesh_.elements[e][(k + 1) % 4], middle = middle_of(from, to);
+            add(from, middle >= 0 ? middle : to);
+            if (middle >= 0) add(middle, to);
+        }
+    }
+}
+
+int CrackCrossings::middle_of(int a, int b) const {
+    const auto found = middle_.find(edge_key(a, b));
+    return found != middle_.end() ? found->second : -1;
+}
+
+bool CrackCrossings::near_crack(int e) const {
+    Eigen::AlignedBox2d box;
+    for (const int node : mesh_.elements[static_cast<std::size_t>(e)])
+        box.extend(mesh_.nodes[static_cast<std::size_t>(node)]);
+    const double margin = 1e-9 * box.diagonal().norm();
+    box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
+    for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+        Eigen::AlignedBox2d segment(points_[k]);
+        if (box.intersects(segment.extend(points_[k + 1]))) return true;
+    }
+    return false;
+}
+
+void CrackCrossings::collect() {
+    for (const MeshEdge& edge : edges_) {
+        const Vec2 &a = node(edge.first), &b = node(edge.second);
+        for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
+            const auto common = intersect(points_[k], points_[k + 1], a, b);
+            if (!common) continue;
+            add(edge, k, common->first);
+            if (common->first != common->second) add(edge, k, common->second);
+        }
+    }
+    std::ranges::stable_sort(crossings_, {}, &Crossing::s);
+    merge();
+}
+
+void CrackCrossings::add(const MeshEdge& edge, std::size_t segment, const Vec2& x) {
+    const Vec2 &a = node(edge.first), &b = node(edge.second);
+    const double t = (x - a).dot(b - a) / (b - a).squaredNorm();
+    const double s = arc_[segment] + (x - points_[segment]).norm();
+    if (t < snap_fraction)
+        crossings_.push_back({s, a, edge.first, nullptr, 0.0});
+    else if (t > 1.0 - snap_fraction)
+        crossings_.push_back({s, b, edge.second, nullptr, 0.0});
+    else
+        crossings_.push_back({s, x, -1, &edge, t});
+}
+
+// A node and a point of an edge that ends there, with no kink between: the crack grazes the node (or the whole
+// edge), and once snapped onto the node it no longer crosses that edge.
+bool CrackCrossings::grazes(const Crossing& a, const Crossing& b) const {
+    const Crossing &at_node = a.node >= 0 ? a : b, &on_edge = a.node >= 0 ? b : a;
+    if (at_node.node < 0 || on_edge.edge == nullptr || has_kink_between(a.s, b.s)) return false;
+    return on_edge.edge->first == at_node.node || on_edge.edge->second == at_node.node;
+}
+
+void CrackCrossings::merge() {
+    std::vector<Crossing> merged;
+    for (const Crossing& crossing : crossings_) {
+        if (!merged.empty() && same_place(merged.back(), crossing)) continue;
+        if (!merged.empty() && grazes(merged.back(), crossing)) {
+            if (crossing.node >= 0) merged.back() = crossing;
+            if (merged.size() > 1 && same_place(merged[merged.size() - 2], merged.back())) merged.pop_back();
+            continue;
+        }
+        merged.push_back(crossing);
+    }
+    crossings_ = std::move(merged);
+}
+
+bool CrackCrossings::has_kink_between(double s0, double s1) const {
+    for (std::size_t k = 1; k + 1 < points_.size(); ++k) {
+        if (arc_[k] > s0 + kink_tolerance() && arc_[k] < s1 - kink_tolerance()) return true;
+    }
+    return false;
+}
+
+// An edge met once near the crack may have its other element farther away.
+bool CrackCrossings::is_boundary(const MeshEdge& edge) const {
+    const auto& others = around_[static_cast<std::size_t>(edge.second)];
+    return std::ranges::count_if(around_[static_cast<std::size_t>(edge.first)],
+                                 [&](int e) { return std::ranges::find(others, e) != others.end(); }) == 1;
+}
+
+double CrackCrossings::place(int e, const Crossing& crossing) const {
+    const auto& nodes = mesh_.elements[static_cast<std::size_t>(e)];
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int from = nodes[k], to = nodes[(k + 1) % 4], middle = middle_of(from, to);
+        const auto edge = static_cast<double>(k);
+        if (crossing.node >= 0 && crossing.node == from) return edge;
+        if (crossing.node >= 0 && crossing.node == middle) return edge + 0.5;
+        if (crossing.edge == nullptr) continue;
+        if (middle < 0) {
+            if (const auto t = fraction(crossing, from, to)) return edge + *t;
+            continue;
+        }
+        if (const auto t = fraction(crossing, from, middle)) return edge + 0.5 * *t;
+        if (const auto t = fraction(crossing, middle, to)) return edge + 0.5 + 0.5 * *t;
+    }
+    require(crossing.node < 0 && crossing.edge == nullptr, "a crossing lies on the boundary of its element");
+    return -1.0;
+}
+
+std::vector<int> CrackCrossings::elements_at(const Crossing& crossing) const {
+    if (crossing.node >= 0) return around_[static_cast<std::size_t>(crossing.node)];
+    std::vector<int> result;
+    for (const int e : crossing.edge->elements)
+        if (e >= 0) result.push_back(e);
+    return result;
+}
+
+std::vector<int> CrackCrossings::common_elements(const Crossing& a, const Crossing& b) const {
+    std::vector<int> result;
+    const std::vector<int> others = elements_at(b);
+    for (const int e : elements_at(a))
+        if (std::ranges::find(others, e) != others.end()) result.push_back(e);
+    return result;
+}
+
+bool CrackCrossings::on_one_edge(const Crossing& a, const Crossing& b) const {
+    return std::ranges::any_of(edges_, [&](const MeshEdge& edge) { return are_on(a, b, edge); });
+}
+
+}  // namespace stria

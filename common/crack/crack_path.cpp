@@ -1,0 +1,192 @@
+#include "common/crack/crack_path.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+#include <set>
+
+#include "common/crack/crack_crossings.hpp"
+#include "common/error.hpp"
+#include "common/geometry/clipping.hpp"
+#include "common/geometry/segment.hpp"
+
+namespace stria {
+namespace {
+
+class Resolver {
+public:
+    Resolver(const Mesh& mesh, int crack, const std::vector<Vec2>& points)
+        : mesh_(mesh), crack_(crack), points_(points), skeleton_(mesh, points), crossings_(skeleton_.all()),
+          arc_(skeleton_.arc()) {}
+
+    CrackPath resolve() {
+        CrackPath path;
+        path.length = arc_.back();
+        path.tip_at_start = inside_body(points_.front());
+        path.tip_at_end = inside_body(points_.back());
+        drop_slivers_at_tips(path);
+        if (crossings_.empty()) {
+            if (!path.tip_at_start) throw CaseError(fmt::format("crack {}: it does not meet the body", crack_ + 1));
+            path.pieces.push_back(piece(nullptr, nullptr));
+        } else {
+            append_pieces(path);
+        }
+        check(path);
+        return path;
+    }
+
+private:
+    [[nodiscard]] bool inside_body(const Vec2& x) const {
+        for (const MeshEdge& edge : skeleton_.edges()) {
+            if (edge.elements[1] >= 0 || !skeleton_.is_boundary(edge)) continue;
+            if (intersect(x, x, node(edge.first), node(edge.second))) return false;
+        }
+        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+            if (side_of_polygon(polygon(static_cast<int>(e)), x) >= 0) return true;
+        }
+        return false;
+    }
+
+    // A tip within rounding of an edge ends on that edge.
+    void drop_slivers_at_tips(const CrackPath& path) {
+        const double tiny = 1e-9 * arc_.back();
+        if (path.tip_at_end && !crossings_.empty() && arc_.back() - crossings_.back().s < tiny) ends_on_edge_ = true;
+        if (path.tip_at_start && !crossings_.empty() && crossings_.front().s < tiny) starts_on_edge_ = true;
+    }
+
+    void append_pieces(CrackPath& path) {
+        if (path.tip_at_start && !starts_on_edge_) path.pieces.push_back(piece(nullptr, &crossings_.front()));
+        for (std::size_t k = 0; k + 1 < crossings_.size(); ++k) {
+            if (auto next = between(crossings_[k], crossings_[k + 1])) path.pieces.push_back(std::move(*next));
+        }
+        if (path.tip_at_end && !ends_on_edge_) path.pieces.push_back(piece(&crossings_.back(), nullptr));
+        if (path.pieces.empty()) throw CaseError(fmt::format("crack {}: it does not meet the body", crack_ + 1));
+    }
+
+    std::optional<CrackPiece> between(const Crossing& a, const Crossing& b) {
+        const auto chain = points_between(&a, &b);
+        const std::vector<int> shared = skeleton_.common_elements(a, b);
+        const bool along_edge = chain.first.size() == 2 && skeleton_.on_one_edge(a, b);
+        if (along_edge) return along(a, b, chain, shared);
+        const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
+        for (const int e : shared) {
+            const int inside = side_of_polygon(polygon(e), middle);
+            if (inside > 0) return make_piece(e, chain, &a, &b);
+            if (inside == 0) refuse_partial_edge(b);
+        }
+        return std::nullopt;  // outside the body
+    }
+
+    CrackPiece along(const Crossing& a, const Crossing& b,
+                     const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const std::vector<int>& shared) {
+        const bool whole_edge = a.node >= 0 && b.node >= 0;
+        const bool ends_at_tip =
+            (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
+        if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b);
+        const bool first_is_left = orientation(a.position, b.position, centre(shared[0])) > 0;
+        CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
+        result.neighbour = first_is_left ? shared[0] : shared[1];
+        return result;
+    }
+
+    [[noreturn]] void refuse_partial_edge(const Crossing& b) const {
+        throw CaseError(
+            fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
+                        "change the mesh size a little",
+                        crack_ + 1, b.position.x(), b.position.y()));
+    }
+
+    // A piece that ends at a tip inside an element (null end), or lies wholly inside one.
+    CrackPiece piece(const Crossing* a, const Crossing* b) {
+        const auto chain = points_between(a, b);
+        const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
+        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+            if (side_of_polygon(polygon(static_cast<int>(e)), middle) > 0)
+                return make_piece(static_cast<int>(e), chain, a, b);
+        }
+        // The tip lies on an edge that the crack runs along: both elements beside it hold the tip.
+        const Crossing* end = a != nullptr ? a : b;
+        for (const MeshEdge& edge : skeleton_.edges()) {
+            const Vec2 tip = a != nullptr ? chain.first.back() : chain.first.front();
+            const Vec2 &first = node(edge.first), &second = node(edge.second);
+            // To rounding: the middle may be rounded onto an edge that the tip is an ulp off.
+            const double off =
+                std::max(distance_to_segment(tip, first, second), distance_to_segment(middle, first, second));
+            if (end == nullptr || off > 1e-9 * (first - second).norm()) continue;
+            const int left = orientation(chain.first.front(), chain.first.back(), centre(edge.elements[0])) > 0 ? 0 : 1;
+            CrackPiece result = make_piece(edge.elements[static_cast<std::size_t>(1 - left)], chain, a, b);
+            result.neighbour = edge.elements[static_cast<std::size_t>(left)];
+            return result;
+        }
+        throw CaseError(
+            fmt::format("crack {}: no element holds the crack near ({}, {})", crack_ + 1, middle.x(), middle.y()));
+    }
+
+    CrackPiece make_piece(int e, const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const Crossing* a,
+                          const Crossing* b) const {
+        CrackPiece result;
+        result.crack = crack_;
+        result.element = e;
+        result.points = chain.first;
+        result.s = chain.second;
+        if (a != nullptr) result.entry = skeleton_.place(e, *a);
+        if (b != nullptr) result.exit = skeleton_.place(e, *b);
+        return result;
+    }
+
+    [[nodiscard]] std::pair<std::vector<Vec2>, std::vector<double>> points_between(const Crossing* a,
+                                                                                   const Crossing* b) const {
+        const double s0 = a != nullptr ? a->s : 0.0, s1 = b != nullptr ? b->s : arc_.back();
+        std::pair<std::vector<Vec2>, std::vector<double>> chain;
+        chain.first.push_back(a != nullptr ? a->position : points_.front());
+        chain.second.push_back(s0);
+        for (std::size_t k = 1; k + 1 < points_.size(); ++k) {
+            if (arc_[k] <= s0 + skeleton_.kink_tolerance() || arc_[k] >= s1 - skeleton_.kink_tolerance()) continue;
+            chain.first.push_back(points_[k]);
+            chain.second.push_back(arc_[k]);
+        }
+        chain.first.push_back(b != nullptr ? b->position : points_.back());
+        chain.second.push_back(s1);
+        return chain;
+    }
+
+    void check(const CrackPath& path) const {
+        std::set<int> crossed;
+        for (const CrackPiece& p : path.pieces) {
+            if (p.neighbour >= 0) continue;
+            if (!crossed.insert(p.element).second) {
+                throw CaseError(
+                    fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there",
+                                crack_ + 1, p.points[0].x(), p.points[0].y()));
+            }
+        }
+    }
+
+    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[static_cast<std::size_t>(n)]; }
+
+    [[nodiscard]] std::array<Vec2, 4> polygon(int e) const {
+        const auto& n = mesh_.elements[static_cast<std::size_t>(e)];
+        return {node(n[0]), node(n[1]), node(n[2]), node(n[3])};
+    }
+
+    [[nodiscard]] Vec2 centre(int e) const {
+        const auto corners = polygon(e);
+        return (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0;
+    }
+
+    const Mesh& mesh_;
+    int crack_;
+    const std::vector<Vec2>& points_;
+    CrackCrossings skeleton_;
+    const std::vector<Crossing>& crossings_;
+    const std::vector<double>& arc_;
+    bool starts_on_edge_ = false, ends_on_edge_ = false;
+};
+
+}  // namespace
+
+CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points) {
+    return Resolver(mesh, crack, points).resolve();
+}
+
+}  // namespace stria

@@ -1,0 +1,24 @@
+// A crack polyline resolved on a mesh: where it crosses element edges, and its piece inside each element.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "common/enrichment/enriched_mesh.hpp"
+#include "common/fem/mesh.hpp"
+
+namespace stria {
+
+/// What resolving a crack leaves: its pieces in order, and which of its two ends are tips (strictly inside the body).
+struct CrackPath {
+    std::vector<CrackPiece> pieces;
+    bool tip_at_start = false;
+    bool tip_at_end = false;
+    double length = 0.0;  // of the polyline, mm
+};
+
+/// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, enters
+/// an element twice, or leaves an element edge between its nodes after running along it.
+CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
+
+}  // namespace stria

@@ -1,0 +1,89 @@
+#include "common/fracture/domain_integral.hpp"
+
+#include <algorithm>
+
+namespace stria {
+namespace {
+
+// Between the ends of its edge at a hanging node, so that q is continuous.
+double nodal_weight(const EnrichedMesh& mesh, int node, const Tip& tip, const Annulus& ring) {
+    const auto at_node = [&](int n) {
+        return ring.weight((mesh.nodes[static_cast<std::size_t>(n)] - tip.position).norm());
+    };
+    const TiedNode* const tied = mesh.tied.empty() ? nullptr : mesh.tie(node);
+    return tied != nullptr ? (at_node(tied->ends[0]) + at_node(tied->ends[1])) / 2.0 : at_node(node);
+}
+
+Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip& tip, const Annulus& ring) {
+    Eigen::Vector4d q;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int node = mesh.elements[static_cast<std::size_t>(element)][k];
+        q[static_cast<Eigen::Index>(k)] = nodal_weight(mesh, node, tip, ring);
+    }
+    return q;
+}
+
+bool constant(const Eigen::Vector4d& q) { return (q.array() == q[0]).all(); }
+
+}  // namespace
+
+RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings)
+    : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()) {}
+
+bool RingSums::enter(int element) {
+    entered_.clear();
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+        const Eigen::Vector4d q = corner_weights(mesh_, element, tip_, rings_[ring]);
+        if (!constant(q)) entered_.push_back({ring, q});
+    }
+    if (entered_.empty()) return false;
+    side_ = mesh_.element_side[static_cast<std::size_t>(element)];
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int node = mesh_.elements[static_cast<std::size_t>(element)][k];
+        corners_[k] = mesh_.nodes[static_cast<std::size_t>(node)];
+    }
+    return true;
+}
+
+std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const {
+    const int side = point.side != 0 ? point.side : side_;
+    return {williams_field(1, tip_, point.x, side, elastic_), williams_field(2, tip_, point.x, side, elastic_),
+            point_force_field(tip_, point.x, side, elastic_)};
+}
+
+void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    const Vec2 own = energy_momentum(tip_, stress, gradient, work);
+    std::array<Vec2, 3> mutual;
+    std::ranges::transform(auxiliary(point), mutual.begin(), [&](const TipField& field) {
+        return mutual_energy_momentum(tip_, stress, gradient, field);
+    });
+    for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
+        const Vec2 weighted = point.weight * dq;
+        sums_[ring] += {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
+    });
+}
+
+// With the traction +-p n on the faces, -(t . u_,1) q of both adds up to -p d(opening)/dx_1 q (J), and likewise with
+// the auxiliary opening (interaction). That of the point force is constant: it adds nothing.
+void RingSums::add_pressure(const FaceStation& station, double pressure, double slope) {
+    const double forward = station.tangent.dot(tip_.direction);
+    const auto auxiliary_slope = [&](int mode) {
+        const Eigen::Matrix2d jump = williams_field(mode, tip_, station.x, 1, elastic_).gradient -
+                                     williams_field(mode, tip_, station.x, -1, elastic_).gradient;
+        return station.normal.dot(jump * tip_.direction);
+    };
+    const double own = slope * forward, I = auxiliary_slope(1), II = auxiliary_slope(2);
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+        const double q = corner_weights(mesh_, station.element, tip_, rings_[ring]).dot(station.shape);
+        const double push = station.weight * pressure * q;
+        sums_[ring] += {-push * own, -push * I, -push * II, 0.0};
+    }
+}
+
+bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring) {
+    for (int element = 0; element < std::ssize(mesh.elements); ++element)
+        if (!constant(corner_weights(mesh, element, tip, ring))) return true;
+    return false;
+}
+
+}  // namespace stria

@@ -1,0 +1,111 @@
+// J and the interaction integrals in domain form about one tip: their integrands at a point, and the sums over several
+// rings in one pass. In each ring the weight q falls from 1 to 0.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "common/fem/shape_q4.hpp"
+#include "common/fracture/williams.hpp"
+#include "common/integration/crack_faces.hpp"
+#include "common/integration/element_operator.hpp"
+
+namespace stria {
+
+/// A ring about a tip: q is 1 at nodes up to the inner radius, falls linearly with the distance to 0 at the outer
+/// radius, and is interpolated by the standard functions in between, in the bulk and on the faces alike.
+struct Annulus {
+    double inner, outer;  // mm
+
+    [[nodiscard]] double weight(double r) const { return std::clamp((outer - r) / (outer - inner), 0.0, 1.0); }
+};
+
+/// What one side of a ring adds up: N/mm, per unit K in the interactions I and II, per N/mm of force in T.
+/// K_I = E'/2 interaction_I, K_II likewise (Williams fields); T = E' interaction_T (point force).
+struct DomainIntegral {
+    double J = 0.0, interaction_I = 0.0, interaction_II = 0.0, interaction_T = 0.0;
+
+    DomainIntegral& operator+=(const DomainIntegral& other) {
+        J += other.J;
+        interaction_I += other.interaction_I;
+        interaction_II += other.interaction_II;
+        interaction_T += other.interaction_T;
+        return *this;
+    }
+};
+
+/// sigma_ij u_i,1 - W delta_1j with axis 1 along the tip: what the integrand of J dots with grad q.
+inline Vec2 energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    return in_plane(stress) * (gradient * tip.direction) - work * tip.direction;
+}
+
+/// Its part that is mixed of the solution and an auxiliary field.
+inline Vec2 mutual_energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient,
+                                   const TipField& auxiliary) {
+    const double mutual = in_plane(stress).cwiseProduct(auxiliary.gradient).sum();
+    return in_plane(stress) * (auxiliary.gradient * tip.direction) +
+           in_plane(auxiliary.stress) * (gradient * tip.direction) - mutual * tip.direction;
+}
+
+/// The mutual part dotted with grad q is linear in the solution: stress . sigma + gradient : grad u.
+struct MutualWeights {
+    Mandel stress;
+    Eigen::Matrix2d gradient;
+};
+inline MutualWeights mutual_weights(const Tip& tip, const TipField& auxiliary, const Vec2& dq) {
+    const Eigen::Matrix2d stress =
+        dq * (auxiliary.gradient * tip.direction).transpose() - dq.dot(tip.direction) * auxiliary.gradient;
+    return {strain_of(stress), in_plane(auxiliary.stress) * dq * tip.direction.transpose()};
+}
+
+/// Sums over the rings of one tip. Fields are evaluated once a point, whatever the number of rings.
+class RingSums {
+public:
+    /// `mesh` must outlive the sums.
+    RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings);
+
+    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
+    bool enter(int element);
+
+    /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
+    void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
+
+    /// The auxiliary fields of the interactions I, II and T at a point.
+    [[nodiscard]] std::array<TipField, 3> auxiliary(const IntegrationPoint& point) const;
+
+    /// Calls visit(ring, grad q) for each ring in which q varies on the element entered.
+    template <class Visit> void for_each_ring(const IntegrationPoint& point, Visit&& visit) const;
+
+    /// A station of the tip's crack with both faces under pressure, MPa. `slope`: d(opening)/ds along its tangent.
+    void add_pressure(const FaceStation& station, double pressure, double slope);
+
+    [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
+
+private:
+    const EnrichedMesh& mesh_;
+    Tip tip_;
+    Elasticity elastic_;
+    std::vector<Annulus> rings_;
+    std::vector<DomainIntegral> sums_;
+
+    // Of the element entered.
+    struct Entered {
+        std::size_t ring;
+        Eigen::Vector4d q;
+    };
+    std::array<Vec2, 4> corners_;
+    std::vector<Entered> entered_;
+    int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
+};
+
+template <class Visit> void RingSums::for_each_ring(const IntegrationPoint& point, Visit&& visit) const {
+    const Eigen::Matrix<double, 4, 2> shape = shape_q4(corners_, point.xi).gradient;
+    for (const auto& [ring, q] : entered_) visit(ring, Vec2(shape.transpose() * q));
+}
+
+/// Whether any element of a mesh has something to add to a ring.
+bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring);
+
+}  // namespace stria

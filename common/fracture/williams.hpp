@@ -1,0 +1,69 @@
+// Elastic fields about a traction-free crack tip, plane strain or plane stress: the singular ones of modes I and II
+// (REFERENCES 2.6), and the point force that extracts the T stress.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "common/enrichment/tip_functions.hpp"
+#include "common/mandel.hpp"
+#include "common/material/elasticity.hpp"
+
+namespace stria {
+
+/// In global axes, per unit of what drives the field.
+struct TipField {
+    Vec2 displacement;         // mm
+    Eigen::Matrix2d gradient;  // row: component
+    Mandel stress;             // MPa
+};
+
+/// Columns: the axes along and across the tip.
+inline Eigen::Matrix2d tip_axes(const Tip& tip) {
+    return Eigen::Matrix2d{{tip.direction.x(), -tip.direction.y()}, {tip.direction.y(), tip.direction.x()}};
+}
+
+/// Fields for K_I = 1 (mode 1) or K_II = 1 (mode 2), per MPa sqrt(mm).
+inline TipField williams_field(int mode, const Tip& tip, const Vec2& x, int side, const Elasticity& elastic) {
+    const TipPolar polar = tip_polar(tip, x, side);
+    const double r = polar.r, t = polar.theta, kappa = elastic.kolosov(), mu = elastic.shear_modulus();
+    const double s = std::sin(t / 2.0), c = std::cos(t / 2.0), s3 = std::sin(1.5 * t), c3 = std::cos(1.5 * t);
+    const double amplitude = std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * mu);
+    // u = amplitude * a(theta) in the tip's axes; a and da/dtheta, with cos t etc. expanded in half angles.
+    Vec2 a, slope;
+    if (mode == 1) {
+        a = {(kappa - 0.5) * c - 0.5 * c3, (kappa + 0.5) * s - 0.5 * s3};
+        slope = {-0.5 * (kappa - 0.5) * s + 0.75 * s3, 0.5 * (kappa + 0.5) * c - 0.75 * c3};
+    } else {
+        a = {(kappa + 1.5) * s + 0.5 * s3, -(kappa - 1.5) * c - 0.5 * c3};
+        slope = {0.5 * (kappa + 1.5) * c + 0.75 * c3, 0.5 * (kappa - 1.5) * s + 0.75 * s3};
+    }
+    const Eigen::Matrix2d axes = tip_axes(tip);
+    TipField field;
+    field.displacement = amplitude * (axes * a);
+    field.gradient =
+        amplitude / r * (axes * (0.5 * a * polar.radial.transpose() + slope * polar.circumferential.transpose()));
+    field.stress = elastic.stiffness() * strain_of(field.gradient);
+    return field;
+}
+
+/// A force of 1 N/mm along the tip's direction, at the tip: sigma_rr = -cos(theta) / (pi r) is the only stress of the
+/// plane, so the faces are free of traction (Kfouri, Int. J. Fracture 30 (1986) 301). The displacement is zero at
+/// r = 1 mm straight ahead; its jump across the faces is a constant.
+inline TipField point_force_field(const Tip& tip, const Vec2& x, int side, const Elasticity& elastic) {
+    const TipPolar polar = tip_polar(tip, x, side);
+    const double r = polar.r, t = polar.theta, kappa = elastic.kolosov(), s = std::sin(t), c = std::cos(t);
+    const double shear = 1.0 / (4.0 * std::numbers::pi * elastic.shear_modulus());
+    const double spread = 0.5 * (kappa + 1.0) * shear, turn = 0.5 * (kappa - 1.0) * shear;
+    const Vec2 u(-spread * std::log(r) - shear * s * s, -turn * t + shear * s * c);
+    const Vec2 along_r(-spread, 0.0), along_theta(-2.0 * shear * s * c, -turn + shear * (c * c - s * s));  // times r
+    const Eigen::Matrix2d axes = tip_axes(tip);
+    TipField field;
+    field.displacement = axes * u;
+    field.gradient =
+        (axes * (along_r * polar.radial.transpose() + along_theta * polar.circumferential.transpose())) / r;
+    field.stress = elastic.stiffness() * strain_of(field.gradient);
+    return field;
+}
+
+}  // namespace stria

@@ -1,0 +1,163 @@
+#include "common/integration/crack_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/enrichment/element_basis.hpp"
+#include "common/fem/quadrature.hpp"
+#include "common/fem/shape_q4.hpp"
+#include "common/integration/cut_element.hpp"
+
+namespace stria {
+namespace {
+
+FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, const Vec2& x, const Vec2& tangent,
+                         double s, double weight) {
+    FaceStation station;
+    station.crack = piece.crack;
+    station.element = piece.element;
+    station.s = s;
+    station.weight = weight;
+    station.x = x;
+    station.tangent = tangent;
+    station.normal = {-tangent.y(), tangent.x()};
+    BasisValues plus, minus;
+    const Vec2 xi = map_to_parent(basis.corners(), x);
+    station.shape = shape_values(xi);
+    basis.evaluate(xi, x, 1, plus);
+    basis.evaluate(xi, x, -1, minus);
+    for (int f = 0; f < basis.functions(); ++f) {
+        const double value = plus.value[f] - minus.value[f];
+        const double slope = (plus.gradient.row(f) - minus.gradient.row(f)).dot(tangent);
+        if (std::abs(value) > 1e-14)
+            station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value, slope});
+    }
+    return station;
+}
+
+/// An arc length and the length that it stands for.
+struct Place {
+    double s, weight;
+};
+
+/// Stations at the places that a rule puts between the ends of each interface element.
+template <class Rule>
+std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int subcells, const Rule& places_between) {
+    std::vector<FaceStation> stations;
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        // Both traces along an edge come from the functions of one of its elements: it counts as cut.
+        const ElementBasis basis(mesh, piece.element, true);
+        const InterfacePoints ends = interface_elements(basis.corners(), piece, subcells);
+        for (std::size_t k = 0; k + 1 < ends.points.size(); ++k) {
+            const Vec2 d = ends.points[k + 1] - ends.points[k];
+            const double length = ends.s[k + 1] - ends.s[k];
+            for (const auto& [s, weight] : places_between(ends.s[k], ends.s[k + 1])) {
+                const Vec2 x = ends.points[k] + (s - ends.s[k]) / length * d;
+                stations.push_back(make_station(basis, piece, x, d.normalized(), s, weight));
+            }
+        }
+    }
+    return stations;
+}
+
+}  // namespace
+
+Vec2 FaceStation::jump(const Eigen::VectorXd& u) const {
+    Vec2 sum = fixed_jump;
+    for (const Term& term : terms) sum += term.value * u.segment<2>(term.unknown);
+    return sum;
+}
+
+double FaceStation::opening_slope(const Eigen::VectorXd& u) const {
+    double sum = 0.0;
+    for (const Term& term : terms) sum += term.slope * u.segment<2>(term.unknown).dot(normal);
+    return sum;
+}
+
+std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss) {
+    return stations_of(mesh, crack, subcells, [&](double first, double last) {
+        std::vector<Place> places;
+        for (const LinePoint& point : gauss_line(gauss)) {
+            places.push_back({first + 0.5 * (1.0 + point.xi) * (last - first), 0.5 * point.weight * (last - first)});
+        }
+        return places;
+    });
+}
+
+std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip& tip, int subcells, int gauss) {
+    return stations_of(mesh, tip.crack, subcells, [&](double first, double last) {
+        const double v_first = std::sqrt(std::abs(first - tip.s)), v_last = std::sqrt(std::abs(last - tip.s));
+        const double sign = first + last > 2.0 * tip.s ? 1.0 : -1.0;
+        std::vector<Place> places;
+        for (const LinePoint& point : gauss_line(gauss)) {
+            const double v = v_first + 0.5 * (1.0 + point.xi) * (v_last - v_first);
+            places.push_back({tip.s + sign * v * v, point.weight * v * std::abs(v_last - v_first)});
+        }
+        return places;
+    });
+}
+
+FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack || s < piece.s.front() || s > piece.s.back()) continue;
+        const auto after = std::ranges::upper_bound(piece.s, s);
+        const auto k =
+            static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
+        const Vec2 d = piece.points[k] - piece.points[k - 1];
+        const double t = (s - piece.s[k - 1]) / (piece.s[k] - piece.s[k - 1]);
+        return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(),
+                            s, 0.0);
+    }
+    FaceStation nowhere;
+    nowhere.crack = crack;
+    nowhere.s = s;
+    return nowhere;
+}
+
+std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x) {
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
+            const Vec2 d = piece.points[k + 1] - piece.points[k], to_x = x - piece.points[k];
+            const double t = to_x.dot(d) / d.squaredNorm();
+            if (t < -1e-9 || t > 1.0 + 1e-9 || (to_x - t * d).norm() > 1e-9 * d.norm()) continue;
+            return piece.s[k] + std::clamp(t, 0.0, 1.0) * (piece.s[k + 1] - piece.s[k]);
+        }
+    }
+    return std::nullopt;
+}
+
+double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eigen::VectorXd& u) {
+    return opening_at_intercept(mesh, tip, [&](const FaceStation& station) { return station.opening(u); });
+}
+
+double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip,
+                            const std::function<double(const FaceStation&)>& opening) {
+    double first = 1e300, last = -1e300;  // arc lengths that the mesh holds
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != tip.crack) continue;
+        first = std::min(first, piece.s.front());
+        last = std::max(last, piece.s.back());
+    }
+    if (first > last) return -1.0;
+    const double direction = std::abs(tip.s - last) < std::abs(tip.s - first) ? -1.0 : 1.0;
+    const double reach = last - first;
+    const auto excess = [&](double r) {
+        const FaceStation station = face_station_at(mesh, tip.crack, tip.s + direction * r);
+        return opening(station) - 2.0 * r;
+    };
+    // The opening starts like r^p, above 2 r; walk outwards geometrically to the first change of sign, then bisect.
+    double inner = 1e-9 * reach;
+    if (excess(inner) <= 0.0) return 0.0;
+    double outer = inner;
+    while (outer < reach && excess(outer) > 0.0) {
+        inner = outer;
+        outer *= 1.5;
+    }
+    if (outer >= reach) return -1.0;
+    for (int k = 0; k < 60; ++k) (excess((inner + outer) / 2.0) > 0.0 ? inner : outer) = (inner + outer) / 2.0;
+    return inner + outer;
+}
+
+}  // namespace stria

@@ -1,0 +1,63 @@
+// What integrates an element: its points, weights and function gradients, with the mean dilatation of each crack side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/enrichment/element_basis.hpp"
+#include "common/integration/element_points.hpp"
+#include "common/mandel.hpp"
+#include "common/material/elasticity.hpp"
+
+namespace stria {
+
+using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+/// NUMERICS 2: grad phi is replaced in the volumetric part of B by its mean over the point's crack side (over the whole
+/// element where it holds a tip), for every function; and a constant per side is added to grad phi where the points are
+/// not exact (tip functions, cut elements that are no parallelograms) so that its integral equals the boundary integral
+/// of phi n, which makes the patch test exact.
+struct ElementOperator {
+    using Values = Eigen::VectorXd;  // 2 a function
+
+    int element = 0;
+    std::vector<int> unknowns;  // 2 a function
+    std::vector<IntegrationPoint> points;
+    std::vector<Gradients> gradients;  // per point, one row a function
+    std::vector<Gradients> mean;       // per region; empty: without mean dilatation
+    double area = 0.0;
+
+    /// Strain of element values `u` (2 a function) at point q; zz is the assumed part of a mean dilatation.
+    [[nodiscard]] Mandel strain(const Eigen::VectorXd& u, std::size_t q) const;
+
+    /// 4 x 2f strain matrix of point q.
+    [[nodiscard]] Eigen::Matrix<double, 4, Eigen::Dynamic> strain_matrix(std::size_t q) const;
+
+    /// Displacement gradient at point q (row: component).
+    [[nodiscard]] Eigen::Matrix2d displacement_gradient(const Eigen::VectorXd& u, std::size_t q) const;
+
+    /// Adds weight * B^T stress at point q.
+    void add_force(const Mandel& stress, std::size_t q, Eigen::VectorXd& force) const;
+
+    /// Sum over points of weight * B^T C B with one elastic stiffness.
+    [[nodiscard]] Eigen::MatrixXd stiffness(const MandelMatrix& elastic) const;
+};
+
+/// Bilinear elements lock where plastic flow keeps the volume in plane strain, or nu is near 1/2.
+MeanDilatation mean_dilatation(const MaterialSection& material, const Elasticity& elastic);
+
+/// Elastic elements: exact with the fewest points where functions are polynomials, dense around tips.
+IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut);
+
+/// `piece`: the crack inside the element, or null.
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
+                              const IntegrationRule& rule);
+
+/// On points that the element has already.
+ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,
+                              const IntegrationRule& rule, std::vector<IntegrationPoint> points);
+
+/// Element values of a displacement vector.
+Eigen::VectorXd gather(const Eigen::VectorXd& values, std::span<const int> unknowns);
+
+}  // namespace stria

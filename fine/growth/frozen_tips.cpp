@@ -1,0 +1,123 @@
+#include "fine/growth/frozen_tips.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "common/enrichment/element_basis.hpp"
+#include "common/integration/crack_faces.hpp"
+
+namespace stria::fine {
+namespace {
+
+bool of_tip(const Term& term, int tip) { return term.kind == Term::Kind::Tip && term.owner == tip; }
+
+bool is_newly_cut(const EnrichedMesh& before, const EnrichedMesh& next, const CrackPiece& piece) {
+    const int id = next.element_ids[static_cast<std::size_t>(piece.element)];
+    return std::ranges::none_of(before.pieces, [&](const CrackPiece& old) {
+        return old.neighbour < 0 && before.element_ids[static_cast<std::size_t>(old.element)] == id;
+    });
+}
+
+/// The values of Heaviside terms alone.
+Eigen::VectorXd heaviside_values(const EnrichedMesh& mesh, const Eigen::VectorXd& displacement) {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+        const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
+        if (term > 0 && terms[static_cast<std::size_t>(term - 1)].kind == Term::Kind::Heaviside)
+            values.segment<2>(unknown) = displacement.segment<2>(unknown);
+    }
+    return values;
+}
+
+bool opens(const EnrichedMesh& mesh, int element, const Eigen::VectorXd& values) {
+    const ElementBasis basis(mesh, element, true);
+    return std::ranges::any_of(basis.unknowns(), [&](int unknown) { return values[unknown] != 0.0; });
+}
+
+/// More elements where a hanging node of theirs would be without an end of its edge.
+std::vector<int> with_ends_of_edges(const EnrichedMesh& mesh, const std::vector<int>& elements) {
+    std::set<int> chosen(elements.begin(), elements.end()), nodes;
+    for (std::vector<int> added = elements; !added.empty();) {
+        std::set<int> missing;
+        for (const int e : added) {
+            for (const int node : mesh.elements[static_cast<std::size_t>(e)]) {
+                nodes.insert(node);
+                if (const TiedNode* tie = mesh.tie(node)) missing.insert(tie->ends.begin(), tie->ends.end());
+            }
+        }
+        added.clear();
+        for (int e = 0; e < std::ssize(mesh.elements) && !missing.empty(); ++e) {
+            const auto& corners = mesh.elements[static_cast<std::size_t>(e)];
+            const auto lacks = [&](int node) { return missing.contains(node) && !nodes.contains(node); };
+            if (std::ranges::any_of(corners, lacks) && chosen.insert(e).second) added.push_back(e);
+        }
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+}  // namespace
+
+FrozenTips::FrozenTips(std::vector<coupling::FrozenTip> tips) {
+    for (coupling::FrozenTip& tip : tips) keep(std::move(tip));
+}
+
+void FrozenTips::keep(coupling::FrozenTip tip) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& node : tip.mesh.nodes) box.extend(node);
+    boxes_.push_back(box);
+    tips_.push_back(std::move(tip));
+}
+
+void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd& displacement) {
+    std::vector<int> elements;
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const auto sees = [&](int node) {
+            return std::ranges::any_of(mesh.terms[static_cast<std::size_t>(node)],
+                                       [&](const Term& term) { return of_tip(term, tip); });
+        };
+        if (std::ranges::any_of(mesh.elements[static_cast<std::size_t>(e)], sees)) elements.push_back(e);
+    }
+    if (elements.empty()) return;
+    coupling::FrozenTip frozen{extract(mesh, elements), {}, mesh.tips[static_cast<std::size_t>(tip)].crack};
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+        if (term > 0 && of_tip(mesh.terms[static_cast<std::size_t>(node)][static_cast<std::size_t>(term - 1)], tip))
+            own.segment<2>(unknown) = displacement.segment<2>(unknown);
+    }
+    frozen.displacement = carry_over(mesh, own, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
+    keep(std::move(frozen));
+}
+
+void FrozenTips::keep_closed(const EnrichedMesh& before, const EnrichedMesh& next,
+                             const Eigen::VectorXd& displacement) {
+    const Eigen::VectorXd jumps = heaviside_values(next, displacement);
+    std::map<int, std::vector<int>> opening;  // elements, by crack
+    for (const CrackPiece& piece : next.pieces)
+        if (piece.neighbour < 0 && is_newly_cut(before, next, piece) && opens(next, piece.element, jumps))
+            opening[piece.crack].push_back(piece.element);
+    for (auto& [crack, elements] : opening) {
+        std::set<int> counting;  // by id
+        for (const int e : elements) counting.insert(next.element_ids[static_cast<std::size_t>(e)]);
+        coupling::FrozenTip frozen{extract(next, with_ends_of_edges(next, elements)), {}, crack};
+        std::erase_if(frozen.mesh.pieces, [&](const CrackPiece& piece) {
+            return !counting.contains(frozen.mesh.element_ids[static_cast<std::size_t>(piece.element)]);
+        });
+        frozen.displacement = -carry_over(next, jumps, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
+        keep(std::move(frozen));
+    }
+}
+
+Vec2 FrozenTips::jump(int crack, const Vec2& x) const {
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t t = 0; t < tips_.size(); ++t) {
+        const coupling::FrozenTip& frozen = tips_[t];
+        if (frozen.crack != crack || boxes_[t].squaredExteriorDistance(x) > 1e-6 * boxes_[t].sizes().squaredNorm())
+            continue;
+        if (const auto s = arc_length_at(frozen.mesh, crack, x))
+            sum += face_station_at(frozen.mesh, crack, *s).jump(frozen.displacement);
+    }
+    return sum;
+}
+
+}  // namespace stria::fine

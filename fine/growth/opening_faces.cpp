@@ -1,0 +1,35 @@
+#include "fine/growth/opening_faces.hpp"
+
+#include "common/integration/element_operator.hpp"
+
+namespace stria::fine {
+
+OpeningFaces::OpeningFaces(const Eigen::VectorXd& held) {
+    for (int i = 0; i < held.size(); ++i)
+        if (held[i] != 0.0) jumps_.push_back(i);
+    held_ = gather(held, jumps_);
+}
+
+void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held) {
+    Eigen::VectorXd is_new = Eigen::VectorXd::Zero(before.unknowns);
+    for (const int unknown : jumps_) is_new[unknown] = 1.0;
+    is_new = carry_over(before, is_new, next, Eigen::VectorXd::Ones(next.unknowns));
+    jumps_.clear();
+    for (const auto& [node, term, unknown] : next.own_unknowns())
+        if (term > 0 && is_new[unknown] != 0.0) jumps_.insert(jumps_.end(), {unknown, unknown + 1});
+    held_ = gather(held, jumps_);
+}
+
+double OpeningFaces::release(const Eigen::VectorXd& move) {
+    const double released = jumps_.empty() ? 0.0 : 0.5 * held_.dot(gather(move, jumps_));
+    jumps_.clear();
+    return released;
+}
+
+Eigen::VectorXd OpeningFaces::held(int unknowns) const {
+    Eigen::VectorXd held = Eigen::VectorXd::Zero(unknowns);
+    if (!jumps_.empty()) held(jumps_) = held_;
+    return held;
+}
+
+}  // namespace stria::fine

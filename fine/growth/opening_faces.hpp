@@ -1,0 +1,38 @@
+// Faces that a growth of the crack has opened, and what they release while equilibrium is found again (work balance,
+// docs/equations.md).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "common/enrichment/enriched_mesh.hpp"
+
+namespace stria::fine {
+
+/// Until a crack grows the metal ahead of it transmits tractions. On the unknowns of the new jumps they are nodal
+/// forces F = - integral of B^T sigma of the stresses that stay as they are (Fig. 3a). Finding equilibrium takes them
+/// away while the jumps open by du (Fig. 3b): along a path on which they fade in proportion, F . du / 2 is released.
+class OpeningFaces {
+public:
+    OpeningFaces() = default;
+
+    /// As held() gave it.
+    explicit OpeningFaces(const Eigen::VectorXd& held);
+
+    /// `held`: on the unknowns of `next`, the forces in need of balance at the displacement that both meshes share. To
+    /// be called again where the mesh changes once more before equilibrium: what has opened since the last release
+    /// counts.
+    void open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held);
+
+    /// N per mm of thickness: released by a move to equilibrium. Nothing is left to be released then.
+    double release(const Eigen::VectorXd& move);
+
+    /// What is yet to be released: on all unknowns of a mesh the forces that held its new jumps, zero elsewhere, N/mm.
+    [[nodiscard]] Eigen::VectorXd held(int unknowns) const;
+
+private:
+    std::vector<int> jumps_;  // unknowns of the new jumps
+    Eigen::VectorXd held_;    // on them
+};
+
+}  // namespace stria::fine

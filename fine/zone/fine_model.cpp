@@ -1,0 +1,258 @@
+#include "fine/zone/fine_model.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/stopwatch.hpp"
+
+namespace stria::fine {
+
+FineModel::FineModel(const Case& input) : system_(input) {}
+
+void FineModel::set_patch(const coupling::Patch& patch) {
+    system_.set_patch(patch);
+    plant_tree();
+    begin_rest(system_.may_rest());
+}
+
+void FineModel::plant_tree() {
+    const coupling::Patch& patch = system_.patch();
+    const ContactInterface& contact = system_.contact();
+    FrontTree::Layout layout;
+    layout.unknowns = patch.mesh.unknowns + contact.multipliers();
+    layout.multipliers = contact.multipliers();
+    layout.boundary = patch.boundary;
+    for (const ElementOperator& op : system_.zone().operators()) {
+        layout.element_unknowns.push_back(op.unknowns);
+        Vec2 centre = Vec2::Zero();
+        for (const int node : patch.mesh.elements[static_cast<std::size_t>(op.element)])
+            centre += patch.mesh.nodes[static_cast<std::size_t>(node)] / 4.0;
+        layout.centres.push_back(centre);
+    }
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        std::vector<int>& unknowns = layout.element_unknowns.emplace_back();
+        for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it)
+            unknowns.push_back(static_cast<int>(it.col()));
+        unknowns.push_back(patch.mesh.unknowns + k);
+        layout.centres.push_back(contact.keys()[static_cast<std::size_t>(k)].x);
+    }
+    changed_.assign(layout.element_unknowns.size(), 1);
+    all_changed_ = true;
+    in_tree_.assign(static_cast<std::size_t>(contact.multipliers()), none);
+    multiplier_matrices_.resize(in_tree_.size());
+    tree_ = std::make_unique<FrontTree>(std::move(layout));
+}
+
+void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
+
+coupling::PatchResponse FineModel::collect() {
+    if (asked_.iteration == 0) {
+        system_.predict(asked_.predictor);
+        rest_was_checked_ = false;
+    } else {
+        advance_interior();
+    }
+    system_.set_load_factor(asked_.load_factor);
+    system_.set_boundary(asked_.boundary);
+    linearise();
+    coupling::PatchResponse response = system_.measure();
+    if (is_time_to_check_rest(response) && wake_what_would_flow()) {
+        linearise();
+        response = system_.measure();
+    }
+    condense(response);
+    return response;
+}
+
+void FineModel::linearise() {
+    system_.linearise();
+    if (some_rest_) system_.add_response(tree_->response(moved_since_rest()).head(system_.load().size()));
+    find_changes();
+    rest_is_checked_ = false;
+}
+
+// Quiet subtrees of elements become leaves: their points and fronts are not looked at any more, until one would flow.
+void FineModel::begin_rest(std::vector<char> may_rest) {
+    some_rest_ = std::ranges::find(may_rest, 1) != may_rest.end();
+    if (!some_rest_) return;
+    if (all_changed_) {
+        find_changes();
+        factor();
+    }
+    may_rest.resize(changed_.size(), 0);  // multipliers never do
+    for (std::size_t e = 0; e < may_rest.size(); ++e)
+        if (changed_[e] != 0) may_rest[e] = 0;
+    tree_->rest(may_rest);
+    system_.rest(tree_->resting(), tree_->inside());
+    carry_rest_load();
+}
+
+// As a snapshot has it. Where the tree is another one, what does not fill a subtree of it is awake.
+void FineModel::rest_again(const coupling::ZoneSnapshot& snapshot) {
+    std::vector<char> resting(changed_.size(), 0);
+    for (std::size_t e = 0; e < snapshot.resting.size(); ++e) resting[e] = snapshot.resting[e] != 0 ? 1 : 0;
+    some_rest_ = std::ranges::find(resting, 1) != resting.end();
+    if (!some_rest_) return;
+    find_changes();
+    factor();
+    tree_->rest(resting);
+    system_.wake(tree_->resting(), tree_->inside());
+    carry_rest_load();
+}
+
+void FineModel::carry_rest_load() {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(std::ssize(tree_->inside()));
+    load.head(system_.displacement().size()) = system_.zone().rest_load();
+    tree_->carry(load);
+}
+
+Eigen::VectorXd FineModel::moved_since_rest() const {
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(std::ssize(tree_->inside()));
+    moved.head(system_.displacement().size()) = system_.displacement() - system_.zone().rest_displacement();
+    return moved;
+}
+
+// Once as soon as the state is roughly known, so that what is woken has iterations to come; and where this may be the
+// last one: generously, for the structure, which decides, knows larger forces too.
+bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) const {
+    if (!some_rest_ || response.digest.status_changes != 0) return false;
+    constexpr double roughly = 1e-2, margin = 10.0;
+    const double residual = std::max(response.interior_residual, response.contact_residual);
+    return residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.settled_below) ||
+           (!rest_was_checked_ && asked_.iteration > 0 && residual <= roughly * response.interior_force);
+}
+
+// True where something has been woken: then the trial state is to be evaluated again.
+bool FineModel::wake_what_would_flow() {
+    if (std::exchange(rest_is_checked_, true)) return false;
+    rest_was_checked_ = true;
+    const Eigen::VectorXd& start = system_.zone().rest_displacement();
+    const std::vector<std::size_t> flowing =
+        system_.would_flow(start + tree_->follow(moved_since_rest()).head(start.size()));
+    if (flowing.empty()) return false;
+    std::vector<char> still = tree_->resting();
+    for (const std::size_t e : flowing) still[e] = 0;
+    const auto before = std::ranges::count(tree_->resting(), 1);
+    tree_->rest(still);
+    work_.elements_woken += before - std::ranges::count(tree_->resting(), 1);
+    system_.wake(tree_->resting(), tree_->inside());
+    carry_rest_load();
+    return true;
+}
+
+// What differs from the last factor: tangents of elements, and multipliers whose status has changed.
+void FineModel::find_changes() {
+    const std::span<const char> changed = system_.zone().changed();
+    for (std::size_t e = 0; e < changed.size(); ++e) changed_[e] = static_cast<char>(changed_[e] | changed[e]);
+    const std::vector<std::int8_t>& statuses = system_.contact().statuses();
+    for (std::size_t k = 0; k < statuses.size(); ++k) {
+        if (in_tree_[k] == statuses[k]) continue;
+        in_tree_[k] = statuses[k];
+        multiplier_matrices_[k] = multiplier_matrix(static_cast<int>(k));
+        changed_[changed.size() + k] = 1;
+    }
+}
+
+// On what it acts on and itself. An open multiplier loses its pressure whatever else moves.
+Eigen::MatrixXd FineModel::multiplier_matrix(int k) const {
+    const ContactInterface& contact = system_.contact();
+    const Eigen::Index jumps = contact.operator_B().row(k).nonZeros();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(jumps + 1, jumps + 1);
+    if (contact.statuses()[static_cast<std::size_t>(k)] == 0) {
+        matrix(jumps, jumps) = contact.open_diagonal()[k];
+        return matrix;
+    }
+    Eigen::Index place = 0;
+    for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it, ++place)
+        matrix(place, jumps) = matrix(jumps, place) = -it.value();
+    return matrix;
+}
+
+// Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
+bool FineModel::last_factor_serves(const coupling::PatchResponse& response) const {
+    const auto first_multiplier = changed_.end() - std::ssize(in_tree_);
+    return !all_changed_ && asked_.settled_below > 0.0 &&
+           std::find(first_multiplier, changed_.end(), 1) == changed_.end() &&
+           std::max(response.interior_residual, response.contact_residual) <= asked_.settled_below;
+}
+
+void FineModel::factor() {
+    if (all_changed_) std::ranges::fill(changed_, static_cast<char>(1));
+    const std::span<const Eigen::MatrixXd> tangents = system_.zone().tangents();
+    const long before = tree_->refactored();
+    tree_->factor(
+        [&](int element) -> const Eigen::MatrixXd& {
+            const auto e = static_cast<std::size_t>(element);
+            return e < tangents.size() ? tangents[e] : multiplier_matrices_[e - tangents.size()];
+        },
+        changed_);
+    const long refactored = tree_->refactored() - before;
+    work_.fronts_refactored += refactored;
+    work_.fronts_kept += tree_->fronts() - refactored;
+    std::ranges::fill(changed_, static_cast<char>(0));
+    all_changed_ = false;
+}
+
+void FineModel::condense(coupling::PatchResponse& response) {
+    const Stopwatch watch(factor_s_);
+    response.same_tangent = last_factor_serves(response);
+    if (response.same_tangent) {
+        ++work_.factors_reused;
+    } else {
+        factor();
+        response.tangent = tree_->tangent();
+    }
+    reduced_ = tree_->reduce(due());
+    response.force = -reduced_.boundary;
+    response.unit_load = Eigen::VectorXd::Zero(reduced_.boundary.size());
+    reduced_unit_ = {Eigen::VectorXd::Zero(reduced_.interior.size()), response.unit_load};
+    if (system_.patch().unit_load.isZero(0.0)) return;
+    Eigen::VectorXd unit = Eigen::VectorXd::Zero(reduced_.interior.size() + reduced_.boundary.size());
+    unit.head(system_.patch().unit_load.size()) = system_.patch().unit_load;
+    reduced_unit_ = tree_->reduce(unit);
+    response.unit_load = reduced_unit_.boundary;
+}
+
+// What Newton has to remove: forces, and gaps or pressures of multipliers. An open one does not push any more.
+Eigen::VectorXd FineModel::due() const {
+    const ContactInterface& contact = system_.contact();
+    Eigen::VectorXd open = system_.pressure(), forces = system_.load();
+    for (Eigen::Index k = 0; k < open.size(); ++k)
+        if (contact.statuses()[static_cast<std::size_t>(k)] != 0) open[k] = 0.0;
+    contact.add_force(open, forces);
+    Eigen::VectorXd due(forces.size() + open.size());
+    due << forces, system_.contact_right_hand_side();
+    return due;
+}
+
+void FineModel::advance_interior() {
+    const Eigen::VectorXd step = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
+    const double load_step = asked_.load_factor - system_.load_factor();
+    const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
+    const Eigen::VectorXd move = system_.step() * tree_->expand(moving, step);
+    system_.move(move.head(system_.displacement().size()), move.tail(system_.pressure().size()));
+}
+
+coupling::StepReport FineModel::commit(bool reversal) {
+    if (some_rest_ && wake_what_would_flow()) linearise();
+    coupling::StepReport report = system_.commit(reversal);
+    if (reversal) {
+        system_.wake({}, {});
+        begin_rest(system_.may_rest());
+    }
+    report.factor_s = factor_s_;
+    report.work += work_;
+    return report;
+}
+
+coupling::ZoneState FineModel::state() { return system_.state(); }
+
+coupling::ZoneSnapshot FineModel::snapshot() { return system_.snapshot(); }
+
+void FineModel::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
+    system_.restore(patch, snapshot);
+    plant_tree();
+    rest_again(snapshot);
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,63 @@
+// The zone as a nonlinear superelement: displacement of its boundary in, condensed force and tangent out.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "common/substructure/front_tree.hpp"
+#include "coupling/fine_scale.hpp"
+#include "fine/zone/zone_system.hpp"
+
+namespace stria::fine {
+
+/// All unknowns of the zone, multipliers of its contact included, are condensed by a tree of fronts onto the boundary
+/// (DESIGN section 1). The interior follows each boundary displacement through the last factor, so the iterates are
+/// those of Newton's method on the whole system.
+class FineModel : public coupling::FineScale {
+public:
+    explicit FineModel(const Case& input);
+
+    void set_patch(const coupling::Patch& patch) override;
+    void request(const coupling::PatchDisplacement& displacement) override;
+    coupling::PatchResponse collect() override;
+    coupling::StepReport commit(bool reversal) override;
+    void rollback() override {}  // the next increment starts from what is committed
+    coupling::ZoneState state() override;
+    coupling::ZoneSnapshot snapshot() override;
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override;
+
+    [[nodiscard]] const ZoneSystem& system() const { return system_; }
+
+private:
+    void plant_tree();
+    void begin_rest(std::vector<char> may_rest);
+    void rest_again(const coupling::ZoneSnapshot& snapshot);
+    void linearise();
+    [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
+    [[nodiscard]] bool is_time_to_check_rest(const coupling::PatchResponse& response) const;
+    [[nodiscard]] bool wake_what_would_flow();
+    void carry_rest_load();
+    void find_changes();
+    [[nodiscard]] Eigen::MatrixXd multiplier_matrix(int k) const;
+    [[nodiscard]] Eigen::VectorXd due() const;
+    void advance_interior();
+    [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
+    void factor();
+    void condense(coupling::PatchResponse& response);
+
+    ZoneSystem system_;
+    std::unique_ptr<FrontTree> tree_;
+    static constexpr std::int8_t none = -1;
+    std::vector<std::int8_t> in_tree_;  // status of each multiplier in the last factor, or to be in the next one
+    std::vector<Eigen::MatrixXd> multiplier_matrices_;
+    ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
+    coupling::PatchDisplacement asked_;
+    double factor_s_ = 0.0;
+    bool all_changed_ = true;
+    // Something rests; it was looked at: at the present trial state, in this increment.
+    bool some_rest_ = false, rest_is_checked_ = false, rest_was_checked_ = false;
+    std::vector<char> changed_;  // per element, then multiplier: its matrix is not that of the last factor
+    coupling::WorkCounts work_;  // of condensing
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,271 @@
+#include "fine/zone/zone_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "common/stopwatch.hpp"
+
+namespace stria::fine {
+
+ZoneSystem::ZoneSystem(const Case& input)
+    : input_(input), elastic_(elasticity_of(input.material, input.model.plane)),
+      increments_(remembered_increments(input.load.steps)) {}
+
+void ZoneSystem::set_patch(const coupling::Patch& patch) {
+    if (zone_) wake({}, {});
+    const std::unique_ptr<Zone> old = std::move(zone_);
+    const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
+    if (old) keep_displacement(patch);
+    make_contact(patch);
+    carry_unknowns(patch, old_contact.get());
+    zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), old.get(), committed_.displacement);
+    const EnrichedMesh before = std::move(patch_.mesh);
+    begin_with(patch);
+    if (old) open_new_faces(before);
+}
+
+std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {
+    return make_material_law(input_.material, input_.model.plane, input_.fine.substeps);
+}
+
+IntegrationRule ZoneSystem::rule() const {
+    return {.subcells = input_.fine.subcells,
+            .gauss = 2,
+            .tip_points = 4,
+            .mean_dilatation = mean_dilatation(input_.material, elastic_)};
+}
+
+void ZoneSystem::make_contact(const coupling::Patch& patch) {
+    contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
+                                                  elastic_.plane_modulus(), frozen_);
+}
+
+void ZoneSystem::begin_with(const coupling::Patch& patch) {
+    patch_ = patch;
+    trial_ = committed_;
+    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    contact_->settle(committed_.displacement);
+    find_tip_stations();
+}
+
+// No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
+void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
+    zone_->evaluate(committed_.displacement);
+    Eigen::VectorXd force = zone_->internal_force();
+    contact_->add_force(committed_.pressure, force);
+    opening_.open(before, patch_.mesh, -force);
+}
+
+void ZoneSystem::keep_displacement(const coupling::Patch& next) {
+    for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
+        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
+        const auto same = [&](const Tip& other) { return same_place(tip, other); };
+        if (std::ranges::none_of(next.mesh.tips, same) && std::ranges::none_of(next.mesh.left_tips, same))
+            frozen_.freeze(patch_.mesh, t, committed_.displacement);
+    }
+    frozen_.keep_closed(patch_.mesh, next.mesh,
+                        carry_over(patch_.mesh, committed_.displacement, next.mesh, next.displacement));
+}
+
+void ZoneSystem::find_tip_stations() {
+    tip_stations_.assign(patch_.mesh.tips.size(), {});
+    for (std::size_t t = 0; t < tip_stations_.size(); ++t) {
+        const Tip& tip = patch_.mesh.tips[t];
+        const CrackSection& crack = input_.cracks[static_cast<std::size_t>(tip.crack)];
+        if (!crack.contact) continue;
+        tip_stations_[t] = face_stations_about(patch_.mesh, tip, input_.fine.subcells, 4);
+        std::erase_if(tip_stations_[t], [&](const FaceStation& station) { return station.s < crack.notch; });
+    }
+}
+
+void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact) {
+    Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
+    if (old_contact != nullptr) {
+        next.displacement = carry_over(patch_.mesh, committed_.displacement, patch.mesh, next.displacement);
+        for (int k = 0; k < contact_->multipliers(); ++k) {
+            const auto same = [&](const ContactInterface::Key& key) {
+                const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
+                return key.is_at(own.crack, own.x);
+            };
+            const auto found = std::ranges::find_if(old_contact->keys(), same);
+            if (found == old_contact->keys().end()) continue;
+            next.pressure[k] = committed_.pressure[found - old_contact->keys().begin()];
+        }
+    }
+    committed_ = std::move(next);
+    increments_.clear();
+}
+
+void ZoneSystem::predict(const Predictor& predictor) {
+    trial_ = committed_;
+    if (const Unknowns* earlier = increments_.find(predictor)) {
+        trial_.displacement += predictor.factor * earlier->displacement;
+        // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
+        trial_.pressure += predictor.factor * earlier->pressure;
+    }
+    largest_move_ = std::numeric_limits<double>::infinity();
+    contact_->begin_increment();
+    damping_.begin();
+}
+
+void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure) {
+    trial_.displacement += displacement;
+    trial_.pressure += pressure;
+    largest_move_ = displacement.size() > 0 ? displacement.cwiseAbs().maxCoeff() : 0.0;
+}
+
+void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
+    for (std::size_t k = 0; k < patch_.boundary.size(); ++k)
+        trial_.displacement[patch_.boundary[k]] = displacement[static_cast<Eigen::Index>(k)];
+}
+
+void ZoneSystem::linearise() {
+    {
+        const Stopwatch watch(constitutive_s_);
+        zone_->evaluate(trial_.displacement);
+    }
+    const Stopwatch watch(contact_s_);
+    gap_ = contact_->gaps_that_matter(trial_.displacement, trial_.pressure, contact_work_);
+    contact_->choose_statuses(trial_.pressure, gap_);
+    Eigen::VectorXd force = zone_->internal_force();
+    contact_->add_force(trial_.pressure, force);
+    load_ = load_factor_ * patch_.unit_load - force;
+    response_.resize(0);
+}
+
+coupling::PatchResponse ZoneSystem::measure() {
+    coupling::PatchResponse response;
+    std::vector<char> on_boundary(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
+    response.interior_force = force_scale_at_rest_;
+    const Eigen::VectorXd scale =
+        response_.size() > 0 ? zone_->force_scale() + response_.cwiseAbs() : zone_->force_scale();
+    for (int i = 0; i < patch_.mesh.unknowns; ++i) {
+        response.interior_force = std::max(response.interior_force, scale[i]);
+        if (on_boundary[static_cast<std::size_t>(i)] == 0 && inside_[static_cast<std::size_t>(i)] == 0)
+            response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
+    }
+    step_ = damping_.factor(response.interior_residual);
+    response.contact_residual = contact_->residual(trial_.pressure, gap_);
+    response.interior_correction = largest_move_;
+    response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
+    response.digest.yielding_points = zone_->yielding_points();
+    response.digest.largest_plastic_increment = zone_->largest_plastic_increment();
+    response.digest.status = contact_->statuses();
+    response.digest.multiplier.assign(trial_.pressure.begin(), trial_.pressure.end());
+    response.digest.status_changes = contact_->status_changes();
+    for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
+    for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
+        response.digest.force_ahead.push_back(zone_->force_ahead(patch_.mesh.tips[t], patch_.ahead[t]));
+    return response;
+}
+
+coupling::StepReport ZoneSystem::commit(bool reversal) {
+    // Where a face is open the solver has left the rounding of a pressure: it would count as contact.
+    for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
+        if (contact_->statuses()[static_cast<std::size_t>(k)] == 0) trial_.pressure[k] = 0.0;
+    }
+    const Unknowns move{trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
+    committed_ = trial_;
+    zone_->commit(reversal);
+    contact_->commit(committed_.displacement);
+    coupling::StepReport report;
+    report.energy = {.stored = zone_->stored_energy(),
+                     .released = opening_.release(move.displacement),
+                     .load_path = patch_.unit_load.dot(move.displacement)};
+    increments_.push(move);
+    report_tips(report);
+    report_rings(report);
+    report_faces(report);
+    report.dissipation = zone_->dissipation();
+    report.points = zone_->points();
+    report.unknowns = patch_.mesh.unknowns + contact_->multipliers();
+    report.multipliers = contact_->multipliers();
+    report.work = zone_->counts();
+    report.work += contact_work_;
+    report.work.history_values = zone_->history_values();
+    report.work.interface_elements = contact_->interface_elements();
+    report.constitutive_s = constitutive_s_;
+    report.contact_s = contact_s_;
+    return report;
+}
+
+// Of a station that is not one of the contact's own, which hold what is fixed themselves.
+Vec2 ZoneSystem::jump(const FaceStation& station) const {
+    return station.jump(committed_.displacement) + frozen_.jump(station.crack, station.x);
+}
+
+void ZoneSystem::report_tips(coupling::StepReport& report) const {
+    const auto tips = patch_.mesh.tips.size();
+    report.tips.resize(tips);
+    for (std::size_t t = 0; t < tips; ++t) {
+        const Tip& tip = patch_.mesh.tips[t];
+        report.tips[t].CTOD = opening_at_intercept(
+            patch_.mesh, tip, [&](const FaceStation& station) { return jump(station).dot(station.normal); });
+        report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
+        report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);
+        report.tips[t].plastic_reach = zone_->plastic_reach(tip);
+    }
+}
+
+void ZoneSystem::report_rings(coupling::StepReport& report) const {
+    for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
+        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
+        std::vector<Annulus> rings;
+        std::vector<int> numbers;
+        for (const coupling::Ring& ring : patch_.rings) {
+            if (ring.tip != t) continue;
+            rings.push_back({ring.inner_radius, ring.outer_radius});
+            numbers.push_back(ring.number);
+        }
+        if (rings.empty()) continue;
+        RingSums sums(patch_.mesh, tip, elastic_, rings);
+        zone_->add_to(sums);
+        for (const FaceStation& station : tip_stations_[static_cast<std::size_t>(t)]) {
+            const double pressure = contact_->pressure_at(station, committed_.pressure);
+            if (pressure > 0.0) sums.add_pressure(station, pressure, station.opening_slope(committed_.displacement));
+        }
+        for (std::size_t k = 0; k < rings.size(); ++k) {
+            const DomainIntegral& sum = sums.values()[k];
+            report.rings.push_back({t, numbers[k], sum.J, sum.interaction_I, sum.interaction_II, sum.interaction_T});
+        }
+    }
+}
+
+void ZoneSystem::report_faces(coupling::StepReport& report) const {
+    const auto cracks = input_.cracks.size();
+    report.contact_length.assign(cracks, 0.0);
+    report.mouth_opening.assign(cracks, std::numeric_limits<double>::quiet_NaN());
+    for (const FaceStation& station : contact_->stations()) {
+        coupling::FaceSample sample;
+        sample.crack = station.crack;
+        sample.s = station.s;
+        sample.x = station.x.x();
+        sample.y = station.x.y();
+        sample.opening = station.opening(committed_.displacement);
+        sample.slip = station.slip(committed_.displacement);
+        sample.pressure = contact_->pressure_at(station, committed_.pressure);
+        sample.status = sample.pressure > 0.0 ? 1 : 0;
+        if (sample.status != 0) report.contact_length[static_cast<std::size_t>(station.crack)] += station.weight;
+        report.faces.push_back(sample);
+    }
+    for (std::size_t crack = 0; crack < cracks; ++crack) {
+        for (const CrackPiece& piece : patch_.mesh.pieces) {
+            if (piece.crack != static_cast<int>(crack)) continue;
+            const FaceStation mouth = face_station_at(patch_.mesh, piece.crack, piece.s.front());
+            if (piece.entry >= 0.0) report.mouth_opening[crack] = jump(mouth).dot(mouth.normal);
+            break;
+        }
+    }
+}
+
+coupling::ZoneState ZoneSystem::state() const {
+    coupling::ZoneState out;
+    zone_->describe(out);
+    return out;
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,121 @@
+// The nonlinear zone before anyone condenses it: bulk and contact, committed and trial unknowns, residuals and reports.
+#pragma once
+
+#include <memory>
+
+#include "common/damping.hpp"
+#include "common/io/case.hpp"
+#include "coupling/messages.hpp"
+#include "fine/bulk/zone.hpp"
+#include "fine/contact/contact_interface.hpp"
+#include "fine/growth/opening_faces.hpp"
+
+namespace stria::fine {
+
+class ZoneSystem {
+public:
+    struct Unknowns {
+        Eigen::VectorXd displacement, pressure;
+    };
+
+    explicit ZoneSystem(const Case& input);
+
+    /// A new zone; elements and multipliers that the old one had keep their history.
+    void set_patch(const coupling::Patch& patch);
+
+    /// The first iterate of an increment.
+    void predict(const Predictor& predictor);
+
+    /// Of the trial state.
+    void set_load_factor(double load_factor) { load_factor_ = load_factor; }
+    [[nodiscard]] double load_factor() const { return load_factor_; }
+
+    /// Moves the trial unknowns: displacements of the zone, pressures of the multipliers.
+    void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure);
+    void set_boundary(const Eigen::VectorXd& displacement);
+
+    /// Stresses, tangents, gaps and statuses at the trial unknowns.
+    void linearise();
+
+    /// Elements that may rest: quiet ones, without loads of their own, that nobody asks what lies ahead of a tip.
+    [[nodiscard]] std::vector<char> may_rest() const;
+    /// From the committed state on; `inside`: unknowns, by a flag, that follow the others. Of those neither loads nor
+    /// residuals are known here.
+    void rest(const std::vector<char>& elements, const std::vector<char>& inside);
+    /// The trial unknowns inside go where they follow the others to; the elements that would flow there.
+    [[nodiscard]] std::vector<std::size_t> would_flow(const Eigen::VectorXd& displacement);
+    /// All but those that still rest are evaluated again.
+    void wake(const std::vector<char>& still, const std::vector<char>& inside);
+    /// What the elements at rest do to the others, N/mm.
+    void add_response(const Eigen::VectorXd& load);
+
+    /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p), N/mm.
+    [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
+
+    [[nodiscard]] const Zone& zone() const { return *zone_; }
+    [[nodiscard]] const ContactInterface& contact() const { return *contact_; }
+    [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
+    [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
+    [[nodiscard]] const Eigen::VectorXd& pressure() const { return trial_.pressure; }
+    [[nodiscard]] const FrozenTips& frozen() const { return frozen_; }
+    /// Of the multipliers' part of the semismooth system.
+    [[nodiscard]] Eigen::VectorXd contact_right_hand_side() const {
+        return contact_->right_hand_side(trial_.pressure, gap_);
+    }
+
+    /// Residuals, scales and digest; force and tangent are left to who condenses.
+    [[nodiscard]] coupling::PatchResponse measure();
+    /// What of the correction that follows is to be taken.
+    [[nodiscard]] double step() const { return step_; }
+    [[nodiscard]] double tolerance() const { return input_.solver.tolerance; }
+
+    coupling::StepReport commit(bool reversal);
+    [[nodiscard]] coupling::ZoneState state() const;
+
+    /// As coupling::FineScale has it; roots of trees are the affair of who has a tree.
+    [[nodiscard]] coupling::ZoneSnapshot snapshot() const;
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot);
+
+    /// The last ones, for predictors; the last of all first.
+    [[nodiscard]] const std::deque<Unknowns>& increments() const { return increments_.all(); }
+
+    [[nodiscard]] double constitutive_seconds() const { return constitutive_s_; }
+    [[nodiscard]] double contact_seconds() const { return contact_s_; }
+
+private:
+    [[nodiscard]] std::unique_ptr<MaterialLaw> make_law() const;
+    [[nodiscard]] IntegrationRule rule() const;
+    void make_contact(const coupling::Patch& patch);
+    void begin_with(const coupling::Patch& patch);
+    void find_tip_stations();
+    void set_inside(const std::vector<char>& inside);
+    void keep_displacement(const coupling::Patch& next);
+    void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
+    void open_new_faces(const EnrichedMesh& before);
+    [[nodiscard]] Vec2 jump(const FaceStation& station) const;  // committed
+    void report_tips(coupling::StepReport& report) const;
+    void report_faces(coupling::StepReport& report) const;
+    void report_rings(coupling::StepReport& report) const;
+
+    const Case& input_;
+    Elasticity elastic_;
+    coupling::Patch patch_;
+    std::unique_ptr<Zone> zone_;
+    std::unique_ptr<ContactInterface> contact_;
+    FrozenTips frozen_;
+    std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
+    Unknowns committed_, trial_;
+    Damping damping_;
+    double step_ = 1.0;
+    OpeningFaces opening_;
+    IncrementMemory<Unknowns> increments_;
+    Eigen::VectorXd gap_, load_;
+    std::vector<char> inside_;  // per unknown: of what rests; empty: nothing does
+    double force_scale_at_rest_ = 0.0;
+    Eigen::VectorXd response_;  // of what rests, N/mm; empty: nothing does
+    double largest_move_ = 0.0, load_factor_ = 0.0;
+    double constitutive_s_ = 0.0, contact_s_ = 0.0;
+    coupling::WorkCounts contact_work_;
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,153 @@
+// Newton's method on one scalar equation: convergence, both of its tests, failure.
+#include "coarse/equilibrium/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/error.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// A spring with the force f(u), pulled by the load factor. `scale`: of its residual.
+class Spring : public Equilibrium {
+public:
+    std::function<double(double)> force = [](double x) { return x + x * x * x; };
+    std::function<double(double)> stiffness = [](double x) { return 1.0 + 3.0 * x * x; };
+    double scale = 1.0, interior = 0.0, contact = 0.0;
+    double u = 0.0, start = 0.0;
+    int applied = 0;
+
+    void begin(const Target& target, const Predictor& predictor) override {
+        load_ = target.value;
+        u = start + predictor.factor;
+    }
+    Residual linearise() override {
+        residual_ = load_ - force(u);
+        return {.boundary = std::abs(residual_), .interior = interior, .contact = contact, .scale = scale};
+    }
+    double solve() override {
+        correction_ = residual_ / stiffness(u);
+        return std::abs(correction_) / std::max(std::abs(u), 1e-300);
+    }
+    void apply() override {
+        u += correction_;
+        ++applied;
+    }
+    coupling::StepReport commit(bool) override { return {}; }
+    void rollback() override {}
+    [[nodiscard]] double load_factor() const override { return load_; }
+    [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return nothing_; }
+    [[nodiscard]] MachineReading machine_reading() const override { return {}; }
+    [[nodiscard]] EquilibriumState state() const override { return {}; }
+    void restore(const EquilibriumState&) override {}
+
+private:
+    double load_ = 0.0, residual_ = 0.0, correction_ = 0.0;
+    Eigen::VectorXd nothing_;
+};
+
+const SolverSection solver{.tolerance = 1e-10, .max_iterations = 12, .max_cuts = 8};
+
+TEST(Newton, ConvergesQuadratically) {
+    Spring spring;
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver);
+    ASSERT_TRUE(report.converged);
+    EXPECT_NEAR(spring.u, 1.0, 1e-10);
+    for (std::size_t k = 2; k < report.iterations.size(); ++k) {
+        const double before = report.iterations[k - 1].residual.boundary;
+        EXPECT_LT(report.iterations[k].residual.boundary, before * before);  // f''/(2 f'^2) = 3/16 at the root
+    }
+}
+
+TEST(Newton, StartsFromThePredictedState) {
+    Spring spring;
+    spring.start = 0.25;
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.75, solver);
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.count(), 1);
+    EXPECT_EQ(spring.applied, 0);  // what is converged is not moved
+}
+
+TEST(Newton, AsksForASmallResidual) {
+    Spring spring;
+    spring.force = [](double u) { return 1e9 * (u - 1.0); };  // stiff: a small correction proves nothing
+    spring.stiffness = [](double) { return 1.05e9; };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 0.0}, 0.9, solver);
+    ASSERT_TRUE(report.converged);
+    EXPECT_LT(report.iterations.back().residual.boundary, 1e-10);
+    EXPECT_LT(report.iterations[report.iterations.size() - 2].correction, 1e-8);
+}
+
+TEST(Newton, AsksForASmallCorrection) {
+    Spring spring;
+    spring.force = [](double u) { return 1e-12 * u * u; };  // soft: a small residual proves nothing
+    spring.stiffness = [](double u) { return 2e-12 * u; };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 4e-12}, 1.0, solver);
+    ASSERT_TRUE(report.converged);
+    EXPECT_LT(report.iterations.front().residual.boundary, 1e-10);
+    EXPECT_NEAR(spring.u, 2.0, 1e-8);
+}
+
+TEST(Newton, AsksForAllThreeResiduals) {
+    for (const auto& [interior, contact] : {std::pair{1e-3, 0.0}, {0.0, 1e-3}}) {
+        Spring spring;
+        spring.interior = interior;
+        spring.contact = contact;
+        EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 0.0, solver).converged);
+    }
+}
+
+TEST(Newton, MeasuresResidualsByTheForceScale) {
+    Spring spring;
+    spring.scale = 1e9;
+    spring.interior = 1e-3;
+    EXPECT_TRUE(find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver).converged);
+}
+
+// Nothing balances at no load, and rounding is all there is: what is that small beside forces of before is at rest.
+TEST(Newton, WithoutLoadAsksForNoLessThanRounding) {
+    Spring spring;
+    spring.force = [](double u) { return u; };
+    spring.stiffness = [](double) { return 1.0; };
+    spring.interior = spring.scale = 1e-15;  // of forces of 100 that were
+    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 0.0}, 0.0, solver).converged);
+    EXPECT_TRUE(find_equilibrium(spring, {Control::Load, 0.0}, 0.0, solver, 100.0).converged);
+    spring.interior = 1e-10;
+    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 0.0}, 0.0, solver, 100.0).converged);
+}
+
+TEST(Newton, ReportsThatItDidNotConverge) {
+    Spring spring;
+    spring.force = [](double u) { return std::cbrt(u); };  // each step overshoots to -2 u
+    spring.stiffness = [](double u) { return 1.0 / (3.0 * std::cbrt(u * u)); };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 0.0}, 1.0, solver);
+    EXPECT_FALSE(report.converged);
+    EXPECT_EQ(report.failure, "no convergence in 12 iterations");
+    EXPECT_EQ(report.count(), 13);
+}
+
+TEST(Newton, ReportsWhatFailedOnTheOtherSide) {
+    Spring spring;
+    spring.force = [](double) -> double { throw NumericalFailure("a spring broke"); };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 1.0}, 0.0, solver);
+    EXPECT_FALSE(report.converged);
+    EXPECT_EQ(report.failure, "a spring broke");
+}
+
+TEST(Newton, AResidualThatIsNoNumberFails) {
+    Spring spring;
+    spring.force = [](double) { return std::nan(""); };
+    EXPECT_EQ(find_equilibrium(spring, {Control::Load, 1.0}, 0.0, solver).failure, "the residual is not a number");
+}
+
+TEST(Newton, OurOwnMistakesAreNotItsFailures) {
+    Spring spring;
+    spring.force = [](double) -> double { throw std::logic_error("a bug"); };
+    EXPECT_THROW(find_equilibrium(spring, {Control::Load, 1.0}, 0.0, solver), std::logic_error);
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,152 @@
+// The loads of a history: ramp, cycles, blocks, halved increments, and what each increment may extrapolate.
+#include "coarse/load/load_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stria::coarse {
+namespace {
+
+LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts = 3, Control control = Control::Load) {
+    return LoadController({.steps = steps, .grading = 1.0, .blocks = std::move(blocks), .control = control},
+                          {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
+}
+
+std::vector<LoadStep> all_steps(LoadController loads) {
+    std::vector<LoadStep> steps;
+    while (const auto step = loads.next()) {
+        steps.push_back(*step);
+        loads.accepted();
+    }
+    return steps;
+}
+
+std::vector<double> factors(const LoadController& loads) {
+    std::vector<double> result;
+    for (const LoadStep& step : all_steps(loads)) result.push_back(step.target.value);
+    return result;
+}
+
+TEST(LoadController, RampsToTheMaximumThenCyclesFromItAndBack) {
+    const auto loads = controller(8, {{.cycles = 1, .max = 40.0, .min = -40.0}});
+    EXPECT_EQ(factors(loads), (std::vector<double>{10, 20, 30, 40, 20, 0, -20, -40, -20, 0, 20, 40}));
+    const std::vector<LoadStep> steps = all_steps(loads);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        EXPECT_EQ(steps[k].cycle, k < 4 ? 0 : 1);
+        EXPECT_EQ(steps[k].reversal, k % 4 == 3);
+        EXPECT_EQ(steps[k].at_maximum, k == 3 || k == 11);
+        EXPECT_EQ(steps[k].at_minimum, k == 7);
+        EXPECT_EQ(steps[k].at_zero, k == 5 || k == 9);
+        EXPECT_EQ(steps[k].ends_cycle, k == 11);
+    }
+}
+
+TEST(LoadController, ACycleEndsAtTheMaximumOfTheNextOne) {
+    EXPECT_EQ(factors(controller(4, {{2, 10.0, 0.0}, {1, 20.0, 10.0}, {1, 20.0, 0.0}})),
+              (std::vector<double>{5, 10, 5, 0, 5, 10, 5, 0, 10, 20, 15, 10, 15, 20, 10, 0, 10, 20}));
+}
+
+TEST(LoadController, SaysWhatItsTargetsAre) {
+    EXPECT_EQ(to_text(controller(4, {{1, 10.0, 0.0}}).next()->target), "load factor 5");
+    const auto stretched = controller(4, {{1, 0.5, 0.0}}, 3, Control::Displacement);
+    EXPECT_EQ(stretched.next()->target.control, Control::Displacement);
+    EXPECT_EQ(to_text(stretched.next()->target), "displacement 0.25 mm");
+}
+
+TEST(LoadController, ReachesExtremesExactly) {  // 50 / 3 and its multiples are no doubles
+    for (const LoadStep& step : all_steps(controller(14, {{.cycles = 5, .max = 50.0 / 3.0, .min = -0.1}}))) {
+        EXPECT_TRUE(!step.reversal || step.target.value == 50.0 / 3.0 || step.target.value == -0.1)
+            << step.target.value;
+    }
+}
+
+TEST(LoadController, ExtrapolatesButNotPastAReversal) {
+    const std::vector<LoadStep> steps = all_steps(controller(4, {{1, 10.0, -10.0}}));
+    const std::vector<double> predictors{0, 1, 0, 1, 0, 1};
+    for (std::size_t k = 0; k < steps.size(); ++k) EXPECT_EQ(steps[k].predictor, predictors[k]) << k;
+    EXPECT_EQ(all_steps(controller(4, {{1, 10.0, -30.0}}))[2].predictor, 0.0);
+}
+
+TEST(LoadController, ACycleStartsFromTheIncrementsOfTheOneBefore) {
+    const std::vector<LoadStep> steps = all_steps(controller(4, {{3, 10.0, 0.0}, {1, 20.0, 0.0}}));
+    for (std::size_t k = 6; k < 12; ++k) EXPECT_EQ(steps[k].predictor, Predictor(1.0, 4)) << k;
+    EXPECT_EQ(steps[4].predictor, Predictor());   // reloads where the ramp loaded: no twin
+    EXPECT_EQ(steps[12].predictor, Predictor());  // from 0 to 10 at once: for the first time
+    auto loads = controller(4, {{2, 10.0, 0.0}});
+    for (int k = 0; k < 6; ++k) loads.accepted();
+    loads.forget_increments();
+    EXPECT_EQ(loads.next()->predictor, Predictor());
+}
+
+TEST(LoadController, FollowsTheCrackWhereKIsControlled) {
+    auto loads = controller(4, {{2, 100.0, 50.0}}, 3, Control::StressIntensity);
+    loads.set_scale(0.1);
+    const auto go = [&](int steps) {
+        std::vector<double> found;
+        for (int k = 0; k < steps; ++k) {
+            found.push_back(loads.next()->target.value);
+            EXPECT_EQ(loads.next()->target.control, Control::Load);
+            loads.accepted();
+        }
+        return found;
+    };
+    EXPECT_EQ(go(6), (std::vector<double>{5, 10, 7.5, 5, 7.5, 10}));
+    EXPECT_EQ(loads.extreme(), 10.0);
+    loads.set_scale(0.08);  // the crack has grown, at constant load
+    EXPECT_EQ(go(4), (std::vector<double>{7, 4, 6, 8}));
+    EXPECT_FALSE(loads.next());
+}
+
+TEST(LoadController, GradesTheIncrementsFromEachReversal) {
+    const LoadController loads({.steps = 8, .grading = 0.5, .blocks = {{1, 2.0, -2.0}}}, {});
+    const std::vector<double> found = factors(loads);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const double way = std::sqrt(static_cast<double>(k + 1) / 4.0);
+        EXPECT_DOUBLE_EQ(found[k], 2.0 * way);
+        EXPECT_DOUBLE_EQ(found[4 + k], 2.0 - 4.0 * way);
+    }
+}
+
+TEST(LoadController, HalvesAndGrowsAgain) {
+    auto loads = controller(4, {{1, 16.0, 0.0}});
+    loads.accepted();  // 8
+    ASSERT_TRUE(loads.cut());
+    ASSERT_TRUE(loads.cut());
+    EXPECT_EQ(loads.next()->target.value, 10.0);
+    EXPECT_EQ(loads.next()->predictor, 0.25);
+    EXPECT_FALSE(loads.next()->reversal);
+    loads.accepted();
+    EXPECT_EQ(loads.next()->target.value, 14.0);
+    EXPECT_EQ(loads.next()->predictor, 2.0);
+    loads.accepted();
+    EXPECT_EQ(loads.next()->target.value, 16.0);  // what is left
+    EXPECT_EQ(loads.next()->predictor, 0.5);
+    EXPECT_TRUE(loads.next()->at_maximum || loads.next()->reversal);
+    loads.accepted();
+    EXPECT_EQ(loads.next()->target.value, 8.0);
+    EXPECT_EQ(loads.next()->predictor, 0.0);
+    EXPECT_EQ(loads.cuts(), 2);
+}
+
+TEST(LoadController, GivesUpAfterTheLastHalving) {
+    auto loads = controller(4, {{1, 16.0, 0.0}}, 2);
+    EXPECT_TRUE(loads.cut());
+    EXPECT_TRUE(loads.cut());
+    EXPECT_FALSE(loads.cut());
+    EXPECT_EQ(loads.reached(), 0.0);
+}
+
+TEST(LoadController, ACutIncrementStillEndsExactlyAtItsTarget) {
+    auto loads = controller(6, {{1, 0.3, -0.3}}, 8);
+    std::vector<double> reached;
+    for (int k = 0; loads.next(); ++k) {
+        EXPECT_TRUE(k % 3 != 0 || loads.cut());
+        if (loads.next()->reversal) reached.push_back(loads.next()->target.value);
+        loads.accepted();
+    }
+    EXPECT_EQ(reached, (std::vector<double>{0.3, -0.3, 0.3}));
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,191 @@
+// Boundary sections resolved on a mesh, the balance of free rigid motions, and the boundary of the history.
+#include "coarse/model/boundary_conditions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/model/rigid_motions.hpp"
+#include "coarse/specimen/structured.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+namespace {
+
+const Mesh mesh = grid_mesh(std::vector<double>{0.0, 1.0, 2.5, 4.0}, std::vector<double>{0.0, 2.0, 3.0});  // 4 x 3 mm
+
+BoundarySection traction_on(const std::string& name, double x, double y) {
+    BoundarySection section;
+    section.on = name;
+    section.traction = Point(x, y);
+    return section;
+}
+
+BoundarySection held(const std::string& name, std::optional<double> x, std::optional<double> y) {
+    BoundarySection section;
+    section.on = name;
+    section.displacement = {x, y};
+    return section;
+}
+
+BoundarySection at_point(double x, double y) {
+    BoundarySection section;
+    section.on = "point";
+    section.at = Point(x, y);
+    return section;
+}
+
+BoundarySection held_at(double x, double y, std::optional<double> ux, std::optional<double> uy) {
+    BoundarySection section = at_point(x, y);
+    section.displacement = {ux, uy};
+    return section;
+}
+
+BoundarySection force_at(double x, double y, double fx, double fy) {
+    BoundarySection section = at_point(x, y);
+    section.force = Point(fx, fy);
+    return section;
+}
+
+Vec2 resultant(const std::vector<BoundarySection>& sections) {
+    Vec2 sum = Vec2::Zero();
+    for (const AppliedForce& applied : applied_forces(mesh, resolve_boundaries(mesh, sections))) sum += applied.force;
+    return sum;
+}
+
+std::string refusal(const std::vector<BoundarySection>& sections) {
+    try {
+        static_cast<void>(analyse_rigid_motions(mesh, resolve_boundaries(mesh, sections)));
+    } catch (const CaseError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+FreeMotions motions_of(const std::vector<BoundarySection>& sections) {
+    return analyse_rigid_motions(mesh, resolve_boundaries(mesh, sections));
+}
+
+/// Supports and pins together must leave no motion: the 3 x 3 Gram matrix of what they feel is regular.
+bool holds_the_body(const std::vector<BoundarySection>& sections, const FreeMotions& motions) {
+    Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+    const auto add = [&](int node, int component) {
+        const Vec2& x = mesh.nodes[static_cast<std::size_t>(node)];
+        const Eigen::Vector3d row = component == 0 ? Eigen::Vector3d(1, 0, -x.y()) : Eigen::Vector3d(0, 1, x.x());
+        gram += row * row.transpose();
+    };
+    for (const auto& displacement : resolve_boundaries(mesh, sections).displacements) {
+        add(displacement.node, displacement.component);
+    }
+    for (const Pin& pin : motions.pins) add(pin.node, pin.component);
+    return std::abs(gram.determinant()) > 1e-6;
+}
+
+TEST(Boundaries, IntegrateTractionsToTheirResultant) {
+    EXPECT_LT((resultant({traction_on("top", 1.0, 2.0)}) - Vec2(4.0, 8.0)).norm(), 1e-14);
+    BoundarySection pressure;
+    pressure.on = "right";
+    pressure.pressure = 5.0;
+    EXPECT_LT((resultant({pressure}) - Vec2(-15.0, 0.0)).norm(), 1e-14);  // inwards
+    BoundarySection gradient;
+    gradient.on = "top";
+    gradient.origin = Point(1.0, 0.0);
+    gradient.traction_gradient << 0.0, 0.0, 3.0, 0.0;  // t_y = 3 (x - 1)
+    EXPECT_LT((resultant({gradient}) - Vec2(0.0, 3.0 * (8.0 - 4.0))).norm(), 1e-13);
+    EXPECT_EQ(resultant({force_at(4.0, 3.0, 1.0, -2.0)}), Vec2(1.0, -2.0));
+}
+
+TEST(Boundaries, PrescribeEachNodeOnce) {
+    const Loads loads = resolve_boundaries(mesh, {held("bottom", {}, 0.0), held("left", 0.0, 0.0)});
+    EXPECT_EQ(loads.displacements.size(), 4U + 2U * 3U - 1U);  // the corner's u_y is shared
+    EXPECT_TRUE(loads.edges.empty());
+}
+
+TEST(Boundaries, RefuseWhatMakesNoSense) {
+    EXPECT_TRUE(mentions(refusal({traction_on("tpo", 1.0, 0.0)}), "available: bottom, left, right, top, point"));
+    EXPECT_TRUE(mentions(refusal({held_at(1.1, 0.0, 0.0, 0.0)}), "the nearest is (1, 0)"));
+    EXPECT_TRUE(mentions(refusal({held("bottom", 0.0, 0.0), held("left", 1.0, {})}), "boundary[2].displacement"));
+    BoundarySection section = traction_on("top", 0.0, 1.0);
+    section.force = Point(1.0, 0.0);
+    EXPECT_TRUE(mentions(refusal({section}), "boundary[1].force"));
+    section = at_point(0.0, 0.0);
+    section.traction = Point(1.0, 0.0);
+    EXPECT_TRUE(mentions(refusal({section}), "give it a force"));
+    EXPECT_TRUE(mentions(refusal({traction_on("top", std::nan(""), 1.0)}), "finite"));
+}
+
+TEST(RigidMotions, NothingIsFreeWhenTheSupportsSuffice) {
+    const FreeMotions motions = motions_of({held("bottom", {}, 0.0), held_at(0.0, 0.0, 0.0, {})});
+    EXPECT_TRUE(motions.names.empty());
+    EXPECT_TRUE(motions.pins.empty());
+    EXPECT_TRUE(motions.text.empty());
+}
+
+TEST(RigidMotions, ABalancedFreeBodyGetsThreePins) {
+    const std::vector<BoundarySection> sections{traction_on("top", 0.0, 1.0), traction_on("bottom", 0.0, -1.0)};
+    const FreeMotions motions = motions_of(sections);
+    EXPECT_EQ(motions.names, (std::vector<std::string>{"translation along x", "translation along y", "rotation"}));
+    EXPECT_EQ(motions.pins.size(), 3U);
+    EXPECT_TRUE(holds_the_body(sections, motions));
+    EXPECT_TRUE(mentions(motions.text, "removed without stress"));
+}
+
+TEST(RigidMotions, PinsOnlyWhatIsFree) {
+    std::vector<BoundarySection> sections{traction_on("top", 0.0, 1.0), held("bottom", {}, 0.0)};
+    FreeMotions motions = motions_of(sections);
+    EXPECT_EQ(motions.names, std::vector<std::string>{"translation along x"});
+    ASSERT_EQ(motions.pins.size(), 1U);
+    EXPECT_EQ(motions.pins[0].component, 0);
+
+    sections = {held_at(1.0, 2.0, 0.0, {})};  // turns about the point, and slides along y
+    motions = motions_of(sections);
+    EXPECT_EQ(motions.names, (std::vector<std::string>{"translation along y", "rotation"}));
+    EXPECT_EQ(motions.pins.size(), 2U);
+    EXPECT_TRUE(holds_the_body(sections, motions));
+}
+
+TEST(RigidMotions, NameTheMotionThatTheLoadsDrive) {
+    EXPECT_TRUE(
+        mentions(refusal({traction_on("top", 1.0, 0.0), traction_on("bottom", 0.0, 0.0)}), "translation along x"));
+    EXPECT_TRUE(mentions(refusal({traction_on("top", 0.0, 1.0)}), "translation along y"));
+    EXPECT_TRUE(mentions(refusal({traction_on("top", 1.0, 0.0), traction_on("bottom", -1.0, 0.0)}), "rotation"));
+    EXPECT_TRUE(mentions(refusal({held_at(0.0, 0.0, 0.0, 0.0), force_at(4.0, 0.0, 0.0, 1.0)}), "rotation"));
+    EXPECT_EQ(refusal({held_at(0.0, 0.0, 0.0, 0.0), force_at(4.0, 0.0, 1.0, 0.0)}), "accepted");
+    EXPECT_TRUE(mentions(refusal({held("left", 0.0, {}), force_at(4.0, 0.0, 0.0, 1e-6), force_at(4.0, 3.0, 1.0, 0.0)}),
+                         "translation along y"));
+}
+
+TEST(LoadedBoundary, IsTheFirstThatCarriesSomething) {
+    const auto boundary = loaded_boundary(mesh, {held("bottom", 0.0, 0.0), traction_on("top", 3.0, 4.0)});
+    ASSERT_TRUE(boundary);
+    EXPECT_EQ(boundary->name, "top");
+    EXPECT_EQ(boundary->edges.size(), 3U);
+    EXPECT_EQ(boundary->nodes, (std::vector<int>{8, 9, 10, 11}));
+    EXPECT_LT((boundary->direction - Vec2(0.6, 0.8)).norm(), 1e-15);
+    EXPECT_LT((boundary->resultant - Vec2(12.0, 16.0)).norm(), 1e-14);
+
+    double mean = 0.0;  // of u_y = x
+    for (const auto& [node, weight] : mean_displacement(mesh, *boundary))
+        mean += weight.y() * mesh.nodes[static_cast<std::size_t>(node)].x();
+    EXPECT_NEAR(mean, 0.8 * 2.0, 1e-14);
+}
+
+TEST(LoadedBoundary, TakesItsDirectionFromWhatThereIs) {
+    EXPECT_FALSE(loaded_boundary(mesh, {held("bottom", 0.0, 0.0)}));
+    EXPECT_EQ(loaded_boundary(mesh, {held("top", {}, -0.1)})->direction, Vec2(0.0, -1.0));
+    const auto point = loaded_boundary(mesh, {force_at(4.0, 3.0, 2.0, 0.0)});
+    EXPECT_EQ(point->direction, Vec2(1.0, 0.0));
+    EXPECT_EQ(point->nodes, std::vector<int>{11});
+    BoundarySection bending;
+    bending.on = "top";
+    bending.origin = Point(2.0, 0.0);
+    bending.traction_gradient << 0.0, 0.0, 1.0, 0.0;
+    EXPECT_LT((loaded_boundary(mesh, {bending})->direction - Vec2(0.0, 1.0)).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace stria::coarse

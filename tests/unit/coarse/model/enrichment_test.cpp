@@ -1,0 +1,119 @@
+// Eq. (1): which nodes get which terms.
+#include "coarse/model/enrichment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "common/error.hpp"
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::test {
+namespace {
+
+using Nodes = std::set<int>;
+
+/// Node of a 4 x 4 mesh of the unit square.
+int node(int column, int row) { return 5 * row + column; }
+
+Nodes heaviside_nodes(const EnrichedMesh& mesh, double side) {
+    Nodes nodes;
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n)
+        if (heaviside_side(mesh, n) == side) nodes.insert(n);
+    return nodes;
+}
+
+Nodes tip_nodes(const EnrichedMesh& mesh) {
+    Nodes nodes;
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n)
+        if (has_tip_terms(mesh, n)) nodes.insert(n);
+    return nodes;
+}
+
+TEST(Discretization, TipInsideAnElement) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}});
+    EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2)}));
+    EXPECT_EQ(heaviside_nodes(mesh, -1.0), (Nodes{node(0, 1), node(1, 1)}));
+    EXPECT_EQ(tip_nodes(mesh), (Nodes{node(2, 1), node(3, 1), node(2, 2), node(3, 2)}));
+    for (const int n : tip_nodes(mesh)) EXPECT_EQ(mesh.terms[at(n)].size(), 6U);
+}
+
+TEST(Discretization, MouthOutsideTheBodyChangesNothing) {
+    const EnrichedMesh inside = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}});
+    const EnrichedMesh outside = cracked(square_mesh(4), {{-1.0, 0.4}, {0.6, 0.4}});
+    EXPECT_EQ(heaviside_nodes(inside, 1.0), heaviside_nodes(outside, 1.0));
+    EXPECT_EQ(tip_nodes(inside), tip_nodes(outside));
+}
+
+TEST(Discretization, SingleTipFunction) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}}, 1);
+    for (const int n : tip_nodes(mesh)) EXPECT_EQ(mesh.terms[at(n)].size(), 1U);
+    EXPECT_EQ(mesh.unknowns, 2 * (25 + 4 + 4));
+}
+
+TEST(Discretization, WithoutTipFunctionsTheCrackEndsOnTheLastEdge) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}}, 0);
+    EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2)}));
+    EXPECT_TRUE(tip_nodes(mesh).empty());
+}
+
+TEST(Discretization, TipOnAnEdgeBelongsToTheElementBehind) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.5, 0.4}});
+    EXPECT_EQ(tip_nodes(mesh), (Nodes{node(1, 1), node(2, 1), node(1, 2), node(2, 2)}));
+    EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2)}));
+}
+
+TEST(Discretization, TipOnANodeOfACrackAlongEdges) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.5}, {0.5, 0.5}});
+    EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2)}));
+    EXPECT_TRUE(heaviside_nodes(mesh, -1.0).empty());
+    EXPECT_EQ(tip_nodes(mesh), (Nodes{node(1, 1), node(2, 1), node(1, 2), node(2, 2), node(1, 3), node(2, 3)}));
+}
+
+TEST(Discretization, AlongEdgesOnlyTheNodesOnTheCrackJump) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.5}, {1.0, 0.5}});
+    EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2), node(2, 2), node(3, 2), node(4, 2)}));
+    EXPECT_TRUE(heaviside_nodes(mesh, -1.0).empty());
+    for (int e = 4; e < 12; ++e) EXPECT_EQ(mesh.element_side[at(e)], e < 8 ? -1 : 1);
+}
+
+TEST(Discretization, ThroughNodesTheyCountAsPlus) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.0}, {1.0, 1.0}});
+    EXPECT_EQ(heaviside_nodes(mesh, -1.0), (Nodes{node(1, 0), node(2, 1), node(3, 2), node(4, 3)}));
+    for (int k = 0; k < 5; ++k) EXPECT_EQ(heaviside_side(mesh, node(k, k)), 1.0);
+    EXPECT_EQ(mesh.element_side[1], -1);  // below the crack, touches it at one node
+    EXPECT_EQ(mesh.element_side[4], 1);
+}
+
+TEST(Discretization, ACrackInsideHasTwoTipsThatFaceOutwards) {
+    const EnrichedMesh mesh = cracked(square_mesh(8), {{0.2, 0.4}, {0.8, 0.4}});
+    ASSERT_EQ(mesh.tips.size(), 2U);
+    EXPECT_EQ(mesh.tips[0].direction, Vec2(-1.0, 0.0));
+    EXPECT_EQ(mesh.tips[1].direction, Vec2(1.0, 0.0));
+    EXPECT_EQ(mesh.tips[0].upper, -1);
+    EXPECT_EQ(mesh.tips[1].upper, 1);
+}
+
+TEST(Discretization, ATipJustBeyondASnappedCrossingKeepsItsDirection) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.2501}, {0.2504, 0.2502}});
+    EXPECT_EQ(mesh.pieces.back().points.front(), Vec2(0.25, 0.25));  // a last piece at 27 degrees
+    EXPECT_LT((mesh.tips[0].direction - Vec2(0.2504, 0.0001).normalized()).norm(), 1e-15);
+}
+
+TEST(Discretization, RefusesCracksAndTipsTooCloseForTheMesh) {
+    const Mesh mesh = square_mesh(8);
+    const auto two = [&](double gap) {
+        const std::vector<CrackSection> cracks{{.points = {{0.0, 0.43}, {0.5, 0.43}}, .contact = {}},
+                                               {.points = {{0.0, 0.43 + gap}, {0.5, 0.43 + gap}}, .contact = {}}};
+        return coarse::enrich(mesh, cracks, {6, 0.5});
+    };
+    EXPECT_THROW(two(0.01), CaseError);
+    EXPECT_THROW(two(0.125), CaseError);  // neighbouring elements share nodes: sides would mix
+    EXPECT_NO_THROW(two(0.375));
+    EXPECT_THROW(cracked(mesh, {{0.4, 0.4}, {0.45, 0.4}}), CaseError);
+    EXPECT_THROW(cracked(mesh, {{0.4, 0.4}, {0.52, 0.4}}), CaseError);
+    EXPECT_NO_THROW(cracked(mesh, {{0.4, 0.4}, {0.7, 0.4}}));
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,81 @@
+// Which rings there are about a tip, and which of them the zone hears of.
+#include "coarse/model/rings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/structure/structure.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "tests/support/pulled_plate.hpp"
+
+namespace stria::coarse {
+namespace {
+
+Scene cracked_plate(double size, bool contact) { return make_scene(test::pulled_plate(size, true, contact)); }
+
+TEST(Rings, LieInTheLargestAndAreTwoElementsThick) {
+    const Scene scene = cracked_plate(0.25, false);
+    const double radius = largest_ring(scene, 0);
+    EXPECT_NEAR(radius, 0.95 * 7.3, 1e-12);
+    const std::vector<Annulus> rings = rings_about(scene, 0);
+    EXPECT_EQ(rings.size(), 5U);
+    for (const Annulus& ring : rings) {
+        EXPECT_LE(ring.outer, radius);
+        EXPECT_GE(ring.outer - ring.inner, 2.0 * 0.25);
+        EXPECT_LE(ring.outer - ring.inner, rings.front().outer - rings.front().inner);
+    }
+}
+
+TEST(Rings, AreFewerOnACoarseMeshButNeverNone) {
+    EXPECT_LT(rings_about(cracked_plate(1.0, false), 0).size(), 5U);
+    EXPECT_EQ(rings_about(cracked_plate(2.0, false), 0).size(), 1U);
+}
+
+TEST(Rings, GoToTheZoneOnlyIfItHasAShareInThem) {
+    for (const bool contact : {false, true}) {
+        const Scene scene = cracked_plate(0.25, contact);
+        const Structure structure(scene, select_zone(scene, {0.0}));
+        const coupling::Patch patch =
+            make_patch(scene, structure.in_zone(), structure.gamma(), Eigen::VectorXd::Zero(scene.enriched.unknowns));
+        EXPECT_EQ(patch.rings.size(), contact ? 5U : 0U);  // the faces of a crack that may touch are all in the zone
+    }
+}
+
+// K from the first ring beyond what has flowed, its spread over such rings; J and its spread from all.
+TEST(Rings, ThatHoldFlowDoNotTellK) {
+    const Scene scene = cracked_plate(0.25, false);
+    const Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    const Eigen::VectorXd u = structure.expand({}, 1.0);
+    const double radius = largest_ring(scene, 0);
+    const auto parameters = [&](double plastic_reach) {
+        coupling::StepReport report;
+        report.tips = {{.plastic_reach = plastic_reach * radius}};
+        report.contact_length = report.mouth_opening = {0.0};
+        return fracture_parameters(structure, u, report).front();
+    };
+    const TipResult elastic = parameters(0.0), near = parameters(0.4), far = parameters(0.6), all = parameters(0.9);
+    for (const TipResult& tip : {near, far, all}) {
+        EXPECT_EQ(tip.J, elastic.J);
+        EXPECT_EQ(tip.J_spread, elastic.J_spread);
+    }
+    EXPECT_EQ(near.K_I, elastic.K_I);
+    EXPECT_LE(near.K_spread, elastic.K_spread);
+    EXPECT_NE(far.K_I, elastic.K_I);  // of the ring that begins at 3/4
+    EXPECT_NEAR(far.K_I, elastic.K_I, 0.01 * elastic.K_I);
+    EXPECT_TRUE(std::isnan(far.K_spread));
+    EXPECT_FALSE(far.rings_flow);
+    EXPECT_TRUE(all.rings_flow);
+    EXPECT_EQ(all.K_I, far.K_I);
+}
+
+TEST(Rings, WeightFallsFromOneToNothing) {
+    const Annulus ring{1.0, 3.0};
+    EXPECT_EQ(ring.weight(0.5), 1.0);
+    EXPECT_EQ(ring.weight(1.5), 0.75);
+    EXPECT_EQ(ring.weight(4.0), 0.0);
+}
+
+}  // namespace
+}  // namespace stria::coarse

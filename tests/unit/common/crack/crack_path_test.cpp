@@ -1,0 +1,155 @@
+// Cracks resolved on a mesh: which elements they pass, where they enter and leave, and what is refused.
+#include "common/crack/crack_crossings.hpp"
+#include "common/crack/crack_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "common/error.hpp"
+#include "common/fem/shape_q4.hpp"
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::test {
+namespace {
+
+using Points = std::vector<Vec2>;
+
+std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
+    std::array<Vec2, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
+    return corners;
+}
+
+double length_of(const std::vector<CrackPiece>& pieces) {
+    double length = 0.0;
+    for (const CrackPiece& piece : pieces) {
+        for (std::size_t k = 1; k < piece.points.size(); ++k) length += (piece.points[k] - piece.points[k - 1]).norm();
+    }
+    return length;
+}
+
+/// Pieces follow one another without a gap, and lie on their elements' boundaries where they say so.
+void expect_chain(const Mesh& mesh, const CrackPath& path) {
+    for (std::size_t k = 0; k < path.pieces.size(); ++k) {
+        const CrackPiece& piece = path.pieces[k];
+        ASSERT_EQ(piece.points.size(), piece.s.size());
+        const auto corners = corners_of(mesh, piece.element);
+        const Vec2 entry = piece.entry >= 0.0 ? boundary_point(corners, piece.entry) : piece.points.front();
+        const Vec2 exit = piece.exit >= 0.0 ? boundary_point(corners, piece.exit) : piece.points.back();
+        EXPECT_LT((entry - piece.points.front()).norm() + (exit - piece.points.back()).norm(), 1e-12);
+        if (k == 0) continue;
+        EXPECT_EQ(path.pieces[k - 1].points.back(), piece.points.front());
+        EXPECT_EQ(path.pieces[k - 1].s.back(), piece.s.front());
+    }
+}
+
+TEST(CrackPath, PiecesCoverTheCrack) {
+    const Mesh mesh = distorted(square_mesh(7), 0.02);
+    for (const Points& crack : {Points{{0.0, 0.43}, {0.62, 0.47}}, Points{{0.21, 0.18}, {0.55, 0.52}, {0.83, 0.61}}}) {
+        const CrackPath path = resolve_crack(mesh, 0, crack);
+        expect_chain(mesh, path);
+        EXPECT_NEAR(length_of(path.pieces), path.length, 1e-12);
+        EXPECT_EQ(path.pieces.front().s.front(), 0.0);
+        EXPECT_EQ(path.pieces.back().s.back(), path.length);
+    }
+}
+
+// Whatever the position and angle, steep or nearly parallel to mesh lines: snapping moves a crack by 1e-2 of an
+// element.
+TEST(CrackPath, EveryStraightCrackIsResolved) {
+    const Mesh mesh = square_mesh(10);
+    for (int k = 0; k < 2000; ++k) {
+        const double slope =
+            0.7 * std::pow(10.0, -5.0 + 5.0 * std::fmod(k * std::numbers::sqrt2, 1.0)) * (k % 2 == 0 ? 1.0 : -1.0);
+        const double crosses = std::fmod(k * std::numbers::phi, 0.6);  // the mesh line at half height
+        const Points crack{{-0.1, 0.5 - slope * (crosses + 0.1)}, {0.62, 0.5 + slope * (0.62 - crosses)}};
+        const CrackPath path = resolve_crack(mesh, 0, crack);
+        expect_chain(mesh, path);
+        EXPECT_NEAR(length_of(path.pieces), 0.62 * std::hypot(1.0, slope), 2e-3) << k << " slope " << slope;
+    }
+}
+
+TEST(CrackPath, MouthOutsideTheBodyIsCutOff) {
+    const CrackPath path = resolve_crack(square_mesh(5), 0, {{-0.3, 0.47}, {0.52, 0.47}});
+    EXPECT_FALSE(path.tip_at_start);
+    EXPECT_TRUE(path.tip_at_end);
+    EXPECT_NEAR(path.pieces.front().s.front(), 0.3, 1e-15);
+    EXPECT_EQ(path.pieces.front().points.front(), Vec2(0.0, 0.47));
+    EXPECT_EQ(path.pieces.size(), 3U);
+    EXPECT_EQ(path.pieces.back().exit, -1.0);
+}
+
+TEST(CrackPath, ThroughBodyHasNoTips) {
+    const CrackPath path = resolve_crack(square_mesh(5), 0, {{-0.1, 0.31}, {1.1, 0.74}});
+    EXPECT_FALSE(path.tip_at_start || path.tip_at_end);
+    EXPECT_NEAR(length_of(path.pieces), std::hypot(1.0, 0.43 / 1.2), 1e-12);
+}
+
+TEST(CrackPath, PassesThroughNodes) {
+    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.0}, {0.625, 0.625}});
+    ASSERT_EQ(path.pieces.size(), 3U);
+    EXPECT_EQ(path.pieces[1].element, 5);
+    EXPECT_EQ(path.pieces[1].entry, 0.0);
+    EXPECT_EQ(path.pieces[1].exit, 2.0);
+}
+
+TEST(CrackPath, RunsAlongEdgesWithTheElementOnItsRight) {
+    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.75, 0.5}});
+    ASSERT_EQ(path.pieces.size(), 3U);
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(path.pieces[at(k)].element, 4 + k);
+        EXPECT_EQ(path.pieces[at(k)].neighbour, 8 + k);
+    }
+}
+
+TEST(CrackPath, EndsInsideAnEdgeThatItRunsAlong) {
+    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.6, 0.5}});
+    ASSERT_EQ(path.pieces.size(), 3U);
+    EXPECT_EQ(path.pieces.back().element, 6);
+    EXPECT_EQ(path.pieces.back().neighbour, 10);
+    EXPECT_EQ(path.pieces.back().points.back(), Vec2(0.6, 0.5));
+}
+
+TEST(CrackPath, SnapsOntoNearbyNodes) {
+    const double off = 0.5 * snap_fraction * 0.25;
+    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5 + off}, {1.0, 0.5 - off}});
+    ASSERT_EQ(path.pieces.size(), 4U);
+    for (const CrackPiece& piece : path.pieces) EXPECT_GE(piece.neighbour, 0);
+    for (const CrackPiece& piece : path.pieces) EXPECT_EQ(piece.points.back().y(), 0.5);
+}
+
+TEST(CrackPath, BothTipsInsideOneElement) {
+    const CrackPath path = resolve_crack(square_mesh(3), 0, {{0.4, 0.5}, {0.6, 0.55}});
+    ASSERT_EQ(path.pieces.size(), 1U);
+    EXPECT_TRUE(path.tip_at_start && path.tip_at_end);
+    EXPECT_EQ(path.pieces[0].element, 4);
+    EXPECT_EQ(path.pieces[0].entry, -1.0);
+    EXPECT_EQ(path.pieces[0].exit, -1.0);
+}
+
+TEST(CrackPath, TipOnAnEdgeEndsThere) {
+    const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.4}, {0.5, 0.4}});
+    ASSERT_EQ(path.pieces.size(), 2U);
+    EXPECT_TRUE(path.tip_at_end);
+    EXPECT_NEAR(path.pieces.back().exit, 1.6, 1e-12);
+}
+
+TEST(CrackPath, KeepsKinksInsideElements) {
+    const CrackPath path = resolve_crack(square_mesh(3), 0, {{0.0, 0.5}, {0.45, 0.5}, {0.9, 0.6}});
+    ASSERT_EQ(path.pieces.size(), 3U);
+    ASSERT_EQ(path.pieces[1].points.size(), 3U);
+    EXPECT_EQ(path.pieces[1].points[1], Vec2(0.45, 0.5));
+    EXPECT_DOUBLE_EQ(path.pieces[1].s[1], 0.45);
+}
+
+TEST(CrackPath, RefusesWhatTheMeshCannotHold) {
+    const Mesh mesh = square_mesh(4);
+    EXPECT_THROW(resolve_crack(mesh, 0, {{1.2, 0.5}, {1.6, 0.5}}), CaseError);              // outside
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.4}, {0.4, 0.4}, {0.0, 0.3}}), CaseError);  // one element twice
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.5}, {0.6, 0.5}, {0.9, 0.6}}), CaseError);  // leaves an edge midway
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.0}, {1.0, 0.0}}), CaseError);              // along the boundary
+}
+
+}  // namespace
+}  // namespace stria::test

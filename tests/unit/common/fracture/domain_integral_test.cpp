@@ -1,0 +1,122 @@
+// The auxiliary field of the T stress, and ring sums of exact fields: what is left is the error of the quadrature.
+#include "common/fracture/domain_integral.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/support/elastic_scene.hpp"
+
+namespace stria::test {
+namespace {
+
+using std::numbers::pi;
+
+const Tip inclined{.crack = 0, .position = {0.1, -0.2}, .direction = {0.8, 0.6}, .s = 0.0, .upper = 1};
+
+class PointForce : public testing::TestWithParam<PlaneState> {
+protected:
+    const Elasticity elastic{1000.0, 0.3, GetParam()};
+
+    /// At polar coordinates of the inclined tip.
+    [[nodiscard]] TipField at(double r, double theta) const {
+        return point_force_field(inclined, place(r, theta), theta > 0.0 ? 1 : -1, elastic);
+    }
+    [[nodiscard]] static Vec2 place(double r, double theta) {
+        return inclined.position + r * (tip_axes(inclined) * Vec2(std::cos(theta), std::sin(theta)));
+    }
+};
+
+TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
+    for (const double theta : {-2.9, -1.0, 0.4, 1.7, 3.0}) {
+        const Vec2 x = place(0.7, theta);
+        const int side = theta > 0.0 ? 1 : -1;
+        for (const int axis : {0, 1}) {
+            const Vec2 step = 1e-5 * Vec2::Unit(axis);
+            const Vec2 difference = point_force_field(inclined, x + step, side, elastic).displacement -
+                                    point_force_field(inclined, x - step, side, elastic).displacement;
+            EXPECT_LT((difference / 2e-5 - at(0.7, theta).gradient.col(axis)).norm(), 1e-12);
+        }
+    }
+}
+
+TEST_P(PointForce, StressIsRadialAloneAndBalancesAUnitForce) {
+    const int points = 360;
+    Vec2 resultant = Vec2::Zero();
+    for (int k = 0; k < points; ++k) {
+        const double theta = -pi + (k + 0.5) * 2.0 * pi / points, r = 0.3;
+        const Vec2 radial = (place(r, theta) - inclined.position) / r;
+        const Eigen::Matrix2d exact = -std::cos(theta) / (pi * r) * radial * radial.transpose();
+        EXPECT_LT((in_plane(at(r, theta).stress) - exact).norm(), 1e-12);
+        resultant += in_plane(at(r, theta).stress) * radial * (r * 2.0 * pi / points);
+    }
+    EXPECT_LT((resultant + inclined.direction).norm(), 1e-12);
+}
+
+TEST_P(PointForce, TheJumpAcrossTheFacesIsConstant) {
+    const auto jump = [&](double r) { return Vec2(at(r, pi).displacement - at(r, -pi).displacement); };
+    EXPECT_GT(jump(1.0).norm(), 1e-5);
+    EXPECT_LT((jump(1.0) - jump(0.01)).norm(), 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Plane, PointForce, testing::Values(PlaneState::Strain, PlaneState::Stress),
+                         [](const auto& plane) { return plane.param == PlaneState::Strain ? "strain" : "stress"; });
+
+/// K_I, K_II, T, and a pressure p on the faces: Williams fields, sigma_11 = T, and -p in all directions.
+struct ExactField {
+    double K_I, K_II, T, p;
+    Elasticity elastic;
+
+    [[nodiscard]] TipField at(const Tip& tip, const Vec2& x, int side) const {
+        const TipField I = williams_field(1, tip, x, side, elastic), II = williams_field(2, tip, x, side, elastic);
+        const Eigen::Matrix2d axes = tip_axes(tip);
+        const Eigen::Matrix2d stress = axes * Eigen::Vector2d(T - p, -p).asDiagonal() * axes.transpose();
+        TipField sum;
+        sum.gradient = K_I * I.gradient + K_II * II.gradient + gradient_of(stress, elastic);
+        sum.stress = elastic.stiffness() * strain_of(sum.gradient);
+        return sum;
+    }
+    [[nodiscard]] double work(const TipField& field) const { return 0.5 * field.stress.dot(strain_of(field.gradient)); }
+};
+
+std::vector<DomainIntegral> ring_sums(const EnrichedMesh& mesh, const ExactField& field,
+                                      const std::vector<Annulus>& rings) {
+    const Tip& tip = mesh.tips.front();
+    RingSums sums(mesh, tip, field.elastic, rings);
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        if (!sums.enter(e)) continue;
+        const IntegrationRule rule{.subcells = 2, .gauss = 4, .tip_points = 6};
+        for (const IntegrationPoint& point : make_operator(mesh, e, piece_in(mesh, e), rule).points) {
+            const TipField at = field.at(tip, point.x, point.side);
+            sums.add(point, at.stress, at.gradient, field.work(at));
+        }
+    }
+    for (const FaceStation& station : face_stations_about(mesh, tip, 2, 4)) {
+        const Eigen::Matrix2d jump = field.at(tip, station.x, 1).gradient - field.at(tip, station.x, -1).gradient;
+        sums.add_pressure(station, field.p, station.normal.dot(jump * station.tangent));
+    }
+    return {sums.values().begin(), sums.values().end()};
+}
+
+TEST(RingSums, GiveBackTheParametersOfExactFields) {
+    const Mesh mesh = distorted(square_mesh(21), 0.004);
+    for (const auto& crack :
+         {std::vector<Vec2>{{0.0, 0.41}, {0.52, 0.53}}, std::vector<Vec2>{{0.52, 0.53}, {0.0, 0.41}}}) {
+        for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+            for (const double p : {0.0, 0.8}) {
+                const ExactField field{1.0, -0.4, 0.7, p, {1000.0, 0.3, plane}};
+                const double E = field.elastic.plane_modulus();
+                for (const DomainIntegral& sum :
+                     ring_sums(cracked(mesh, crack), field, {{0.2, 0.4}, {0.3, 0.4}, {0.14, 0.28}})) {
+                    EXPECT_NEAR(E * sum.J, 1.0 + 0.16, 2e-4);
+                    EXPECT_NEAR(E / 2.0 * sum.interaction_I, 1.0, 1e-4);
+                    EXPECT_NEAR(E / 2.0 * sum.interaction_II, -0.4, 1e-4);
+                    EXPECT_NEAR(E * sum.interaction_T, 0.7, 1e-3);
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,117 @@
+// Weights on points that stay: exact for quadratics on either side of any cut, never negative.
+#include "common/integration/moment_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::test {
+namespace {
+
+TEST(NonNegativeLeastSquares, FindsWhatTheConditionsAllow) {
+    const Eigen::MatrixXd A{{1.0, 2.0, 0.0}, {0.0, 1.0, 1.0}, {1.0, 0.0, 3.0}};
+    const Eigen::Vector3d inside(0.5, 1.0, 2.0);
+    EXPECT_LT((non_negative_least_squares(A, A * inside) - inside).norm(), 1e-12);
+    // Without the bound the second would be negative: the gradient there points outwards.
+    const Eigen::VectorXd b = A * Eigen::Vector3d(1.0, -1.0, 1.0);
+    const Eigen::VectorXd x = non_negative_least_squares(A, b), slope = A.transpose() * (b - A * x);
+    EXPECT_GE(x.minCoeff(), 0.0);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        EXPECT_LE(slope[k], 1e-12);
+        EXPECT_NEAR(slope[k] * x[k], 0.0, 1e-12);
+    }
+}
+
+class CutSquare : public testing::Test {
+protected:
+    // One element, cut from edge to edge.
+    void cut(const Vec2& from, const Vec2& to) {
+        const Mesh mesh = square_mesh(1);
+        const EnrichedMesh enriched = cracked(mesh, {from, to}, 0);
+        corners_ = corners_of(enriched, 0);
+        sides_ = cut_element(corners_, enriched.pieces.front());
+        points_ = place_points(corners_, nullptr, {}, false, {.subcells = 2});
+        count_ = points_.size();
+        fit_weights(sides_, corners_, points_);
+    }
+
+    [[nodiscard]] double integral(int side, const std::function<double(const Vec2&)>& f) const {
+        double sum = 0.0;
+        for (const IntegrationPoint& point : points_)
+            if (point.side == side) sum += point.weight * f(point.x);
+        return sum;
+    }
+
+    std::array<Vec2, 4> corners_;
+    CutElement sides_;
+    std::vector<IntegrationPoint> points_;
+    std::size_t count_ = 0;
+};
+
+TEST_F(CutSquare, AreasAndFirstMomentsAreExactWhereverItIsCut) {
+    for (int k = 0; k < 200; ++k) {
+        const Vec2 through(0.5 + 0.45 * std::sin(5.0 * k), 0.5 + 0.45 * std::cos(9.0 * k));
+        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
+        cut(through - 3.0 * along, through + 3.0 * along);
+        for (const int side : {1, -1}) {
+            const std::vector<Vec2>& polygon = side > 0 ? sides_.left : sides_.right;
+            const double area = polygon_area(polygon);
+            Vec2 moment = Vec2::Zero();
+            for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+                moment += triangle_area(polygon[0], polygon[i], polygon[i + 1]) *
+                          (polygon[0] + polygon[i] + polygon[i + 1]) / 3.0;
+            }
+            EXPECT_NEAR(integral(side, [](const Vec2&) { return 1.0; }), area, 2e-6 * area) << k;
+            EXPECT_NEAR(integral(side, [](const Vec2& x) { return x.x(); }), moment.x(), 2e-6 * area) << k;
+            EXPECT_NEAR(integral(side, [](const Vec2& x) { return x.y(); }), moment.y(), 2e-6 * area) << k;
+        }
+        for (const IntegrationPoint& point : points_) EXPECT_GE(point.weight, 0.0);
+    }
+}
+
+// Two rows of points cannot carry three moments across them, except where they are Gauss's.
+TEST_F(CutSquare, QuadraticsAreExactWhereThePointsAllowIt) {
+    cut({0.0, 0.5}, {1.0, 0.5});
+    EXPECT_EQ(points_.size(), count_);
+    const auto yy = [](const Vec2& x) { return x.y() * x.y(); };
+    EXPECT_NEAR(integral(-1, yy), std::pow(0.5, 3) / 3.0, 1e-12);
+    EXPECT_NEAR(integral(1, yy), (1.0 - std::pow(0.5, 3)) / 3.0, 1e-12);
+    cut({0.0, 0.45}, {1.0, 0.55});
+    EXPECT_NEAR(integral(-1, yy), (std::pow(0.55, 4) - std::pow(0.45, 4)) / 1.2, 5e-4);
+}
+
+TEST_F(CutSquare, ASliverWithoutPointsGetsOneOfItsOwn) {
+    cut({0.0, 0.02}, {1.0, 0.03});
+    EXPECT_EQ(points_.size(), count_ + 1);
+    EXPECT_NEAR(points_.back().weight, 0.025, 1e-12);
+    EXPECT_EQ(points_.back().side, -1);
+}
+
+TEST_F(CutSquare, ARowOfPointsKeepsWhatItCanCarry) {
+    cut({0.0, 0.37}, {1.0, 0.37});
+    EXPECT_EQ(points_.size(), count_ + 1);
+    EXPECT_LT(points_.back().weight, 0.5 * 0.37);
+    EXPECT_LT(points_.back().x.y(), 0.37);
+}
+
+TEST(SharesOfPoints, MakeALinearFieldAmongThemAndNeverLeaveThem) {
+    const std::vector<IntegrationPoint> points = place_points(
+        std::array<Vec2, 4>{Vec2(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, nullptr, {}, false, {.subcells = 2});
+    std::vector<Vec2> places;
+    for (const IntegrationPoint& point : points) places.push_back(point.x);
+    for (int k = 0; k < 50; ++k) {
+        const Vec2 x(0.5 + 0.38 * std::sin(5.0 * k), 0.5 + 0.38 * std::cos(9.0 * k));
+        const Eigen::VectorXd shares = shares_at(x, places);
+        Vec2 mean = Vec2::Zero();
+        for (std::size_t q = 0; q < places.size(); ++q) mean += shares[static_cast<Eigen::Index>(q)] * places[q];
+        EXPECT_LT((mean - x).norm(), 1e-4);
+        EXPECT_GE(shares.minCoeff(), 0.0);
+        EXPECT_NEAR(shares.sum(), 1.0, 1e-14);
+    }
+    EXPECT_NEAR(shares_at({0.1, 0.0}, places)[0], 1.0, 1e-3);  // of the point nearest to it
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,51 @@
+// A leaf in two steps against the same in one: a chain of springs, cut in its middle.
+#include "common/substructure/stacked_leaf.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stria {
+namespace {
+
+/// Springs from a point to the next, numbered from 0; the lower triangle.
+SparseMatrix chain(int points, int first_spring, int springs) {
+    std::vector<Triplet> entries;
+    for (int k = first_spring; k < first_spring + springs; ++k) {
+        const double stiffness = 1.0 + 0.3 * k;
+        entries.insert(entries.end(), {{k, k, stiffness}, {k + 1, k + 1, stiffness}, {k + 1, k, -stiffness}});
+    }
+    SparseMatrix lower(points, points);
+    lower.setFromTriplets(entries.begin(), entries.end());
+    return lower;
+}
+
+/// Points 0 to 3 lie below, 4 is the rim, 7 and 8 are kept.
+class ChainInTwoSteps : public testing::Test {
+protected:
+    static StackedLeaf stacked() {
+        const auto below = std::make_shared<SparseLeaf>(1, chain(5, 0, 4));
+        SparseMatrix above(5, 5);
+        above = chain(9, 4, 4).bottomRightCorner(5, 5);
+        above.coeffRef(0, 0) += below->tangent()(0, 0);
+        return {below, {0}, std::make_shared<SparseLeaf>(2, std::move(above))};
+    }
+    const SparseLeaf whole{2, chain(9, 0, 8)};
+    const StackedLeaf parts = stacked();
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(9, -1.0, 2.0);
+};
+
+TEST_F(ChainInTwoSteps, HasTheSameTangent) {
+    EXPECT_LT((parts.tangent() - whole.tangent()).norm(), 1e-13 * whole.tangent().norm());
+}
+
+TEST_F(ChainInTwoSteps, CondensesAndExpandsAlike) {
+    const ReducedLoad a = parts.reduce(load), b = whole.reduce(load);
+    EXPECT_LT((a.boundary - b.boundary).norm(), 1e-12);
+    EXPECT_NEAR(a.interior.squaredNorm(), b.interior.squaredNorm(), 1e-12);
+    const Eigen::Vector2d kept(0.3, -0.7);
+    const Eigen::VectorXd x = parts.expand(a, kept);
+    EXPECT_LT((x - whole.expand(b, kept)).norm(), 1e-12);
+    EXPECT_EQ(parts.expand_above(a.interior.tail(3), kept), x.tail(5));
+}
+
+}  // namespace
+}  // namespace stria

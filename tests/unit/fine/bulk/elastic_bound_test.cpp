@@ -1,0 +1,90 @@
+// The bound that saves the points of elastic elements from being looked at.
+#include "fine/bulk/elastic_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fine/bulk/zone.hpp"
+#include "tests/support/material_point.hpp"
+#include "tests/support/plates.hpp"
+
+namespace stria::test {
+namespace {
+
+using coupling::ZoneState;
+using fine::Zone;
+
+Zone make_zone(const EnrichedMesh& mesh, const Case& input) {
+    return {mesh,
+            fine::make_material_law(input.material, input.model.plane),
+            elasticity_of(input.material, input.model.plane),
+            IntegrationRule{.subcells = 2, .tip_points = 4},
+            nullptr,
+            Eigen::VectorXd::Zero(mesh.unknowns)};
+}
+
+class ElasticBound : public testing::TestWithParam<PlaneState> {
+protected:
+    ElasticBound() {
+        scene.model.plane = GetParam();
+        plate = plate_mesh(5, 5, scene);
+    }
+    Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});  // cut, tip and plain elements
+    EnrichedMesh plate;
+};
+
+// No point's von Mises stress is larger than what the energy of its element allows.
+TEST_P(ElasticBound, Bounds) {
+    const Zone zone = make_zone(plate, scene);
+    const Elasticity elastic = elasticity_of(scene.material, scene.model.plane);
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        const Eigen::VectorXd u = random_vector(plate.unknowns, 1e-3, seed);
+        for (const ElementOperator& op : zone.operators()) {
+            const Eigen::VectorXd element_u = gather(u, op.unknowns);
+            const double work = element_u.dot(op.stiffness(elastic.stiffness()) * element_u);
+            double largest = 0.0;
+            for (std::size_t q = 0; q < op.points.size(); ++q)
+                largest = std::max(largest, von_mises(elastic.stiffness() * op.strain(element_u, q)));
+            fine::ElasticBound bound(elastic.shear_modulus());
+            bound.add_element(op);
+            bound.set_margin(0, largest);
+            EXPECT_FALSE(bound.proves(0, work)) << op.element;
+        }
+    }
+}
+
+// Small increments are proven elastic; what is committed is what the points say, and flow is never overlooked.
+TEST_P(ElasticBound, ChangesNoResult) {
+    Zone proving = make_zone(plate, scene);
+    const Eigen::VectorXd u = random_vector(plate.unknowns, 4e-3, 7);
+    for (int k = 1; k <= 40; ++k) {
+        proving.evaluate(k / 40.0 * u);
+        const Eigen::VectorXd trial_force = proving.internal_force();
+        const std::vector<std::int32_t> yielding = proving.yielding_points();
+        proving.commit(false);
+        ZoneState state;
+        proving.describe(state);
+        Eigen::VectorXd force = Eigen::VectorXd::Zero(plate.unknowns);
+        std::size_t point = 0;
+        for (const ElementOperator& op : proving.operators()) {
+            Eigen::VectorXd of_element = Eigen::VectorXd::Zero(std::ssize(op.unknowns));
+            for (std::size_t q = 0; q < op.points.size(); ++q, ++point) {
+                const Mandel stress(state.stress[4 * point], state.stress[4 * point + 1], state.stress[4 * point + 2],
+                                    state.stress[4 * point + 3]);
+                of_element += op.points[q].weight * op.strain_matrix(q).transpose() * stress;
+            }
+            force(op.unknowns) += of_element;
+        }
+        EXPECT_LT((force - trial_force).cwiseAbs().maxCoeff(), 1e-11 * force.cwiseAbs().maxCoeff()) << k;
+        // Committing looks at every point: as many flow as the proof had said.
+        EXPECT_EQ(proving.yielding_points(), yielding) << k;
+    }
+    const coupling::WorkCounts& counts = proving.counts();
+    EXPECT_GT(counts.points_proven_elastic, 0);
+    EXPECT_GT(counts.tangents_computed, 0);
+    EXPECT_GT(counts.elastic_tangents_reused, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(PlaneStates, ElasticBound, testing::Values(PlaneState::Strain, PlaneState::Stress));
+
+}  // namespace
+}  // namespace stria::test

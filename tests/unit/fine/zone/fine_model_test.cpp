@@ -1,0 +1,271 @@
+// The zone as a superelement: its condensed tangent, and iterates that are those of Newton's method on the whole
+// system.
+#include "fine/zone/fine_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/plates.hpp"
+
+namespace stria::test {
+namespace {
+
+using coupling::PatchResponse;
+using fine::FineModel;
+using fine::ZoneSystem;
+
+const Point mouth{0.0, 2.4}, tip{3.3, 2.6};
+const Case scene = plate_case({mouth, tip});
+const EnrichedMesh plate = plate_mesh(6, 5, scene);
+const coupling::Patch patch = plate_patch(plate);
+
+/// Boundary displacements: stretched across the crack by a strain, with some noise.
+Eigen::VectorXd stretched(double strain, unsigned seed = 1, const coupling::Patch& zone = patch) {
+    const double middle = zone.mesh.nodes.back().y() / 2.0;
+    const auto pull = [&](const Vec2& x) { return Vec2(0.1 * strain * x.x(), strain * (x.y() - middle)); };
+    const Eigen::VectorXd u =
+        two_sided(zone.mesh, mouth, tip, pull, pull) + random_vector(zone.mesh.unknowns, 0.02 * std::abs(strain), seed);
+    return gather(u, zone.boundary);
+}
+
+/// The answer once the interior is in equilibrium. Every call is a new attempt at the same increment.
+PatchResponse settled(FineModel& model, const Eigen::VectorXd& boundary) {
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        model.request({.iteration = iteration, .boundary = boundary});
+        PatchResponse response = model.collect();
+        if (response.interior_residual + response.contact_residual < 1e-10 * response.interior_force) return response;
+    }
+    throw std::runtime_error("the interior finds no equilibrium");
+}
+
+long yielding(const PatchResponse& response) {
+    long sum = 0;
+    for (const int count : response.digest.yielding_points) sum += count;
+    return sum;
+}
+
+/// Strains from one to another in increments that Newton's full steps can follow, each committed.
+void follow(FineModel& model, double from, double to) {
+    const int steps = static_cast<int>(std::ceil(std::abs(to - from) / 2.5e-4));
+    for (int k = 1; k <= steps; ++k) {
+        settled(model, stretched(from + (to - from) * k / steps));
+        model.commit(false);
+    }
+}
+
+struct Loading {
+    const char* name;
+    double peak, strain;  // there, then here
+    bool plastic, closed;
+};
+
+class Superelement : public testing::TestWithParam<Loading> {};
+
+TEST_P(Superelement, CondensedTangentIsTheDerivativeOfTheCondensedForce) {
+    const Loading& loading = GetParam();
+    FineModel model(scene);
+    model.set_patch(patch);
+    follow(model, 0.0, loading.peak);
+    follow(model, loading.peak, loading.strain);
+    const Eigen::VectorXd u = stretched(loading.strain * 1.1, 2);
+    const PatchResponse here = settled(model, u);
+    EXPECT_EQ(yielding(here) > 0, loading.plastic);
+    EXPECT_EQ(std::ranges::count(here.digest.status, 1) > 0, loading.closed);
+    const Eigen::VectorXd v = random_vector(u.size(), 1.0, 3);
+    constexpr double h = 1e-8;
+    const Eigen::VectorXd difference = (settled(model, u + h * v).force - settled(model, u - h * v).force) / (2.0 * h);
+    EXPECT_LT((here.tangent * v - difference).norm(), 3e-6 * difference.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(States, Superelement,
+                         testing::Values(Loading{"elastic_open", 0.0, 1e-5, false, false},
+                                         Loading{"elastic_closed", 0.0, -1e-5, false, true},
+                                         Loading{"plastic_open", 0.0, 2e-3, true, false},
+                                         Loading{"plastic_closed", 0.0, -2e-3, true, true},
+                                         Loading{"closed_after_opening", 1.5e-3, -1.5e-3, true, true}),
+                         [](const auto& test) { return test.param.name; });
+
+/// Newton's method on all interior unknowns and multipliers in one dense matrix, the boundary imposed.
+class FullNewton {
+public:
+    explicit FullNewton(const coupling::Patch& zone = patch) : system_(scene) { system_.set_patch(zone); }
+
+    PatchResponse begin(const Eigen::VectorXd& boundary, const Predictor& predictor) {
+        system_.predict(predictor);
+        return evaluate(boundary);
+    }
+
+    PatchResponse iterate(const Eigen::VectorXd& boundary) {
+        const coupling::Patch& zone = system_.patch();
+        const Eigen::Index n = zone.mesh.unknowns, m = system_.contact().multipliers();
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
+        for (std::size_t e = 0; e < system_.zone().operators().size(); ++e) {
+            const std::vector<int>& unknowns = system_.zone().operators()[e].unknowns;
+            matrix(unknowns, unknowns) += system_.zone().tangents()[e];
+        }
+        const Eigen::MatrixXd B = system_.contact().operator_B();
+        const Eigen::VectorXd open = system_.contact().open_diagonal();
+        matrix.topRightCorner(n, m) = -B.transpose();
+        for (Eigen::Index k = 0; k < m; ++k) {
+            if (system_.contact().statuses()[static_cast<std::size_t>(k)] != 0)
+                matrix.row(n + k).head(n) = -B.row(k);
+            else
+                matrix(n + k, n + k) = open[k];
+        }
+        Eigen::VectorXd right(n + m);
+        right << system_.load(), system_.contact_right_hand_side();
+        const Eigen::VectorXd step = boundary - gather(system_.displacement(), zone.boundary);
+        for (std::size_t k = 0; k < zone.boundary.size(); ++k) {
+            matrix.row(zone.boundary[k]).setZero();
+            matrix(zone.boundary[k], zone.boundary[k]) = 1.0;
+            right[zone.boundary[k]] = step[static_cast<Eigen::Index>(k)];
+        }
+        const Eigen::VectorXd correction = matrix.partialPivLu().solve(right);
+        system_.move(correction.head(n), correction.tail(m));
+        return evaluate(boundary);
+    }
+
+    void commit(bool reversal) { last_ = system_.commit(reversal); }
+    [[nodiscard]] const coupling::StepReport& last() const { return last_; }
+    [[nodiscard]] coupling::ZoneState state() const { return system_.state(); }
+    /// On the boundary.
+    [[nodiscard]] Eigen::VectorXd force() const { return -gather(system_.load(), system_.patch().boundary); }
+    [[nodiscard]] const Eigen::VectorXd& displacement() const { return system_.displacement(); }
+
+private:
+    PatchResponse evaluate(const Eigen::VectorXd& boundary) {
+        system_.set_boundary(boundary);
+        system_.linearise();
+        return system_.measure();
+    }
+    ZoneSystem system_;
+    coupling::StepReport last_;
+};
+
+TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
+    FineModel model(scene);
+    model.set_patch(patch);
+    FullNewton full;
+    double last = 0.0;
+    for (const double strain :
+         {5e-4, 1e-3, 1.5e-3, 1e-3, 5e-4, 0.0, -5e-4, -1e-3}) {  // flows, unloads, closes, flows back
+        const double predictor = strain * last > 0.0 && strain > last ? 0.5 : 0.0;
+        last = strain;
+        for (int iteration = 0; iteration < 8; ++iteration) {
+            // The boundary moves between the iterations too, as it does in a run.
+            const Eigen::VectorXd boundary = stretched(strain * (1.0 + 0.1 * std::pow(0.1, iteration)));
+            model.request({.iteration = iteration, .predictor = predictor, .boundary = boundary});
+            const PatchResponse condensed = model.collect();
+            const PatchResponse whole = iteration == 0 ? full.begin(boundary, predictor) : full.iterate(boundary);
+            EXPECT_NEAR(condensed.interior_residual, whole.interior_residual, 1e-9 * whole.interior_force);
+            EXPECT_NEAR(condensed.interior_displacement, whole.interior_displacement, 1e-11);
+            EXPECT_EQ(condensed.digest.yielding_points, whole.digest.yielding_points);
+            EXPECT_EQ(condensed.digest.status, whole.digest.status);
+        }
+        model.commit(false);
+        full.commit(false);
+        EXPECT_LT((model.state().displacement - full.displacement()).lpNorm<Eigen::Infinity>(), 1e-12) << strain;
+    }
+}
+
+/// A plate whose crack sees little of it: after a whole cycle most of it rests.
+class Resting : public testing::Test {
+protected:
+    /// Both to equilibrium, and committed.
+    coupling::StepReport go_to(double strain, bool reversal) {
+        const Eigen::VectorXd boundary = stretched(strain, 1, zone_);
+        const auto settled_whole = [](const PatchResponse& r) {
+            return r.interior_residual < 1e-11 * r.interior_force;
+        };
+        PatchResponse condensed, whole;
+        for (int iteration = 0; iteration < 40; ++iteration) {
+            model_.request({.iteration = iteration, .boundary = boundary});
+            condensed = model_.collect();
+            whole = iteration == 0 ? full_.begin(boundary, {}) : full_.iterate(boundary);
+            if (iteration > 2 && settled_whole(condensed) && settled_whole(whole)) break;
+        }
+        EXPECT_LT((condensed.force - full_.force()).lpNorm<Eigen::Infinity>(), 1e-9 * condensed.interior_force);
+        coupling::StepReport report = model_.commit(reversal);
+        full_.commit(reversal);
+        const Eigen::VectorXd difference = model_.state().displacement - full_.displacement();
+        EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-11) << strain;
+        return report;
+    }
+
+    /// Between nothing and a peak, in increments that Newton's full steps can follow.
+    coupling::StepReport cycles(int count, double peak) {
+        coupling::StepReport last;
+        const int steps = static_cast<int>(std::ceil(peak / 2.5e-4));
+        for (int half = 0; half < 2 * count; ++half) {
+            for (int k = 1; k <= steps; ++k) last = go_to(peak * (half % 2 == 0 ? k : steps - k) / steps, k == steps);
+        }
+        return last;
+    }
+
+    EnrichedMesh mesh_ = plate_mesh(11, 9, scene);
+    coupling::Patch zone_ = plate_patch(mesh_);
+    FineModel model_{scene};
+    FullNewton full_{zone_};
+    void SetUp() override { model_.set_patch(zone_); }
+};
+
+TEST_F(Resting, ChangesNoDisplacementAndNoForce) {
+    EXPECT_EQ(cycles(1, 8e-4).work.points_at_rest, 0);
+    const coupling::WorkCounts work = cycles(2, 8e-4).work;
+    EXPECT_GT(work.points_at_rest, work.points_evaluated / 4);
+}
+
+TEST_F(Resting, WhatWouldFlowIsWoken) {
+    cycles(2, 8e-4);
+    const coupling::StepReport overload = cycles(1, 2.4e-3);
+    EXPECT_GT(overload.work.elements_woken, 0);
+    cycles(1, 8e-4);
+}
+
+TEST_F(Resting, ItsReportsAreThoseOfAnAwakeZone) {
+    cycles(3, 8e-4);
+    const coupling::StepReport condensed = go_to(5e-4, false);
+    EXPECT_GT(condensed.work.points_at_rest, 0);
+    const coupling::StepReport whole = full_.last();
+    EXPECT_NEAR(condensed.energy.stored, whole.energy.stored, 1e-11 * whole.energy.stored);
+    EXPECT_NEAR(condensed.dissipation, whole.dissipation, 1e-10 * whole.dissipation);
+    const coupling::ZoneState resting = model_.state(), awake = full_.state();
+    double largest = 0.0;
+    for (std::size_t i = 0; i < awake.stress.size(); ++i)
+        largest = std::max(largest, std::abs(resting.stress[i] - awake.stress[i]));
+    EXPECT_LT(largest, 1e-6);  // MPa
+}
+
+TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
+    FineModel model(scene);
+    model.set_patch(patch);
+    follow(model, 0.0, 1e-3);
+    const PatchResponse first = settled(model, stretched(1.2e-3));
+    for (const int iteration : {0, 1, 2}) {  // far away, and not settled
+        model.request({.iteration = iteration, .predictor = 0.5, .boundary = stretched(-1e-2)});
+        model.collect();
+    }
+    model.rollback();
+    const PatchResponse again = settled(model, stretched(1.2e-3));
+    EXPECT_EQ(again.force, first.force);
+    EXPECT_EQ(again.tangent, first.tangent);
+    EXPECT_EQ(again.digest.multiplier, first.digest.multiplier);
+}
+
+TEST(FineModel, WithoutContactSaysNothingOfIt) {
+    Case free = scene;
+    free.cracks[0].contact.reset();
+    FineModel model(free);
+    model.set_patch(patch);
+    const PatchResponse response = settled(model, stretched(1e-3));
+    EXPECT_TRUE(response.digest.status.empty() && response.digest.multiplier.empty());
+    const coupling::StepReport report = model.commit(false);
+    EXPECT_TRUE(report.faces.empty());
+    EXPECT_EQ(report.multipliers + report.work.interface_elements + report.work.gaps_evaluated, 0);
+}
+
+}  // namespace
+}  // namespace stria::test
