@@ -6,12 +6,11 @@
 
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
+#include "common/index.hpp"
 #include "common/linear/sparse_lu.hpp"
 
 namespace stria {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Unknowns: displacements of the whole mesh, then the contact multipliers, then the load factor.
 class MonolithicEquilibrium : public coarse::Equilibrium {
@@ -59,8 +58,7 @@ public:
         off_target_ = target_ - controlled_.at(trial_, load_factor_);
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
-            if (held_[static_cast<std::size_t>(i)] == 0)
-                result.boundary = std::max(result.boundary, std::abs(residual_[i]));
+            if (held_[at(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
         }
         result.interior = response.interior_residual;
         result.contact = response.contact_residual;

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "common/index.hpp"
+
 namespace stria {
 namespace {
 
@@ -41,14 +43,14 @@ FrontTree::Layout layout(Symmetry symmetry) {
 /// Positive definite, as stiff between nodes as to the ground: the cost does not depend on the entries.
 std::vector<Eigen::MatrixXd> element_matrices() {
     const Eigen::MatrixXd one = 2.0 * Eigen::MatrixXd::Identity(8, 8) - Eigen::MatrixXd::Constant(8, 8, 0.125);
-    return std::vector<Eigen::MatrixXd>(static_cast<std::size_t>(side * side), one);
+    return std::vector<Eigen::MatrixXd>(at(side * side), one);
 }
 
 /// Flags 6 x 5 elements from (i, j) on.
 std::vector<char> flags(int i, int j) {
-    std::vector<char> changed(static_cast<std::size_t>(side * side), 0);
+    std::vector<char> changed(at(side * side), 0);
     for (int y = j; y < j + 5; ++y) {
-        for (int x = i; x < i + 6; ++x) changed[static_cast<std::size_t>(y * side + x)] = 1;
+        for (int x = i; x < i + 6; ++x) changed[at(y * side + x)] = 1;
     }
     return changed;
 }
@@ -65,7 +67,7 @@ void factor(benchmark::State& state, Symmetry symmetry, const std::vector<char>&
 }
 
 void factor_all(benchmark::State& state, Symmetry symmetry) {
-    factor(state, symmetry, std::vector<char>(static_cast<std::size_t>(side * side), 1));
+    factor(state, symmetry, std::vector<char>(at(side * side), 1));
 }
 void factor_corner(benchmark::State& state, Symmetry symmetry) { factor(state, symmetry, flags(0, 0)); }
 void factor_tip(benchmark::State& state, Symmetry symmetry) { factor(state, symmetry, flags(18, 18)); }

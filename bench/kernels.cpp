@@ -12,6 +12,7 @@
 
 #include "coarse/model/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
+#include "common/index.hpp"
 #include "common/linear/lapack.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/bulk/element_kernels.hpp"
@@ -72,7 +73,7 @@ MaterialSection steel() {
 void return_map(benchmark::State& run) {
     constexpr int points = 200;
     const auto law = fine::make_material_law(steel(), PlaneState::Strain);
-    const auto components = static_cast<std::size_t>(law->state_size());
+    const auto components = at(law->state_size());
     const double size = run.range(0) != 0 ? 4e-3 : 1e-3;
     std::vector<double> increments(4 * points, 0.0);
     for (std::size_t q = 0; q < points; ++q) {

@@ -6,6 +6,8 @@
 
 #include "fine/material/material_law.hpp"
 
+#include "common/index.hpp"
+
 namespace {
 
 using namespace stria;
@@ -17,7 +19,7 @@ MaterialSection material_of(int back_stresses) {
             .poisson = 0.3,
             .yield_stress = 350.0,
             .isotropic = {.law = "linear", .modulus = 1000.0},
-            .kinematic = std::vector<KinematicHardening>(static_cast<std::size_t>(back_stresses), {4000.0, 0.0})};
+            .kinematic = std::vector<KinematicHardening>(at(back_stresses), {4000.0, 0.0})};
 }
 
 /// Random places of the flowing points: the worst case for a branch.
@@ -36,7 +38,7 @@ std::vector<double> strain_increments(double flowing_share) {
 
 void return_mapping(benchmark::State& run) {
     const auto law = fine::make_material_law(material_of(static_cast<int>(run.range(1))), PlaneState::Strain);
-    const auto size = static_cast<std::size_t>(law->state_size()) * points;
+    const auto size = at(law->state_size()) * points;
     const auto increments = strain_increments(static_cast<double>(run.range(0)) / 100.0);
     const std::vector<double> committed(size, 0.0);
     std::vector<double> trial(size);

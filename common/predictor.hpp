@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <deque>
 
+#include "common/index.hpp"
+
 namespace stria {
 
 /// committed + factor * the increment `back` commits ago (1: the last one).
@@ -16,7 +18,7 @@ struct Predictor {
 };
 
 /// How many increments are remembered: a cycle and a cycle's worth of halvings.
-inline std::size_t remembered_increments(int steps_per_cycle) { return 2 * static_cast<std::size_t>(steps_per_cycle); }
+inline std::size_t remembered_increments(int steps_per_cycle) { return 2 * at(steps_per_cycle); }
 
 /// The last increments of something. `Increment`: what a scalar multiplies.
 template <class Increment> class IncrementMemory {
@@ -34,7 +36,7 @@ public:
 
     /// Null where it is not known, or not wanted.
     [[nodiscard]] const Increment* find(const Predictor& predictor) const {
-        const auto place = static_cast<std::size_t>(predictor.back) - 1;
+        const auto place = at(predictor.back) - 1;
         return predictor.factor != 0.0 && place < increments_.size() ? &increments_[place] : nullptr;
     }
 

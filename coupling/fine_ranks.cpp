@@ -8,14 +8,13 @@
 
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 #include "coupling/merged_reports.hpp"
 #include "coupling/zone_partition.hpp"
 
 namespace stria::coupling {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int place_of(const std::vector<int>& ascending, int unknown) {
     return static_cast<int>(std::ranges::lower_bound(ascending, unknown) - ascending.begin());

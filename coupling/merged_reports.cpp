@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/index.hpp"
+
 namespace stria::coupling {
 namespace {
 
@@ -17,8 +19,7 @@ template <class T> void widen(std::vector<T>& list, std::size_t size, const T& v
 void append(auto& whole, const auto& part) { whole.insert(whole.end(), part.begin(), part.end()); }
 
 void add_digest(Digest& whole, const Digest& part, const std::vector<int>& elements) {
-    for (std::size_t e = 0; e < elements.size(); ++e)
-        whole.yielding_points[static_cast<std::size_t>(elements[e])] = part.yielding_points[e];
+    for (std::size_t e = 0; e < elements.size(); ++e) whole.yielding_points[at(elements[e])] = part.yielding_points[e];
     raise(whole.largest_plastic_increment, part.largest_plastic_increment);
     append(whole.status, part.status);
     append(whole.multiplier, part.multiplier);
@@ -113,8 +114,7 @@ void forget_state(StepReport& report) {
 
 void add(ZoneState& whole, const ZoneState& part, const std::vector<int>& unknowns, const std::vector<int>& elements) {
     whole.displacement(unknowns) = part.displacement;
-    for (const std::int32_t element : part.element)
-        whole.element.push_back(elements[static_cast<std::size_t>(element)]);
+    for (const std::int32_t element : part.element) whole.element.push_back(elements[at(element)]);
     append(whole.side, part.side);
     append(whole.x, part.x);
     append(whole.y, part.y);

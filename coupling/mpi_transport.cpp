@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coupling {
 
@@ -86,7 +87,7 @@ private:
         int received = 0;
         check(MPI_Probe(peer_, mpi_tag, MPI_COMM_WORLD, &status));
         check(MPI_Get_count(&status, MPI_BYTE, &received));
-        if (static_cast<std::size_t>(received) != bytes.size())
+        if (at(received) != bytes.size())
             throw ComponentLost("a message between the components is not as long as announced");
         check(MPI_Recv(bytes.data(), received, MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE));
     }
@@ -99,7 +100,7 @@ std::vector<Role> gather_roles(Role own) {
     int size = 0;
     check(MPI_Comm_size(MPI_COMM_WORLD, &size));
     const int mine = static_cast<int>(own);
-    std::vector<int> numbers(static_cast<std::size_t>(size));
+    std::vector<int> numbers(at(size));
     check(MPI_Allgather(&mine, 1, MPI_INT, numbers.data(), 1, MPI_INT, MPI_COMM_WORLD));
     std::vector<Role> roles(numbers.size());
     std::ranges::transform(numbers, roles.begin(), [](int number) { return static_cast<Role>(number); });
@@ -130,11 +131,11 @@ MpiSession::MpiSession(Role role) {
     const std::vector<Role> roles = gather_roles(role);
     check_cast(roles);
     for (int rank = 0; rank < static_cast<int>(roles.size()); ++rank)
-        if (roles[static_cast<std::size_t>(rank)] != role) peers_.push_back(rank);
+        if (roles[at(rank)] != role) peers_.push_back(rank);
 }
 
 std::unique_ptr<Transport> MpiSession::transport(int peer_index) const {
-    return std::make_unique<MpiTransport>(peers_.at(static_cast<std::size_t>(peer_index)));
+    return std::make_unique<MpiTransport>(peers_.at(at(peer_index)));
 }
 
 // NOLINTNEXTLINE(readability-convert-member-functions-to-static): only who has a session may end it

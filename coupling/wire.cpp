@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "coupling/wire_fields.hpp"
 
 namespace stria::coupling {
@@ -84,16 +85,16 @@ private:
 
     void put(const Eigen::VectorXd& v) {
         put(static_cast<std::uint64_t>(v.size()));
-        put_raw(v.data(), static_cast<std::size_t>(v.size()));
+        put_raw(v.data(), at(v.size()));
     }
 
     void put(const Eigen::MatrixXd& a) {
         const bool half = symmetric(a);
         (*this)(half, static_cast<std::uint32_t>(a.rows()), static_cast<std::uint32_t>(a.cols()));
-        bytes_.reserve(bytes_.size() + static_cast<std::size_t>(a.size()) * sizeof(double));  // by far the largest part
+        bytes_.reserve(bytes_.size() + at(a.size()) * sizeof(double));  // by far the largest part
         for (Eigen::Index j = 0; j < a.cols(); ++j) {
             const Eigen::Index first = half ? j : 0;
-            put_raw(a.col(j).data() + first, static_cast<std::size_t>(a.rows() - first));
+            put_raw(a.col(j).data() + first, at(a.rows() - first));
         }
     }
 
@@ -146,7 +147,7 @@ private:
 
     void get(Eigen::VectorXd& v) {
         v.resize(static_cast<Eigen::Index>(get_size(sizeof(double))));
-        get_raw(v.data(), static_cast<std::size_t>(v.size()));
+        get_raw(v.data(), at(v.size()));
     }
 
     void get(Eigen::MatrixXd& a) {
@@ -159,7 +160,7 @@ private:
         a.resize(rows, cols);
         for (Eigen::Index j = 0; j < a.cols(); ++j) {
             const Eigen::Index first = half ? j : 0;
-            get_raw(a.col(j).data() + first, static_cast<std::size_t>(a.rows() - first));
+            get_raw(a.col(j).data() + first, at(a.rows() - first));
         }
         if (half) mirror_lower_half(a);
     }
@@ -169,7 +170,7 @@ private:
         std::uint64_t size = 0;
         get(size);
         if (size > bytes_.size() / bytes_each) throw_truncated();
-        return static_cast<std::size_t>(size);
+        return at(size);
     }
 
     template <class T> void get_raw(T* first, std::size_t count) {

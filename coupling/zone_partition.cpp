@@ -7,11 +7,10 @@
 #include <span>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/index.hpp"
 
 namespace stria::coupling {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Elements that one rank must own together.
 struct Group {

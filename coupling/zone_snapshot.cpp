@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria::coupling {
@@ -16,8 +17,8 @@ std::vector<ElementHistory> histories_of_elements(const ZoneSnapshot& snapshot) 
     std::vector<ElementHistory> histories;
     std::size_t first = 0;
     for (const std::int32_t points : snapshot.points) {
-        histories.push_back({first, static_cast<std::size_t>(points)});
-        first += static_cast<std::size_t>(points);
+        histories.push_back({first, at(points)});
+        first += at(points);
     }
     return histories;
 }
@@ -37,7 +38,7 @@ ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const 
         own.points.push_back(whole.points[e]);
         own.quiet_half_cycles.push_back(whole.quiet_half_cycles[e]);
         own.resting.push_back(whole.resting[e]);
-        const auto columns = static_cast<std::size_t>(whole.columns);
+        const auto columns = at(whole.columns);
         const auto begin = whole.history.begin() + static_cast<std::ptrdiff_t>(histories[e].first_row * columns);
         own.history.insert(own.history.end(), begin, begin + static_cast<std::ptrdiff_t>(histories[e].rows * columns));
     }

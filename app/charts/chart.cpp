@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/charts/scale.hpp"
+#include "common/index.hpp"
 
 namespace stria::charts {
 

@@ -5,17 +5,19 @@
 #include <iterator>
 #include <limits>
 
+#include "common/index.hpp"
+
 namespace stria::study {
 
 namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-double at(const Profile& profile, double s) {
+double value_at(const Profile& profile, double s) {
     const auto above = std::ranges::lower_bound(profile.s, s);
     if (above == profile.s.begin()) return profile.opening.front();
     if (above == profile.s.end()) return profile.opening.back();
-    const auto k = static_cast<std::size_t>(above - profile.s.begin());
+    const auto k = at(above - profile.s.begin());
     const double weight = (s - profile.s[k - 1]) / (profile.s[k] - profile.s[k - 1]);
     return std::lerp(profile.opening[k - 1], profile.opening[k], weight);
 }
@@ -42,8 +44,8 @@ double relative_error(const Profile& profile, const Profile& reference) {
     std::ranges::set_union(profile.s, reference.s, std::back_inserter(s));
     const auto squared = [](double x) { return x * x; };
     const double difference =
-        integral(s, [&](std::size_t k) { return squared(at(profile, s[k]) - at(reference, s[k])); });
-    const double size = integral(s, [&](std::size_t k) { return squared(at(reference, s[k])); });
+        integral(s, [&](std::size_t k) { return squared(value_at(profile, s[k]) - value_at(reference, s[k])); });
+    const double size = integral(s, [&](std::size_t k) { return squared(value_at(reference, s[k])); });
     return size > 0.0 ? std::sqrt(difference / size) : missing;
 }
 

@@ -9,15 +9,15 @@ namespace {
 
 AnalysisState::Polyline polyline_of(const CrackSection& crack) {
     AnalysisState::Polyline line;
-    for (const Point& point : crack.points) {
+    for (const Vec2& point : crack.points) {
         line.x.push_back(point.x());
         line.y.push_back(point.y());
     }
     return line;
 }
 
-std::vector<Point> points_of(const AnalysisState::Polyline& line) {
-    std::vector<Point> points;
+std::vector<Vec2> points_of(const AnalysisState::Polyline& line) {
+    std::vector<Vec2> points;
     for (std::size_t k = 0; k < line.x.size(); ++k) points.emplace_back(line.x[k], line.y.at(k));
     return points;
 }

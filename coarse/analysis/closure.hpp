@@ -8,6 +8,7 @@
 
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/model/scene.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 
@@ -32,9 +33,7 @@ public:
     /// compression ahead of the tip.
     [[nodiscard]] int signals() const { return contact_signals() + (tension_ ? 1 : 0); }
     [[nodiscard]] int contact_signals() const { return distance_.empty() ? 0 : static_cast<int>(distance_[0].size()); }
-    [[nodiscard]] const std::vector<double>& distances(int tip) const {
-        return distance_[static_cast<std::size_t>(tip)];
-    }
+    [[nodiscard]] const std::vector<double>& distances(int tip) const { return distance_[at(tip)]; }
     /// Per tip: over what distance ahead of it stress is to be averaged, mm: the first one, no less than an element;
     /// empty where it is not measured.
     [[nodiscard]] std::vector<double> ahead(const EnrichedMesh& mesh) const;

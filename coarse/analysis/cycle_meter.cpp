@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/index.hpp"
+
 namespace stria::coarse {
 
 CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips)
-    : definition_(definition), signals_(static_cast<std::size_t>(closure.signals())),
-      contact_signals_(static_cast<std::size_t>(closure.contact_signals())) {
+    : definition_(definition), signals_(at(closure.signals())), contact_signals_(at(closure.contact_signals())) {
     now_.tips.resize(tips);
 }
 
@@ -65,7 +66,7 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t) co
     const double K = increment.nominal_K[t] * increment.load_factor;
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
-        const auto s = static_cast<std::size_t>(change.signal);
+        const auto s = at(change.signal);
         (change.closes ? tip.signal[s].K_cl : tip.signal[s].K_op) = increment.nominal_K[t] * change.load_factor;
         tip.changed[s] = 1;
     }

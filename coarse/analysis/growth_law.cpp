@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/index.hpp"
+
 namespace stria::coarse {
 
 bool grows_at(const GrowthSection& growth, const LoadStep& step) {
@@ -67,8 +69,7 @@ Case with_longer_cracks(const Scene& scene, const std::vector<TipResult>& nomina
         const Tip& tip = scene.enriched.tips[t];
         const bool straight = input.growth->direction == GrowthDirection::Straight;
         const double angle = straight ? 0.0 : hoop_stress_angle(nominal[t].K_I, nominal[t].K_II);
-        advance(input.cracks[static_cast<std::size_t>(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction,
-                advance_by[t]);
+        advance(input.cracks[at(tip.crack)], tip, Eigen::Rotation2Dd(angle) * tip.direction, advance_by[t]);
     }
     return input;
 }

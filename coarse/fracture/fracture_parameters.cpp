@@ -5,12 +5,11 @@
 #include <span>
 #include <tuple>
 
+#include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// From the load line where the specimen has one; else arc length from the mouth, or half of it with two tips.
 double crack_length(const Scene& scene, const Tip& tip) {
@@ -75,7 +74,7 @@ void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>&
         if (rings[k].inner >= plastic_reach) elastic.push_back(values[k]);
     result.rings_flow = elastic.empty();
     const auto farthest = std::ranges::max_element(rings, {}, &Annulus::inner) - rings.begin();
-    const RingValues& chosen = elastic.empty() ? values[static_cast<std::size_t>(farthest)] : elastic.front();
+    const RingValues& chosen = elastic.empty() ? values[at(farthest)] : elastic.front();
     result.K_I = chosen.K_I;
     result.K_II = chosen.K_II;
     result.T_stress = chosen.T_stress;

@@ -13,12 +13,12 @@ namespace {
 /// Straight, across the width, at mid-height; of mt with both tips equally far from the sides.
 bool is_standard_crack(const Scene& scene) {
     if (scene.input.cracks.size() != 1 || scene.enriched.tips.empty()) return false;
-    const std::vector<Point>& points = scene.input.cracks.front().points;
+    const std::vector<Vec2>& points = scene.input.cracks.front().points;
     const Body body = find_specimen(scene.input.mesh.specimen).body(scene.input.mesh);
-    const Point middle = 0.5 * (body.low + body.high);
+    const Vec2 middle = 0.5 * (body.low + body.high);
     const double tolerance = 1e-6 * (body.high.x() - body.low.x());
     const bool level =
-        std::ranges::all_of(points, [&](const Point& x) { return std::abs(x.y() - middle.y()) <= tolerance; });
+        std::ranges::all_of(points, [&](const Vec2& x) { return std::abs(x.y() - middle.y()) <= tolerance; });
     const auto tips = scene.enriched.tips.size();
     if (scene.input.mesh.specimen != "mt") return level && tips == 1 && points.front().x() < points.back().x();
     return level && tips == 2 && std::abs(points.front().x() + points.back().x() - 2.0 * middle.x()) <= tolerance;
@@ -35,7 +35,7 @@ bool is_standard_load(const Scene& scene) {
         const bool bottom = section.on == "bottom" || section.on == "pin-bottom";
         const bool graded = section.pressure || !section.traction_gradient.isZero(0.0);
         if (held || graded || (!top && !bottom)) return false;
-        const Point load = section.force.value_or(section.traction.value_or(Point::Zero()));
+        const Vec2 load = section.force.value_or(section.traction.value_or(Vec2::Zero()));
         if (load.x() != 0.0) return false;
         if ((scene.input.mesh.specimen == "ct") != section.force.has_value()) return false;
         (top ? above : below) += load.y();

@@ -4,6 +4,7 @@
 
 #include "coarse/model/rings.hpp"
 #include "coarse/structure/structure.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -18,7 +19,7 @@ void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic,
 }
 
 RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings) {
-    return {scene.enriched, scene.enriched.tips[static_cast<std::size_t>(tip)], scene.elastic, rings};
+    return {scene.enriched, scene.enriched.tips[at(tip)], scene.elastic, rings};
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void RingForms::weigh_points(const Structure& structure) {
 
 void RingForms::weigh_unknowns(const Structure& structure) {
     const Scene& scene = structure.scene();
-    const Tip& about = scene.enriched.tips[static_cast<std::size_t>(tip_)];
+    const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix elastic = scene.elastic.stiffness();
     RingSums geometry = sums_about(scene, tip_, rings_);
     interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
@@ -75,7 +76,7 @@ void RingForms::weigh_unknowns(const Structure& structure) {
 
 std::vector<DomainIntegral> RingForms::values(const Structure& structure, const Eigen::VectorXd& u) const {
     const Scene& scene = structure.scene();
-    const Tip& about = scene.enriched.tips[static_cast<std::size_t>(tip_)];
+    const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix elastic = scene.elastic.stiffness();
     std::vector<DomainIntegral> result(rings_.size());
     std::size_t element = 0;
@@ -87,7 +88,7 @@ std::vector<DomainIntegral> RingForms::values(const Structure& structure, const 
             const Mandel strain = op.strain(local, q), stress = elastic * strain;
             const Vec2 own =
                 energy_momentum(about, stress, op.displacement_gradient(local, q), 0.5 * stress.dot(strain));
-            for (const int ring : entered) result[static_cast<std::size_t>(ring)].J += own.dot(*weight++);
+            for (const int ring : entered) result[at(ring)].J += own.dot(*weight++);
         }
     });
     const Eigen::VectorXd sums = interactions_.transpose() * gather(u, unknowns_);

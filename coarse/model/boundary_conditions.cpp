@@ -10,6 +10,7 @@
 
 #include "common/error.hpp"
 #include "common/fem/quadrature.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -21,7 +22,7 @@ struct Place {
     const SpreadPoint* pin;  // or null
 };
 
-const Vec2& node_at(const Mesh& mesh, int node) { return mesh.nodes[static_cast<std::size_t>(node)]; }
+const Vec2& node_at(const Mesh& mesh, int node) { return mesh.nodes[at(node)]; }
 
 /// Shortest edge of the elements around a node: the scale on which a point is or is not that node.
 double local_size(const Mesh& mesh, int node) {
@@ -108,7 +109,7 @@ using Prescribed = std::map<std::pair<int, int>, double>;
 void prescribe(Prescribed& prescribed, const Mesh& mesh, const BoundarySection& section, int node,
                const std::string& key) {
     for (int component = 0; component < 2; ++component) {
-        const std::optional<double>& value = section.displacement[static_cast<std::size_t>(component)];
+        const std::optional<double>& value = section.displacement[at(component)];
         if (!value) continue;
         const auto [held, is_new] = prescribed.try_emplace({node, component}, *value);
         if (is_new || held->second == *value) continue;
@@ -122,8 +123,8 @@ void prescribe(Prescribed& prescribed, const Mesh& mesh, const BoundarySection& 
 }  // namespace
 
 std::array<int, 2> edge_nodes(const Mesh& mesh, const BoundaryEdge& edge) {
-    const auto& element = mesh.elements[static_cast<std::size_t>(edge.element)];
-    const auto first = static_cast<std::size_t>(edge.edge);
+    const auto& element = mesh.elements[at(edge.element)];
+    const auto first = at(edge.edge);
     return {element[first], element[(first + 1) % 4]};
 }
 

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "common/fem/mesh.hpp"
+#include "common/geometry/vec2.hpp"
 #include "common/io/case.hpp"
 
 namespace stria::coarse {
-
-using Vec2 = Eigen::Vector2d;
 
 /// Traction on an edge: t(x) = constant + gradient (x - origin) + pressure * inward normal.
 struct Traction {

@@ -9,12 +9,11 @@
 #include "common/enrichment/tip_functions.hpp"
 #include "common/error.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class Enricher {
 public:
@@ -122,8 +121,8 @@ private:
         tip.upper = start ? -1 : 1;
         tip.position = start ? piece.points.front() : piece.points.back();
         // Of the crack as given: the last piece may be short, and its other end snapped onto a node.
-        const std::vector<Point>& points = cracks_[at(crack)].points;
-        const Point& before = start ? points[1] : points[points.size() - 2];
+        const std::vector<Vec2>& points = cracks_[at(crack)].points;
+        const Vec2& before = start ? points[1] : points[points.size() - 2];
         tip.direction = ((start ? points.front() : points.back()) - before).normalized();
         result_.tips.push_back(tip);
         without_jump.merge(tip_nodes(piece));

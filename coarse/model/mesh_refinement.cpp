@@ -4,14 +4,12 @@
 #include <map>
 
 #include "common/geometry/segment.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
-
-using Vec2 = Eigen::Vector2d;
 using Edge = std::pair<int, int>;  // nodes, ascending
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Edge edge_of(const Mesh& mesh, int element, int k) {
     const auto& nodes = mesh.elements[at(element)];

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/fem/mesh.hpp"
+#include "common/geometry/vec2.hpp"
 
 namespace stria::coarse {
 
@@ -11,8 +12,8 @@ namespace stria::coarse {
 /// element within `radius` is small enough if its longest edge is at most `growth` times its distance (0: all split
 /// alike).
 struct RefinedDisk {
-    Eigen::Vector2d from, to;  // of the centre, mm
-    double radius;             // mm
+    Vec2 from, to;  // of the centre, mm
+    double radius;  // mm
     int levels;
     double growth;
 };

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -43,8 +44,8 @@ Eigen::MatrixXd supported_motions(const Mesh& mesh, const Loads& loads, const Fr
     const auto rows = static_cast<Eigen::Index>(loads.displacements.size());
     Eigen::MatrixXd supported = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(rows, 3), 3);
     for (Eigen::Index row = 0; row < rows; ++row) {
-        const PrescribedDisplacement& held = loads.displacements[static_cast<std::size_t>(row)];
-        supported.row(row) = frame.at(mesh.nodes[static_cast<std::size_t>(held.node)], held.component);
+        const PrescribedDisplacement& held = loads.displacements[at(row)];
+        supported.row(row) = frame.at(mesh.nodes[at(held.node)], held.component);
     }
     return supported;
 }
@@ -115,7 +116,7 @@ std::vector<Pin> choose_pins(const Mesh& mesh, const Frame& frame, const Motions
             if ((set >> candidate & 1U) == 0) continue;
             const Pin pin{corners[candidate / 2], static_cast<int>(candidate % 2)};
             felt.row(static_cast<Eigen::Index>(pins.size())) =
-                frame.at(mesh.nodes[static_cast<std::size_t>(pin.node)], pin.component) * motions;
+                frame.at(mesh.nodes[at(pin.node)], pin.component) * motions;
             pins.push_back(pin);
         }
         const double determinant = std::abs(felt.determinant());
@@ -131,7 +132,7 @@ std::vector<Pin> choose_pins(const Mesh& mesh, const Frame& frame, const Motions
 std::string describe(const Mesh& mesh, const FreeMotions& motions) {
     std::vector<std::string> held;
     for (const Pin& pin : motions.pins) {
-        const Vec2& x = mesh.nodes[static_cast<std::size_t>(pin.node)];
+        const Vec2& x = mesh.nodes[at(pin.node)];
         held.push_back(fmt::format("u_{} at ({}, {})", pin.component == 0 ? 'x' : 'y', x.x(), x.y()));
     }
     return fmt::format("the supports leave free: {}; the loads balance, so it is removed without stress by holding {}",

@@ -5,11 +5,10 @@
 #include <limits>
 
 #include "coarse/model/tip_reach.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Over the outer radius of the largest ring. The second is there for plastic zones that reach into the first.
 constexpr std::array family{Annulus{0.5, 1.0}, Annulus{0.75, 1.0}, Annulus{0.35, 0.7}, Annulus{0.25, 0.5},

@@ -11,13 +11,12 @@
 #include "common/error.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Splits an element edge where a crack leaves it, so that each part lies on one side.
 std::vector<double> edge_breaks(const CrackPiece* piece, int edge) {

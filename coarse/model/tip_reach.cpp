@@ -5,6 +5,7 @@
 
 #include "coarse/model/boundary_conditions.hpp"
 #include "common/geometry/segment.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -46,7 +47,7 @@ double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std:
         if (distance > 0.0) reach = std::min(reach, distance / 2.0);
     }
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
-        const std::vector<Vec2>& points = cracks[static_cast<std::size_t>(crack)].points;
+        const std::vector<Vec2>& points = cracks[at(crack)].points;
         if (crack == tip.crack) {
             reach = std::min(reach, straight_length(points, tip, band));
             continue;
@@ -61,8 +62,8 @@ double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
     double size = 0.0;
     for (const CrackPiece& piece : mesh.pieces) {  // the crack's first, or its last
         if (piece.crack != tip.crack) continue;
-        const auto& nodes = mesh.elements[static_cast<std::size_t>(piece.element)];
-        size = (mesh.nodes[static_cast<std::size_t>(nodes[2])] - mesh.nodes[static_cast<std::size_t>(nodes[0])]).norm();
+        const auto& nodes = mesh.elements[at(piece.element)];
+        size = (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm();
         if (tip.upper < 0) break;
     }
     return size;

@@ -6,6 +6,7 @@
 
 #include "coarse/results/field_writer.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "common/io/hdf5.hpp"
 #include "common/io/whole_file.hpp"
 
@@ -20,7 +21,7 @@ void validate(const FieldData& data) {
     require(data.offsets.back() == static_cast<std::int64_t>(data.connectivity.size()),
             "fields: offsets end at the last");
     const auto fits = [](const FieldArray& array, std::size_t count) {
-        return array.components > 0 && array.values.size() == count * static_cast<std::size_t>(array.components);
+        return array.components > 0 && array.values.size() == count * at(array.components);
     };
     for (const FieldArray& array : data.point_arrays)
         require(fits(array, data.points.size()), "fields: a value a point");
@@ -40,7 +41,7 @@ std::vector<std::uint8_t> type_numbers(const FieldData& data) {
 void write_arrays(hdf5::Group& parent, const std::string& name, const std::vector<FieldArray>& arrays) {
     hdf5::Group group = parent.create_group(name);
     for (const FieldArray& array : arrays) {
-        const auto components = static_cast<std::size_t>(array.components);
+        const auto components = at(array.components);
         const std::size_t tuples = array.values.size() / components;
         const auto shape = components == 1 ? std::vector{tuples} : std::vector{tuples, components};
         group.write<double>(array.name, array.values, shape);
@@ -52,10 +53,9 @@ class VtuText {
 public:
     template <class T>
     void array(const std::string& type, const std::string& name, int components, std::span<const T> values) {
-        header_ +=
-            fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" "
-                        "format=\"appended\" offset=\"{}\"/>\n",
-                        type, name, components, values.size() / static_cast<std::size_t>(components), blocks_.size());
+        header_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" NumberOfTuples=\"{}\" "
+                               "format=\"appended\" offset=\"{}\"/>\n",
+                               type, name, components, values.size() / at(components), blocks_.size());
         const std::uint64_t bytes = values.size_bytes();
         append(&bytes, sizeof bytes);
         append(values.data(), values.size_bytes());

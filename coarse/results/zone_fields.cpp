@@ -8,12 +8,11 @@
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Means over one element, or over one side of a cut one.
 struct CellMean {

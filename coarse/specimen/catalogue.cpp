@@ -8,6 +8,7 @@
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -27,7 +28,7 @@ std::string text_of(const Body& body) {
 }
 
 /// Does the segment run through the interior? Liang and Barsky's clipping; what is left must have a middle inside.
-bool crosses_interior(const Point& from, const Point& to, const Body& body) {
+bool crosses_interior(const Vec2& from, const Vec2& to, const Body& body) {
     double enter = 0.0, leave = 1.0;
     for (int axis = 0; axis < 2; ++axis) {
         const double step = to[axis] - from[axis];
@@ -36,7 +37,7 @@ bool crosses_interior(const Point& from, const Point& to, const Body& body) {
         enter = std::max(enter, std::min(at_low, at_high));
         leave = std::min(leave, std::max(at_low, at_high));
     }
-    const Point middle = from + 0.5 * (enter + leave) * (to - from);
+    const Vec2 middle = from + 0.5 * (enter + leave) * (to - from);
     return enter < leave && body.holds_inside(middle);
 }
 
@@ -44,7 +45,7 @@ void validate(const CrackSection& crack, const std::string& key, const Body& bod
     if (crack.points.size() < 2) throw CaseError(key + ": a crack is a polyline of two points or more");
     bool meets_body = false;
     for (std::size_t k = 0; k < crack.points.size(); ++k) {
-        const Point& point = crack.points[k];
+        const Vec2& point = crack.points[k];
         const bool end = k == 0 || k + 1 == crack.points.size();
         if (!point.allFinite()) throw CaseError(fmt::format("{}: point {} is not finite", key, k + 1));
         if (!end && !body.holds(point)) {
@@ -66,8 +67,8 @@ void validate(const CrackSection& crack, const std::string& key, const Body& bod
 /// The insert stays elastic and is never in the zone: what a crack needs.
 void spare_insert(const CrackSection& crack, const std::string& key, const Mesh& mesh) {
     for (const int element : mesh.insert) {
-        const auto& nodes = mesh.elements[static_cast<std::size_t>(element)];
-        const Body cell{mesh.nodes[static_cast<std::size_t>(nodes[0])], mesh.nodes[static_cast<std::size_t>(nodes[2])]};
+        const auto& nodes = mesh.elements[at(element)];
+        const Body cell{mesh.nodes[at(nodes[0])], mesh.nodes[at(nodes[2])]};
         for (std::size_t k = 1; k < crack.points.size(); ++k) {
             if (!crosses_interior(crack.points[k - 1], crack.points[k], cell)) continue;
             throw CaseError(fmt::format("{}: the crack runs through the insert of a pin, near ({:.4g}, {:.4g})", key,

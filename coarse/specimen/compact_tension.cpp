@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "coarse/specimen/structured.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -18,20 +20,19 @@ constexpr double front = 0.25, half_height = 0.6, hole_height = 0.275, hole_radi
 /// 15 to 45 degrees; with a filled hole the front face would open by 4 P / (E' B) less at any crack length.
 constexpr double contact_angle = std::numbers::pi / 6.0;
 
-Point centre_of(const Mesh& mesh, int element) {
-    Point centre = Point::Zero();
-    for (const int node : mesh.elements[static_cast<std::size_t>(element)])
-        centre += mesh.nodes[static_cast<std::size_t>(node)] / 4.0;
+Vec2 centre_of(const Mesh& mesh, int element) {
+    Vec2 centre = Vec2::Zero();
+    for (const int node : mesh.elements[at(element)]) centre += mesh.nodes[at(node)] / 4.0;
     return centre;
 }
 
 /// The sector of the hole through which the pin presses outwards: elements whose middle is in it; on a mesh too coarse
 /// for that, the nearest.
-std::vector<int> pin_elements(const Mesh& mesh, const Point& pin, double radius) {
+std::vector<int> pin_elements(const Mesh& mesh, const Vec2& pin, double radius) {
     std::vector<int> inside;
     int nearest = 0;
     for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Point centre = centre_of(mesh, element);
+        const Vec2 centre = centre_of(mesh, element);
         const double distance = (centre - pin).norm();
         const double angle = std::atan2(std::abs(centre.x()), std::abs(centre.y()) - std::abs(pin.y()));
         if (distance <= radius && angle <= contact_angle) inside.push_back(element);
@@ -42,36 +43,35 @@ std::vector<int> pin_elements(const Mesh& mesh, const Point& pin, double radius)
 }
 
 /// Each rectangle's area to its corners, then weighted linearly in x so that a force along y acts on the load line.
-SpreadPoint spread_over(const Mesh& mesh, const std::vector<int>& elements, const Point& pin) {
+SpreadPoint spread_over(const Mesh& mesh, const std::vector<int>& elements, const Vec2& pin) {
     std::map<int, double> area;
     for (const int element : elements) {
-        const auto& nodes = mesh.elements[static_cast<std::size_t>(element)];
-        const Point extent =
-            mesh.nodes[static_cast<std::size_t>(nodes[2])] - mesh.nodes[static_cast<std::size_t>(nodes[0])];
+        const auto& nodes = mesh.elements[at(element)];
+        const Vec2 extent = mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])];
         for (const int node : nodes) area[node] += 0.25 * extent.x() * extent.y();
     }
     const auto moments = [&](int node) {
-        const Point arm = mesh.nodes[static_cast<std::size_t>(node)] - pin;
-        return Eigen::Vector2d(1.0, arm.x());
+        const Vec2 arm = mesh.nodes[at(node)] - pin;
+        return Vec2(1.0, arm.x());
     };
     Eigen::Matrix2d gram = Eigen::Matrix2d::Zero();
     for (const auto& [node, share] : area) gram += share * moments(node) * moments(node).transpose();
-    const Eigen::Vector2d linear = gram.inverse() * Eigen::Vector2d::UnitX();
+    const Vec2 linear = gram.inverse() * Vec2::UnitX();
     SpreadPoint result;
     for (const auto& [node, share] : area) result.shares.push_back({node, share * linear.dot(moments(node))});
     return result;
 }
 
 /// Nearest pin's middle.
-Point pin_near(const Point& x, double width) { return {0.0, std::copysign(hole_height * width, x.y())}; }
+Vec2 pin_near(const Vec2& x, double width) { return {0.0, std::copysign(hole_height * width, x.y())}; }
 
 /// 1 for the elements of the holes that no pin fills.
 std::vector<char> open_holes(const Mesh& mesh, const std::vector<int>& pins, double width) {
     std::vector<char> open(mesh.elements.size(), 0);
     for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Point centre = centre_of(mesh, element);
+        const Vec2 centre = centre_of(mesh, element);
         const bool in_hole = (centre - pin_near(centre, width)).norm() <= hole_radius * width;
-        if (in_hole && !std::ranges::binary_search(pins, element)) open[static_cast<std::size_t>(element)] = 1;
+        if (in_hole && !std::ranges::binary_search(pins, element)) open[at(element)] = 1;
     }
     return open;
 }
@@ -105,7 +105,7 @@ Mesh without(const Mesh& mesh, const std::vector<char>& open) {
         if (open[e] != 0) continue;
         new_element[e] = static_cast<int>(rest.elements.size());
         rest.elements.push_back(mesh.elements[e]);
-        for (const int node : mesh.elements[e]) new_node[static_cast<std::size_t>(node)] = 0;
+        for (const int node : mesh.elements[e]) new_node[at(node)] = 0;
     }
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (new_node[n] < 0) continue;
@@ -113,10 +113,9 @@ Mesh without(const Mesh& mesh, const std::vector<char>& open) {
         rest.nodes.push_back(mesh.nodes[n]);
     }
     for (auto& element : rest.elements)
-        for (int& node : element) node = new_node[static_cast<std::size_t>(node)];
+        for (int& node : element) node = new_node[at(node)];
     for (const auto& [name, edges] : mesh.boundary)
-        for (const auto& [element, edge] : edges)
-            rest.boundary[name].push_back({new_element[static_cast<std::size_t>(element)], edge});
+        for (const auto& [element, edge] : edges) rest.boundary[name].push_back({new_element[at(element)], edge});
     return rest;
 }
 
@@ -124,7 +123,7 @@ Mesh without(const Mesh& mesh, const std::vector<char>& open) {
 
 Body compact_tension(const MeshSection& section) {
     const double W = section.width;
-    return {Point(-front * W, -half_height * W), Point(W, half_height * W)};
+    return {Vec2(-front * W, -half_height * W), Vec2(W, half_height * W)};
 }
 
 Mesh compact_tension_mesh(const MeshSection& section) {
@@ -132,7 +131,7 @@ Mesh compact_tension_mesh(const MeshSection& section) {
     Mesh filled = structured_mesh(section, compact_tension(section));
     std::vector<int> pins;
     for (const double side : {-1.0, 1.0}) {
-        const std::vector<int> pin = pin_elements(filled, Point(0.0, side * hole_height * W), hole_radius * W);
+        const std::vector<int> pin = pin_elements(filled, Vec2(0.0, side * hole_height * W), hole_radius * W);
         pins.insert(pins.end(), pin.begin(), pin.end());
     }
     std::ranges::sort(pins);
@@ -142,13 +141,13 @@ Mesh compact_tension_mesh(const MeshSection& section) {
     Mesh mesh = without(filled, open);
     mesh.load_line = 0.0;
     for (const double side : {-1.0, 1.0}) {
-        const Point pin(0.0, side * hole_height * W);
+        const Vec2 pin(0.0, side * hole_height * W);
         SpreadPoint spread = spread_over(mesh, pin_elements(mesh, pin, hole_radius * W), pin);
         spread.opposite = side > 0.0 ? "pin-bottom" : "pin-top";
         mesh.pins.emplace(side > 0.0 ? "pin-top" : "pin-bottom", std::move(spread));
     }
     for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Point centre = centre_of(mesh, element);
+        const Vec2 centre = centre_of(mesh, element);
         if ((centre - pin_near(centre, W)).norm() <= insert_radius * W) mesh.insert.push_back(element);
     }
     return mesh;

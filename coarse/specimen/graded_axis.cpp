@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -37,7 +38,7 @@ public:
         for (std::size_t k = 1; k < positions_.size(); ++k) cells_.push_back(cells_.back() + cells_between(k - 1));
     }
 
-    [[nodiscard]] double at(double x) const {
+    [[nodiscard]] double size_at(double x) const {
         double smallest = size_;
         for (const AxisGrading& grading : gradings_) smallest = std::min(smallest, wish(grading, x));
         return smallest;
@@ -46,16 +47,16 @@ public:
     /// Integral of 1/h from 0 to x.
     [[nodiscard]] double cells_before(double x) const {
         const auto above = std::upper_bound(positions_.begin() + 1, positions_.end() - 1, x);
-        const auto piece = static_cast<std::size_t>(above - positions_.begin()) - 1;
+        const auto piece = at(above - positions_.begin()) - 1;
         return cells_[piece] + cells_from_to(positions_[piece], x);
     }
 
     /// The x with cells_before(x) = cells.
     [[nodiscard]] double position_after(double cells) const {
         const auto above = std::upper_bound(cells_.begin() + 1, cells_.end() - 1, cells);
-        const auto piece = static_cast<std::size_t>(above - cells_.begin()) - 1;
-        const double from = positions_[piece], h = at(from), count = cells - cells_[piece];
-        const double slope = (at(positions_[piece + 1]) - h) / (positions_[piece + 1] - from);
+        const auto piece = at(above - cells_.begin()) - 1;
+        const double from = positions_[piece], h = size_at(from), count = cells - cells_[piece];
+        const double slope = (size_at(positions_[piece + 1]) - h) / (positions_[piece + 1] - from);
         const double stretch = slope * count;
         return from + h * count * (std::abs(stretch) < 1e-12 ? 1.0 : std::expm1(stretch) / stretch);
     }
@@ -94,7 +95,7 @@ private:
 
     /// Integral of 1/h where h is linear: the length over the logarithmic mean of its ends.
     [[nodiscard]] double cells_from_to(double from, double to) const {
-        const double h = at(from), change = (at(to) - h) / h;
+        const double h = size_at(from), change = (size_at(to) - h) / h;
         return (to - from) / h * (std::abs(change) < 1e-12 ? 1.0 : std::log1p(change) / change);
     }
 
@@ -124,7 +125,7 @@ std::vector<CentralCell> anchors_of(double length, const CellLength& h, std::spa
     std::sort(middles.begin(), middles.end());
     std::vector<CentralCell> anchors;
     for (const double middle : middles) {
-        const double cell = h.at(middle);
+        const double cell = h.size_at(middle);
         const bool sliver = middle < 0.75 * cell || length - middle < 0.75 * cell ||
                             (!anchors.empty() && middle - anchors.back().middle < cell);
         if (!sliver) anchors.push_back({middle, cell});

@@ -11,12 +11,12 @@ namespace stria::coarse {
 
 /// The rectangle that a specimen fills, mm.
 struct Body {
-    Point low, high;
+    Vec2 low, high;
 
-    [[nodiscard]] bool holds(const Point& x) const {
+    [[nodiscard]] bool holds(const Vec2& x) const {
         return (low.array() <= x.array()).all() && (x.array() <= high.array()).all();
     }
-    [[nodiscard]] bool holds_inside(const Point& x) const {
+    [[nodiscard]] bool holds_inside(const Vec2& x) const {
         return (low.array() < x.array()).all() && (x.array() < high.array()).all();
     }
 };

@@ -34,13 +34,13 @@ void validate(const Grading& grading, const std::string& key, const Body& body) 
         throw CaseError(
             fmt::format("{}.at: {} points, must be one point or the two ends of a line", key, grading.at.size()));
     }
-    for (const Point& point : grading.at) {
+    for (const Vec2& point : grading.at) {
         if (!body.holds(point)) {
             throw CaseError(fmt::format("{}.at: ({}, {}) is outside the body [{}, {}] x [{}, {}] mm", key, point.x(),
                                         point.y(), body.low.x(), body.high.x(), body.low.y(), body.high.y()));
         }
     }
-    const Point extent = grading.at.back() - grading.at.front();
+    const Vec2 extent = grading.at.back() - grading.at.front();
     if (extent.x() != 0.0 && extent.y() != 0.0) {
         throw CaseError(fmt::format("{}.at: the line from ({}, {}) to ({}, {}) must be parallel to an axis", key,
                                     grading.at.front().x(), grading.at.front().y(), grading.at.back().x(),
@@ -117,7 +117,7 @@ Mesh structured_mesh(const MeshSection& section, const Body& body) {
     return grid_mesh(xs, ys);
 }
 
-Body rectangle(const MeshSection& section) { return {Point::Zero(), Point(section.width, section.height)}; }
+Body rectangle(const MeshSection& section) { return {Vec2::Zero(), Vec2(section.width, section.height)}; }
 
 Mesh rectangle_mesh(const MeshSection& section) { return structured_mesh(section, rectangle(section)); }
 

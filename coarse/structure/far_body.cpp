@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 #include "common/stopwatch.hpp"
 #include "common/substructure/nested_dissection.hpp"
 
 namespace stria::coarse {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
+namespace {}  // namespace
 
 FarBody::FarBody(const Scene& scene, std::vector<char> far, StructureSeconds& seconds) : far_(std::move(far)) {
     IndexLists of_elements;

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "coarse/model/rings.hpp"
+#include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Per node, 1 where it belongs to the zone.
 std::vector<char> nodes_of_zone(const EnrichedMesh& mesh, const std::vector<char>& in_zone) {

@@ -5,14 +5,13 @@
 
 #include "coarse/structure/elastic_force.hpp"
 #include "coarse/structure/gamma.hpp"
+#include "common/index.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 #include "common/stopwatch.hpp"
 #include "common/substructure/nested_dissection.hpp"
 
 namespace stria::coarse {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
     IntegrationRule rule = elastic_rule(scene.enriched, element, cut);

@@ -13,6 +13,7 @@
 #include "coarse/structure/far_body.hpp"
 #include "coarse/structure/near_elements.hpp"
 #include "common/fracture/domain_integral.hpp"
+#include "common/index.hpp"
 #include "common/index_lists.hpp"
 #include "common/integration/plain_operator.hpp"
 #include "common/substructure/stacked_leaf.hpp"
@@ -80,12 +81,12 @@ public:
 
     /// Coarse elements that each increment looks at, ascending; the others are far (near_elements.hpp).
     [[nodiscard]] const std::vector<int>& near_elements() const { return near_elements_; }
-    [[nodiscard]] bool is_far(int element) const { return far_ && far_->far()[static_cast<std::size_t>(element)] != 0; }
+    [[nodiscard]] bool is_far(int element) const { return far_ && far_->far()[at(element)] != 0; }
 
     /// Unknowns that near elements see, and those of free_places(), which are the last, in their order. Prescribed ones
     /// are not among them.
     [[nodiscard]] std::span<const int> near_unknowns() const {
-        return std::span(leaf_unknowns_).subspan(static_cast<std::size_t>(far_count_));
+        return std::span(leaf_unknowns_).subspan(at(far_count_));
     }
 
     /// Those that far elements see too: with the load factor they tell all of the far body. Ascending.
@@ -178,8 +179,8 @@ private:
 };
 
 template <class Visit> void Structure::visit_operator(int element, Visit&& visit) const {
-    if (!plain_.empty() && plain_place_[static_cast<std::size_t>(element)] >= 0)
-        visit(plain_[static_cast<std::size_t>(plain_place_[static_cast<std::size_t>(element)])]);
+    if (!plain_.empty() && plain_place_[at(element)] >= 0)
+        visit(plain_[at(plain_place_[at(element)])]);
     else if (is_plain(scene_.enriched, element))
         visit(plain_operator(scene_.enriched, element, mean_dilatation_));
     else
@@ -189,7 +190,7 @@ template <class Visit> void Structure::visit_operator(int element, Visit&& visit
 template <class Visit> void Structure::for_each_coarse(Visit&& visit) const {
     auto enriched = enriched_.begin();
     for (int element = 0; element < static_cast<int>(in_zone_.size()); ++element) {
-        if (in_zone_[static_cast<std::size_t>(element)] != 0) continue;
+        if (in_zone_[at(element)] != 0) continue;
         if (is_plain(scene_.enriched, element))
             visit(element, std::span<const int>(plain_unknowns(scene_.enriched, element)));
         else
@@ -210,7 +211,7 @@ template <class Visit> void Structure::for_each_near(Visit&& visit) const {
 
 template <class Visit> void Structure::for_each_operator(Visit&& visit) const {
     for (int element = 0; element < static_cast<int>(in_zone_.size()); ++element)
-        if (in_zone_[static_cast<std::size_t>(element)] == 0) visit_operator(element, visit);
+        if (in_zone_[at(element)] == 0) visit_operator(element, visit);
 }
 
 }  // namespace stria::coarse

@@ -1,15 +1,17 @@
 // The near part of a structure: what each increment asks of it, and what it knows of the far one.
 #include "coarse/structure/structure.hpp"
 
+#include "common/index.hpp"
+
 namespace stria::coarse {
 
 void Structure::find_near_supports() {
     std::vector<char> seen(leaf_index_.size(), 0);
     for_each_near([&](int, std::span<const int> own) {
-        for (const int unknown : own) seen[static_cast<std::size_t>(unknown)] = 1;
+        for (const int unknown : own) seen[at(unknown)] = 1;
     });
     for (const PrescribedUnknown& p : scene_.prescribed)
-        if (seen[static_cast<std::size_t>(p.unknown)] != 0) near_supports_.push_back(p);
+        if (seen[at(p.unknown)] != 0) near_supports_.push_back(p);
 }
 
 void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, Eigen::VectorXd& u) const {
@@ -28,7 +30,7 @@ Eigen::VectorXd Structure::expand_far(const Eigen::VectorXd& rim_displacement) c
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene_.enriched.unknowns);
     if (!far_) return u;
     const Eigen::VectorXd x = far_->expand({Eigen::VectorXd::Zero(far_count_), {}}, rim_displacement);
-    for (int i = 0; i < far_count_; ++i) u[leaf_unknowns_[static_cast<std::size_t>(i)]] = x[i];
+    for (int i = 0; i < far_count_; ++i) u[leaf_unknowns_[at(i)]] = x[i];
     u(rim_) = rim_displacement;
     return u;
 }

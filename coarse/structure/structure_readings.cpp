@@ -1,13 +1,10 @@
 // A structure's loads, condensed, and what a testing machine reads and does work on.
 #include "coarse/structure/elastic_force.hpp"
 #include "coarse/structure/structure.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
+namespace {}  // namespace
 
 void Structure::condense_loads() {
     Eigen::VectorXd imposed = Eigen::VectorXd::Zero(scene_.enriched.unknowns);

@@ -6,13 +6,10 @@
 
 #include "coarse/model/rings.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
+namespace {}  // namespace
 
 double subdivision_radius(double beta, double K_I, double yield_stress) {
     return beta * (std::numbers::pi / 16.0) * (K_I * K_I) / (yield_stress * yield_stress);

@@ -6,12 +6,11 @@
 
 #include "common/error.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
-
-using Vec2 = Eigen::Vector2d;
-
 std::pair<int, int> edge_key(int a, int b) { return std::minmax(a, b); }
 
 bool same_place(const Crossing& a, const Crossing& b) {
@@ -72,8 +71,7 @@ int CrackCrossings::middle_of(int a, int b) const {
 
 bool CrackCrossings::near_crack(int e) const {
     Eigen::AlignedBox2d box;
-    for (const int node : mesh_.elements[static_cast<std::size_t>(e)])
-        box.extend(mesh_.nodes[static_cast<std::size_t>(node)]);
+    for (const int node : mesh_.elements[at(e)]) box.extend(mesh_.nodes[at(node)]);
     const double margin = 1e-9 * box.diagonal().norm();
     box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
     for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
@@ -140,13 +138,13 @@ bool CrackCrossings::has_kink_between(double s0, double s1) const {
 
 // An edge met once near the crack may have its other element farther away.
 bool CrackCrossings::is_boundary(const MeshEdge& edge) const {
-    const auto& others = around_[static_cast<std::size_t>(edge.second)];
-    return std::ranges::count_if(around_[static_cast<std::size_t>(edge.first)],
+    const auto& others = around_[at(edge.second)];
+    return std::ranges::count_if(around_[at(edge.first)],
                                  [&](int e) { return std::ranges::find(others, e) != others.end(); }) == 1;
 }
 
 double CrackCrossings::place(int e, const Crossing& crossing) const {
-    const auto& nodes = mesh_.elements[static_cast<std::size_t>(e)];
+    const auto& nodes = mesh_.elements[at(e)];
     for (std::size_t k = 0; k < 4; ++k) {
         const int from = nodes[k], to = nodes[(k + 1) % 4], middle = middle_of(from, to);
         const auto edge = static_cast<double>(k);
@@ -165,7 +163,7 @@ double CrackCrossings::place(int e, const Crossing& crossing) const {
 }
 
 std::vector<int> CrackCrossings::elements_at(const Crossing& crossing) const {
-    if (crossing.node >= 0) return around_[static_cast<std::size_t>(crossing.node)];
+    if (crossing.node >= 0) return around_[at(crossing.node)];
     std::vector<int> result;
     for (const int e : crossing.edge->elements)
         if (e >= 0) result.push_back(e);

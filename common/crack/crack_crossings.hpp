@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "common/fem/mesh.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 
@@ -18,7 +20,7 @@ struct MeshEdge {
 /// The crack meets the skeleton: at a node, or inside an edge.
 struct Crossing {
     double s;  // arc length, mm
-    Eigen::Vector2d position;
+    Vec2 position;
     int node;              // -1: inside an edge
     const MeshEdge* edge;  // null at a node
     double fraction;       // along the edge from its first node
@@ -29,8 +31,6 @@ inline constexpr double snap_fraction = 1e-3;
 
 class CrackCrossings {
 public:
-    using Vec2 = Eigen::Vector2d;
-
     /// Both must outlive it. Whether a crossing exists is decided by exact predicates.
     CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points);
     CrackCrossings(const CrackCrossings&) = delete;  // crossings point to its edges
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] bool has_kink_between(double s0, double s1) const;
     [[nodiscard]] int middle_of(int a, int b) const;  // the hanging node in the middle of an edge, or -1
     [[nodiscard]] std::vector<int> elements_at(const Crossing& crossing) const;
-    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[static_cast<std::size_t>(n)]; }
+    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[at(n)]; }
 
     const Mesh& mesh_;
     const std::vector<Vec2>& points_;

@@ -9,6 +9,7 @@
 #include "common/error.hpp"
 #include "common/geometry/clipping.hpp"
 #include "common/geometry/segment.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -114,8 +115,8 @@ private:
                 std::max(distance_to_segment(tip, first, second), distance_to_segment(middle, first, second));
             if (end == nullptr || off > 1e-9 * (first - second).norm()) continue;
             const int left = orientation(chain.first.front(), chain.first.back(), centre(edge.elements[0])) > 0 ? 0 : 1;
-            CrackPiece result = make_piece(edge.elements[static_cast<std::size_t>(1 - left)], chain, a, b);
-            result.neighbour = edge.elements[static_cast<std::size_t>(left)];
+            CrackPiece result = make_piece(edge.elements[at(1 - left)], chain, a, b);
+            result.neighbour = edge.elements[at(left)];
             return result;
         }
         throw CaseError(
@@ -162,10 +163,10 @@ private:
         }
     }
 
-    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[static_cast<std::size_t>(n)]; }
+    [[nodiscard]] const Vec2& node(int n) const { return mesh_.nodes[at(n)]; }
 
     [[nodiscard]] std::array<Vec2, 4> polygon(int e) const {
-        const auto& n = mesh_.elements[static_cast<std::size_t>(e)];
+        const auto& n = mesh_.elements[at(e)];
         return {node(n[0]), node(n[1]), node(n[2]), node(n[3])};
     }
 

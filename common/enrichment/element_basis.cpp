@@ -4,19 +4,20 @@
 
 #include "common/enrichment/tip_functions.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 
 ElementBasis::ElementBasis(const EnrichedMesh& mesh, int element, bool cut)
-    : mesh_(&mesh), nodes_(mesh.elements[static_cast<std::size_t>(element)]),
-      own_side_(cut ? 0 : mesh.element_side[static_cast<std::size_t>(element)]), tip_side_(own_side_) {
+    : mesh_(&mesh), nodes_(mesh.elements[at(element)]), own_side_(cut ? 0 : mesh.element_side[at(element)]),
+      tip_side_(own_side_) {
     for (int corner = 0; corner < 4; ++corner) add_corner(corner, cut);
     if (cut) tip_side_ = 0;
     number_functions();
     for (int tip = 0; tip < std::ssize(mesh.tips); ++tip) {
         int functions = 0;
         for (const int node : nodes_) {
-            for (const Term& term : mesh.terms[static_cast<std::size_t>(node)]) {
+            for (const Term& term : mesh.terms[at(node)]) {
                 if (term.kind == Term::Kind::Gathered && term.owner == tip)
                     functions = std::max(functions, term.function + 1);
             }
@@ -26,12 +27,12 @@ ElementBasis::ElementBasis(const EnrichedMesh& mesh, int element, bool cut)
 }
 
 void ElementBasis::add_corner(int corner, bool cut) {
-    const int node = nodes_[static_cast<std::size_t>(corner)];
-    corners_[static_cast<std::size_t>(corner)] = mesh_->nodes[static_cast<std::size_t>(node)];
+    const int node = nodes_[at(corner)];
+    corners_[at(corner)] = mesh_->nodes[at(node)];
     functions_.push_back({corner, 0, {}});
-    const auto& terms = mesh_->terms[static_cast<std::size_t>(node)];
+    const auto& terms = mesh_->terms[at(node)];
     for (int k = 0; k < std::ssize(terms); ++k) {
-        const Term& term = terms[static_cast<std::size_t>(k)];
+        const Term& term = terms[at(k)];
         if (term.kind == Term::Kind::Heaviside) {
             if (tip_side_ == 0) tip_side_ = static_cast<int>(term.shift);
             if (!cut && (own_side_ == 0 || own_side_ == static_cast<int>(term.shift))) continue;
@@ -54,13 +55,13 @@ void ElementBasis::number_functions() {
     const auto give = [&](std::size_t function, int node, int term, double part) {
         const int unknown = mesh_->unknown(node, term, 0);
         const auto found = std::ranges::find(first, unknown);
-        shares.push_back({static_cast<std::size_t>(found - first.begin()), function, part});
+        shares.push_back({at(found - first.begin()), function, part});
         if (found == first.end()) first.push_back(unknown);
     };
     bool tied = false;
     for (std::size_t f = 0; f < functions_.size(); ++f) {
         const auto& [corner, term_index, term] = functions_[f];
-        const int node = nodes_[static_cast<std::size_t>(corner)];
+        const int node = nodes_[at(corner)];
         if (mesh_->tied.empty() || !mesh_->follows(node, term_index)) {
             give(f, node, term_index, 1.0);
             continue;
@@ -69,9 +70,9 @@ void ElementBasis::number_functions() {
         const TiedNode& tie = *mesh_->tie(node);
         for (const int end : tie.ends) {
             if (term_index == 0) give(f, end, 0, 0.5);
-            const auto& terms = mesh_->terms[static_cast<std::size_t>(end)];
+            const auto& terms = mesh_->terms[at(end)];
             for (int k = 0; k < std::ssize(terms); ++k) {
-                const Term& own = terms[static_cast<std::size_t>(k)];
+                const Term& own = terms[at(k)];
                 const double part = term_index > 0 ? 0.5 : 0.5 * (tie.side - own.shift);
                 if (own.kind == Term::Kind::Heaviside && part != 0.0 && (term_index == 0 || own.same_function(term)))
                     give(f, end, k + 1, part);
@@ -88,16 +89,16 @@ void ElementBasis::number_functions() {
 // The interpolant that a gathered function is freed from takes, in each element, what the standard and Heaviside terms
 // can take: from either side of the crack the values of a jumping node continue the function of that side.
 void ElementBasis::gather_tip(int index, int functions) {
-    const Tip& tip = mesh_->tips[static_cast<std::size_t>(index)];
+    const Tip& tip = mesh_->tips[at(index)];
     Gathered gathered{index, functions, Eigen::Vector4d::Zero(), {}};
     for (int corner = 0; corner < 4; ++corner) {
-        const int node = nodes_[static_cast<std::size_t>(corner)];
+        const int node = nodes_[at(corner)];
         const auto psi = [&](int side) {
-            return tip_functions(tip, corners_[static_cast<std::size_t>(corner)], side, mesh_->tip_exponent).value;
+            return tip_functions(tip, corners_[at(corner)], side, mesh_->tip_exponent).value;
         };
         Eigen::Matrix<double, 6, 1> own = psi(0);
         bool jumps = false;
-        for (const Term& term : mesh_->terms[static_cast<std::size_t>(node)]) {
+        for (const Term& term : mesh_->terms[at(node)]) {
             jumps = jumps || (term.kind == Term::Kind::Heaviside && term.owner == tip.crack);
             if (term.kind != Term::Kind::Gathered || term.owner != index) continue;
             gathered.inside[corner] = 1.0;
@@ -109,7 +110,7 @@ void ElementBasis::gather_tip(int index, int functions) {
     }
     for (int alpha = 0; alpha < functions; ++alpha) {
         for (int component = 0; component < 2; ++component)
-            unknowns_.push_back(mesh_->first_gathered[static_cast<std::size_t>(index)] + 2 * alpha + component);
+            unknowns_.push_back(mesh_->first_gathered[at(index)] + 2 * alpha + component);
     }
     gathered_.push_back(gathered);
 }
@@ -117,8 +118,7 @@ void ElementBasis::gather_tip(int index, int functions) {
 void ElementBasis::add_gathered(const ShapeQ4& shape, const Vec2& x, int side, BasisValues& out) const {
     auto f = static_cast<Eigen::Index>(functions_.size());
     for (const Gathered& gathered : gathered_) {
-        const TipFunctions psi =
-            tip_functions(mesh_->tips[static_cast<std::size_t>(gathered.tip)], x, side, mesh_->tip_exponent);
+        const TipFunctions psi = tip_functions(mesh_->tips[at(gathered.tip)], x, side, mesh_->tip_exponent);
         const auto& at_corners = gathered.at_corners[side > 0 ? 1 : 0];
         const double inside = shape.value.dot(gathered.inside);
         const Eigen::RowVector2d inside_slope = gathered.inside.transpose() * shape.gradient;

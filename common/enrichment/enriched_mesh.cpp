@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 
@@ -22,7 +23,7 @@ void EnrichedMesh::number() {
                 unknowns += 2;
                 continue;
             }
-            int& functions = gathered[static_cast<std::size_t>(term.owner)];
+            int& functions = gathered[at(term.owner)];
             functions = std::max(functions, term.function + 1);
         }
     }
@@ -51,14 +52,14 @@ std::vector<std::pair<int, double>> EnrichedMesh::holders_of_jump(int node) cons
 std::vector<EnrichedMesh::OwnUnknown> EnrichedMesh::own_unknowns() const {
     std::vector<OwnUnknown> own;
     for (int node = 0; node < std::ssize(nodes); ++node) {
-        for (int term = 0; term <= std::ssize(terms[static_cast<std::size_t>(node)]); ++term)
+        for (int term = 0; term <= std::ssize(terms[at(node)]); ++term)
             if (!follows(node, term)) own.push_back({node, term, unknown(node, term, 0)});
     }
     return own;
 }
 
 int EnrichedMesh::term_index(int node, const Term& term) const {
-    const auto& own = terms[static_cast<std::size_t>(node)];
+    const auto& own = terms[at(node)];
     const auto found = std::ranges::find_if(own, [&](const Term& t) { return t.same_function(term); });
     return found != own.end() ? static_cast<int>(found - own.begin()) + 1 : 0;
 }
@@ -82,15 +83,15 @@ bool same_on(const EnrichedMesh& from, const Term& old, const EnrichedMesh& to, 
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial) {
     std::map<int, int> old_node;  // by id
-    for (int n = 0; n < std::ssize(from.nodes); ++n) old_node[from.node_ids[static_cast<std::size_t>(n)]] = n;
+    for (int n = 0; n < std::ssize(from.nodes); ++n) old_node[from.node_ids[at(n)]] = n;
     for (const auto& [node, term, unknown] : to.own_unknowns()) {
-        const auto n = static_cast<std::size_t>(node);
+        const auto n = at(node);
         const auto found = old_node.find(to.node_ids[n]);
         if (found == old_node.end()) continue;
         int same = 0;
         if (term > 0) {
-            const Term& own = to.terms[n][static_cast<std::size_t>(term - 1)];
-            const auto& old = from.terms[static_cast<std::size_t>(found->second)];
+            const Term& own = to.terms[n][at(term - 1)];
+            const auto& old = from.terms[at(found->second)];
             const auto is_same = [&](const Term& other) { return same_on(from, other, to, own); };
             const auto twin = std::ranges::find_if(old, is_same);
             if (twin == old.end()) continue;
@@ -105,8 +106,7 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
     std::vector<int> result(mesh.elements.size(), -1);
     for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {
-        if (mesh.pieces[p].neighbour < 0)
-            result[static_cast<std::size_t>(mesh.pieces[p].element)] = static_cast<int>(p);
+        if (mesh.pieces[p].neighbour < 0) result[at(mesh.pieces[p].element)] = static_cast<int>(p);
     }
     return result;
 }
@@ -116,20 +116,19 @@ namespace {
 /// Drops the terms that no element of the mesh sees.
 void drop_unseen_terms(EnrichedMesh& mesh) {
     mesh.number();
-    std::vector<char> seen(static_cast<std::size_t>(mesh.unknowns), 0);
+    std::vector<char> seen(at(mesh.unknowns), 0);
     const std::vector<int> piece = piece_of_elements(mesh);
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
-        const ElementBasis basis(mesh, e, piece[static_cast<std::size_t>(e)] >= 0);
-        for (const int unknown : basis.unknowns()) seen[static_cast<std::size_t>(unknown)] = 1;
+        const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
+        for (const int unknown : basis.unknowns()) seen[at(unknown)] = 1;
     }
     for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
         std::vector<Term> kept;
-        const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
+        const auto& terms = mesh.terms[at(node)];
         for (int t = 0; t < static_cast<int>(terms.size()); ++t) {
-            if (mesh.follows(node, t + 1) || seen[static_cast<std::size_t>(mesh.unknown(node, t + 1, 0))] != 0)
-                kept.push_back(terms[static_cast<std::size_t>(t)]);
+            if (mesh.follows(node, t + 1) || seen[at(mesh.unknown(node, t + 1, 0))] != 0) kept.push_back(terms[at(t)]);
         }
-        mesh.terms[static_cast<std::size_t>(node)] = std::move(kept);
+        mesh.terms[at(node)] = std::move(kept);
     }
     mesh.number();
 }
@@ -146,17 +145,17 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
     std::map<int, int> local_node;  // ascending: the part keeps the order of the whole
     std::vector<int> local_element(whole.elements.size(), -1);
     for (const int e : elements) {
-        for (const int node : whole.elements[static_cast<std::size_t>(e)]) local_node.emplace(node, 0);
+        for (const int node : whole.elements[at(e)]) local_node.emplace(node, 0);
     }
     for (auto& [node, local] : local_node) {
         local = static_cast<int>(part.nodes.size());
-        const auto n = static_cast<std::size_t>(node);
+        const auto n = at(node);
         part.nodes.push_back(whole.nodes[n]);
         part.node_ids.push_back(whole.node_ids[n]);
         part.terms.push_back(whole.terms[n]);
     }
     for (const int e : elements) {
-        const auto index = static_cast<std::size_t>(e);
+        const auto index = at(e);
         local_element[index] = static_cast<int>(part.elements.size());
         std::array<int, 4> corners{};
         for (std::size_t k = 0; k < 4; ++k) corners[k] = local_node.at(whole.elements[index][k]);
@@ -165,8 +164,8 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
         part.element_side.push_back(whole.element_side[index]);
     }
     for (CrackPiece piece : whole.pieces) {
-        piece.element = local_element[static_cast<std::size_t>(piece.element)];
-        if (piece.neighbour >= 0) piece.neighbour = local_element[static_cast<std::size_t>(piece.neighbour)];
+        piece.element = local_element[at(piece.element)];
+        if (piece.neighbour >= 0) piece.neighbour = local_element[at(piece.neighbour)];
         if (piece.element >= 0) part.pieces.push_back(std::move(piece));
     }
     for (TiedNode tied : whole.tied) {

@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-namespace stria {
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
-using Vec2 = Eigen::Vector2d;
+namespace stria {
 
 /// One enrichment term of a node: N_i (psi(x) - psi(x_i)), shifted so that it vanishes at the node. A gathered tip
 /// function has one pair of unknowns for all nodes that carry it: sum_i N_i (psi - sum_k N_k psi(x_k)).
@@ -101,16 +102,15 @@ struct EnrichedMesh {
     /// Of a term that does not follow. Term 0: standard; k: terms[node][k - 1].
     [[nodiscard]] int unknown(int node, int term, int component) const {
         if (term > 0) {
-            const Term& t = terms[static_cast<std::size_t>(node)][static_cast<std::size_t>(term - 1)];
-            if (t.kind == Term::Kind::Gathered)
-                return first_gathered[static_cast<std::size_t>(t.owner)] + 2 * t.function + component;
+            const Term& t = terms[at(node)][at(term - 1)];
+            if (t.kind == Term::Kind::Gathered) return first_gathered[at(t.owner)] + 2 * t.function + component;
         }
-        return first_unknown[static_cast<std::size_t>(node)] + 2 * term + component;
+        return first_unknown[at(node)] + 2 * term + component;
     }
 
     /// Of a term with a tip's function.
     [[nodiscard]] const Tip& tip_of(const Term& term) const {
-        const auto owner = static_cast<std::size_t>(term.owner);
+        const auto owner = at(term.owner);
         return term.kind == Term::Kind::Left ? left_tips[owner] : tips[owner];
     }
 

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
+
 namespace stria {
 
 /// Edge k of an element runs from its node k to node (k + 1) % 4; the body lies to the left.
@@ -35,7 +38,7 @@ struct HangingNode {
 };
 
 struct Mesh {
-    std::vector<Eigen::Vector2d> nodes;                         // mm
+    std::vector<Vec2> nodes;                                    // mm
     std::vector<std::array<int, 4>> elements;                   // counter-clockwise
     std::vector<int> level;                                     // how often each element was split; empty: none was
     std::vector<HangingNode> hanging;                           // ascending by node
@@ -44,9 +47,7 @@ struct Mesh {
     std::vector<int> insert;          // ascending: elements that stay elastic at any stress (around pins)
     std::optional<double> load_line;  // x, mm: crack lengths are measured from there (CT)
 
-    [[nodiscard]] bool is_split(int element) const {
-        return !level.empty() && level[static_cast<std::size_t>(element)] > 0;
-    }
+    [[nodiscard]] bool is_split(int element) const { return !level.empty() && level[at(element)] > 0; }
     [[nodiscard]] bool in_insert(int element) const {
         return std::binary_search(insert.begin(), insert.end(), element);
     }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -25,7 +26,7 @@ LegendreValue legendre(int degree, double x) {
 
 std::vector<LinePoint> make_line_rule(int n) {
     constexpr int newton_steps = 10;
-    std::vector<LinePoint> rule(static_cast<std::size_t>(n));
+    std::vector<LinePoint> rule(at(n));
     for (int i = 0; 2 * i < n; ++i) {
         double x = 2 * i + 1 == n ? 0.0 : std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
         for (int step = 0; step < newton_steps; ++step) {
@@ -34,15 +35,15 @@ std::vector<LinePoint> make_line_rule(int n) {
         }
         const double slope = legendre(n, x).derivative;
         const double weight = 2.0 / ((1.0 - x * x) * slope * slope);
-        rule[static_cast<std::size_t>(i)] = {-x, weight};  // mirrored: symmetric to the last bit
-        rule[static_cast<std::size_t>(n - 1 - i)] = {x, weight};
+        rule[at(i)] = {-x, weight};  // mirrored: symmetric to the last bit
+        rule[at(n - 1 - i)] = {x, weight};
     }
     return rule;
 }
 
 std::vector<SquarePoint> make_square_rule(int n) {
     std::vector<SquarePoint> rule;
-    rule.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+    rule.reserve(at(n) * at(n));
     for (const LinePoint& eta : gauss_line(n)) {
         for (const LinePoint& xi : gauss_line(n)) rule.push_back({{xi.xi, eta.xi}, xi.weight * eta.weight});
     }
@@ -57,7 +58,7 @@ template <class Rule, Rule (*make)(int)> const Rule& cached(int n) {
         for (int points = 1; points <= max_gauss_points; ++points) made.push_back(make(points));
         return made;
     }();
-    return rules[static_cast<std::size_t>(n - 1)];
+    return rules[at(n - 1)];
 }
 
 }  // namespace

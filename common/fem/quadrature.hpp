@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-namespace stria {
+#include "common/geometry/vec2.hpp"
 
-using Vec2 = Eigen::Vector2d;
+namespace stria {
 
 constexpr int max_gauss_points = 32;
 

@@ -8,10 +8,11 @@
 #include <array>
 
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 
-using Vec2 = Eigen::Vector2d;
 using QuadNodes = std::array<Vec2, 4>;  // mm, counter-clockwise
 
 struct ShapeQ4 {
@@ -37,7 +38,7 @@ inline Eigen::Matrix<double, 4, 2> parent_gradients(Vec2 xi) {
 inline Eigen::Matrix2d jacobian_matrix(const QuadNodes& nodes, const Eigen::Matrix<double, 4, 2>& gradients) {
     Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();
     for (int node = 0; node < 4; ++node) {
-        jacobian += nodes[static_cast<std::size_t>(node)] * gradients.row(node);
+        jacobian += nodes[at(node)] * gradients.row(node);
     }
     return jacobian;
 }

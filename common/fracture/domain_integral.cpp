@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "common/index.hpp"
+
 namespace stria {
 namespace {
 
 // Between the ends of its edge at a hanging node, so that q is continuous.
 double nodal_weight(const EnrichedMesh& mesh, int node, const Tip& tip, const Annulus& ring) {
-    const auto at_node = [&](int n) {
-        return ring.weight((mesh.nodes[static_cast<std::size_t>(n)] - tip.position).norm());
-    };
+    const auto at_node = [&](int n) { return ring.weight((mesh.nodes[at(n)] - tip.position).norm()); };
     const TiedNode* const tied = mesh.tied.empty() ? nullptr : mesh.tie(node);
     return tied != nullptr ? (at_node(tied->ends[0]) + at_node(tied->ends[1])) / 2.0 : at_node(node);
 }
@@ -17,7 +17,7 @@ double nodal_weight(const EnrichedMesh& mesh, int node, const Tip& tip, const An
 Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip& tip, const Annulus& ring) {
     Eigen::Vector4d q;
     for (std::size_t k = 0; k < 4; ++k) {
-        const int node = mesh.elements[static_cast<std::size_t>(element)][k];
+        const int node = mesh.elements[at(element)][k];
         q[static_cast<Eigen::Index>(k)] = nodal_weight(mesh, node, tip, ring);
     }
     return q;
@@ -37,10 +37,10 @@ bool RingSums::enter(int element) {
         if (!constant(q)) entered_.push_back({ring, q});
     }
     if (entered_.empty()) return false;
-    side_ = mesh_.element_side[static_cast<std::size_t>(element)];
+    side_ = mesh_.element_side[at(element)];
     for (std::size_t k = 0; k < 4; ++k) {
-        const int node = mesh_.elements[static_cast<std::size_t>(element)][k];
-        corners_[k] = mesh_.nodes[static_cast<std::size_t>(node)];
+        const int node = mesh_.elements[at(element)][k];
+        corners_[k] = mesh_.nodes[at(node)];
     }
     return true;
 }

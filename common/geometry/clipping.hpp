@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-namespace stria {
+#include "common/geometry/vec2.hpp"
 
-using Vec2 = Eigen::Vector2d;
+namespace stria {
 
 /// Sign of the area of triangle abc: +1 where c lies left of a -> b, -1 right, 0 exactly on the line.
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c);

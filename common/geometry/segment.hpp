@@ -4,10 +4,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 
+#include "common/geometry/vec2.hpp"
+
 namespace stria {
 
 /// Distance from a point to the segment from a to b, which may be one point.
-inline double distance_to_segment(const Eigen::Vector2d& x, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+inline double distance_to_segment(const Vec2& x, const Vec2& a, const Vec2& b) {
     const double squared_length = (b - a).squaredNorm();
     const double t = squared_length > 0.0 ? std::clamp((x - a).dot(b - a) / squared_length, 0.0, 1.0) : 0.0;
     return (x - a - t * (b - a)).norm();

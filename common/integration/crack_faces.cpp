@@ -6,6 +6,7 @@
 #include "common/enrichment/element_basis.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 
 namespace stria {
@@ -29,8 +30,7 @@ FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, con
     for (int f = 0; f < basis.functions(); ++f) {
         const double value = plus.value[f] - minus.value[f];
         const double slope = (plus.gradient.row(f) - minus.gradient.row(f)).dot(tangent);
-        if (std::abs(value) > 1e-14)
-            station.terms.push_back({basis.unknowns()[static_cast<std::size_t>(2 * f)], value, slope});
+        if (std::abs(value) > 1e-14) station.terms.push_back({basis.unknowns()[at(2 * f)], value, slope});
     }
     return station;
 }
@@ -102,8 +102,7 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.crack != crack || s < piece.s.front() || s > piece.s.back()) continue;
         const auto after = std::ranges::upper_bound(piece.s, s);
-        const auto k =
-            static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
+        const auto k = at(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
         const Vec2 d = piece.points[k] - piece.points[k - 1];
         const double t = (s - piece.s[k - 1]) / (piece.s[k] - piece.s[k - 1]);
         return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(),

@@ -6,6 +6,7 @@
 #include "common/error.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -33,8 +34,7 @@ BoundaryHit leave(const std::array<Vec2, 4>& corners, const Vec2& tip, const Vec
 /// Corners strictly between two places of the boundary, counter-clockwise.
 void append_corners(std::vector<Vec2>& polygon, const std::array<Vec2, 4>& corners, double from, double to) {
     if (to < from) to += 4.0;
-    for (int k = static_cast<int>(std::floor(from)) + 1; k < to; ++k)
-        polygon.push_back(corners[static_cast<std::size_t>(k % 4)]);
+    for (int k = static_cast<int>(std::floor(from)) + 1; k < to; ++k) polygon.push_back(corners[at(k % 4)]);
 }
 
 }  // namespace

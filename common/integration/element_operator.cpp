@@ -8,6 +8,7 @@
 #include "common/fem/shape_q4.hpp"
 #include "common/fem/strain_operator.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -123,12 +124,12 @@ private:
     void form_means() {
         const bool by_side = cut_ && cut_->tips.empty();
         const int regions = by_side ? 2 : 1;
-        result_.mean.assign(static_cast<std::size_t>(regions), Gradients::Zero(basis_.functions(), 2));
-        std::vector<double> area(static_cast<std::size_t>(regions), 0.0);
+        result_.mean.assign(at(regions), Gradients::Zero(basis_.functions(), 2));
+        std::vector<double> area(at(regions), 0.0);
         for (std::size_t q = 0; q < result_.points.size(); ++q) {
             IntegrationPoint& point = result_.points[q];
             point.region = by_side && point.side < 0 ? 1 : 0;
-            const auto r = static_cast<std::size_t>(point.region);
+            const auto r = at(point.region);
             result_.mean[r] += point.weight * result_.gradients[q];
             area[r] += point.weight;
         }
@@ -185,7 +186,7 @@ Eigen::Matrix2d ElementOperator::displacement_gradient(const Eigen::VectorXd& u,
 namespace {
 
 const Gradients* mean_at(const ElementOperator& op, std::size_t q) {
-    return op.mean.empty() ? nullptr : &op.mean[static_cast<std::size_t>(op.points[q].region)];
+    return op.mean.empty() ? nullptr : &op.mean[at(op.points[q].region)];
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -47,13 +48,13 @@ bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, c
     Eigen::VectorXd b(count + n);
     b.head(count) = wanted.head(count);
     for (Eigen::Index q = 0; q < n; ++q) {
-        A.col(q).head(count) = frame.at(points[static_cast<std::size_t>(q)]->x).head(count);
+        A.col(q).head(count) = frame.at(points[at(q)]->x).head(count);
         A(count + q, q) = keep;
-        b[count + q] = keep * points[static_cast<std::size_t>(q)]->weight;
+        b[count + q] = keep * points[at(q)]->weight;
     }
     const Eigen::VectorXd w = non_negative_least_squares(A, b);
     if ((A * w - b).head(count).norm() > exact * wanted[0]) return false;
-    for (Eigen::Index q = 0; q < n; ++q) points[static_cast<std::size_t>(q)]->weight = w[q];
+    for (Eigen::Index q = 0; q < n; ++q) points[at(q)]->weight = w[q];
     return true;
 }
 
@@ -96,15 +97,15 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen
         while (z.size() > 0 && z.minCoeff() <= 0.0) {
             double stop = 1.0;
             for (Eigen::Index k = 0; k < z.size(); ++k) {
-                const double here = x[passive[static_cast<std::size_t>(k)]];
+                const double here = x[passive[at(k)]];
                 if (z[k] <= 0.0) stop = std::min(stop, here / (here - z[k]));
             }
             std::vector<int> kept;
             for (Eigen::Index k = 0; k < z.size(); ++k) {
-                double& here = x[passive[static_cast<std::size_t>(k)]];
+                double& here = x[passive[at(k)]];
                 here += stop * (z[k] - here);
                 if (here > tiny)
-                    kept.push_back(passive[static_cast<std::size_t>(k)]);
+                    kept.push_back(passive[at(k)]);
                 else
                     here = 0.0;
             }
@@ -112,7 +113,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen
             passive = std::move(kept);
             z = solve();
         }
-        for (Eigen::Index k = 0; k < z.size(); ++k) x[passive[static_cast<std::size_t>(k)]] = z[k];
+        for (Eigen::Index k = 0; k < z.size(); ++k) x[passive[at(k)]] = z[k];
     }
     return x.cwiseMax(0.0);
 }
@@ -168,7 +169,7 @@ Eigen::VectorXd shares_at(const Vec2& x, std::span<const Vec2> points) {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(3 + n);
     b[0] = 1.0;
     for (Eigen::Index q = 0; q < n; ++q) {
-        const Vec2 d = (points[static_cast<std::size_t>(q)] - x) / length;
+        const Vec2 d = (points[at(q)] - x) / length;
         A.col(q).head(3) << 1.0, d.x(), d.y();
         A(3 + q, q) = near * d.norm();
     }

@@ -5,13 +5,12 @@
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/fem/strain_operator.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
 
 using Nodal = Eigen::Matrix<double, 2, 4>;
-
-auto at(int i) { return static_cast<std::size_t>(i); }
 
 // Uniform and linear fields leave nothing of gradients - mean: one nodal mode is left, which any column of it shows.
 void find_warp(PlainOperator& op) {

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/index.hpp"
 #include "common/io/hdf5.hpp"
 
 namespace stria::hdf5 {
@@ -44,7 +45,7 @@ public:
             using S = typename Stored<T>::Type;
             group_.write_attribute<S>(name, std::array{static_cast<S>(value)});
         } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
-            group_.write<double>(name, std::span(value.data(), static_cast<std::size_t>(value.size())));
+            group_.write<double>(name, std::span(value.data(), at(value.size())));
         } else if constexpr (std::is_same_v<T, std::string>) {
             list(name, std::vector<char>(value.begin(), value.end()));
         } else if constexpr (detail::is_vector<T>) {
@@ -64,7 +65,7 @@ private:
             for (const T value : values) stored.push_back(static_cast<S>(value));
             group_.write<S>(name, stored);
         } else if constexpr (std::is_same_v<T, Eigen::VectorXd>) {
-            const std::size_t length = values.empty() ? 0 : static_cast<std::size_t>(values.front().size());
+            const std::size_t length = values.empty() ? 0 : at(values.front().size());
             std::vector<double> stored;
             stored.reserve(values.size() * length);
             for (const T& value : values) stored.insert(stored.end(), value.begin(), value.end());

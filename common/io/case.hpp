@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace stria {
+#include "common/geometry/vec2.hpp"
 
-using Point = Eigen::Vector2d;
+namespace stria {
 
 enum class PlaneState { Strain, Stress };
 
@@ -23,7 +23,7 @@ struct ModelSection {
 /// A wish for small elements near a point or an axis-parallel line: edge length `size` there, growing linearly to
 /// `outer_size` at the distance `radius`, and by `growth` mm per mm of distance beyond. The smallest wish wins.
 struct Grading {
-    std::vector<Point> at;             // one point, or the two ends of a line
+    std::vector<Vec2> at;              // one point, or the two ends of a line
     double size = 0.0;                 // mm
     std::optional<double> outer_size;  // mm; absent: size
     double radius = 0.0;               // mm
@@ -67,7 +67,7 @@ struct ContactSection {
 };
 
 struct CrackSection {
-    std::vector<Point> points;              // polyline, mm
+    std::vector<Vec2> points;               // polyline, mm
     std::optional<ContactSection> contact;  // absent: traction-free faces
     double notch = 0.0;                     // mm of arc from the first point without contact
     bool operator==(const CrackSection&) const = default;
@@ -75,13 +75,13 @@ struct CrackSection {
 
 struct BoundarySection {
     std::string on;                                               // a named edge of the mesh, or "point"
-    std::optional<Point> at;                                      // mm, with on = "point"
+    std::optional<Vec2> at;                                       // mm, with on = "point"
     std::array<std::optional<double>, 2> displacement;            // mm per unit load factor; empty: free
-    std::optional<Point> traction;                                // MPa per unit load factor
+    std::optional<Vec2> traction;                                 // MPa per unit load factor
     Eigen::Matrix2d traction_gradient = Eigen::Matrix2d::Zero();  // MPa/mm; t += gradient (x - origin)
-    Point origin = Point::Zero();
+    Vec2 origin = Vec2::Zero();
     std::optional<double> pressure;  // MPa per unit load factor, along the inward normal
-    std::optional<Point> force;      // N per mm of thickness and unit load factor, at a point
+    std::optional<Vec2> force;       // N per mm of thickness and unit load factor, at a point
     bool operator==(const BoundarySection&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/index.hpp"
 #include "common/io/whole_file.hpp"
 
 namespace stria::hdf5 {
@@ -108,7 +109,7 @@ void Group::write(const std::string& name, std::span<const T> values, const std:
 template <Storable T> std::vector<T> Group::read(const std::string& name) const {
     const Handle dataset = Handle::dataset(*handle_, name);
     const Handle space(H5Dget_space(dataset.id), H5Sclose, "describe", name);
-    std::vector<T> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id)));
+    std::vector<T> values(at(H5Sget_simple_extent_npoints(space.id)));
     if (values.empty()) return values;
     check(H5Dread(dataset.id, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read dataset", name);
     return values;
@@ -117,7 +118,7 @@ template <Storable T> std::vector<T> Group::read(const std::string& name) const 
 std::vector<std::size_t> Group::shape(const std::string& name) const {
     const Handle dataset = Handle::dataset(*handle_, name);
     const Handle space(H5Dget_space(dataset.id), H5Sclose, "describe", name);
-    std::vector<hsize_t> extents(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.id)));
+    std::vector<hsize_t> extents(at(H5Sget_simple_extent_ndims(space.id)));
     check(H5Sget_simple_extent_dims(space.id, extents.data(), nullptr), "describe", name);
     return {extents.begin(), extents.end()};
 }
@@ -132,7 +133,7 @@ template <Storable T> void Group::write_attribute(const std::string& name, std::
 template <Storable T> std::vector<T> Group::read_attribute(const std::string& name) const {
     const Handle attribute = Handle::attribute(*handle_, name);
     const Handle space(H5Aget_space(attribute.id), H5Sclose, "describe", name);
-    std::vector<T> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id)));
+    std::vector<T> values(at(H5Sget_simple_extent_npoints(space.id)));
     if (!values.empty()) check(H5Aread(attribute.id, memory_type<T>(), values.data()), "read attribute", name);
     return values;
 }

@@ -1,6 +1,8 @@
 #include "common/io/schema.hpp"
 
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +67,7 @@ const List& list_of_length(const Value& value, std::size_t length, const Key& ke
     return *list;
 }
 
-Eigen::Vector2d pair_of_numbers(const Value& value, const Key& key, const Place& place, const char* demand) {
+Vec2 pair_of_numbers(const Value& value, const Key& key, const Place& place, const char* demand) {
     const List& list = list_of_length(value, 2, key, place, demand);
     return {finite_number(list[0], key, place, demand), finite_number(list[1], key, place, demand)};
 }
@@ -207,18 +209,17 @@ void decode(const Value& value, const Key& key, const Place& place, std::string&
     out = *text;
 }
 
-void decode(const Value& value, const Key& key, const Place& place, Eigen::Vector2d& out) {
+void decode(const Value& value, const Key& key, const Place& place, Vec2& out) {
     out = pair_of_numbers(value, key, place, "must be two numbers [x, y]");
 }
 
 void decode(const Value& value, const Key& key, const Place& place, Eigen::Matrix2d& out) {
     constexpr auto demand = "must be a matrix [[xx, xy], [yx, yy]]";
     const List& rows = list_of_length(value, 2, key, place, demand);
-    for (int row = 0; row < 2; ++row)
-        out.row(row) = pair_of_numbers(rows[static_cast<std::size_t>(row)], key, place, demand);
+    for (int row = 0; row < 2; ++row) out.row(row) = pair_of_numbers(rows[at(row)], key, place, demand);
 }
 
-void decode(const Value& value, const Key& key, const Place& place, std::vector<Eigen::Vector2d>& out) {
+void decode(const Value& value, const Key& key, const Place& place, std::vector<Vec2>& out) {
     constexpr auto demand = "must be a list of points [[x, y], ...]";
     const auto* list = std::get_if<List>(&value.data);
     if (list == nullptr || list->empty()) reject(place, value, key, demand);
@@ -254,7 +255,7 @@ std::optional<Value> encode(double number) { return Value{.data = number}; }
 std::optional<Value> encode(int number) { return Value{.data = std::int64_t{number}}; }
 std::optional<Value> encode(bool truth) { return Value{.data = truth}; }
 std::optional<Value> encode(const std::string& text) { return Value{.data = text}; }
-std::optional<Value> encode(const Eigen::Vector2d& point) { return Value{.data = numbers({point.x(), point.y()})}; }
+std::optional<Value> encode(const Vec2& point) { return Value{.data = numbers({point.x(), point.y()})}; }
 
 std::optional<Value> encode(const std::vector<double>& all) {
     List list;
@@ -268,9 +269,9 @@ std::optional<Value> encode(const Eigen::Matrix2d& matrix) {
     return Value{.data = std::move(rows)};
 }
 
-std::optional<Value> encode(const std::vector<Eigen::Vector2d>& points) {
+std::optional<Value> encode(const std::vector<Vec2>& points) {
     List list;
-    for (const Eigen::Vector2d& point : points) list.push_back(*encode(point));
+    for (const Vec2& point : points) list.push_back(*encode(point));
     return Value{.data = std::move(list)};
 }
 
@@ -287,9 +288,9 @@ std::string type_of(int) { return "whole number"; }
 std::string type_of(bool) { return "true or false"; }
 std::string type_of(const std::vector<double>&) { return "[a, b, ...]"; }
 std::string type_of(const std::string&) { return "text"; }
-std::string type_of(const Eigen::Vector2d&) { return "[x, y]"; }
+std::string type_of(const Vec2&) { return "[x, y]"; }
 std::string type_of(const Eigen::Matrix2d&) { return "[[xx, xy], [yx, yy]]"; }
-std::string type_of(const std::vector<Eigen::Vector2d>&) { return "[[x, y], ...]"; }
+std::string type_of(const std::vector<Vec2>&) { return "[[x, y], ...]"; }
 std::string type_of(const std::array<std::optional<double>, 2>&) { return "[x, y], each a number or \"free\""; }
 
 }  // namespace stria::schema

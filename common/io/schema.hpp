@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "common/geometry/vec2.hpp"
+
 namespace stria::schema {
 
 struct Value;
@@ -87,9 +89,9 @@ void decode(const Value& value, const Key& key, const Place& place, int& out);
 void decode(const Value& value, const Key& key, const Place& place, bool& out);
 void decode(const Value& value, const Key& key, const Place& place, std::string& out);
 void decode(const Value& value, const Key& key, const Place& place, std::vector<double>& out);
-void decode(const Value& value, const Key& key, const Place& place, Eigen::Vector2d& out);
+void decode(const Value& value, const Key& key, const Place& place, Vec2& out);
 void decode(const Value& value, const Key& key, const Place& place, Eigen::Matrix2d& out);
-void decode(const Value& value, const Key& key, const Place& place, std::vector<Eigen::Vector2d>& out);
+void decode(const Value& value, const Key& key, const Place& place, std::vector<Vec2>& out);
 void decode(const Value& value, const Key& key, const Place& place, std::array<std::optional<double>, 2>& out);
 
 template <class M> void decode(const Value& value, const Key& key, const Place& place, std::optional<M>& out) {
@@ -103,9 +105,9 @@ std::optional<Value> encode(int number);
 std::optional<Value> encode(bool truth);
 std::optional<Value> encode(const std::vector<double>& numbers);
 std::optional<Value> encode(const std::string& text);
-std::optional<Value> encode(const Eigen::Vector2d& point);
+std::optional<Value> encode(const Vec2& point);
 std::optional<Value> encode(const Eigen::Matrix2d& matrix);
-std::optional<Value> encode(const std::vector<Eigen::Vector2d>& points);
+std::optional<Value> encode(const std::vector<Vec2>& points);
 std::optional<Value> encode(const std::array<std::optional<double>, 2>& displacement);
 
 template <class M> std::optional<Value> encode(const std::optional<M>& value) {
@@ -117,9 +119,9 @@ std::string type_of(int);
 std::string type_of(bool);
 std::string type_of(const std::vector<double>&);
 std::string type_of(const std::string&);
-std::string type_of(const Eigen::Vector2d&);
+std::string type_of(const Vec2&);
 std::string type_of(const Eigen::Matrix2d&);
-std::string type_of(const std::vector<Eigen::Vector2d>&);
+std::string type_of(const std::vector<Vec2>&);
 std::string type_of(const std::array<std::optional<double>, 2>&);
 
 template <class M> std::string type_of(const std::optional<M>& /*absent*/) { return type_of(M{}); }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/index.hpp"
+
 namespace stria {
 namespace {
-
-auto at(int i) { return static_cast<std::size_t>(i); }
 
 /// Calls visit(row, column) for each entry of the lower triangle that each element has, repeats included.
 template <class Visit> void for_each_entry(const IndexLists& element_unknowns, Visit&& visit) {

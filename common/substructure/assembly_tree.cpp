@@ -7,14 +7,14 @@
 #include <tuple>
 
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
 
 using Layout = FrontTree::Layout;
 using Node = AssemblyTree::Node;
-
-auto at(int i) { return static_cast<std::size_t>(i); }
 
 /// Median halves along the longer direction; ties are broken by the other coordinate and the number, so that the tree
 /// is the same on every machine.
@@ -31,7 +31,7 @@ public:
             const int axis = longer_direction(elements);
             const auto half = elements.begin() + static_cast<std::ptrdiff_t>(elements.size() / 2);
             std::ranges::nth_element(elements, half, {}, [&](int element) {
-                const Eigen::Vector2d& centre = layout_.centres[at(element)];
+                const Vec2& centre = layout_.centres[at(element)];
                 return std::tuple(centre[axis], centre[1 - axis], element);
             });
             node.children = {split({elements.begin(), half}), split({half, elements.end()})};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/index.hpp"
 #include "common/linear/dense_cholesky.hpp"
 #include "common/linear/lapack.hpp"
 
@@ -15,7 +16,7 @@ using lapack::Op;
 using lapack::Side;
 using lapack::Triangle;
 
-auto size_of(int count) { return static_cast<std::size_t>(count); }
+auto size_of(int count) { return at(count); }
 
 bool vanishes(double pivot, double scale, double tolerance) {
     return !(pivot > tolerance * scale) || !std::isfinite(pivot);

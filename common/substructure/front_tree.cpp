@@ -6,15 +6,12 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "common/substructure/assembly_tree.hpp"
 #include "common/substructure/front.hpp"
 
 namespace stria {
-namespace {
-
-auto at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 struct FrontTree::Tree {
     enum class Rest : char { Awake, Leaf, Inside };

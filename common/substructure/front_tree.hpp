@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "common/geometry/vec2.hpp"
 #include "common/substructure/substructure.hpp"
 
 namespace stria {
@@ -25,7 +26,7 @@ public:
         int unknowns = 0;                                // numbered 0..unknowns-1
         int multipliers = 0;                             // the last so many of them: Lagrange multipliers
         std::vector<std::vector<int>> element_unknowns;  // per element, the order of its matrix
-        std::vector<Eigen::Vector2d> centres;            // per element, mm: what is bisected
+        std::vector<Vec2> centres;                       // per element, mm: what is bisected
         std::vector<int> boundary;                       // unknowns kept to the root, in this order
         int leaf_elements = 12;
         Symmetry symmetry = Symmetry::Symmetric;  // General: partial LU with pivoting inside the eliminated block

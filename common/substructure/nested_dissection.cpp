@@ -5,16 +5,16 @@
 #include <span>
 
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
 
 constexpr std::ptrdiff_t leaf_elements = 2;
 
-auto at(int i) { return static_cast<std::size_t>(i); }
-
 struct Place {
-    Eigen::Vector2d centre;
+    Vec2 centre;
     int element;
 };
 
@@ -69,7 +69,7 @@ struct Leaves {
     int early = 0;
 };
 
-Leaves bisected(const std::vector<Eigen::Vector2d>& centres, const std::vector<char>& late) {
+Leaves bisected(const std::vector<Vec2>& centres, const std::vector<char>& late) {
     Leaves leaves;
     leaves.places.reserve(centres.size());
     for (std::size_t e = 0; e < centres.size(); ++e) leaves.places.push_back({centres[e], static_cast<int>(e)});
@@ -83,8 +83,8 @@ Leaves bisected(const std::vector<Eigen::Vector2d>& centres, const std::vector<c
 
 }  // namespace
 
-std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Eigen::Vector2d>& centres,
-                                   int unknowns, const std::vector<int>& kept, const std::vector<char>& late) {
+std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Vec2>& centres, int unknowns,
+                                   const std::vector<int>& kept, const std::vector<char>& late) {
     require(centres.size() == element_unknowns.size(), "nested dissection: one centre an element");
     require(late.empty() || late.size() == centres.size(), "nested dissection: late or not, one an element");
     const auto [places, early] = bisected(centres, late);

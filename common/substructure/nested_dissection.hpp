@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "common/geometry/vec2.hpp"
 #include "common/index_lists.hpp"
 
 namespace stria {
@@ -13,7 +14,7 @@ namespace stria {
 /// -1 in the lists: no unknown. `late`: per element, 1 where all its unknowns come after those of other elements alone
 /// (empty: nowhere).
 /// Returns the unknowns that some element holds, in order of elimination. Time n log n.
-std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Eigen::Vector2d>& centres,
-                                   int unknowns, const std::vector<int>& kept, const std::vector<char>& late = {});
+std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std::vector<Vec2>& centres, int unknowns,
+                                   const std::vector<int>& kept, const std::vector<char>& late = {});
 
 }  // namespace stria

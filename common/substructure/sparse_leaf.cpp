@@ -10,19 +10,18 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "common/linear/lapack.hpp"
 #include "common/linear/sparse_lu.hpp"
 
 namespace stria {
 namespace {
 
-auto at(int i) { return static_cast<std::size_t>(i); }
-
 /// CHOLMOD's view of a symmetric matrix of which the lower triangle is stored.
 cholmod_sparse view(SparseMatrix& lower) {
     cholmod_sparse result{};
-    result.nrow = result.ncol = static_cast<std::size_t>(lower.rows());
-    result.nzmax = static_cast<std::size_t>(lower.nonZeros());
+    result.nrow = result.ncol = at(lower.rows());
+    result.nzmax = at(lower.nonZeros());
     result.p = lower.outerIndexPtr();
     result.i = lower.innerIndexPtr();
     result.x = lower.valuePtr();
@@ -165,7 +164,7 @@ void SparseLeaf::Factor::check_pivot(int place, double pivot, double diagonal) c
 
 Eigen::VectorXd SparseLeaf::Factor::solve(int system, Eigen::VectorXd right_hand_side) {
     cholmod_dense b{};
-    b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_hand_side.size());
+    b.nrow = b.nzmax = b.d = at(right_hand_side.size());
     b.ncol = 1;
     b.x = right_hand_side.data();
     b.xtype = CHOLMOD_REAL;

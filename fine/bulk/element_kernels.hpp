@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/fem/strain_operator.hpp"
+#include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria::fine {
@@ -76,7 +77,7 @@ private:
     template <class Visit> decltype(auto) with_mean(std::size_t q, Visit&& visit) const {
         const Gradient g(op_.gradients[q].data(), count_, 2);
         if (op_.mean.empty()) return visit(g, static_cast<const Gradient*>(nullptr));
-        const Gradient mean(op_.mean[static_cast<std::size_t>(op_.points[q].region)].data(), count_, 2);
+        const Gradient mean(op_.mean[at(op_.points[q].region)].data(), count_, 2);
         return visit(g, &mean);
     }
 

@@ -6,6 +6,7 @@
 
 #include "common/integration/moment_fit.hpp"
 
+#include "common/index.hpp"
 #include "fine/bulk/element_kernels.hpp"
 
 namespace stria::fine {
@@ -26,7 +27,7 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
       bound_(elastic.shear_modulus()) {
     for (std::size_t e = 0; e < mesh_.element_ids.size(); ++e) element_of_id_[mesh_.element_ids[e]] = e;
     make_operators(rule, known);
-    const auto n = static_cast<std::size_t>(points_), components = static_cast<std::size_t>(law_->state_size());
+    const auto n = at(points_), components = at(law_->state_size());
     committed_.assign(components * n, 0.0);
     strain_.assign(4 * n, 0.0);
     tangent_.assign(law_->flows() ? 16 * n : 0, 0.0);
@@ -48,7 +49,7 @@ void Zone::make_operators(const IntegrationRule& rule, const KnownPoints& known)
     operators_.reserve(mesh_.elements.size());
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
         const int element = static_cast<int>(e);
-        const CrackPiece* cut = piece_[e] >= 0 ? &mesh_.pieces[static_cast<std::size_t>(piece_[e])] : nullptr;
+        const CrackPiece* cut = piece_[e] >= 0 ? &mesh_.pieces[at(piece_[e])] : nullptr;
         if (auto points = known(e, cut))
             operators_.push_back(make_operator(mesh_, element, cut, rule, std::move(*points)));
         else
@@ -69,9 +70,7 @@ std::optional<std::vector<IntegrationPoint>> Zone::points_kept(std::size_t eleme
     if (found == old.element_of_id_.end()) return std::nullopt;
     std::vector<IntegrationPoint> points = old.operators_[found->second].points;
     const int old_piece = old.piece_[found->second];
-    if (cut == nullptr ||
-        (old_piece >= 0 && old.mesh_.pieces[static_cast<std::size_t>(old_piece)].points == cut->points))
-        return points;
+    if (cut == nullptr || (old_piece >= 0 && old.mesh_.pieces[at(old_piece)].points == cut->points)) return points;
     const std::array<Vec2, 4> corners = ElementBasis(mesh_, static_cast<int>(element), true).corners();
     const CutElement sides = cut_element(corners, *cut);
     if (sides.tips.empty())
@@ -106,18 +105,18 @@ void Zone::take_state(const Zone& old, std::size_t old_element, std::size_t elem
     quiet_half_cycles_[element] = old.quiet_half_cycles_[old_element];
     const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
     for (std::size_t q = 0; q < now.points.size(); ++q) {
-        const auto point = static_cast<std::size_t>(first_point_[element]) + q;
+        const auto point = at(first_point_[element]) + q;
         Eigen::Matrix2d rest = -now.displacement_gradient(u, q);
         for (const auto& [from, share] : history_of(now.points, q, before.points)) {
             const int source = old.first_point_[old_element] + static_cast<int>(from);
             for (int c = 0; c < law_->state_size(); ++c)
-                committed_[static_cast<std::size_t>(c * points_) + point] += share * old.committed(c, source);
-            flowed_[point] = static_cast<unsigned char>(flowed_[point] | old.flowed_[static_cast<std::size_t>(source)]);
+                committed_[at(c * points_) + point] += share * old.committed(c, source);
+            flowed_[point] = static_cast<unsigned char>(flowed_[point] | old.flowed_[at(source)]);
             rest += share * old.total_gradient(old_element, from, old_u);
         }
         if (frozen_gradient_.empty()) {
             if (rest.cwiseAbs().maxCoeff() < 1e-14) continue;
-            frozen_gradient_.assign(static_cast<std::size_t>(points_), Eigen::Matrix2d::Zero());
+            frozen_gradient_.assign(at(points_), Eigen::Matrix2d::Zero());
         }
         frozen_gradient_[point] = rest;
     }
@@ -125,7 +124,7 @@ void Zone::take_state(const Zone& old, std::size_t old_element, std::size_t elem
 
 Eigen::Matrix2d Zone::total_gradient(std::size_t e, std::size_t q, const Eigen::VectorXd& element_u) const {
     Eigen::Matrix2d gradient = operators_[e].displacement_gradient(element_u, q);
-    if (!frozen_gradient_.empty()) gradient += frozen_gradient_[static_cast<std::size_t>(first_point_[e]) + q];
+    if (!frozen_gradient_.empty()) gradient += frozen_gradient_[at(first_point_[e]) + q];
     return gradient;
 }
 
@@ -153,7 +152,7 @@ template <class Kernel> bool Zone::proves_elastic(std::size_t e, const Kernel& k
     const auto elastic = kernel.elastic(elastic_stiffness_[e], increment_);
     if (!bound_.proves(e, elastic.work)) return false;
     for (std::size_t k = 0; k < operators_[e].unknowns.size(); ++k) {
-        const std::size_t place = static_cast<std::size_t>(first_force_[e]) + k;
+        const std::size_t place = at(first_force_[e]) + k;
         trial_forces_[place] = committed_forces_[place] + elastic.force.data()[k];
     }
     return true;
@@ -197,7 +196,7 @@ template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel&
         force_[op.unknowns[k]] += element_force[k];
         force_scale_[op.unknowns[k]] += std::abs(element_force[k]);
     }
-    const auto yields = [&](int q) { return yielding_[static_cast<std::size_t>(first + q)] != 0; };
+    const auto yields = [&](int q) { return yielding_[at(first + q)] != 0; };
     bool plastic = false;
     for (int q = 0; q < count; ++q) plastic = plastic || yields(q);
     changed_[e] = static_cast<char>(plastic || was_plastic_[e] != 0);
@@ -215,10 +214,10 @@ template <class Kernel> void Zone::evaluate_element(std::size_t e, const Kernel&
         if (!yields(q)) continue;
         MandelMatrix D;
         for (int c = 0; c < 16; ++c) {
-            const auto place = static_cast<std::size_t>(c) * static_cast<std::size_t>(points_);
-            D(c / 4, c % 4) = tangent_[place + static_cast<std::size_t>(first + q)];
+            const auto place = at(c) * at(points_);
+            D(c / 4, c % 4) = tangent_[place + at(first + q)];
         }
-        kernel.add_stiffness(D - elastic, static_cast<std::size_t>(q), K);
+        kernel.add_stiffness(D - elastic, at(q), K);
     }
     tangents_[e] = K;
 }
@@ -271,9 +270,7 @@ Mandel Zone::trial_stress(std::size_t e, std::size_t q) const {
         return committed_mandel(state::stress, point) +
                law_->elastic() * operators_[e].strain(gather(increment_, operators_[e].unknowns), q);
     Mandel stress;
-    for (int c = 0; c < 4; ++c)
-        stress[c] = trial_[static_cast<std::size_t>(state::stress + c) * static_cast<std::size_t>(points_) +
-                           static_cast<std::size_t>(point)];
+    for (int c = 0; c < 4; ++c) stress[c] = trial_[at(state::stress + c) * at(points_) + at(point)];
     return stress;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/fracture/domain_integral.hpp"
+#include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 #include "common/material/elasticity.hpp"
 #include "coupling/messages.hpp"
@@ -133,8 +134,7 @@ private:
     [[nodiscard]] PointState committed_state(std::size_t e, std::size_t q, const Eigen::VectorXd& moved) const;
     /// Zero where the law stores no such component.
     [[nodiscard]] double committed(int component, int point) const {
-        const std::size_t place =
-            static_cast<std::size_t>(component) * static_cast<std::size_t>(points_) + static_cast<std::size_t>(point);
+        const std::size_t place = at(component) * at(points_) + at(point);
         return place < committed_.size() ? committed_[place] : 0.0;
     }
     [[nodiscard]] Mandel committed_mandel(int component, int point) const;

@@ -4,6 +4,8 @@
 
 #include "fine/bulk/zone.hpp"
 
+#include "common/index.hpp"
+
 namespace stria::fine {
 
 std::vector<std::int32_t> Zone::yielding_points() const {
@@ -18,8 +20,8 @@ std::vector<std::int32_t> Zone::yielding_points() const {
 
 double Zone::largest_plastic_increment() const {
     double largest = 0.0;
-    const auto offset = static_cast<std::size_t>(state::accumulated) * static_cast<std::size_t>(points_);
-    for (std::size_t q = 0; q < static_cast<std::size_t>(points_); ++q) {
+    const auto offset = at(state::accumulated) * at(points_);
+    for (std::size_t q = 0; q < at(points_); ++q) {
         if (yielding_[q] != 0) largest = std::max(largest, trial_[offset + q] - committed_[offset + q]);
     }
     return largest;
@@ -74,7 +76,7 @@ double Zone::plastic_extent(const Tip& tip, double half_angle) const {
     double largest = 0.0;
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
-            if (flowed_[static_cast<std::size_t>(first_point_[e]) + q] == 0) continue;
+            if (flowed_[at(first_point_[e]) + q] == 0) continue;
             const TipPolar polar = tip_polar(tip, operators_[e].points[q].x, 0);
             if (std::abs(polar.theta) <= half_angle) largest = std::max(largest, polar.r);
         }
@@ -84,8 +86,7 @@ double Zone::plastic_extent(const Tip& tip, double half_angle) const {
 
 bool Zone::is_near(std::size_t element, const Vec2& place, double radius) const {
     const std::array<int, 4>& corners = mesh_.elements[element];
-    const double diagonal =
-        (mesh_.nodes[static_cast<std::size_t>(corners[0])] - mesh_.nodes[static_cast<std::size_t>(corners[2])]).norm();
+    const double diagonal = (mesh_.nodes[at(corners[0])] - mesh_.nodes[at(corners[2])]).norm();
     return (operators_[element].points.front().x - place).norm() <= radius + 2.0 * diagonal;
 }
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "common/index.hpp"
+
 namespace stria::fine {
 namespace {
 
@@ -17,7 +19,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
                                    const FrozenTips& frozen) {
     int count = 0;
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
-        const CrackSection& section = cracks[static_cast<std::size_t>(crack)];
+        const CrackSection& section = cracks[at(crack)];
         if (!section.contact) continue;
         spaces_.push_back({crack, section.notch, count, MultiplierSpace(mesh, boundary, crack, section.notch)});
         const MultiplierSpace& space = spaces_.back().space;
@@ -31,7 +33,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
     }
     B_.resize(count, mesh.unknowns);
     weight_ = augmentation_ = fixed_gap_ = Eigen::VectorXd::Zero(count);
-    status_.assign(static_cast<std::size_t>(count), 0);
+    status_.assign(at(count), 0);
     committed_status_ = status_;
     assemble(mesh, stiffness);
     find_closing();
@@ -46,7 +48,7 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
     const auto branch_of = [&](const FaceStation& station) { return space_of(station.crack)->space.branch(station.s); };
     for (const FaceStation& station : stations_) {
         for (int k = 0; k < 4; ++k) {
-            const int node = mesh.elements[static_cast<std::size_t>(station.element)][static_cast<std::size_t>(k)];
+            const int node = mesh.elements[at(station.element)][at(k)];
             for (const auto& [holder, part] : mesh.holders_of_jump(node)) {
                 Share& share = shares[{station.crack, branch_of(station), holder}];
                 share.length += part * station.weight * station.shape[k];
@@ -60,13 +62,12 @@ void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
             if (multiplier >= 0) weight_[multiplier] += value * share.length;
         }
     }
-    std::vector<int> node_of(static_cast<std::size_t>(mesh.unknowns));
-    for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[static_cast<std::size_t>(unknown)] = node;
+    std::vector<int> node_of(at(mesh.unknowns));
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[at(unknown)] = node;
     std::vector<Triplet> entries;
     for (const FaceStation& station : stations_) {
         for (const FaceStation::Term& term : station.terms) {
-            const Share& share =
-                shares.at({station.crack, branch_of(station), node_of[static_cast<std::size_t>(term.unknown)]});
+            const Share& share = shares.at({station.crack, branch_of(station), node_of[at(term.unknown)]});
             for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
                 if (multiplier < 0) continue;
                 for (int c = 0; c < 2; ++c) {
@@ -92,7 +93,7 @@ const ContactInterface::CrackSpace* ContactInterface::space_of(int crack) const 
 
 std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, double s) const {
     const CrackSpace* entry = space_of(crack);
-    auto values = entry->space.at(s);
+    auto values = entry->space.acting_at(s);
     for (auto& value : values)
         if (value.multiplier >= 0) value.multiplier += entry->first_multiplier;
     return values;
@@ -121,7 +122,7 @@ Eigen::VectorXd ContactInterface::gaps_that_matter(const Eigen::VectorXd& u, con
         (1.0 + 1e-9) * (gather(u, jump_unknowns_) - settled_jumps_).cwiseAbs().maxCoeff();  // rounding included
     Eigen::VectorXd gap = settled_gap_ - moved * closing_;
     for (Eigen::Index k = 0; k < gap.size(); ++k) {
-        const bool surely_open = status_[static_cast<std::size_t>(k)] == 0 && pressure[k] <= 0.0 && gap[k] > 0.0;
+        const bool surely_open = status_[at(k)] == 0 && pressure[k] <= 0.0 && gap[k] > 0.0;
         ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
         if (!surely_open) gap[k] = gap_of(k, u);
     }
@@ -158,7 +159,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& pressure, const Ei
     double largest = 0.0;
     changes_ = 0;
     for (int k = 0; k < multipliers(); ++k) {
-        const auto i = static_cast<std::size_t>(k);
+        const auto i = at(k);
         next[i] = UnilateralContact::closed(pressure[k], gap[k], augmentation_[k]) ? 1 : 0;
         if (next[i] == status_[i]) continue;
         ++changes_;
@@ -173,7 +174,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& pressure, const Ei
     visited_.insert(next);
     if (one_at_a_time_) {
         next = status_;
-        next[static_cast<std::size_t>(worst)] = static_cast<std::int8_t>(1 - next[static_cast<std::size_t>(worst)]);
+        next[at(worst)] = static_cast<std::int8_t>(1 - next[at(worst)]);
         changes_ = 1;
     }
     status_ = std::move(next);
@@ -191,7 +192,7 @@ double ContactInterface::residual(const Eigen::VectorXd& pressure, const Eigen::
 Eigen::VectorXd ContactInterface::right_hand_side(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
     Eigen::VectorXd right = weight_.cwiseProduct(pressure).cwiseQuotient(augmentation_);
     for (Eigen::Index k = 0; k < right.size(); ++k)
-        if (status_[static_cast<std::size_t>(k)] != 0) right[k] = weight_[k] * gap[k];
+        if (status_[at(k)] != 0) right[k] = weight_[k] * gap[k];
     return right;
 }
 

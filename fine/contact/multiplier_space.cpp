@@ -5,6 +5,8 @@
 #include <numbers>
 #include <set>
 
+#include "common/index.hpp"
+
 namespace stria::fine {
 namespace {
 
@@ -26,7 +28,7 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
     Vec2 last_tangent = Vec2::Zero();
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.crack != crack) continue;
-        const auto& element = mesh.elements[static_cast<std::size_t>(piece.element)];
+        const auto& element = mesh.elements[at(piece.element)];
         const auto note = [&](double place, double s) {
             if (place < 0.0 || s < notch) return;
             const auto edge = static_cast<std::size_t>(place);
@@ -56,7 +58,7 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
 
 void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch) {
     const auto has_own_jump = [&](int node) {
-        for (int term = 1; term <= static_cast<int>(mesh.terms[static_cast<std::size_t>(node)].size()); ++term) {
+        for (int term = 1; term <= static_cast<int>(mesh.terms[at(node)].size()); ++term) {
             if (!mesh.follows(node, term) && !std::ranges::binary_search(boundary, mesh.unknown(node, term, 0)))
                 return true;
         }
@@ -80,12 +82,12 @@ int MultiplierSpace::branch(double s) const {
     return found != branches_.end() ? static_cast<int>(found - branches_.begin()) : -1;
 }
 
-std::array<MultiplierSpace::Value, 2> MultiplierSpace::at(double s) const {
+std::array<MultiplierSpace::Value, 2> MultiplierSpace::acting_at(double s) const {
     const int index = branch(s);
     if (index < 0) return {Value{-1, 0.0}, Value{-1, 0.0}};
-    const Branch& b = branches_[static_cast<std::size_t>(index)];
+    const Branch& b = branches_[at(index)];
     const int first = b.first_multiplier, last = first + b.multipliers - 1;
-    const auto node = [&](int k) { return nodes_[static_cast<std::size_t>(k)]; };
+    const auto node = [&](int k) { return nodes_[at(k)]; };
     // Straight on over more than the next interval, the multiplier behind would have a negative weight.
     const bool constant_at_start =
         b.tip_at_start || node(first) - b.first_s > node(std::min(first + 1, last)) - node(first);

@@ -27,7 +27,7 @@ public:
         double value;
     };
     /// The at most two multipliers that act at an arc length, adding up to one; -1: none.
-    [[nodiscard]] std::array<Value, 2> at(double s) const;
+    [[nodiscard]] std::array<Value, 2> acting_at(double s) const;
 
     /// Index of the branch that holds an arc length; -1: none.
     [[nodiscard]] int branch(double s) const;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 
 namespace stria::fine {
@@ -13,9 +14,9 @@ namespace {
 bool of_tip(const Term& term, int tip) { return term.kind == Term::Kind::Tip && term.owner == tip; }
 
 bool is_newly_cut(const EnrichedMesh& before, const EnrichedMesh& next, const CrackPiece& piece) {
-    const int id = next.element_ids[static_cast<std::size_t>(piece.element)];
+    const int id = next.element_ids[at(piece.element)];
     return std::ranges::none_of(before.pieces, [&](const CrackPiece& old) {
-        return old.neighbour < 0 && before.element_ids[static_cast<std::size_t>(old.element)] == id;
+        return old.neighbour < 0 && before.element_ids[at(old.element)] == id;
     });
 }
 
@@ -23,8 +24,8 @@ bool is_newly_cut(const EnrichedMesh& before, const EnrichedMesh& next, const Cr
 Eigen::VectorXd heaviside_values(const EnrichedMesh& mesh, const Eigen::VectorXd& displacement) {
     Eigen::VectorXd values = Eigen::VectorXd::Zero(mesh.unknowns);
     for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
-        const auto& terms = mesh.terms[static_cast<std::size_t>(node)];
-        if (term > 0 && terms[static_cast<std::size_t>(term - 1)].kind == Term::Kind::Heaviside)
+        const auto& terms = mesh.terms[at(node)];
+        if (term > 0 && terms[at(term - 1)].kind == Term::Kind::Heaviside)
             values.segment<2>(unknown) = displacement.segment<2>(unknown);
     }
     return values;
@@ -41,14 +42,14 @@ std::vector<int> with_ends_of_edges(const EnrichedMesh& mesh, const std::vector<
     for (std::vector<int> added = elements; !added.empty();) {
         std::set<int> missing;
         for (const int e : added) {
-            for (const int node : mesh.elements[static_cast<std::size_t>(e)]) {
+            for (const int node : mesh.elements[at(e)]) {
                 nodes.insert(node);
                 if (const TiedNode* tie = mesh.tie(node)) missing.insert(tie->ends.begin(), tie->ends.end());
             }
         }
         added.clear();
         for (int e = 0; e < std::ssize(mesh.elements) && !missing.empty(); ++e) {
-            const auto& corners = mesh.elements[static_cast<std::size_t>(e)];
+            const auto& corners = mesh.elements[at(e)];
             const auto lacks = [&](int node) { return missing.contains(node) && !nodes.contains(node); };
             if (std::ranges::any_of(corners, lacks) && chosen.insert(e).second) added.push_back(e);
         }
@@ -73,16 +74,15 @@ void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd
     std::vector<int> elements;
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const auto sees = [&](int node) {
-            return std::ranges::any_of(mesh.terms[static_cast<std::size_t>(node)],
-                                       [&](const Term& term) { return of_tip(term, tip); });
+            return std::ranges::any_of(mesh.terms[at(node)], [&](const Term& term) { return of_tip(term, tip); });
         };
-        if (std::ranges::any_of(mesh.elements[static_cast<std::size_t>(e)], sees)) elements.push_back(e);
+        if (std::ranges::any_of(mesh.elements[at(e)], sees)) elements.push_back(e);
     }
     if (elements.empty()) return;
-    coupling::FrozenTip frozen{extract(mesh, elements), {}, mesh.tips[static_cast<std::size_t>(tip)].crack};
+    coupling::FrozenTip frozen{extract(mesh, elements), {}, mesh.tips[at(tip)].crack};
     Eigen::VectorXd own = Eigen::VectorXd::Zero(mesh.unknowns);
     for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
-        if (term > 0 && of_tip(mesh.terms[static_cast<std::size_t>(node)][static_cast<std::size_t>(term - 1)], tip))
+        if (term > 0 && of_tip(mesh.terms[at(node)][at(term - 1)], tip))
             own.segment<2>(unknown) = displacement.segment<2>(unknown);
     }
     frozen.displacement = carry_over(mesh, own, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
@@ -98,10 +98,10 @@ void FrozenTips::keep_closed(const EnrichedMesh& before, const EnrichedMesh& nex
             opening[piece.crack].push_back(piece.element);
     for (auto& [crack, elements] : opening) {
         std::set<int> counting;  // by id
-        for (const int e : elements) counting.insert(next.element_ids[static_cast<std::size_t>(e)]);
+        for (const int e : elements) counting.insert(next.element_ids[at(e)]);
         coupling::FrozenTip frozen{extract(next, with_ends_of_edges(next, elements)), {}, crack};
         std::erase_if(frozen.mesh.pieces, [&](const CrackPiece& piece) {
-            return !counting.contains(frozen.mesh.element_ids[static_cast<std::size_t>(piece.element)]);
+            return !counting.contains(frozen.mesh.element_ids[at(piece.element)]);
         });
         frozen.displacement = -carry_over(next, jumps, frozen.mesh, Eigen::VectorXd::Zero(frozen.mesh.unknowns));
         keep(std::move(frozen));

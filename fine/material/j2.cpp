@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "common/index.hpp"
 #include "fine/material/j2_pack.hpp"
 
 namespace stria::fine {
@@ -53,7 +54,7 @@ Flow<rows> flow_in_parts(const Block& block, const Prediction<rows>& prediction,
         const Scalars<rows> dp = flowing * overstress / block.uniaxial;
         const Tensors<rows> direction = relative.colwise() * (1.5 * per_equivalent);
         for (int j = 0; j < 4; ++j) {
-            Tensors<rows>& derivative = flow.relative[static_cast<std::size_t>(j)];
+            Tensors<rows>& derivative = flow.relative[at(j)];
             for (int i = 0; i < 4; ++i) derivative.col(i) += deviatoric(i, j) / parts;
             const Scalars<rows> dq = contraction<rows>(direction, derivative);
             const Scalars<rows> ddp = (dq - flowing * isotropic * dp_derivative.col(j)) / block.uniaxial;
@@ -75,8 +76,7 @@ template <int rows> void write_tangent(const Block& block, PackPlace<rows> at, c
     const double factor = 4.0 * block.shear * block.shear / (2.0 * block.shear + 2.0 / 3.0 * block.kinematic);
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j <= i; ++j) {
-            const Scalars<rows> left = 0.5 * (flow.relative[static_cast<std::size_t>(j)].col(i) +
-                                              flow.relative[static_cast<std::size_t>(i)].col(j));
+            const Scalars<rows> left = 0.5 * (flow.relative[stria::at(j)].col(i) + flow.relative[stria::at(i)].col(j));
             const Scalars<rows> value = block.update.stiffness(i, j) - factor * (deviatoric(i, j) - left);
             at.scalars(block.update.tangent, 4 * i + j) = value;
             at.scalars(block.update.tangent, 4 * j + i) = value;

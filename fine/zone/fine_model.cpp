@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/index.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::fine {
@@ -25,8 +26,7 @@ void FineModel::plant_tree() {
     for (const ElementOperator& op : system_.zone().operators()) {
         layout.element_unknowns.push_back(op.unknowns);
         Vec2 centre = Vec2::Zero();
-        for (const int node : patch.mesh.elements[static_cast<std::size_t>(op.element)])
-            centre += patch.mesh.nodes[static_cast<std::size_t>(node)] / 4.0;
+        for (const int node : patch.mesh.elements[at(op.element)]) centre += patch.mesh.nodes[at(node)] / 4.0;
         layout.centres.push_back(centre);
     }
     for (int k = 0; k < contact.multipliers(); ++k) {
@@ -34,11 +34,11 @@ void FineModel::plant_tree() {
         for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it)
             unknowns.push_back(static_cast<int>(it.col()));
         unknowns.push_back(patch.mesh.unknowns + k);
-        layout.centres.push_back(contact.keys()[static_cast<std::size_t>(k)].x);
+        layout.centres.push_back(contact.keys()[at(k)].x);
     }
     changed_.assign(layout.element_unknowns.size(), 1);
     all_changed_ = true;
-    in_tree_.assign(static_cast<std::size_t>(contact.multipliers()), none);
+    in_tree_.assign(at(contact.multipliers()), none);
     multiplier_matrices_.resize(in_tree_.size());
     tree_ = std::make_unique<FrontTree>(std::move(layout));
 }
@@ -158,7 +158,7 @@ Eigen::MatrixXd FineModel::multiplier_matrix(int k) const {
     const ContactInterface& contact = system_.contact();
     const Eigen::Index jumps = contact.operator_B().row(k).nonZeros();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(jumps + 1, jumps + 1);
-    if (contact.statuses()[static_cast<std::size_t>(k)] == 0) {
+    if (contact.statuses()[at(k)] == 0) {
         matrix(jumps, jumps) = contact.open_diagonal()[k];
         return matrix;
     }
@@ -182,7 +182,7 @@ void FineModel::factor() {
     const long before = tree_->refactored();
     tree_->factor(
         [&](int element) -> const Eigen::MatrixXd& {
-            const auto e = static_cast<std::size_t>(element);
+            const auto e = at(element);
             return e < tangents.size() ? tangents[e] : multiplier_matrices_[e - tangents.size()];
         },
         changed_);
@@ -218,7 +218,7 @@ Eigen::VectorXd FineModel::due() const {
     const ContactInterface& contact = system_.contact();
     Eigen::VectorXd open = system_.pressure(), forces = system_.load();
     for (Eigen::Index k = 0; k < open.size(); ++k)
-        if (contact.statuses()[static_cast<std::size_t>(k)] != 0) open[k] = 0.0;
+        if (contact.statuses()[at(k)] != 0) open[k] = 0.0;
     contact.add_force(open, forces);
     Eigen::VectorXd due(forces.size() + open.size());
     due << forces, system_.contact_right_hand_side();

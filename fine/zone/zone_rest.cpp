@@ -5,6 +5,7 @@
 
 #include "common/stopwatch.hpp"
 
+#include "common/index.hpp"
 #include "fine/bulk/element_kernels.hpp"
 #include "fine/zone/zone_system.hpp"
 
@@ -152,7 +153,7 @@ void ZoneSystem::rest(const std::vector<char>& elements, const std::vector<char>
 std::vector<std::size_t> ZoneSystem::would_flow(const Eigen::VectorXd& displacement) {
     const Stopwatch watch(constitutive_s_);
     for (Eigen::Index i = 0; i < trial_.displacement.size(); ++i)
-        if (inside_[static_cast<std::size_t>(i)] != 0) trial_.displacement[i] = displacement[i];
+        if (inside_[at(i)] != 0) trial_.displacement[i] = displacement[i];
     return zone_->would_flow(trial_.displacement);
 }
 
@@ -162,7 +163,7 @@ void ZoneSystem::wake(const std::vector<char>& still, const std::vector<char>& i
 }
 
 void ZoneSystem::set_inside(const std::vector<char>& inside) {
-    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    inside_.assign(at(patch_.mesh.unknowns), 0);
     std::copy_n(inside.begin(), std::min(inside.size(), inside_.size()), inside_.begin());
     force_scale_at_rest_ = zone_->rest_load().lpNorm<Eigen::Infinity>();
 }

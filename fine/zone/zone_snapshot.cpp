@@ -3,6 +3,7 @@
 #include <ranges>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "fine/zone/zone_system.hpp"
 
 namespace stria::fine {
@@ -28,13 +29,13 @@ Zone::Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
                std::vector<IntegrationPoint> points;
                for (std::size_t q = 0; q < histories.at(e).rows; ++q) {
                    const std::size_t row = histories[e].first_row + q;
-                   points.push_back(point_of(&snapshot.history.at(row * static_cast<std::size_t>(snapshot.columns))));
+                   points.push_back(point_of(&snapshot.history.at(row * at(snapshot.columns))));
                }
                return points;
            }) {
-    const auto columns = static_cast<std::size_t>(snapshot.columns), n = static_cast<std::size_t>(points_);
+    const auto columns = at(snapshot.columns), n = at(points_);
     require(snapshot.element == mesh_.element_ids && columns * n == snapshot.history.size() &&
-                columns == leading + static_cast<std::size_t>(law_->state_size()),
+                columns == leading + at(law_->state_size()),
             "a snapshot has the elements of its zone, in its order, and the states of its law");
     half_cycle_ended_ = snapshot.half_cycle_ended;
     std::vector<Eigen::Matrix2d> frozen(n);
@@ -60,12 +61,12 @@ void Zone::remember(coupling::ZoneSnapshot& out) const {
     out.rank.assign(out.element.size(), 0);
     for (const ElementOperator& op : operators_) out.points.push_back(static_cast<std::int32_t>(op.points.size()));
     out.columns = static_cast<std::int32_t>(leading) + law_->state_size();
-    out.history.reserve(static_cast<std::size_t>(out.columns * points_));
+    out.history.reserve(at(out.columns * points_));
     for (std::size_t e = 0; e < operators_.size(); ++e) {
         for (std::size_t q = 0; q < operators_[e].points.size(); ++q) {
             const IntegrationPoint& p = operators_[e].points[q];
             const int point = first_point_[e] + static_cast<int>(q);
-            const auto place = static_cast<std::size_t>(point);
+            const auto place = at(point);
             const Eigen::Matrix2d frozen =
                 frozen_gradient_.empty() ? Eigen::Matrix2d::Zero().eval() : frozen_gradient_[place];
             out.history.insert(out.history.end(),
@@ -88,12 +89,12 @@ coupling::ZoneSnapshot ZoneSystem::snapshot() const {
     for (const Unknowns& increment : increments_.all()) out.increments.push_back(increment.displacement);
     out.held = opening_.held(patch_.mesh.unknowns);
     for (int k = 0; k < contact_->multipliers(); ++k) {
-        const ContactInterface::Key& key = contact_->keys()[static_cast<std::size_t>(k)];
+        const ContactInterface::Key& key = contact_->keys()[at(k)];
         coupling::MultiplierSnapshot multiplier;
         multiplier.crack = key.crack;
         multiplier.place = key.x;
         multiplier.pressure = committed_.pressure[k];
-        multiplier.closed = contact_->committed_statuses()[static_cast<std::size_t>(k)] != 0;
+        multiplier.closed = contact_->committed_statuses()[at(k)] != 0;
         for (const Unknowns& increment : increments_.all()) multiplier.increments.push_back(increment.pressure[k]);
         out.multipliers.push_back(std::move(multiplier));
     }
@@ -112,8 +113,8 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     for (const Eigen::VectorXd& displacement : snapshot.increments)
         increments.push_back({displacement, Eigen::VectorXd(multipliers)});
     for (int k = 0; k < multipliers; ++k) {
-        const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[static_cast<std::size_t>(k)];
-        require(contact_->keys()[static_cast<std::size_t>(k)].is_at(multiplier.crack, multiplier.place),
+        const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[at(k)];
+        require(contact_->keys()[at(k)].is_at(multiplier.crack, multiplier.place),
                 "multipliers of a snapshot are in the order of the cracks");
         statuses.push_back(multiplier.closed ? 1 : 0);
         committed_.pressure[k] = multiplier.pressure;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "common/index.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::fine {
@@ -46,7 +47,7 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = committed_;
-    inside_.assign(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
+    inside_.assign(at(patch_.mesh.unknowns), 0);
     contact_->settle(committed_.displacement);
     find_tip_stations();
 }
@@ -61,7 +62,7 @@ void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
 
 void ZoneSystem::keep_displacement(const coupling::Patch& next) {
     for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
-        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
+        const Tip& tip = patch_.mesh.tips[at(t)];
         const auto same = [&](const Tip& other) { return same_place(tip, other); };
         if (std::ranges::none_of(next.mesh.tips, same) && std::ranges::none_of(next.mesh.left_tips, same))
             frozen_.freeze(patch_.mesh, t, committed_.displacement);
@@ -74,7 +75,7 @@ void ZoneSystem::find_tip_stations() {
     tip_stations_.assign(patch_.mesh.tips.size(), {});
     for (std::size_t t = 0; t < tip_stations_.size(); ++t) {
         const Tip& tip = patch_.mesh.tips[t];
-        const CrackSection& crack = input_.cracks[static_cast<std::size_t>(tip.crack)];
+        const CrackSection& crack = input_.cracks[at(tip.crack)];
         if (!crack.contact) continue;
         tip_stations_[t] = face_stations_about(patch_.mesh, tip, input_.fine.subcells, 4);
         std::erase_if(tip_stations_[t], [&](const FaceStation& station) { return station.s < crack.notch; });
@@ -87,7 +88,7 @@ void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInter
         next.displacement = carry_over(patch_.mesh, committed_.displacement, patch.mesh, next.displacement);
         for (int k = 0; k < contact_->multipliers(); ++k) {
             const auto same = [&](const ContactInterface::Key& key) {
-                const auto& own = contact_->keys()[static_cast<std::size_t>(k)];
+                const auto& own = contact_->keys()[at(k)];
                 return key.is_at(own.crack, own.x);
             };
             const auto found = std::ranges::find_if(old_contact->keys(), same);
@@ -138,14 +139,14 @@ void ZoneSystem::linearise() {
 
 coupling::PatchResponse ZoneSystem::measure() {
     coupling::PatchResponse response;
-    std::vector<char> on_boundary(static_cast<std::size_t>(patch_.mesh.unknowns), 0);
-    for (const int unknown : patch_.boundary) on_boundary[static_cast<std::size_t>(unknown)] = 1;
+    std::vector<char> on_boundary(at(patch_.mesh.unknowns), 0);
+    for (const int unknown : patch_.boundary) on_boundary[at(unknown)] = 1;
     response.interior_force = force_scale_at_rest_;
     const Eigen::VectorXd scale =
         response_.size() > 0 ? zone_->force_scale() + response_.cwiseAbs() : zone_->force_scale();
     for (int i = 0; i < patch_.mesh.unknowns; ++i) {
         response.interior_force = std::max(response.interior_force, scale[i]);
-        if (on_boundary[static_cast<std::size_t>(i)] == 0 && inside_[static_cast<std::size_t>(i)] == 0)
+        if (on_boundary[at(i)] == 0 && inside_[at(i)] == 0)
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
     step_ = damping_.factor(response.interior_residual);
@@ -166,7 +167,7 @@ coupling::PatchResponse ZoneSystem::measure() {
 coupling::StepReport ZoneSystem::commit(bool reversal) {
     // Where a face is open the solver has left the rounding of a pressure: it would count as contact.
     for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
-        if (contact_->statuses()[static_cast<std::size_t>(k)] == 0) trial_.pressure[k] = 0.0;
+        if (contact_->statuses()[at(k)] == 0) trial_.pressure[k] = 0.0;
     }
     const Unknowns move{trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
     committed_ = trial_;
@@ -213,7 +214,7 @@ void ZoneSystem::report_tips(coupling::StepReport& report) const {
 
 void ZoneSystem::report_rings(coupling::StepReport& report) const {
     for (int t = 0; t < std::ssize(patch_.mesh.tips); ++t) {
-        const Tip& tip = patch_.mesh.tips[static_cast<std::size_t>(t)];
+        const Tip& tip = patch_.mesh.tips[at(t)];
         std::vector<Annulus> rings;
         std::vector<int> numbers;
         for (const coupling::Ring& ring : patch_.rings) {
@@ -224,7 +225,7 @@ void ZoneSystem::report_rings(coupling::StepReport& report) const {
         if (rings.empty()) continue;
         RingSums sums(patch_.mesh, tip, elastic_, rings);
         zone_->add_to(sums);
-        for (const FaceStation& station : tip_stations_[static_cast<std::size_t>(t)]) {
+        for (const FaceStation& station : tip_stations_[at(t)]) {
             const double pressure = contact_->pressure_at(station, committed_.pressure);
             if (pressure > 0.0) sums.add_pressure(station, pressure, station.opening_slope(committed_.displacement));
         }
@@ -249,7 +250,7 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
         sample.slip = station.slip(committed_.displacement);
         sample.pressure = contact_->pressure_at(station, committed_.pressure);
         sample.status = sample.pressure > 0.0 ? 1 : 0;
-        if (sample.status != 0) report.contact_length[static_cast<std::size_t>(station.crack)] += station.weight;
+        if (sample.status != 0) report.contact_length[at(station.crack)] += station.weight;
         report.faces.push_back(sample);
     }
     for (std::size_t crack = 0; crack < cracks; ++crack) {

@@ -30,7 +30,7 @@ Case small_ct() {
         BoundarySection& pin = input.boundaries[sign > 0.0 ? 0 : 1];
         pin = {};
         pin.on = sign > 0.0 ? "pin-top" : "pin-bottom";
-        pin.force = Point(0.0, sign);
+        pin.force = Vec2(0.0, sign);
     }
     input.load.blocks = {{.cycles = 1, .max = 1200.0, .min = -200.0}};
     return input;
@@ -52,7 +52,7 @@ Case loaded_mouth() {
     for (const double sign : {-1.0, 1.0}) {
         BoundarySection side;
         side.on = sign < 0.0 ? "left" : "right";
-        side.traction = Point(0.5 * sign, 0.0);
+        side.traction = Vec2(0.5 * sign, 0.0);
         input.boundaries.push_back(side);
     }
     return input;
@@ -160,7 +160,7 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
 
 TEST(ElasticDisplacementControl, RefusesWhatNoLoadMoves) {
     Case input = small_sent({"load.control=\"displacement\""});
-    for (BoundarySection& boundary : input.boundaries) boundary.traction = Point::Zero();
+    for (BoundarySection& boundary : input.boundaries) boundary.traction = Vec2::Zero();
     EXPECT_THROW(coarse::make_scene(input), CaseError);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/pulled_plate.hpp"
 
@@ -60,7 +61,7 @@ TEST_P(GrowthStep, CondensesTheStructureWhereItsZoneChangesAndTheFarBodyOnce) {
 
 TEST_P(GrowthStep, FindsTheNominalKOfTheWholeBody) {
     const Grown grown = grow(GetParam());
-    ASSERT_EQ(grown.K.size(), static_cast<std::size_t>(1 + cycles));
+    ASSERT_EQ(grown.K.size(), at(1 + cycles));
     for (std::size_t k = 0; k < grown.K.size(); ++k)
         EXPECT_NEAR(grown.K[k], grown.K_of_the_whole[k], 1e-11 * grown.K_of_the_whole[k]) << k;
 }

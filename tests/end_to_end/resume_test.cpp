@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/study/run_files.hpp"
+#include "common/index.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -53,7 +54,7 @@ std::string without_times(const std::string& table) {
         std::istringstream row(line);
         for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
         if (column < 0) column = std::ranges::find(cells, "wall_s") - cells.begin();
-        cells.at(static_cast<std::size_t>(column)).clear();
+        cells.at(at(column)).clear();
         for (const std::string& cell : cells) kept += cell + ',';
         kept += '\n';
     }

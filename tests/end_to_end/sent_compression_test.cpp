@@ -6,6 +6,8 @@
 
 #include "tests/support/sent_analysis.hpp"
 
+#include "common/index.hpp"
+
 namespace stria::test {
 namespace {
 
@@ -134,7 +136,7 @@ TEST_F(SentCompression, ClosedFacesDoNotOverlap) {  // on the average over each 
     for (std::size_t k = 0; k < run->increments.size(); ++k) {
         const Eigen::VectorXd gaps = contact.gaps(witness->displacements[k]);
         for (Eigen::Index m = 0; m < gaps.size(); ++m) {
-            const bool closed = witness->statuses[k][static_cast<std::size_t>(m)] != 0;
+            const bool closed = witness->statuses[k][at(m)] != 0;
             EXPECT_GT(gaps[m], -limit);
             EXPECT_TRUE(!closed || gaps[m] < limit) << gaps[m];
         }

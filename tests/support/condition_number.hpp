@@ -3,6 +3,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "common/index.hpp"
 #include "tests/support/elastic_scene.hpp"
 
 namespace stria::test {
@@ -15,7 +16,7 @@ inline double condition_number(const coarse::Structure& structure, int iteration
     for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held[at(p.unknown)] = 1;
     const Eigen::VectorXd scale = whole.diagonal().cwiseSqrt().cwiseInverse();
     std::vector<Triplet> entries;
-    entries.reserve(static_cast<std::size_t>(whole.nonZeros()));
+    entries.reserve(at(whole.nonZeros()));
     for (int j = 0; j < whole.outerSize(); ++j) {
         for (SparseMatrix::InnerIterator entry(whole, j); entry; ++entry) {
             const auto i = static_cast<int>(entry.row());

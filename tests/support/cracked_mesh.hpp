@@ -9,12 +9,11 @@
 #include "coarse/specimen/structured.hpp"
 #include "common/fem/mesh.hpp"
 #include "common/fem/quadrature.hpp"
+#include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria::test {
-
-inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// n equal cells over [0, length].
 inline std::vector<double> equal_cells(int n, double length = 1.0) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/index.hpp"
 #include "fine/material/material_law.hpp"
 
 namespace stria::test {
@@ -21,7 +22,7 @@ struct PointUpdate {
     [[nodiscard]] Mandel stress() const { return tensor(fine::state::stress); }
     /// Zero where the law stores no such component.
     [[nodiscard]] double scalar(int component) const {
-        const auto place = static_cast<std::size_t>(component);
+        const auto place = at(component);
         return place < state.size() ? state[place] : 0.0;
     }
 };
@@ -41,7 +42,7 @@ class MaterialPoint {
 public:
     explicit MaterialPoint(const MaterialSection& material, PlaneState plane = PlaneState::Strain)
         : law_(fine::make_material_law(material, plane)),
-          plane_(plane), last_{.state = std::vector<double>(static_cast<std::size_t>(law_->state_size()), 0.0),
+          plane_(plane), last_{.state = std::vector<double>(at(law_->state_size()), 0.0),
                                .tangent = law_->elastic(),
                                .yields = false} {}
 

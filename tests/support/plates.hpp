@@ -14,7 +14,7 @@
 namespace stria::test {
 
 /// Steel that hardens, so that no tangent is singular; contact on every crack.
-inline Case plate_case(std::vector<Point> crack, bool plastic = true) {
+inline Case plate_case(std::vector<Vec2> crack, bool plastic = true) {
     Case input;
     input.material = {.young = 200e3, .poisson = 0.3, .yield_stress = {}, .isotropic = {}, .kinematic = {}};
     if (plastic) input.material.yield_stress = 300.0;

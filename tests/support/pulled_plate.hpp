@@ -18,7 +18,7 @@ inline Case pulled_plate(double size, bool plastic, bool contact) {
     for (const double side : {1.0, -1.0}) {
         BoundarySection pulled;
         pulled.on = side > 0.0 ? "top" : "bottom";
-        pulled.traction = Point(0.0, side);
+        pulled.traction = Vec2(0.0, side);
         input.boundaries.push_back(pulled);
     }
     return input;

@@ -9,6 +9,7 @@
 
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/model/scene.hpp"
+#include "common/index.hpp"
 
 namespace stria::test {
 
@@ -20,13 +21,13 @@ enum class End { Pulled, Guided, Clamped };
 inline BoundarySection at_end(const std::string& on, End end, double sign) {
     BoundarySection section;
     section.on = on;
-    if (end == End::Pulled) section.traction = Point(0.0, sign);
+    if (end == End::Pulled) section.traction = Vec2(0.0, sign);
     if (end != End::Pulled) section.displacement[1] = sign * 1e-3;
     if (end == End::Clamped) section.displacement[0] = 0.0;
     return section;
 }
 
-inline Case specimen(const std::string& name, double height, std::vector<Point> crack) {
+inline Case specimen(const std::string& name, double height, std::vector<Vec2> crack) {
     Case input;
     input.mesh = {.specimen = name, .width = 1.0, .height = height, .size = 1.0, .grading = {}};
     input.material.young = young;
@@ -53,7 +54,7 @@ inline Case compact_tension(double a) {
     for (const double sign : {1.0, -1.0}) {
         BoundarySection pin;
         pin.on = sign > 0.0 ? "pin-top" : "pin-bottom";
-        pin.force = Point(0.0, sign);
+        pin.force = Vec2(0.0, sign);
         input.boundaries.push_back(pin);
     }
     return input;
@@ -70,7 +71,7 @@ inline Case graded_to_tips(Case input, double at_tip = 0.01) {
     const std::string& name = input.mesh.specimen;
     input.mesh.size = (name == "ct" ? 1.25 / 20.0 : name == "sent" ? 1.0 / 20.0 : 1.0 / 14.0) * input.mesh.width;
     for (const CrackSection& crack : input.cracks) {
-        for (const Point& end : crack.points) {
+        for (const Vec2& end : crack.points) {
             if (end.x() == 0.0 || end.x() == -0.25) continue;  // a mouth
             input.mesh.grading.push_back({.at = {end},
                                           .size = at_tip,
@@ -99,7 +100,7 @@ struct ElasticSolution {
         double sum = 0.0;
         std::vector<char> on_boundary(scene.mesh.nodes.size(), 0);
         for (const BoundaryEdge& edge : scene.mesh.boundary.at(boundary))
-            for (const int node : coarse::edge_nodes(scene.mesh, edge)) on_boundary[static_cast<std::size_t>(node)] = 1;
+            for (const int node : coarse::edge_nodes(scene.mesh, edge)) on_boundary[at(node)] = 1;
         for (std::size_t n = 0; n < on_boundary.size(); ++n) {
             if (on_boundary[n] == 0) continue;
             const int unknown = scene.enriched.unknown(static_cast<int>(n), 0, 1);

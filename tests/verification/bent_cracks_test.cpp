@@ -20,7 +20,7 @@ constexpr double height = 2.0, level = height / 2.0;
 
 struct Bent {
     std::string name;
-    std::vector<Point> points;  // from the left side, x ascending
+    std::vector<Vec2> points;  // from the left side, x ascending
 };
 
 /// Equal chords of a circle that leaves the left side at a right angle.
@@ -40,7 +40,7 @@ Case pulled(const Bent& crack) {
 }
 
 /// Columns of width about 1 / n that meet every bend.
-std::vector<double> columns(const std::vector<Point>& points, int n) {
+std::vector<double> columns(const std::vector<Vec2>& points, int n) {
     std::vector<double> xs{0.0};
     const auto fill_to = [&](double end) {
         const double start = xs.back();
@@ -53,7 +53,7 @@ std::vector<double> columns(const std::vector<Point>& points, int n) {
 }
 
 /// How far above `level` the crack stands, beyond its tip its height.
-double rise(const std::vector<Point>& points, double x) {
+double rise(const std::vector<Vec2>& points, double x) {
     for (std::size_t k = 1; k < points.size(); ++k) {
         if (x > points[k].x()) continue;
         const double share = (x - points[k - 1].x()) / (points[k].x() - points[k - 1].x());
@@ -63,7 +63,7 @@ double rise(const std::vector<Point>& points, double x) {
 }
 
 /// A row of element edges runs along the crack; the rows above and below make way, the ends stay straight.
-Mesh conforming_mesh(const std::vector<Point>& points, int n) {
+Mesh conforming_mesh(const std::vector<Vec2>& points, int n) {
     Mesh mesh = coarse::grid_mesh(columns(points, n), equal_cells(2 * n, height));
     for (Vec2& x : mesh.nodes) x.y() += rise(points, x.x()) * (1.0 - std::abs(x.y() - level) / level);
     return mesh;

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 
+#include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
@@ -119,7 +120,7 @@ private:
     static void compare_nodes(const Snapshot& before, const Snapshot& after, Change& change) {
         double largest = 0.0;
         for (int n = 0; n < std::ssize(after.mesh.nodes); ++n) {
-            const auto old = std::ranges::find(before.mesh.node_ids, after.mesh.node_ids[static_cast<std::size_t>(n)]);
+            const auto old = std::ranges::find(before.mesh.node_ids, after.mesh.node_ids[at(n)]);
             if (old == before.mesh.node_ids.end()) continue;
             const int m = static_cast<int>(old - before.mesh.node_ids.begin());
             const Vec2 was = before.u.segment<2>(before.mesh.unknown(m, 0, 0));
@@ -134,11 +135,10 @@ private:
         double gradient = 0.0, stress = 0.0, plastic = 1e-300;
         for (const auto& [id, e] : after.element) {
             const auto found = before.element.find(id);
-            const std::size_t first = after.first_point[static_cast<std::size_t>(e)],
-                              end = after.first_point[static_cast<std::size_t>(e) + 1];
+            const std::size_t first = after.first_point[at(e)], end = after.first_point[at(e) + 1];
             if (found == before.element.end()) continue;
-            const std::size_t was = before.first_point[static_cast<std::size_t>(found->second)],
-                              was_end = before.first_point[static_cast<std::size_t>(found->second) + 1];
+            const std::size_t was = before.first_point[at(found->second)],
+                              was_end = before.first_point[at(found->second) + 1];
             for (std::size_t q = was; q < was_end; ++q) change.refit -= before.state.weight[q] * energy(before, q);
             for (std::size_t q = 0; q < end - first; ++q) {
                 change.refit += after.state.weight[first + q] * energy(after, first + q);
@@ -163,11 +163,10 @@ private:
     /// An element that the structure gives up has the stresses that it had there.
     [[nodiscard]] double misfit(const Snapshot& after, int id) const {
         const int e = after.element.at(id);
-        const std::size_t first = after.first_point[static_cast<std::size_t>(e)],
-                          end = after.first_point[static_cast<std::size_t>(e) + 1];
+        const std::size_t first = after.first_point[at(e)], end = after.first_point[at(e) + 1];
         const std::vector<int> piece = piece_of_elements(scene->enriched);
-        const int own = piece[static_cast<std::size_t>(id)];
-        const CrackPiece* cut = own >= 0 ? &scene->enriched.pieces[static_cast<std::size_t>(own)] : nullptr;
+        const int own = piece[at(id)];
+        const CrackPiece* cut = own >= 0 ? &scene->enriched.pieces[at(own)] : nullptr;
         IntegrationRule rule = elastic_rule(scene->enriched, id, cut != nullptr);
         rule.mean_dilatation = mean_dilatation(scene->input.material, scene->elastic);
         const auto& corners = ElementBasis(scene->enriched, id, cut != nullptr).corners();
@@ -227,7 +226,7 @@ std::vector<Change> changes_of(const Case& input) {
 
 struct Scenario {
     std::string name;
-    std::vector<Point> crack;
+    std::vector<Vec2> crack;
     double growth;  // mm
     std::vector<std::string> overrides = {};
     double minimum = 0.0;  // of the load, over the maximum
@@ -257,9 +256,9 @@ Case case_of(const Scenario& scenario) {
 }
 
 /// An edge crack in the middle of a row of elements, its tip at `place` (in elements) from the edge.
-std::vector<Point> edge_crack_to(double place, double row = 20.37) { return {{0.0, row * h}, {place * h, row * h}}; }
+std::vector<Vec2> edge_crack_to(double place, double row = 20.37) { return {{0.0, row * h}, {place * h, row * h}}; }
 
-const std::vector<Point> slanted = {{21.0, 22.0}, {29.0, 28.0}};
+const std::vector<Vec2> slanted = {{21.0, 22.0}, {29.0, 28.0}};
 
 class GrowthKeepsState : public testing::TestWithParam<Scenario> {};
 

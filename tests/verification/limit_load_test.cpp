@@ -49,7 +49,7 @@ Case plastic(const Limit& limit, double at_tip) {
     Case input = specimen_of(limit);
     const double ligament = limit.ligament(), h = ligament / at_tip;
     input.mesh.size = 0.1;
-    for (const Point& end : input.cracks[0].points) {
+    for (const Vec2& end : input.cracks[0].points) {
         if (end.x() <= 0.0) continue;  // a mouth
         input.mesh.grading.push_back(
             {.at = {end}, .size = h, .outer_size = h, .radius = 2.0 * h, .growth = 8.0 / at_tip});

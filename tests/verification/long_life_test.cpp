@@ -9,6 +9,8 @@
 
 #include "tests/support/sent_analysis.hpp"
 
+#include "common/index.hpp"
+
 namespace stria::test {
 namespace {
 
@@ -26,11 +28,11 @@ TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
     std::vector<double> seconds(1001, 0.0), a(1001, 0.0);
     coarse::Listener listener;
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
-        iterations[static_cast<std::size_t>(step.cycle)] += report.count();
+        iterations[at(step.cycle)] += report.count();
     };
     const auto start = std::chrono::steady_clock::now();
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
-        const auto cycle = static_cast<std::size_t>(increment.step.cycle);
+        const auto cycle = at(increment.step.cycle);
         seconds[cycle] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         a[cycle] = increment.tips[0].a;
     };
@@ -38,7 +40,7 @@ TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
     analysis.run();
     const auto in_cycles = [&](int from, int to) {
         int sum = 0;
-        for (int cycle = from; cycle <= to; ++cycle) sum += iterations[static_cast<std::size_t>(cycle)];
+        for (int cycle = from; cycle <= to; ++cycle) sum += iterations[at(cycle)];
         return sum;
     };
     std::cout << fmt::format(

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/material_point.hpp"
 
@@ -110,7 +112,7 @@ TEST(PlaneStress, EqualsPlaneStrainWithTheThroughStressBroughtToZero) {
             std::normal_distribution<double> normal(0.0, size);
             const auto thick = fine::make_material_law(section, PlaneState::Strain);
             const auto thin = fine::make_material_law(section, PlaneState::Stress);
-            std::vector<double> committed(static_cast<std::size_t>(thin->state_size()), 0.0);
+            std::vector<double> committed(at(thin->state_size()), 0.0);
             for (int step = 0; step < 100; ++step) {
                 const Mandel increment{normal(random), normal(random), 0.0, normal(random)};
                 const PointUpdate found = update_point(*thin, committed, increment);
@@ -172,8 +174,7 @@ double imbalance_of_tension_along(const Mesh& mesh, const Vec2& from, const Vec2
 }
 
 TEST(PlaneStress, PatchTestOfUncutCutAndTipElements) {
-    EXPECT_NEAR(gradient_of(Eigen::Vector2d(100.0, 0.0).asDiagonal().toDenseMatrix(), sheet)(0, 0), 100.0 / sheet.young,
-                1e-18);
+    EXPECT_NEAR(gradient_of(Vec2(100.0, 0.0).asDiagonal().toDenseMatrix(), sheet)(0, 0), 100.0 / sheet.young, 1e-18);
     for (int k = 0; k < 20; ++k) {
         const Mesh mesh = k % 2 == 0 ? square_mesh(6) : distorted(square_mesh(6), 0.02);
         const Vec2 tip(0.5 + 0.2 * std::sin(5.0 * k), 0.5 + 0.2 * std::cos(9.0 * k));
@@ -203,9 +204,9 @@ coarse::TipResult edge_crack(double a, PlaneState plane, double poisson = 0.3) {
     input.cracks = {{.points = {{0.0, 1.0}, {a, 1.0}}, .contact = {}}};
     input.boundaries.resize(2);
     input.boundaries[0].on = "top";
-    input.boundaries[0].traction = Point(0.0, 1.0);
+    input.boundaries[0].traction = Vec2(0.0, 1.0);
     input.boundaries[1].on = "bottom";
-    input.boundaries[1].traction = Point(0.0, -1.0);
+    input.boundaries[1].traction = Vec2(0.0, -1.0);
     const coarse::Scene scene = coarse::make_scene(input);
     const coarse::Structure structure(scene, no_zone(scene));
     return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {}).front();

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "coarse/model/rings.hpp"
+#include "common/index.hpp"
 #include "tests/support/one_equilibrium.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
@@ -46,9 +47,9 @@ Case touching_crack(double a, double middle, double gradient) {
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     for (BoundarySection& end : input.boundaries) {
         const double sign = end.traction->y();
-        end.traction = Point(0.0, sign * middle);
+        end.traction = Vec2(0.0, sign * middle);
         end.traction_gradient << 0.0, 0.0, sign * gradient, 0.0;
-        end.origin = Point(0.5, 0.0);
+        end.origin = Vec2(0.5, 0.0);
     }
     return input;
 }
@@ -80,7 +81,7 @@ TEST(Rings, ACrackThatBendingClosesInPart) {
     const Equilibrated result = equilibrate(scene, 1.0);
     ASSERT_TRUE(result.newton.converged);
     const auto open = std::ranges::find_if(scene.enriched.tips, [](const Tip& tip) { return tip.direction.x() > 0.0; });
-    const auto index = static_cast<std::size_t>(open - scene.enriched.tips.begin());
+    const auto index = at(open - scene.enriched.tips.begin());
     const coarse::TipResult &tip = result.tips[index], &other = result.tips[1 - index];
     std::cout << fmt::format(
         "half closed: contact over {:.4f} a (2/3), K_I {:+.3f} %, by J {:+.3f} %, T {:.4f}; spread of J "

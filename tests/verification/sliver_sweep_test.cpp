@@ -86,13 +86,13 @@ void sweep(const std::string& name, const Moved& moved, int steps, std::size_t t
 /// Edge crack with its tip `columns` elements from the left and `rows` from the bottom, 81 rows of elements.
 Case edge_crack_at(double columns, double rows) {
     Case input = edge_crack(columns * h, 81 * h, End::Pulled);
-    for (Point& point : input.cracks[0].points) point.y() = rows * h;
+    for (Vec2& point : input.cracks[0].points) point.y() = rows * h;
     return input;
 }
 
 /// Crack of half length 0.2 at 30 degrees in a square, its middle at `middle` elements along both axes.
 Case inclined_crack_at(double middle) {
-    const Point centre = middle * h * Point(1.0, 1.0), half = 0.2 * Point(std::sqrt(0.75), 0.5);
+    const Vec2 centre = middle * h * Vec2(1.0, 1.0), half = 0.2 * Vec2(std::sqrt(0.75), 0.5);
     Case input = specimen("plate", 1.0, {centre - half, centre + half});
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     return input;

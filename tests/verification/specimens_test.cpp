@@ -12,6 +12,7 @@
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/structure/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/index.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -134,7 +135,7 @@ TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     coarse::Scene plastic = solution.scene;
     plastic.input.fine.radius = 10.0;
     const std::vector<char> zone = coarse::select_zone(plastic, {1.0});
-    for (const int element : plastic.mesh.insert) EXPECT_EQ(zone[static_cast<std::size_t>(element)], 0);
+    for (const int element : plastic.mesh.insert) EXPECT_EQ(zone[at(element)], 0);
     EXPECT_EQ(std::ranges::count(zone, static_cast<char>(1)), static_cast<std::ptrdiff_t>(all.size()));
 }
 
@@ -174,7 +175,7 @@ TEST(Specimens, TwoCollinearCracksPullAtEachOther) {
 TEST(Specimens, TwoParallelCracksShieldEachOther) {
     const double a = 1.0, width = 20.0;
     const auto level = [&](double y) {
-        return std::vector<Point>{{width / 2.0 - a, width / 2.0 + y}, {width / 2.0 + a, width / 2.0 + y}};
+        return std::vector<Vec2>{{width / 2.0 - a, width / 2.0 + y}, {width / 2.0 + a, width / 2.0 + y}};
     };
     const auto solve = [&](std::vector<double> heights) {
         Case input = specimen("plate", width, level(heights[0]));

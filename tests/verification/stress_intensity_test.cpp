@@ -16,7 +16,7 @@ namespace {
 constexpr double young = 200e3, poisson = 0.3, plane_modulus = young / (1.0 - poisson * poisson);
 
 /// Plate of width 1 under tension at both ends, `cells` elements across the width.
-Case tension(const std::string& specimen, double height, int cells, std::vector<Point> crack, double stress = 1.0) {
+Case tension(const std::string& specimen, double height, int cells, std::vector<Vec2> crack, double stress = 1.0) {
     Case input;
     input.mesh = {.specimen = specimen, .width = 1.0, .height = height, .size = 1.0 / cells, .grading = {}};
     input.material.young = young;
@@ -24,9 +24,9 @@ Case tension(const std::string& specimen, double height, int cells, std::vector<
     input.cracks = {{.points = std::move(crack), .contact = {}}};
     input.boundaries.resize(2);
     input.boundaries[0].on = "top";
-    input.boundaries[0].traction = Point(0.0, stress);
+    input.boundaries[0].traction = Vec2(0.0, stress);
     input.boundaries[1].on = "bottom";
-    input.boundaries[1].traction = Point(0.0, -stress);
+    input.boundaries[1].traction = Vec2(0.0, -stress);
     return input;
 }
 

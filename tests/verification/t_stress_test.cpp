@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "common/geometry/vec2.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -18,7 +19,7 @@ using std::numbers::pi;
 void impose_K_and_T(coarse::Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips.front();
-    const Eigen::Matrix2d stretch = gradient_of(Eigen::Vector2d(1.0, 0.0).asDiagonal(), scene.elastic);
+    const Eigen::Matrix2d stretch = gradient_of(Vec2(1.0, 0.0).asDiagonal(), scene.elastic);
     for (const int node : boundary_nodes(scene.mesh)) {
         const Vec2& x = mesh.nodes[at(node)];
         const Vec2 u = williams_field(1, tip, x, 0, scene.elastic).displacement + stretch * (x - tip.position);

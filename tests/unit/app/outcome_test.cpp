@@ -9,6 +9,7 @@
 
 #include "app/study/run_files.hpp"
 #include "app/study/table.hpp"
+#include "common/index.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -112,7 +113,7 @@ TEST(StudyTable, HasACellForEachColumn) {
         const std::vector<coarse::Cell> line = cells(row, with_errors);
         ASSERT_EQ(line.size(), names.size());
         const auto cell = [&](const std::string& name) {
-            return line.at(static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()));
+            return line.at(at(std::ranges::find(names, name) - names.begin()));
         };
         EXPECT_EQ(std::get<std::string>(cell("mode")), "mpi");
         EXPECT_EQ(std::get<double>(cell("J")), 4.0);

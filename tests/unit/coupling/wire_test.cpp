@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
 #include "coupling/wire.hpp"
 
 namespace stria::coupling {
@@ -122,9 +123,9 @@ TEST(Wire, Restore) {
     snapshot.columns = 2;
     snapshot.history = {0.1, -0.0};
     snapshot.half_cycle_ended = true;
-    snapshot.displacement = Eigen::Vector2d(1e-300, 2.0);
-    snapshot.increments = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)};
-    snapshot.held = Eigen::Vector2d(0.0, -5.0);
+    snapshot.displacement = Vec2(1e-300, 2.0);
+    snapshot.increments = {Vec2(1.0, 2.0), Vec2(3.0, 4.0)};
+    snapshot.held = Vec2(0.0, -5.0);
     snapshot.multipliers = {{.crack = 1, .place = {0.5, 0.25}, .closed = true, .increments = {0.1, 0.2}}};
     snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
     const Restore copy = there_and_back(Restore{small_patch(), snapshot});
@@ -140,8 +141,7 @@ TEST(Wire, Restore) {
 }
 
 TEST(Wire, Displacement) {
-    const PatchDisplacement message{
-        .iteration = 4, .predictor = 0.3, .load_factor = -0.7, .boundary = Eigen::Vector2d(0.1, -0.0)};
+    const PatchDisplacement message{.iteration = 4, .predictor = 0.3, .load_factor = -0.7, .boundary = Vec2(0.1, -0.0)};
     const PatchDisplacement copy = there_and_back(message);
     EXPECT_EQ(copy.iteration, 4);
     EXPECT_EQ(copy.predictor, 0.3);

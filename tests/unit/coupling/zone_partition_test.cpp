@@ -7,6 +7,7 @@
 #include <set>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/index.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -27,7 +28,7 @@ std::set<int> ranks_of_cracks(const EnrichedMesh& zone, const std::vector<int>& 
     const std::vector<int> piece = piece_of_elements(zone);
     std::set<int> found;
     for (int e = 0; e < std::ssize(zone.elements); ++e) {
-        const auto i = static_cast<std::size_t>(e);
+        const auto i = at(e);
         if (ElementBasis(zone, e, piece[i] >= 0).enriched() || piece[i] >= 0) found.insert(rank[i]);
     }
     return found;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "common/index.hpp"
+
 namespace stria::coarse {
 namespace {
 
@@ -77,7 +79,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     const auto changes = meter.locate({1, 1, 1}, {0, 0, 0}, 30.0, 40.0, 0.1, solve);
     ASSERT_EQ(changes.size(), 3U);
     for (const OpeningChange& change : changes) {
-        const double distance = meter.distances(0)[static_cast<std::size_t>(change.signal)];
+        const double distance = meter.distances(0)[at(change.signal)];
         EXPECT_NEAR(change.load_factor, 40.0 - 20.0 * distance, 0.1);
     }
     EXPECT_LT(trials, 20);

@@ -10,6 +10,7 @@
 #include "coarse/model/rigid_motions.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -19,7 +20,7 @@ const Mesh mesh = grid_mesh(std::vector<double>{0.0, 1.0, 2.5, 4.0}, std::vector
 BoundarySection traction_on(const std::string& name, double x, double y) {
     BoundarySection section;
     section.on = name;
-    section.traction = Point(x, y);
+    section.traction = Vec2(x, y);
     return section;
 }
 
@@ -33,7 +34,7 @@ BoundarySection held(const std::string& name, std::optional<double> x, std::opti
 BoundarySection at_point(double x, double y) {
     BoundarySection section;
     section.on = "point";
-    section.at = Point(x, y);
+    section.at = Vec2(x, y);
     return section;
 }
 
@@ -45,7 +46,7 @@ BoundarySection held_at(double x, double y, std::optional<double> ux, std::optio
 
 BoundarySection force_at(double x, double y, double fx, double fy) {
     BoundarySection section = at_point(x, y);
-    section.force = Point(fx, fy);
+    section.force = Vec2(fx, fy);
     return section;
 }
 
@@ -74,7 +75,7 @@ FreeMotions motions_of(const std::vector<BoundarySection>& sections) {
 bool holds_the_body(const std::vector<BoundarySection>& sections, const FreeMotions& motions) {
     Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
     const auto add = [&](int node, int component) {
-        const Vec2& x = mesh.nodes[static_cast<std::size_t>(node)];
+        const Vec2& x = mesh.nodes[at(node)];
         const Eigen::Vector3d row = component == 0 ? Eigen::Vector3d(1, 0, -x.y()) : Eigen::Vector3d(0, 1, x.x());
         gram += row * row.transpose();
     };
@@ -93,7 +94,7 @@ TEST(Boundaries, IntegrateTractionsToTheirResultant) {
     EXPECT_LT((resultant({pressure}) - Vec2(-15.0, 0.0)).norm(), 1e-14);  // inwards
     BoundarySection gradient;
     gradient.on = "top";
-    gradient.origin = Point(1.0, 0.0);
+    gradient.origin = Vec2(1.0, 0.0);
     gradient.traction_gradient << 0.0, 0.0, 3.0, 0.0;  // t_y = 3 (x - 1)
     EXPECT_LT((resultant({gradient}) - Vec2(0.0, 3.0 * (8.0 - 4.0))).norm(), 1e-13);
     EXPECT_EQ(resultant({force_at(4.0, 3.0, 1.0, -2.0)}), Vec2(1.0, -2.0));
@@ -110,10 +111,10 @@ TEST(Boundaries, RefuseWhatMakesNoSense) {
     EXPECT_TRUE(mentions(refusal({held_at(1.1, 0.0, 0.0, 0.0)}), "the nearest is (1, 0)"));
     EXPECT_TRUE(mentions(refusal({held("bottom", 0.0, 0.0), held("left", 1.0, {})}), "boundary[2].displacement"));
     BoundarySection section = traction_on("top", 0.0, 1.0);
-    section.force = Point(1.0, 0.0);
+    section.force = Vec2(1.0, 0.0);
     EXPECT_TRUE(mentions(refusal({section}), "boundary[1].force"));
     section = at_point(0.0, 0.0);
-    section.traction = Point(1.0, 0.0);
+    section.traction = Vec2(1.0, 0.0);
     EXPECT_TRUE(mentions(refusal({section}), "give it a force"));
     EXPECT_TRUE(mentions(refusal({traction_on("top", std::nan(""), 1.0)}), "finite"));
 }
@@ -169,8 +170,7 @@ TEST(LoadedBoundary, IsTheFirstThatCarriesSomething) {
     EXPECT_LT((boundary->resultant - Vec2(12.0, 16.0)).norm(), 1e-14);
 
     double mean = 0.0;  // of u_y = x
-    for (const auto& [node, weight] : mean_displacement(mesh, *boundary))
-        mean += weight.y() * mesh.nodes[static_cast<std::size_t>(node)].x();
+    for (const auto& [node, weight] : mean_displacement(mesh, *boundary)) mean += weight.y() * mesh.nodes[at(node)].x();
     EXPECT_NEAR(mean, 0.8 * 2.0, 1e-14);
 }
 
@@ -182,7 +182,7 @@ TEST(LoadedBoundary, TakesItsDirectionFromWhatThereIs) {
     EXPECT_EQ(point->nodes, std::vector<int>{11});
     BoundarySection bending;
     bending.on = "top";
-    bending.origin = Point(2.0, 0.0);
+    bending.origin = Vec2(2.0, 0.0);
     bending.traction_gradient << 0.0, 0.0, 1.0, 0.0;
     EXPECT_LT((loaded_boundary(mesh, {bending})->direction - Vec2(0.0, 1.0)).norm(), 1e-15);
 }

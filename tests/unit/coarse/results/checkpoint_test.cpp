@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
 #include "coupling/wire.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -31,13 +32,13 @@ Checkpoint some_checkpoint() {
     state.growth_ended = true;
     state.load.reached = -1.0 / 3.0;
     state.load.taken = {{2, 0.0, 5.0}, {2, 5.0, 10.0}};
-    state.equilibrium.increments = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)};
+    state.equilibrium.increments = {Vec2(1.0, 2.0), Vec2(3.0, 4.0)};
     state.equilibrium.load_increments = {0.5, 0.25};
     state.zone.element = {4, 9};
     state.zone.history = {0.1, 0.2};
-    state.zone.increments = {Eigen::Vector2d(-1.0, 0.0)};
+    state.zone.increments = {Vec2(-1.0, 0.0)};
     state.zone.multipliers = {{.crack = 1, .place = {1.0, 2.0}, .pressure = 3.0, .closed = true, .increments = {0.5}}};
-    state.zone.frozen_tips = {{.mesh = {}, .displacement = Eigen::Vector2d(1.0, 2.0), .crack = 1}};
+    state.zone.frozen_tips = {{.mesh = {}, .displacement = Vec2(1.0, 2.0), .crack = 1}};
     checkpoint.recorder.history_rows = 58;
     checkpoint.recorder.fields = {{10, 10.0}, {30, 30.0}};
     state.cycle.tips.resize(1);

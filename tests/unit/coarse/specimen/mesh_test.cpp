@@ -9,6 +9,8 @@
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -119,8 +121,8 @@ TEST(RectangleMesh, HasPositiveElementsThatFillTheBodyAndNamedEdges) {
     const Mesh mesh = make_mesh(scene);
     double area = 0.0;
     for (const auto& element : mesh.elements) {
-        const auto node = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(element[k])]; };
-        const Eigen::Vector2d right = node(1) - node(0), up = node(3) - node(0);
+        const auto node = [&](std::size_t k) { return mesh.nodes[at(element[k])]; };
+        const Vec2 right = node(1) - node(0), up = node(3) - node(0);
         EXPECT_GT(right.x() * up.y() - right.y() * up.x(), 0.0);
         area += right.x() * up.y();
     }
@@ -130,10 +132,9 @@ TEST(RectangleMesh, HasPositiveElementsThatFillTheBodyAndNamedEdges) {
     const auto length_where = [&](const std::string& name, auto on_edge) {
         double length = 0.0;
         for (const BoundaryEdge& edge : mesh.boundary.at(name)) {
-            const auto& element = mesh.elements[static_cast<std::size_t>(edge.element)];
-            const auto& from = mesh.nodes[static_cast<std::size_t>(element[static_cast<std::size_t>(edge.edge)])];
-            const auto& to =
-                mesh.nodes[static_cast<std::size_t>(element[static_cast<std::size_t>((edge.edge + 1) % 4)])];
+            const auto& element = mesh.elements[at(edge.element)];
+            const auto& from = mesh.nodes[at(element[at(edge.edge)])];
+            const auto& to = mesh.nodes[at(element[at((edge.edge + 1) % 4)])];
             if (on_edge(from) && on_edge(to)) length += (to - from).norm();
         }
         return length;
@@ -149,8 +150,8 @@ TEST(RectangleMesh, GradesALineAcrossAndAlongItself) {
     section.grading = {Grading{.at = {{30.0, 20.0}, {20.0, 20.0}}, .size = 0.5, .outer_size = {}, .radius = 1.0}};
     const Mesh mesh = rectangle_mesh(section);
     for (const auto& element : mesh.elements) {
-        const Eigen::Vector2d low = mesh.nodes[static_cast<std::size_t>(element[0])];
-        const Eigen::Vector2d high = mesh.nodes[static_cast<std::size_t>(element[2])];
+        const Vec2 low = mesh.nodes[at(element[0])];
+        const Vec2 high = mesh.nodes[at(element[2])];
         if (low.x() >= 20.0 && high.x() <= 30.0) {
             EXPECT_LE(high.x() - low.x(), 0.5 + 1e-12);
         }
@@ -161,8 +162,8 @@ TEST(RectangleMesh, GradesALineAcrossAndAlongItself) {
 TEST(CompactTension, HasItsOriginOnTheLoadLine) {
     const Mesh mesh =
         compact_tension_mesh({.specimen = "ct", .width = 40.0, .height = 48.0, .size = 1.5, .grading = {}});
-    EXPECT_EQ(mesh.nodes.front(), Point(-10.0, -24.0));
-    EXPECT_EQ(mesh.nodes.back(), Point(40.0, 24.0));
+    EXPECT_EQ(mesh.nodes.front(), Vec2(-10.0, -24.0));
+    EXPECT_EQ(mesh.nodes.back(), Vec2(40.0, 24.0));
     EXPECT_EQ(mesh.load_line, 0.0);
 }
 
@@ -172,13 +173,13 @@ TEST(CompactTension, SpreadsItsPinForcesWithoutMoment) {
             compact_tension_mesh({.specimen = "ct", .width = 40.0, .height = 48.0, .size = size, .grading = {}});
         ASSERT_EQ(mesh.pins.size(), 2U);
         for (const auto& [name, pin] : mesh.pins) {
-            Point centre = Point::Zero();
+            Vec2 centre = Vec2::Zero();
             double sum = 0.0, farthest = 0.0;
-            const Point middle(0.0, name == "pin-top" ? 11.0 : -11.0);
+            const Vec2 middle(0.0, name == "pin-top" ? 11.0 : -11.0);
             for (const auto& [node, weight] : pin.shares) {
                 sum += weight;
-                centre += weight * mesh.nodes[static_cast<std::size_t>(node)];
-                farthest = std::max(farthest, (mesh.nodes[static_cast<std::size_t>(node)] - middle).norm());
+                centre += weight * mesh.nodes[at(node)];
+                farthest = std::max(farthest, (mesh.nodes[at(node)] - middle).norm());
             }
             EXPECT_NEAR(sum, 1.0, 1e-12);
             EXPECT_NEAR(centre.x(), 0.0, 1e-10);  // on the load line
@@ -196,19 +197,18 @@ TEST(CompactTension, HasOpenHolesAndNoStrayNodes) {
     std::vector<char> used(mesh.nodes.size(), 0);
     double area = 0.0;
     for (const auto& nodes : mesh.elements) {
-        const Point extent =
-            mesh.nodes[static_cast<std::size_t>(nodes[2])] - mesh.nodes[static_cast<std::size_t>(nodes[0])];
+        const Vec2 extent = mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])];
         area += extent.x() * extent.y();
-        for (const int node : nodes) used[static_cast<std::size_t>(node)] = 1;
+        for (const int node : nodes) used[at(node)] = 1;
     }
     const double holes = 2.0 * (1.0 - 1.0 / 6.0) * 3.14159 * 25.0;  // but for the pins' sectors of 60 degrees
     EXPECT_NEAR(area, 50.0 * 48.0 - holes, 0.03 * holes);
     EXPECT_EQ(std::ranges::count(used, static_cast<char>(0)), 0);
     for (const char* hole : {"hole-top", "hole-bottom"}) {
         for (const BoundaryEdge& edge : mesh.boundary.at(hole)) {
-            const auto& nodes = mesh.elements[static_cast<std::size_t>(edge.element)];
-            const Point& end = mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(edge.edge)])];
-            EXPECT_LT((end - Point(0.0, end.y() > 0.0 ? 11.0 : -11.0)).norm(), 5.0 + 0.4);
+            const auto& nodes = mesh.elements[at(edge.element)];
+            const Vec2& end = mesh.nodes[at(nodes[at(edge.edge)])];
+            EXPECT_LT((end - Vec2(0.0, end.y() > 0.0 ? 11.0 : -11.0)).norm(), 5.0 + 0.4);
         }
     }
 }
@@ -245,7 +245,7 @@ TEST(MakeMesh, NamesTheKeyThatIsWrong) {
 }
 
 TEST(MakeMesh, WantsCracksThatMeetTheBody) {
-    const auto with_crack = [](std::vector<Point> points) {
+    const auto with_crack = [](std::vector<Vec2> points) {
         Case scene = plain_case();
         scene.cracks.push_back(CrackSection{.points = std::move(points), .contact = {}, .notch = 0.0});
         return refusal(scene);

@@ -32,8 +32,8 @@ Case with_forces(double force) {
     for (const double side : {1.0, -1.0}) {
         BoundarySection point;
         point.on = "point";
-        point.at = Point(36.0, 20.0 + 2.0 * side);
-        point.force = Point(0.0, force * side);
+        point.at = Vec2(36.0, 20.0 + 2.0 * side);
+        point.force = Vec2(0.0, force * side);
         input.boundaries.push_back(point);
     }
     return input;

@@ -9,6 +9,7 @@
 
 #include "coarse/structure/structure.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
+#include "common/index.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -31,15 +32,15 @@ std::set<int> zone_of(const Scene& scene, double K_I) {
 
 double distance_to_tip(const Scene& scene, int element) {
     Vec2 centre = Vec2::Zero();
-    for (const int node : scene.enriched.elements[static_cast<std::size_t>(element)]) {
-        centre += scene.enriched.nodes[static_cast<std::size_t>(node)] / 4.0;
+    for (const int node : scene.enriched.elements[at(element)]) {
+        centre += scene.enriched.nodes[at(node)] / 4.0;
     }
     return (centre - scene.enriched.tips[0].position).norm();
 }
 
 bool has_tip_function(const Scene& scene, int element) {
-    return std::ranges::any_of(scene.enriched.elements[static_cast<std::size_t>(element)], [&](int node) {
-        const auto& terms = scene.enriched.terms[static_cast<std::size_t>(node)];
+    return std::ranges::any_of(scene.enriched.elements[at(element)], [&](int node) {
+        const auto& terms = scene.enriched.terms[at(node)];
         return std::ranges::any_of(terms, [](const Term& term) { return term.kind == Term::Kind::Tip; });
     });
 }

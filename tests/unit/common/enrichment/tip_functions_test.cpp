@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "common/geometry/vec2.hpp"
+
 namespace stria::test {
 namespace {
 
 const Tip inclined{.crack = 0, .position = {0.3, -0.2}, .direction = {0.8, 0.6}, .s = 1.0, .upper = 1};
 const Tip reversed{.crack = 0, .position = {0.3, -0.2}, .direction = {-0.8, -0.6}, .s = 0.0, .upper = -1};
 
-/// Point at polar coordinates of the tip's frame.
+/// Vec2 at polar coordinates of the tip's frame.
 Vec2 point(const Tip& tip, double r, double theta) {
     const Vec2 across(-tip.direction.y(), tip.direction.x());
     return tip.position + r * (std::cos(theta) * tip.direction + std::sin(theta) * across);
@@ -37,7 +39,7 @@ TEST(TipFunctions, GradientsMatchDifferences) {
 
 TEST(TipFunctions, ValuesAreEquation2) {
     const double r = 0.7, t = 1.1, p = 0.25;
-    const Eigen::Vector2d half(std::sin(t / 2.0), std::cos(t / 2.0));
+    const Vec2 half(std::sin(t / 2.0), std::cos(t / 2.0));
     const Eigen::VectorXd value = tip_functions(inclined, point(inclined, r, t), 0, p).value;
     for (int pair = 0; pair < 3; ++pair) {
         const double factor = pair == 0 ? 1.0 : std::sin(pair == 1 ? t : 3.0 * t);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/fem/mesh.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -20,7 +21,7 @@ TEST(ShapeQ4, SumsToOneAndReproducesLinearFields) {
         EXPECT_NEAR(shape.value.sum(), 1.0, 1e-15);
         Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
         for (int node = 0; node < 4; ++node) {
-            gradient += distorted[static_cast<std::size_t>(node)] * shape.gradient.row(node);
+            gradient += distorted[at(node)] * shape.gradient.row(node);
         }
         EXPECT_LT((gradient - Eigen::Matrix2d::Identity()).norm(), 1e-14);
     }

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "common/geometry/vec2.hpp"
 #include "tests/support/elastic_scene.hpp"
 
 namespace stria::test {
@@ -70,7 +71,7 @@ struct ExactField {
     [[nodiscard]] TipField at(const Tip& tip, const Vec2& x, int side) const {
         const TipField I = williams_field(1, tip, x, side, elastic), II = williams_field(2, tip, x, side, elastic);
         const Eigen::Matrix2d axes = tip_axes(tip);
-        const Eigen::Matrix2d stress = axes * Eigen::Vector2d(T - p, -p).asDiagonal() * axes.transpose();
+        const Eigen::Matrix2d stress = axes * Vec2(T - p, -p).asDiagonal() * axes.transpose();
         TipField sum;
         sum.gradient = K_I * I.gradient + K_II * II.gradient + gradient_of(stress, elastic);
         sum.stress = elastic.stiffness() * strain_of(sum.gradient);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/geometry/vec2.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria::test {
@@ -67,7 +68,7 @@ TEST(Archive, GivesBackEveryBit) {
                    .bytes = {std::byte{0}, std::byte{255}},
                    .numbers = {-1, 1'000'000'000},
                    .vector = Eigen::Vector3d(0.1, 1e-320, -infinity),
-                   .vectors = {Eigen::Vector2d(1.0, 2.0), Eigen::Vector2d(3.0, 4.0)},
+                   .vectors = {Vec2(1.0, 2.0), Vec2(3.0, 4.0)},
                    .none = {},
                    .leaves = {{7, {0.5}}, {8, {}}}};
     hdf5::write_file(folder / "file.h5", [&](hdf5::Group& root) { hdf5::Saver{root}("whole", in); });

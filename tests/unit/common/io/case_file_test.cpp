@@ -89,11 +89,11 @@ TEST_F(CaseFile, ReadsValuesAndDefaults) {
     EXPECT_EQ(scene.name, "plate");
     EXPECT_EQ(scene.mesh.height, 200.0);
     ASSERT_EQ(scene.mesh.grading.size(), 1U);
-    EXPECT_EQ(scene.mesh.grading[0].at, std::vector<Point>{Point(20.0, 100.0)});
+    EXPECT_EQ(scene.mesh.grading[0].at, std::vector<Vec2>{Vec2(20.0, 100.0)});
     EXPECT_EQ(scene.mesh.grading[0].growth, 0.25);
     EXPECT_EQ(scene.material.yield_stress, 300.0);
     EXPECT_EQ(scene.material.kinematic.at(0).gamma, 0.0);
-    EXPECT_EQ(scene.cracks.at(0).points.at(1), Point(20.0, 100.0));
+    EXPECT_EQ(scene.cracks.at(0).points.at(1), Vec2(20.0, 100.0));
     EXPECT_TRUE(scene.cracks[0].contact);
     EXPECT_FALSE(scene.boundaries.at(1).displacement[0]);
     EXPECT_EQ(scene.boundaries[1].displacement[1], 0.0);
@@ -118,7 +118,7 @@ TEST_F(CaseFile, KnowsTheProportionsOfSpecimens) {
 
 TEST_F(CaseFile, TakesForcesAtPins) {
     const std::string pin = "[[boundary]]\non = \"pin-top\"\n";
-    EXPECT_EQ(read(complete + pin + "force = [0.0, 1.0]\n").boundaries.back().force, Point(0.0, 1.0));
+    EXPECT_EQ(read(complete + pin + "force = [0.0, 1.0]\n").boundaries.back().force, Vec2(0.0, 1.0));
     EXPECT_NE(complaint(complete + pin + "displacement = [\"free\", 1.0]\n").find("a pin turns freely"),
               std::string::npos);
     EXPECT_NE(complaint(complete + pin + "traction = [0.0, 1.0]\n").find("not a point"), std::string::npos);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria {
 namespace {
@@ -297,7 +298,7 @@ TEST_P(FrontTreeOfEither, SubtreesAtRestRespondAsTheirElementsDo) {
     const Eigen::VectorXd response = tree.response(move), followed = tree.follow(move);
     const Eigen::VectorXd due = load - asleep * followed;
     for (Eigen::Index i = 0; i < due.size(); ++i) {
-        const bool inside = tree.inside()[static_cast<std::size_t>(i)] != 0;
+        const bool inside = tree.inside()[at(i)] != 0;
         EXPECT_NEAR(due[i], response[i], 1e-10);
         EXPECT_NEAR(response[i], inside ? 0.0 : response[i], 0.0);
         EXPECT_TRUE(inside || followed[i] == move[i]);
@@ -316,13 +317,12 @@ TEST_P(FrontTreeOfEither, LoadsPassAroundWhatRests) {
     tree.rest(may_rest);
     Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
     for (Eigen::Index i = 0; i < load.size(); ++i)
-        if (tree.inside()[static_cast<std::size_t>(i)] != 0) load[i] = 0.0;
+        if (tree.inside()[at(i)] != 0) load[i] = 0.0;
     const ReducedLoad reduced = tree.reduce(load), expected = whole.reduce(load);
     EXPECT_EQ(reduced.boundary, expected.boundary);
     const Eigen::VectorXd boundary = Eigen::VectorXd::LinSpaced(reduced.boundary.size(), 0.1, 0.2);
     const Eigen::VectorXd x = tree.expand(reduced, boundary), y = whole.expand(expected, boundary);
-    for (Eigen::Index i = 0; i < load.size(); ++i)
-        EXPECT_EQ(x[i], tree.inside()[static_cast<std::size_t>(i)] != 0 ? 0.0 : y[i]);
+    for (Eigen::Index i = 0; i < load.size(); ++i) EXPECT_EQ(x[i], tree.inside()[at(i)] != 0 ? 0.0 : y[i]);
 }
 
 TEST(FrontTree, AMultiplierThatBecomesIdleDirtiesItsPath) {

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/geometry/vec2.hpp"
+#include "common/index.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 #include "common/substructure/sparse_leaf.hpp"
 
@@ -16,7 +18,7 @@ namespace {
 /// Elements of four points on an nx x ny grid of elements.
 struct Grid {
     IndexLists elements;
-    std::vector<Eigen::Vector2d> centres;
+    std::vector<Vec2> centres;
     int points;
 
     Grid(int nx, int ny) : points((nx + 1) * (ny + 1)) {
@@ -41,7 +43,7 @@ TEST(NestedDissection, PlacesEveryUnknownOnceAndTheKeptOnesLast) {
     std::vector<int> order = nested_dissection(grid.elements, grid.centres, grid.points, kept);
     EXPECT_TRUE(std::equal(kept.rbegin(), kept.rend(), order.rbegin()));
     std::ranges::sort(order);
-    std::vector<int> all(static_cast<std::size_t>(grid.points));
+    std::vector<int> all(at(grid.points));
     std::iota(all.begin(), all.end(), 0);
     EXPECT_EQ(order, all);
 }
@@ -63,18 +65,17 @@ TEST(NestedDissection, LeavesOutWhatNoElementHolds) {
 // What near elements see comes after all that they do not.
 TEST(NestedDissection, LateElementsComeAfterTheOthers) {
     const Grid grid(12, 9);
-    std::vector<char> late(grid.elements.size(), 0), seen(static_cast<std::size_t>(grid.points), 0);
+    std::vector<char> late(grid.elements.size(), 0), seen(at(grid.points), 0);
     for (std::size_t e = 0; e < late.size(); ++e) {
-        late[e] = static_cast<char>((grid.centres[e] - Eigen::Vector2d(3.0, 4.0)).norm() < 3.0);
+        late[e] = static_cast<char>((grid.centres[e] - Vec2(3.0, 4.0)).norm() < 3.0);
         if (late[e] != 0)
-            for (const int point : grid.elements[e]) seen[static_cast<std::size_t>(point)] = 1;
+            for (const int point : grid.elements[e]) seen[at(point)] = 1;
     }
     const std::vector<int> order = nested_dissection(grid.elements, grid.centres, grid.points, {5}, late);
-    EXPECT_EQ(order.size(), static_cast<std::size_t>(grid.points));
-    const auto first_late = std::ranges::find_if(order, [&](int i) { return seen[static_cast<std::size_t>(i)] != 0; });
+    EXPECT_EQ(order.size(), at(grid.points));
+    const auto first_late = std::ranges::find_if(order, [&](int i) { return seen[at(i)] != 0; });
     EXPECT_GT(first_late - order.begin(), 10);
-    EXPECT_TRUE(
-        std::all_of(first_late, order.end() - 1, [&](int i) { return seen[static_cast<std::size_t>(i)] != 0; }));
+    EXPECT_TRUE(std::all_of(first_late, order.end() - 1, [&](int i) { return seen[at(i)] != 0; }));
     EXPECT_EQ(order.back(), 5);
 }
 
@@ -111,8 +112,8 @@ TEST(SparseLeaf, NumberedInOrderOfEliminationGivesTheSameTangent) {
 
     const std::vector<int> order = nested_dissection(grid.elements, grid.centres, grid.points, kept);
     std::vector<int> rank(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) rank[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-    grid.elements.map([&](int point) { return rank[static_cast<std::size_t>(point)]; });
+    for (std::size_t k = 0; k < order.size(); ++k) rank[at(order[k])] = static_cast<int>(k);
+    grid.elements.map([&](int point) { return rank[at(point)]; });
     SparseMatrix ordered = lower_pattern(grid.elements, grid.points);
     for (std::size_t e = 0; e < grid.elements.size(); ++e) add_to_lower(ordered, grid.elements[e], element_matrix(e));
     const SparseLeaf leaf(static_cast<int>(kept.size()), std::move(ordered));

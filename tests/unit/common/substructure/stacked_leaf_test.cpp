@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/geometry/vec2.hpp"
+
 namespace stria {
 namespace {
 
@@ -41,7 +43,7 @@ TEST_F(ChainInTwoSteps, CondensesAndExpandsAlike) {
     const ReducedLoad a = parts.reduce(load), b = whole.reduce(load);
     EXPECT_LT((a.boundary - b.boundary).norm(), 1e-12);
     EXPECT_NEAR(a.interior.squaredNorm(), b.interior.squaredNorm(), 1e-12);
-    const Eigen::Vector2d kept(0.3, -0.7);
+    const Vec2 kept(0.3, -0.7);
     const Eigen::VectorXd x = parts.expand(a, kept);
     EXPECT_LT((x - whole.expand(b, kept)).norm(), 1e-12);
     EXPECT_EQ(parts.expand_above(a.interior.tail(3), kept), x.tail(5));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "common/index.hpp"
 #include "tests/support/material_point.hpp"
 #include "tests/support/plates.hpp"
 
@@ -131,7 +132,7 @@ void expect_elastic_stress(const Zone& zone, const ZoneState& state, const std::
 TEST(Zone, ExtensionKeepsHistoryBitForBit) {
     const std::vector<int> inner{6, 7, 11, 12, 16, 17};
     std::vector<int> outer(25);
-    for (int e = 0; e < 25; ++e) outer[static_cast<std::size_t>(e)] = e;
+    for (int e = 0; e < 25; ++e) outer[at(e)] = e;
     const Zone old = strained_zone(extract(plate, inner));
     const EnrichedMesh larger = extract(plate, outer);
     const Zone zone = make_zone(larger, scene, random_vector(larger.unknowns, 1e-3, 8), &old);
@@ -143,7 +144,7 @@ TEST(Zone, ExtensionKeepsHistoryBitForBit) {
         const auto found =
             std::ranges::find(inner, now.element[point]);  // element k of `larger` is element k of the plate
         if (found == inner.end()) continue;
-        known[static_cast<std::size_t>(now.element[point])] = 1;
+        known[at(now.element[point])] = 1;
         EXPECT_EQ(before.element[kept], found - inner.begin());
         for (std::size_t c = 0; c < 4; ++c) {
             EXPECT_EQ(now.stress[4 * point + c], before.stress[4 * kept + c]);
@@ -157,7 +158,7 @@ TEST(Zone, ExtensionKeepsHistoryBitForBit) {
 }
 
 /// A crack through the whole plate; each side is strained uniformly beyond yield, in two steps along different paths.
-class TwoSidedPatch : public testing::TestWithParam<std::pair<Point, Point>> {};
+class TwoSidedPatch : public testing::TestWithParam<std::pair<Vec2, Vec2>> {};
 
 TEST_P(TwoSidedPatch, EachSideHasItsOwnUniformStress) {
     const auto& [from, to] = GetParam();
@@ -190,12 +191,12 @@ TEST_P(TwoSidedPatch, EachSideHasItsOwnUniformStress) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, TwoSidedPatch,
-                         testing::Values(std::pair{Point{0.0, 2.4}, Point{5.0, 2.4}},
-                                         std::pair{Point{0.0, 1.2}, Point{5.0, 3.9}},
-                                         std::pair{Point{1.3, 0.0}, Point{3.1, 5.0}},
-                                         std::pair{Point{0.0, 0.7}, Point{4.6, 5.0}},
-                                         std::pair{Point{0.0, 2.001}, Point{5.0, 2.002}},  // slivers
-                                         std::pair{Point{0.0, 3.3}, Point{5.0, 1.05}}));
+                         testing::Values(std::pair{Vec2{0.0, 2.4}, Vec2{5.0, 2.4}},
+                                         std::pair{Vec2{0.0, 1.2}, Vec2{5.0, 3.9}},
+                                         std::pair{Vec2{1.3, 0.0}, Vec2{3.1, 5.0}},
+                                         std::pair{Vec2{0.0, 0.7}, Vec2{4.6, 5.0}},
+                                         std::pair{Vec2{0.0, 2.001}, Vec2{5.0, 2.002}},  // slivers
+                                         std::pair{Vec2{0.0, 3.3}, Vec2{5.0, 1.05}}));
 
 }  // namespace
 }  // namespace stria::test

@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "common/index.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -121,7 +122,7 @@ TEST(ContactInterface, RowsAreTheDerivativeOfTheirRightHandSide) {
     Eigen::VectorXd predicted = now.contact.open_diagonal().cwiseProduct(dp);
     const Eigen::VectorXd closing = -(now.contact.operator_B() * du);
     for (Eigen::Index k = 0; k < dp.size(); ++k)
-        if (now.contact.statuses()[static_cast<std::size_t>(k)] != 0) predicted[k] = closing[k];
+        if (now.contact.statuses()[at(k)] != 0) predicted[k] = closing[k];
     now.u += du;
     now.pressure += dp;
     const Eigen::VectorXd difference = before - now.right_hand_side();  // the statuses stay
@@ -144,7 +145,7 @@ TEST(ContactInterface, StatusesAreTheBranchesOfTheComplementarityEquation) {
         const double by_pressure =
             (equation(now.pressure[k] + h, gap[k]) - equation(now.pressure[k] - h, gap[k])) / (2 * h);
         const double by_gap = (equation(now.pressure[k], gap[k] + h) - equation(now.pressure[k], gap[k] - h)) / (2 * h);
-        const bool closed = now.contact.statuses()[static_cast<std::size_t>(k)] != 0;
+        const bool closed = now.contact.statuses()[at(k)] != 0;
         EXPECT_NEAR(by_pressure, closed ? 0.0 : 1.0, 1e-6);
         EXPECT_NEAR(by_gap, closed ? c : 0.0, 1e-4);
         largest = std::max(largest, weight[k] * std::abs(equation(now.pressure[k], gap[k])));

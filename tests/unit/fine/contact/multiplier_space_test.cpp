@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "common/index.hpp"
 #include "tests/support/cracked_mesh.hpp"
 #include "tests/support/plates.hpp"
 
@@ -15,20 +16,20 @@ namespace {
 
 using fine::MultiplierSpace;
 
-MultiplierSpace space_of(const std::vector<Point>& crack, double notch = 0.0, int columns = 12, int rows = 6) {
+MultiplierSpace space_of(const std::vector<Vec2>& crack, double notch = 0.0, int columns = 12, int rows = 6) {
     return {plate_mesh(columns, rows, plate_case(crack)), {}, 0, notch};
 }
 
 double sum_at(const MultiplierSpace& space, double s) {
     double sum = 0.0;
-    for (const auto& [multiplier, value] : space.at(s)) sum += multiplier >= 0 ? value : 0.0;
+    for (const auto& [multiplier, value] : space.acting_at(s)) sum += multiplier >= 0 ? value : 0.0;
     return sum;
 }
 
 std::set<int> acting_between(const MultiplierSpace& space, double from, double to) {
     std::set<int> acting;
     for (int k = 1; k < 200; ++k) {
-        for (const auto& [multiplier, value] : space.at(from + (to - from) * k / 200)) {
+        for (const auto& [multiplier, value] : space.acting_at(from + (to - from) * k / 200)) {
             if (multiplier >= 0 && value > 0.0) acting.insert(multiplier);
         }
     }
@@ -36,10 +37,10 @@ std::set<int> acting_between(const MultiplierSpace& space, double from, double t
 }
 
 TEST(MultiplierSpace, HatsAddUpToOne) {
-    for (const std::vector<Point>& crack : {std::vector<Point>{{0.0, 2.4}, {12.0, 2.4}},
-                                            {{0.0, 2.4}, {8.3, 3.7}},
-                                            {{2.2, 1.3}, {9.4, 4.6}},
-                                            {{0.0, 1.3}, {4.5, 1.4}, {10.4, 4.6}}}) {
+    for (const std::vector<Vec2>& crack : {std::vector<Vec2>{{0.0, 2.4}, {12.0, 2.4}},
+                                           {{0.0, 2.4}, {8.3, 3.7}},
+                                           {{2.2, 1.3}, {9.4, 4.6}},
+                                           {{0.0, 1.3}, {4.5, 1.4}, {10.4, 4.6}}}) {
         const MultiplierSpace space = space_of(crack);
         double length = 0.0;
         for (std::size_t k = 1; k < crack.size(); ++k) length += (crack[k] - crack[k - 1]).norm();
@@ -57,7 +58,7 @@ TEST(MultiplierSpace, NoTwoCrossingsWithAMultiplierShareANode) {   // so each ha
 
 TEST(MultiplierSpace, NodesLieOnCrossings) {
     const MultiplierSpace space = space_of({{0.0, 2.4}, {11.9, 2.4}});
-    for (int k = 0; k < space.size(); ++k) EXPECT_NEAR(space.nodes()[static_cast<std::size_t>(k)], k, 1e-12);
+    for (int k = 0; k < space.size(); ++k) EXPECT_NEAR(space.nodes()[at(k)], k, 1e-12);
 }
 
 TEST(MultiplierSpace, PressureIsConstantTowardsATip) {
@@ -81,14 +82,14 @@ TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
         cracked(coarse::grid_mesh(xs, equal_cells(5, 1.0)), {{0.0, 0.5}, {5.9, 0.5}}, coarse::TipEnrichment{1, 0.5});
     std::vector<int> shared;
     for (const auto& [node, term, unknown] : mesh.own_unknowns())
-        if (mesh.nodes[static_cast<std::size_t>(node)].x() < 4.1) shared.insert(shared.end(), {unknown, unknown + 1});
+        if (mesh.nodes[at(node)].x() < 4.1) shared.insert(shared.end(), {unknown, unknown + 1});
     std::ranges::sort(shared);
     for (const double notch : {0.0, 1.0, 3.9, 4.05, 4.15, 4.25}) {
         const MultiplierSpace space(mesh, shared, 0, notch);
-        std::vector<double> weight(static_cast<std::size_t>(space.size()), 0.0);
+        std::vector<double> weight(at(space.size()), 0.0);
         for (int k = 0; k < 6000; ++k)
-            for (const auto& [multiplier, value] : space.at(notch + (5.9 - notch) * (k + 0.5) / 6000))
-                if (multiplier >= 0) weight[static_cast<std::size_t>(multiplier)] += value;
+            for (const auto& [multiplier, value] : space.acting_at(notch + (5.9 - notch) * (k + 0.5) / 6000))
+                if (multiplier >= 0) weight[at(multiplier)] += value;
         for (const double w : weight) EXPECT_GT(w, 0.0) << notch;
     }
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "tests/support/material_point.hpp"
 
 namespace stria::test {
@@ -187,7 +188,7 @@ TEST_P(EveryLaw, NoStressThroughTheThicknessInPlaneStress) {
 
 TEST_P(EveryLaw, BlocksEqualSinglePoints) {
     constexpr int points = 11, stride = 13;  // neither is a multiple of any vector length
-    const auto size = static_cast<std::size_t>(point_.law().state_size());
+    const auto size = at(point_.law().state_size());
     std::vector<double> increments(4 * stride), committed(size * stride), trial(size * stride), tangent(16 * stride);
     std::vector<unsigned char> yields(points);
     std::vector<MaterialPoint> singles;
@@ -206,7 +207,7 @@ TEST_P(EveryLaw, BlocksEqualSinglePoints) {
         for (std::size_t c = 0; c < size; ++c)
             EXPECT_NEAR(trial[c * stride + q], single.state[c], 1e-12 * (1.0 + std::abs(single.state[c])));
         for (int c = 0; point_.law().flows() && c < 16; ++c)
-            EXPECT_NEAR(tangent[static_cast<std::size_t>(c) * stride + q], single.tangent(c / 4, c % 4), 1e-6);
+            EXPECT_NEAR(tangent[at(c) * stride + q], single.tangent(c / 4, c % 4), 1e-6);
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include "tests/support/material_point.hpp"
 
+#include "common/index.hpp"
+
 namespace stria::test {
 namespace {
 
@@ -23,7 +25,7 @@ const auto whole = fine::make_material_law(mixed(), PlaneState::Strain);
 const auto in_parts = fine::make_material_law(mixed(), PlaneState::Strain, parts);
 
 std::vector<double> strained() {
-    const std::vector<double> virgin(static_cast<std::size_t>(whole->state_size()), 0.0);
+    const std::vector<double> virgin(at(whole->state_size()), 0.0);
     return update_point(*whole, virgin, {1e-3, -3e-3, 0.0, 1e-3}).state;
 }
 
@@ -39,7 +41,7 @@ TEST(Substeps, AreUpdatesOneAfterTheOther) {
     const PointUpdate once = update_point(*in_parts, strained(), turning);
     EXPECT_TRUE(once.yields);
     for (std::size_t c = 0; c < state.size(); ++c) {
-        if (c == static_cast<std::size_t>(fine::state::work)) continue;  // by the trapezoid rule of each
+        if (c == at(fine::state::work)) continue;  // by the trapezoid rule of each
         EXPECT_NEAR(once.state[c], state[c], 1e-11 * (1.0 + std::abs(state[c]))) << c;
     }
 }
@@ -64,7 +66,7 @@ TEST(Substeps, TangentIsTheSymmetricPartOfTheDerivative) {
 }
 
 TEST(Substeps, WithoutATurnNothingIsMissingFromIt) {
-    const std::vector<double> virgin(static_cast<std::size_t>(whole->state_size()), 0.0);
+    const std::vector<double> virgin(at(whole->state_size()), 0.0);
     const auto [derivative, tangent] = derivative_and_tangent(virgin, turning);
     EXPECT_LT((tangent - derivative).norm(), 1e-6 * derivative.norm());
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/index.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -17,7 +18,7 @@ using coupling::PatchResponse;
 using fine::FineModel;
 using fine::ZoneSystem;
 
-const Point mouth{0.0, 2.4}, tip{3.3, 2.6};
+const Vec2 mouth{0.0, 2.4}, tip{3.3, 2.6};
 const Case scene = plate_case({mouth, tip});
 const EnrichedMesh plate = plate_mesh(6, 5, scene);
 const coupling::Patch patch = plate_patch(plate);
@@ -110,7 +111,7 @@ public:
         const Eigen::VectorXd open = system_.contact().open_diagonal();
         matrix.topRightCorner(n, m) = -B.transpose();
         for (Eigen::Index k = 0; k < m; ++k) {
-            if (system_.contact().statuses()[static_cast<std::size_t>(k)] != 0)
+            if (system_.contact().statuses()[at(k)] != 0)
                 matrix.row(n + k).head(n) = -B.row(k);
             else
                 matrix(n + k, n + k) = open[k];

@@ -1,0 +1,69 @@
+// Sets of elements, nodes or unknowns of one mesh: a flag each, and a type each, so that one cannot stand for another.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "common/index.hpp"
+
+namespace stria {
+
+template <class Kind> class IndexSet {
+public:
+    IndexSet() = default;
+
+    /// Of the ids 0 ... size - 1: none of them, or all.
+    explicit IndexSet(std::integral auto size, bool all = false) : flags_(at(size), all ? 1 : 0) {}
+
+    /// From a flag each, 1 or 0.
+    static IndexSet of_flags(std::vector<char> flags) {
+        IndexSet set;
+        set.flags_ = std::move(flags);
+        return set;
+    }
+    [[nodiscard]] const std::vector<char>& flags() const { return flags_; }
+
+    /// How many ids there are, inside and outside.
+    [[nodiscard]] int size() const { return static_cast<int>(flags_.size()); }
+
+    [[nodiscard]] bool contains(int id) const { return flags_[at(id)] != 0; }
+    void insert(int id) { flags_[at(id)] = 1; }
+    void erase(int id) { flags_[at(id)] = 0; }
+
+    [[nodiscard]] int count() const { return static_cast<int>(std::ranges::count(flags_, char{1})); }
+    [[nodiscard]] bool none() const { return std::ranges::find(flags_, char{1}) == flags_.end(); }
+
+    /// Its ids, ascending.
+    [[nodiscard]] std::vector<int> members() const {
+        std::vector<int> ids;
+        for (int id = 0; id < size(); ++id)
+            if (contains(id)) ids.push_back(id);
+        return ids;
+    }
+
+    /// Adds the ids of another set of the same size.
+    IndexSet& operator|=(const IndexSet& other) {
+        for (int id = 0; id < size(); ++id)
+            if (other.contains(id)) insert(id);
+        return *this;
+    }
+
+    [[nodiscard]] IndexSet complement() const {
+        IndexSet others(size(), true);
+        for (int id = 0; id < size(); ++id)
+            if (contains(id)) others.erase(id);
+        return others;
+    }
+
+    bool operator==(const IndexSet&) const = default;
+
+private:
+    std::vector<char> flags_;
+};
+
+using ElementSet = IndexSet<struct ElementKind>;
+using NodeSet = IndexSet<struct NodeKind>;
+using UnknownSet = IndexSet<struct UnknownKind>;
+
+}  // namespace stria
