@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "common/io/number_table.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria::test {
 namespace {
 
-const std::string shipped = STRIA_SOURCE_DIR "/cases/ct-closure/case.toml";
+const std::string shipped = std::string(test::source_folder) + "/cases/ct-closure/case.toml";
 
 NumberTable cycles_of(const TemporaryFolder& folder, std::vector<std::string> settings) {
     std::vector<std::string> words{"run",   shipped,         "-o",    folder / "out", "--quiet",

@@ -15,13 +15,15 @@
 #include <unistd.h>
 #include <vector>
 
+#include "tests/support/folders.hpp"
+
 namespace stria::test {
 
 class Program {
 public:
     /// Starts a program of this build; output and errors go to a file.
     Program(const std::string& name, std::vector<std::string> arguments, std::string log) : log_(std::move(log)) {
-        arguments.insert(arguments.begin(), STRIA_BINARY_DIR "/" + name);
+        arguments.insert(arguments.begin(), std::string(program_folder) + "/" + name);
         std::vector<char*> words;
         for (std::string& word : arguments) words.push_back(word.data());
         words.push_back(nullptr);

@@ -12,10 +12,11 @@
 #include "common/io/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/zone/fine_model.hpp"
+#include "tests/support/folders.hpp"
 
 namespace stria::test {
 
-inline const std::string shipped_sent = STRIA_SOURCE_DIR "/cases/sent-compression/case.toml";
+inline const std::string shipped_sent = std::string(source_folder) + "/cases/sent-compression/case.toml";
 
 /// Elements of `size` at the tip, growing from there on; a run takes about a second with 0.4 mm.
 inline std::string mesh_at_tip(double size) {

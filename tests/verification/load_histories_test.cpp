@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "common/io/case_file.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -55,8 +56,8 @@ TEST(LoadHistories, KChangesWithTheCrackAsAsked) {
 
 // REFERENCES 4.5: delayed retardation. K_op peaks after some growth behind the overload and falls again.
 TEST(LoadHistories, AnOverloadRetardsWithDelayLong) {
-    const Case input =
-        read_case(STRIA_SOURCE_DIR "/cases/overload/case.toml", {"load.blocks.0.cycles=10", "load.blocks.2.cycles=26"});
+    const Case input = read_case(std::string(test::source_folder) + "/cases/overload/case.toml",
+                                 {"load.blocks.0.cycles=10", "load.blocks.2.cycles=26"});
     std::vector<double> opening;  // K_op / K_max of every cycle
     for (const coarse::Increment& increment : run_direct(input).increments)
         for (const coarse::CycleResult& cycle : increment.cycles) opening.push_back(cycle.opening.K_op / 300.0);

@@ -10,13 +10,14 @@
 #include "tests/support/sent_analysis.hpp"
 
 #include "common/index.hpp"
+#include "tests/support/folders.hpp"
 
 namespace stria::test {
 namespace {
 
 TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
     const Case input =
-        read_case(STRIA_SOURCE_DIR "/cases/sent-closure/case.toml",
+        read_case(std::string(test::source_folder) + "/cases/sent-closure/case.toml",
                   {"load.steps=12", "crack.0.points=[[0.0, 100.03], [20.0, 100.03]]",
                    "load.blocks=[{cycles=1000, max=501.0, ratio=0.0}]", "fine.refine=16", "growth.increment=0.1",
                    "growth.every=10", "closure.profile=[]", "closure.distance=0.1"});

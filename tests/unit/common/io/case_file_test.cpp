@@ -1,6 +1,7 @@
 #include "common/io/case_file.hpp"
 
 #include "common/error.hpp"
+#include "tests/support/folders.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -281,13 +282,13 @@ TEST(CaseReference, ExplainsEveryKey) {
 }
 
 TEST(CaseReference, DocumentIsUpToDate) {
-    const std::filesystem::path document = std::filesystem::path(STRIA_SOURCE_DIR) / "docs/case-reference.md";
+    const std::filesystem::path document = std::filesystem::path(test::source_folder) / "docs/case-reference.md";
     EXPECT_TRUE(case_reference_markdown() == text_of(document))
         << "write it anew: stria explain --markdown > docs/case-reference.md";
 }
 
 TEST(CaseReference, FirstExampleIsValid) {
-    const Case scene = read_case(std::string(STRIA_SOURCE_DIR) + "/cases/sent-compression/case.toml");
+    const Case scene = read_case(std::string(test::source_folder) + "/cases/sent-compression/case.toml");
     EXPECT_EQ(scene.name, "sent-compression");
     EXPECT_EQ(scene.load.blocks.at(0).min, -50.0);
 }
