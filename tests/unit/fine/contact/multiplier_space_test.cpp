@@ -100,7 +100,7 @@ TEST(MultiplierSpace, AKinkBreaksThePressure) {
     const std::set<int> before = acting_between(kinked, 0.0, corner), after = acting_between(kinked, corner, 10.0);
     for (const int multiplier : before) EXPECT_FALSE(after.contains(multiplier));
     const MultiplierSpace bent = space_of({{0.0, 1.4}, {corner, 1.4}, {11.5, 1.9}});  // 5 degrees
-    EXPECT_EQ(bent.acting_at(corner)[0].multiplier, bent.at(corner + 1e-6)[0].multiplier);
+    EXPECT_EQ(bent.acting_at(corner)[0].multiplier, bent.acting_at(corner + 1e-6)[0].multiplier);
 }
 
 TEST(MultiplierSpace, ANotchCarriesNone) {
