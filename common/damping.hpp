@@ -6,10 +6,10 @@
 
 namespace stria {
 
-/// Watches the residuals of one increment. Full steps are best while they lead anywhere (NUMERICS 3); where after some
-/// of them the residual is no smaller than half of what it was two iterations ago, the two last states face each other
-/// across a kink of the piecewise linear problem, and the middle between them is nearer. Where halves go to and fro as
-/// well, quarters lead out of it.
+/// Watches the residuals of one increment. Full steps are best while they lead anywhere (docs/method.md, section 6);
+/// where after some of them the residual is no smaller than half of what it was two iterations ago, the two last states
+/// face each other across a kink of the piecewise linear problem, and the middle between them is nearer. Where halves
+/// go to and fro as well, quarters lead out of it.
 class Damping {
 public:
     void begin() { residuals_.clear(); }

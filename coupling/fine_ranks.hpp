@@ -1,5 +1,5 @@
 // The zone shared out among several fine components that look like one: each is a subtree of the zone's tree of
-// substructures, and the merge above them stands here (DESIGN section 1).
+// substructures, and the merge above them stands here (docs/method.md, section 1).
 #pragma once
 
 #include <map>

@@ -20,8 +20,8 @@ struct OpeningChange {
     double load_factor;  // to the precision asked for
 };
 
-/// Contact nearer to the tip than a fixed distance does not count: it is as ambiguous as the tip's element (NUMERICS
-/// 2).
+/// Contact nearer to the tip than a fixed distance does not count: it is as ambiguous as the tip's element
+/// (docs/method.md, section 9).
 class ClosureMeter {
 public:
     ClosureMeter() = default;

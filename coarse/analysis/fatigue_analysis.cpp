@@ -162,7 +162,7 @@ void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& repo
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
 }
 
-// The proof that "elastic outside the zone" held (DESIGN section 4).
+// The proof that "elastic outside the zone" held (docs/method.md, section 8).
 bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     const std::vector<int> yielding = guard_.elements_beyond(*equilibrium_);
     if (yielding.empty()) return false;

@@ -65,7 +65,8 @@ public:
     [[nodiscard]] AnalysisState state() const;
 
     [[nodiscard]] const Structure& structure() const { return *structure_; }
-    /// Elastic, traction-free stress intensities for the load factor 1, one a tip (nominal K, INTERFACE).
+    /// Elastic, traction-free stress intensities for the load factor 1, one per tip: nominal K of docs/method.md,
+    /// section 9.
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_; }
     [[nodiscard]] const ClosureMeter& closure() const { return closure_; }
     [[nodiscard]] int newton_iterations() const { return newton_iterations_; }

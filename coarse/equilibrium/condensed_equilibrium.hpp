@@ -1,4 +1,4 @@
-// The structure condensed once, plus the zone's answers: equilibrium on the boundary Gamma (DESIGN section 1).
+// The structure condensed once, plus the zone's answers: equilibrium on the boundary Gamma (docs/method.md, section 1).
 #pragma once
 
 #include <Eigen/LU>

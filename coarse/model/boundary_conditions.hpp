@@ -76,7 +76,7 @@ struct AppliedForce {
 /// Edge loads (at Gauss points exact for linear tractions and their moments) and point forces alike.
 std::vector<AppliedForce> applied_forces(const Mesh& mesh, const Loads& loads);
 
-/// Where `load` and `displacement` of the history are taken (INTERFACE, definitions).
+/// Where `load` and `displacement` of the history are taken (docs/method.md, section 9).
 struct LoadedBoundary {
     std::string name;                 // of the section: an edge's or pin's name, or "point"
     std::vector<BoundaryEdge> edges;  // empty: a point or pin

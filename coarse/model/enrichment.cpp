@@ -128,7 +128,7 @@ private:
         without_jump.merge(tip_nodes(piece));
     }
 
-    // Side of the nodes of cut elements. A node on the crack counts as + (NUMERICS 1).
+    // Side of the nodes of cut elements. A node on the crack counts as + (docs/method.md, section 2).
     void note_sides(const CrackPiece& piece) {
         for (const double place : {piece.entry, piece.exit}) note_if_node(piece, place);
         const bool holds_tip = piece.entry < 0.0 || piece.exit < 0.0;

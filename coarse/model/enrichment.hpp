@@ -22,7 +22,7 @@ struct TipEnrichment {
 };
 
 /// `auto`: within a fixed radius where nothing yields or touches, six functions with n = 1 of the tip's element where
-/// faces may touch, the single function with plasticity (NUMERICS 2).
+/// faces may touch, the single function with plasticity (docs/method.md, section 2).
 TipEnrichment choose_enrichment(const Case& input);
 
 /// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError

@@ -56,7 +56,7 @@ struct Summary {
     int ranks = 1;
     std::int64_t coarse_unknowns = 0, interface_unknowns = 0, fine_unknowns = 0, fine_points = 0;
     std::int64_t newton_iterations = 0;
-    // Beyond INTERFACE: contact multipliers, halved increments, zone extensions, unheeded yield checks, increments in
+    // Contact multipliers, halved increments, zone extensions, unheeded yield checks, increments in
     // which a tip had no ring outside its plastic zone, and work done and skipped.
     std::int64_t multipliers = 0, step_cuts = 0, zone_extensions = 0, yield_warnings = 0, flowing_rings = 0;
     coupling::WorkCounts work;

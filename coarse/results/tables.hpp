@@ -1,4 +1,4 @@
-// Rows of the tables a run leaves: history.csv, cycles.csv and faces.csv, columns as users know them (INTERFACE).
+// Rows of the tables a run leaves: history.csv, cycles.csv and faces.csv, columns as in docs/notation.md.
 // A number that is not finite is a missing value: its cell stays empty.
 #pragma once
 

@@ -26,7 +26,7 @@ struct Crossing {
     double fraction;       // along the edge from its first node
 };
 
-/// A crossing nearer to a node than this fraction of the edge is snapped onto the node (NUMERICS 1: 1e-3 to 1e-2).
+/// A crossing nearer to a node than this fraction of the edge is snapped onto the node (docs/method.md, section 2).
 inline constexpr double snap_fraction = 1e-3;
 
 class CrackCrossings {

@@ -1,5 +1,5 @@
 // Elastic fields about a traction-free crack tip, plane strain or plane stress: the singular ones of modes I and II
-// (REFERENCES 2.6), and the point force that extracts the T stress.
+// (docs/references.md 2.6), and the point force that extracts the T stress.
 #pragma once
 
 #include <cmath>

@@ -11,7 +11,7 @@
 namespace stria {
 namespace {
 
-constexpr double exact = 1e-6;  // of the side's area (NUMERICS 2)
+constexpr double exact = 1e-6;  // of the side's area (docs/method.md, section 3)
 
 using Monomials = Eigen::Matrix<double, 6, 1>;
 

@@ -1,4 +1,5 @@
-// Weights of quadrature points that stay where they are while a crack newly cuts their element (NUMERICS 2).
+// Weights of quadrature points that stay where they are while a crack newly cuts their element (docs/method.md, section
+// 3).
 #pragma once
 
 #include <span>

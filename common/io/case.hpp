@@ -1,4 +1,4 @@
-// A case as the user writes it (INTERFACE: case file), one struct a section. Units N, mm, MPa throughout.
+// A case as the user writes it (docs/case-reference.md), one struct a section. Units N, mm, MPa throughout.
 // Keys, units, ranges and sentences are declared once, in case_schema.cpp.
 #pragma once
 

@@ -10,7 +10,7 @@ namespace stria {
 /// Solves A x = b with iterative refinement. Throws NumericalFailure where A is singular.
 Eigen::VectorXd solve_general(const SparseMatrix& matrix, const Eigen::VectorXd& right_hand_side);
 
-/// Forces one BLAS thread and no OpenMP inside CHOLMOD (ECOSYSTEM 2): call once at program start.
+/// Forces one BLAS thread and no OpenMP inside CHOLMOD (docs/method.md, section 10): call once at program start.
 void use_one_thread();
 
 }  // namespace stria

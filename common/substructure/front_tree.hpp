@@ -1,4 +1,4 @@
-// The zone as a binary tree of dense fronts (DESIGN section 1, NUMERICS 3): geometric bisection down to groups of about
+// The zone as a binary tree of dense fronts (docs/method.md, section 1): geometric bisection down to groups of about
 // a dozen elements; a front is recomputed only when an element below it changed.
 #pragma once
 
@@ -59,7 +59,7 @@ public:
     /// `move` with the unknowns inside them following the others.
     [[nodiscard]] Eigen::VectorXd follow(const Eigen::VectorXd& move) const;
 
-    /// Fronts in the tree, and fronts refactored so far (counters of DESIGN 8).
+    /// Fronts in the tree, and fronts refactored so far (docs/method.md, section 12).
     [[nodiscard]] int fronts() const;
     [[nodiscard]] long refactored() const;
 

@@ -1,5 +1,5 @@
 // A linear elastic structure as a leaf of the tree of substructures: condensed once by a supernodal Cholesky factor
-// with the boundary ordered last; S is its trailing block (ECOSYSTEM 2.3).
+// with the boundary ordered last; S is its trailing block (docs/method.md, section 10).
 #pragma once
 
 #include <memory>

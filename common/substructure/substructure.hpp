@@ -1,5 +1,6 @@
-// DESIGN section 1: a substructure owns elements and interior unknowns, offers its condensed tangent on its boundary,
-// carries loads to the boundary, and recovers its interior when asked. Implementations: SparseLeaf, FrontTree.
+// docs/method.md, section 1: a substructure owns elements and interior unknowns, offers its condensed tangent on its
+// boundary, carries loads to the boundary, and recovers its interior when asked. Implementations: SparseLeaf,
+// FrontTree.
 #pragma once
 
 #include <Eigen/Core>

@@ -22,8 +22,8 @@ namespace stria::fine {
 class Zone {
 public:
     /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
-    /// newly cut them, and the points' states; the others start from sigma = C eps(displacement) (DESIGN section 4).
-    /// `displacement`: committed, of all unknowns.
+    /// newly cut them, and the points' states; the others start from sigma = C eps(displacement) (docs/method.md,
+    /// section 7). `displacement`: committed, of all unknowns.
     Zone(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
          const IntegrationRule& rule, const Zone* old, const Eigen::VectorXd& displacement);
 

@@ -46,7 +46,7 @@ public:
     void add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const;
 
     /// Chooses the statuses for the next Newton step from pressures and gaps. Where a set of statuses comes back within
-    /// one increment, only the worst multiplier is flipped from then on (NUMERICS 1.7).
+    /// one increment, only the worst multiplier is flipped from then on (docs/method.md, section 4).
     void choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
     /// From what was committed.
     void begin_increment();

@@ -1,5 +1,5 @@
 // Where the contact multipliers of one crack live: hats on a trace coarser than the mesh, which keeps the pressure free
-// of oscillations for every position of the crack in it (NUMERICS 1).
+// of oscillations for every position of the crack in it (docs/method.md, section 4).
 #pragma once
 
 #include <array>

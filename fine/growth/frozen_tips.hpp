@@ -1,5 +1,5 @@
-// What keeps the displacement as it was where a growing crack changes its functions (DESIGN section 4): tip functions
-// that a tip has left behind, and jumps that old unknowns would make in elements newly cut.
+// What keeps the displacement as it was where a growing crack changes its functions (docs/method.md, section 7): tip
+// functions that a tip has left behind, and jumps that old unknowns would make in elements newly cut.
 #pragma once
 
 #include <Eigen/Geometry>

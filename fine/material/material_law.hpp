@@ -1,6 +1,6 @@
 // Small-strain material laws on blocks of points: (strain increments, committed states) -> (trial states, tangents).
-// The state of a point holds its stress: total strain is not recoverable once tip functions are frozen (DESIGN section
-// 6).
+// The state of a point holds its stress: total strain is not recoverable once tip functions are frozen (docs/method.md,
+// section 5).
 #pragma once
 
 #include <memory>

@@ -11,8 +11,8 @@
 namespace stria::fine {
 
 /// All unknowns of the zone, multipliers of its contact included, are condensed by a tree of fronts onto the boundary
-/// (DESIGN section 1). The interior follows each boundary displacement through the last factor, so the iterates are
-/// those of Newton's method on the whole system.
+/// (docs/method.md, section 1). The interior follows each boundary displacement through the last factor, so the
+/// iterates are those of Newton's method on the whole system.
 class FineModel : public coupling::FineScale {
 public:
     explicit FineModel(const Case& input);

@@ -1,5 +1,5 @@
 // Elements at rest: where nothing has flowed for a cycle the zone is a linear substructure about its stored plastic
-// strain (DESIGN section 1). Its points stay where they were; whether one would flow is looked at early in an
+// strain (docs/method.md, section 1). Its points stay where they were; whether one would flow is looked at early in an
 // increment and where it may end.
 #include <algorithm>
 

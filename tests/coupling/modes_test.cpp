@@ -1,4 +1,5 @@
-// One analysis, three compositions: direct and over a transport bit for bit, monolithic to 1e-9 (STYLE 9).
+// One analysis, three compositions: direct and over a transport bit for bit, monolithic to 1e-9 (docs/method.md,
+// section 11).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Contact pressure on cracks at arbitrary positions in the mesh. A flat patch proves nothing here (NUMERICS 1): the
-// pressure is a smooth, non-uniform, exact elastic field.
+// Contact pressure on cracks at arbitrary positions in the mesh. A flat patch proves nothing here (docs/method.md,
+// section 4): the pressure is a smooth, non-uniform, exact elastic field.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Cracks that grow: the state stays, equilibrium is found again, and the wake closes (DESIGN section 4).
+// Cracks that grow: the state stays, equilibrium is found again, and the wake closes (docs/method.md, section 7).
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // J of specimens that harden, at half and at nine tenths of their limit load, against the same on finer meshes, and its
-// spread over rings inside and outside the plastic zone (REFERENCES 3.5). A table is printed.
+// spread over rings inside and outside the plastic zone (docs/references.md 3.5). A table is printed.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ struct Hardening {
     bool kinematic;
 };
 
-/// Elements of the size `ligament / at_tip` at the tip, growing from there. REFERENCES 3.3 has the limit loads.
+/// Elements of the size `ligament / at_tip` at the tip, growing from there. docs/references.md 3.3 has the limit loads.
 Case loaded_specimen(const Hardening& of, double at_tip) {
     const bool ct = of.specimen == "ct";
     Case input = ct ? compact_tension(x) : edge_crack(x, 3.0, End::Pulled);

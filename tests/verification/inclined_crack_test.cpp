@@ -1,5 +1,5 @@
-// Inclined centre crack (REFERENCES 2.4) in plates so wide that they are nearly infinite, on at most 41 elements
-// across.
+// Inclined centre crack (docs/references.md 2.4) in plates so wide that they are nearly infinite, on at most 41
+// elements across.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Limit loads of cracked specimens in displacement control, nearly perfect plasticity (REFERENCES 3.3): the load
-// flattens and comes from above to the formula as elements shrink. A table of what was found is printed.
+// Limit loads of cracked specimens in displacement control, nearly perfect plasticity (docs/references.md 3.3): the
+// load flattens and comes from above to the formula as elements shrink. A table of what was found is printed.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

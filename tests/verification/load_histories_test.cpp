@@ -54,7 +54,7 @@ TEST(LoadHistories, KChangesWithTheCrackAsAsked) {
         EXPECT_NEAR(cycle.K_max, 100.0 * std::exp(-3.0 * (cycle.a - 0.3)), 1e-8) << cycle.a;
 }
 
-// REFERENCES 4.5: delayed retardation. K_op peaks after some growth behind the overload and falls again.
+// docs/references.md 4.5: delayed retardation. K_op peaks after some growth behind the overload and falls again.
 TEST(LoadHistories, AnOverloadRetardsWithDelayLong) {
     const Case input = read_case(std::string(test::source_folder) + "/cases/overload/case.toml",
                                  {"load.blocks.0.cycles=10", "load.blocks.2.cycles=26"});

@@ -1,5 +1,5 @@
 // Plane stress against closed forms, against the law of plane strain with sigma_zz brought to zero, and against plane
-// strain where both agree (REFERENCES 2.1, 3.3, 6).
+// strain where both agree (docs/references.md 2.1, 3.3, 6).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -184,7 +184,8 @@ TEST(PlaneStress, PatchTestOfUncutCutAndTipElements) {
     }
 }
 
-TEST(PlaneStress, CrackOpensByFourOverE) {  // REFERENCES 2.6: half opening 4 K sqrt(r / 2 pi) / E' behind the tip
+// Half the opening behind the tip is 4 K sqrt(r / 2 pi) / E' (docs/references.md 2.6).
+TEST(PlaneStress, CrackOpensByFourOverE) {
     const Tip tip{.crack = 0, .position = {0.0, 0.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = 1};
     const TipField face = williams_field(1, tip, {-1.0, 0.0}, 1, sheet);
     EXPECT_NEAR(face.displacement.y() * sheet.young, 4.0 / std::sqrt(2.0 * std::numbers::pi), 1e-12);

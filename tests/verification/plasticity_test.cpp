@@ -1,4 +1,4 @@
-// One material point against closed forms (REFERENCES 6: values worked out independently of this code).
+// One material point against closed forms (docs/references.md 6: values worked out independently of this code).
 #include <gtest/gtest.h>
 
 #include <cmath>

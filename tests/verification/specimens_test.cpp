@@ -1,5 +1,5 @@
-// Stress intensities, compliances and reactions of the specimens against their handbooks (REFERENCES 2.1 to 2.3), on
-// meshes of at most 41 elements across. The errors are printed.
+// Stress intensities, compliances and reactions of the specimens against their handbooks (docs/references.md 2.1
+// to 2.3), on meshes of at most 41 elements across. The errors are printed.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -44,8 +44,8 @@ struct Strip {
 };
 
 // Edge crack in a long strip under tension from its integral equation: A. C. Kaya, F. Erdogan, Q. Appl. Math. 45 (1987)
-// 105. Our own K on 321 elements across lies within 0.005 % of each; the handbook's formula (REFERENCES 2.1) is off by
-// up to 0.55 %.
+// 105. Our own K on 321 elements across lies within 0.005 % of each; the handbook's formula (docs/references.md 2.1) is
+// off by up to 0.55 %.
 constexpr std::array strips{Strip{0.1, 1.1892}, Strip{0.2, 1.3673}, Strip{0.3, 1.6599}, Strip{0.4, 2.1114},
                             Strip{0.5, 2.8246}, Strip{0.6, 4.0332}, Strip{0.7, 6.3549}};
 

@@ -1,4 +1,4 @@
-// Stress intensities of the elastic structure against handbook values (REFERENCES 2.1).
+// Stress intensities of the elastic structure against handbook values (docs/references.md 2.1).
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 namespace stria::test {
 namespace {
 
-TEST(WilliamsField, MatchesReferenceValues) {  // REFERENCES 2.6: K = 1, r = 1
+TEST(WilliamsField, MatchesReferenceValues) {  // docs/references.md 2.6: K = 1, r = 1
     const Tip tip{.crack = 0, .position = {0.0, 0.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = 1};
     const Vec2 at_60(0.5, std::sqrt(0.75));
     EXPECT_LT((williams_field(1, tip, at_60, 0, unit).displacement - Vec2(0.583885, 0.337106)).norm(), 1e-6);

@@ -48,7 +48,7 @@ TEST(CrackGrowth, ComesWithTheCyclesAsked) {
     EXPECT_NEAR(planned_growth(growth, {.blocks = {{.cycles = 3}, {.cycles = 4}}}), 0.7, 1e-15);
 }
 
-// REFERENCES 2.4: an inclined crack at b to the load, K_I : K_II = sin b : cos b.
+// docs/references.md 2.4: an inclined crack at b to the load, K_I : K_II = sin b : cos b.
 TEST(CrackGrowth, TurnsToTheLargestHoopStress) {
     constexpr double degree = std::numbers::pi / 180.0;
     for (const auto& [b, angle] : {std::pair{30.0, -60.0}, {45.0, -53.1301}, {60.0, -43.2213}}) {

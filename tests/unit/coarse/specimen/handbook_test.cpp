@@ -1,4 +1,4 @@
-// Handbook formulas of the specimens against the tables of REFERENCES 2.1 to 2.3 and 3.3.
+// Handbook formulas of the specimens against the tables of docs/references.md 2.1 to 2.3 and 3.3.
 #include "coarse/specimen/handbook.hpp"
 
 #include <gtest/gtest.h>

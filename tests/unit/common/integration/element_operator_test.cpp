@@ -1,4 +1,4 @@
-// What integrates an element: weights, the integrals of gradients, and mean dilatation (NUMERICS 2).
+// What integrates an element: weights, the integrals of gradients, and mean dilatation (docs/method.md, section 3).
 #include "common/integration/element_operator.hpp"
 
 #include <gtest/gtest.h>
