@@ -13,7 +13,7 @@ LONGEST = 120  # characters of a line of markdown, tables and code aside
 # "docs/method.md, sections 1 and 3" and "docs/references.md 2.1 to 2.3": a document, and numbers of its headings.
 NUMBER = r"\d+(?:\.\d+)*"
 GAP = r"\s+(?:(?://+|#)\s*)?"  # a space, or the next line of a comment
-DOCUMENT = re.compile(rf"\b((?:[\w-]+/)*[\w-]+\.md)\b(?:,?(?:{GAP}sections?)?{GAP}({NUMBER}(?:(?:, and|,|{GAP}and|{GAP}to){GAP}{NUMBER})*))?")
+DOCUMENT = re.compile(rf"(?<![\w/.-])((?:\.\./)*(?:[\w-]+/)*[\w-]+\.md)\b(?:,?(?:{GAP}sections?)?{GAP}({NUMBER}(?:(?:, and|,|{GAP}and|{GAP}to){GAP}{NUMBER})*))?")
 # A document named by a word in capitals: "MANUAL 2.1", "MANUAL section 2". Formats, journals and signals are none.
 KNOWN = "VTKHDF|CMAME|IJNME|SIGTERM"
 CAPITALS = re.compile(rf"\b(?!(?:{KNOWN})\b)([A-Z]{{5,}})(?:,?{GAP}sections?)?,?{GAP}\d")
