@@ -6,8 +6,25 @@
 
 namespace stria {
 
-/// Interrupted: by a signal, with a checkpoint written.
-enum ExitCode { Done = 0, InternalError = 1, InputWrong = 2, NumbersFailed = 3, LostComponent = 4, Interrupted = 130 };
+/// The README says what each means. Defect: of this program (EX_SOFTWARE of sysexits.h).
+enum ExitCode {
+    Done = 0,
+    InputWrong = 2,
+    NumbersFailed = 3,
+    LostComponent = 4,
+    FileFailed = 5,
+    Defect = 70,
+    Interrupted = 130
+};
+
+/// How a program ends that has thrown.
+struct Ending {
+    ExitCode code;
+    std::string text;  // one line
+};
+
+/// Of what is being handled: inside a catch block.
+Ending ending_of_exception();
 
 /// Runs the work and turns what it throws into an exit code. Where MPI is up it is aborted with that code: the other
 /// component may be waiting for a message that will never come.

@@ -5,7 +5,9 @@
 #include "app/study/run_files.hpp"
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
+#include "common/io/file_failure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -96,7 +98,7 @@ std::vector<std::string> component_command(const RunOptions& options, const std:
     arguments.push_back(nullptr);
     execvp(arguments.front(), arguments.data());
     fmt::print(stderr, "stria: {} cannot be started: {}\n", command.front(), std::strerror(errno));
-    _exit(InternalError);
+    _exit(LostComponent);
 }
 
 /// Output and errors of this process go to the file from here on.
@@ -108,13 +110,19 @@ void write_into(const char* log) {
     close(file);
 }
 
+/// Not one of mpirun, of the loader or of a signal.
+bool is_our_own(int code) {
+    constexpr std::array ours{Done, InputWrong, NumbersFailed, LostComponent, FileFailed, Defect, Interrupted};
+    return std::ranges::find(ours, code) != ours.end();
+}
+
 int wait_for(pid_t process) {
     int status = 0;
     while (waitpid(process, &status, 0) < 0)
         if (errno != EINTR) throw std::runtime_error(fmt::format("waitpid: {}", std::strerror(errno)));
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     if (interruption != 0 && code != Done) return Interrupted;
-    if (code <= LostComponent || code == Interrupted) return code;
+    if (is_our_own(code)) return code;
     throw ComponentLost(fmt::format("a component was lost (exit code {})", code));
 }
 
@@ -155,8 +163,8 @@ void claim_output_directory(RunOptions& options) {
                                     "-o DIR writes elsewhere",
                                     folder.string()));
     std::filesystem::create_directories(folder, problem);
-    if (!std::filesystem::is_directory(folder) || access(folder.c_str(), W_OK) != 0)
-        throw CaseError(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
+    if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
+        throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
 }
 
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "app/coarse_run.hpp"
+#include "app/exit_code.hpp"
 #include "app/fine_side.hpp"
 #include "app/interruption.hpp"
 #include "app/monolithic.hpp"
@@ -21,6 +22,14 @@ namespace {
 
 /// mpirun puts a pipe or a terminal of its own between us and the user: the launcher knows what the user has.
 bool users_terminal() { return std::getenv("STRIA_TERMINAL") != nullptr; }
+
+/// Inside a catch block: says why, and ends all ranks.
+[[noreturn]] void abort(const coupling::MpiSession& session, const char* program) {
+    const Ending ending = ending_of_exception();
+    fmt::print(stderr, "{}: {}\n", program, ending.text);
+    std::fflush(stderr);
+    session.abort(ending.code);
+}
 
 }  // namespace
 
@@ -41,9 +50,8 @@ int run_coarse_with_mpi(const RunOptions& options) {
         throw;  // the conversation has ended in order: both sides leave
     } catch (const NumericalFailure&) {
         throw;
-    } catch (const std::exception& failure) {
-        fmt::print(stderr, "stria-coarse: {}\n", failure.what());
-        session.abort(4);
+    } catch (...) {
+        abort(session, "stria-coarse");
     }
 }
 
@@ -58,9 +66,8 @@ int run_fine_with_mpi(const RunOptions& options) {
         coupling::serve(*transport, model, digest(input));
     } catch (const CaseError&) {
         throw;
-    } catch (const std::exception& failure) {
-        fmt::print(stderr, "stria-fine: {}\n", failure.what());
-        session.abort(4);
+    } catch (...) {
+        abort(session, "stria-fine");
     }
     return 0;
 }

@@ -46,6 +46,8 @@ std::string status_of(int exit_code) {
         return "failed";
     case LostComponent:
         return "lost";
+    case FileFailed:
+        return "no file";
     case Interrupted:
         return "interrupted";
     default:

@@ -12,6 +12,7 @@
 #include "app/version.hpp"
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
+#include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 
 namespace stria::study {
@@ -26,8 +27,8 @@ void claim_folder(StudyOptions& options) {
             "{} holds a study; --resume keeps what is done, --force overwrites, -o DIR writes elsewhere", folder));
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
-    if (!std::filesystem::is_directory(folder) || access(folder.c_str(), W_OK) != 0)
-        throw CaseError(fmt::format("{}: the folder of the study cannot be made or written to", folder));
+    if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
+        throw FileFailure(fmt::format("{}: the folder of the study cannot be made or written to", folder));
     options.run.force = true;  // the variants' folders are ours now
 }
 

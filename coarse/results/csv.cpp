@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cmath>
-#include <stdexcept>
 
 #include "common/error.hpp"
+#include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 
 namespace stria::coarse {
@@ -56,8 +57,9 @@ CsvWriter::CsvWriter(std::filesystem::path path, const std::vector<std::string>&
 CsvWriter::CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns, std::size_t rows)
     : path_(std::move(path)), columns_(columns.size()), rows_(rows) {
     write_whole_text(path_, kept_part(path_, header_of(columns), rows));
+    bytes_ = std::filesystem::file_size(path_);
     file_.open(path_, std::ios::binary | std::ios::app);
-    if (!file_) throw std::runtime_error("cannot write " + path_.string());
+    if (!file_) throw FileFailure::of_writing(path_, errno);
 }
 
 void CsvWriter::row(std::span<const Cell> cells) {
@@ -70,7 +72,13 @@ void CsvWriter::row(std::span<const Cell> cells) {
 
 void CsvWriter::write_line(const std::string& line) {
     file_.write(line.data(), static_cast<std::streamsize>(line.size())).flush();
-    if (!file_) throw std::runtime_error("cannot write " + path_.string());
+    if (!file_) {
+        const int error = errno;
+        std::error_code ignored;
+        std::filesystem::resize_file(path_, bytes_, ignored);  // no row is left in part
+        throw FileFailure::of_writing(path_, error);
+    }
+    bytes_ += line.size();
 }
 
 }  // namespace stria::coarse

@@ -24,6 +24,7 @@ public:
     /// file has another header or fewer rows.
     CsvWriter(std::filesystem::path path, const std::vector<std::string>& columns, std::size_t rows);
 
+    /// Throws FileFailure; the rows before stay whole.
     void row(std::span<const Cell> cells);
 
     /// Rows so far: what a checkpoint remembers.
@@ -37,6 +38,7 @@ private:
     std::filesystem::path path_;
     std::size_t columns_;
     std::size_t rows_ = 0;
+    std::uintmax_t bytes_ = 0;  // of whole rows
     std::ofstream file_;
 };
 

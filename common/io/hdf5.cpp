@@ -70,6 +70,19 @@ struct Group::Handle {
         check(H5Pset_obj_track_times(properties.id, false), "describe", name);
         return {H5Pcopy(properties.id), H5Pclose, "describe", name};
     }
+    static Handle in_memory(const std::string& name) {
+        Handle properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "describe", name);
+        check(H5Pset_fapl_core(properties.id, std::size_t{1} << 20U, false), "describe", name);
+        return {H5Pcopy(properties.id), H5Pclose, "describe", name};
+    }
+    /// The bytes of an open file.
+    [[nodiscard]] std::string image(const std::string& name) const {
+        const ssize_t size = H5Fget_file_image(id, nullptr, 0);
+        if (size < 0) fail("write", name);
+        std::string bytes(static_cast<std::size_t>(size), '\0');
+        if (H5Fget_file_image(id, bytes.data(), bytes.size()) != size) fail("write", name);
+        return bytes;
+    }
     static Handle dataset(const Handle& group, const std::string& name) {
         return {H5Dopen2(group.id, name.c_str(), H5P_DEFAULT), H5Dclose, "open dataset", name};
     }
@@ -158,12 +171,16 @@ std::string Group::read_text(const std::string& name) const {
 
 void write_file(const std::filesystem::path& path, const std::function<void(Group&)>& fill) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are exceptions here, not text on stderr
-    write_whole(path, [&](const std::filesystem::path& temporary) {
+    const Group::Handle in_memory = Group::Handle::in_memory(path.string());
+    std::string image;
+    {
         Group root(std::make_shared<const Group::Handle>(
-            H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "create", path.string()));
+            H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id), H5Fclose, "create", path.string()));
         fill(root);
         check(H5Fflush(root.handle_->id, H5F_SCOPE_GLOBAL), "write", path.string());
-    });
+        image = root.handle_->image(path.string());
+    }
+    write_whole_text(path, image);
 }
 
 Group read_file(const std::filesystem::path& path) {

@@ -47,7 +47,8 @@ private:
     friend Group read_file(const std::filesystem::path& path);
 };
 
-/// Makes a file by filling its root group; it is there whole or not at all.
+/// Makes a file by filling its root group; it is there whole or not at all. It is made in memory: the library cannot
+/// let go of a file that a full disk refuses. Throws FileFailure.
 void write_file(const std::filesystem::path& path, const std::function<void(Group&)>& fill);
 
 /// Root group of an existing file, for reading.

@@ -4,15 +4,16 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
+
+#include "common/io/file_failure.hpp"
 
 namespace stria {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
-    throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
-}
+[[noreturn]] void fail(const std::filesystem::path& path, int error) { throw FileFailure::of_writing(path, error); }
 
 }  // namespace
 
@@ -32,7 +33,7 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
     try {
         write(temporary);
         sync_file(temporary);
-        std::filesystem::rename(temporary, path);
+        if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, errno);
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
@@ -43,6 +44,7 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
 
 void write_whole_text(const std::filesystem::path& path, std::string_view text) {
     write_whole(path, [&](const std::filesystem::path& temporary) {
+        errno = 0;
         std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
         file.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
         if (!file) fail(path, errno);

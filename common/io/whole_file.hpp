@@ -8,10 +8,10 @@
 namespace stria {
 
 /// Calls `write` with the temporary path and puts the file it leaves there in the place of `path`. If `write` throws,
-/// or the disk refuses (std::system_error), an earlier file at `path` stays as it was.
+/// or the disk refuses (FileFailure), an earlier file at `path` stays as it was.
 void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
-/// Waits until the disk holds what a file has. Throws std::system_error.
+/// Waits until the disk holds what a file has. Throws FileFailure.
 void sync_file(const std::filesystem::path& path);
 
 void write_whole_text(const std::filesystem::path& path, std::string_view text);

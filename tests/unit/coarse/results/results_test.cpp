@@ -12,8 +12,10 @@
 #include "coarse/results/summary.hpp"
 #include "coarse/results/tables.hpp"
 #include "common/error.hpp"
+#include "common/io/file_failure.hpp"
 #include "common/io/hdf5.hpp"
 #include "common/io/whole_file.hpp"
+#include "tests/support/small_disk.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -91,6 +93,14 @@ TEST_F(CsvFile, DropsALineThatACrashCutShort) {
     EXPECT_EQ(text_of("t.csv"), "a\n1\n");
 }
 
+TEST_F(CsvFile, KeepsWholeRowsOnAFullDisk) {
+    CsvWriter csv(folder / "t.csv", {"a"});
+    const test::SmallDisk disk(10);
+    csv.row(std::vector<Cell>{1.5});
+    EXPECT_THROW(csv.row(std::vector<Cell>{0.123456789}), FileFailure);
+    EXPECT_EQ(text_of("t.csv"), "a\n1.5\n");
+}
+
 TEST(Tables, HaveTheColumnsUsersKnow) {
     EXPECT_EQ(joined(history_columns()),
               "increment,cycle,load_factor,load,displacement,tip,x,y,a,K_I,K_II,J,CMOD,CTOD,newton_iterations,"
@@ -156,7 +166,7 @@ TEST_F(WholeFile, KeepsTheOldOneWhenWritingFails) {
                  NumericalFailure);
     EXPECT_EQ(text_of("f"), "old");
     EXPECT_FALSE(std::filesystem::exists(folder / "f.part"));
-    EXPECT_THROW(write_whole_text(folder / "no" / "f", "x"), std::system_error);
+    EXPECT_THROW(write_whole_text(folder / "no" / "f", "x"), FileFailure);
 }
 
 using Hdf5File = Results;
