@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/index.hpp"
+#include "coupling/append.hpp"
 
 namespace stria::coupling {
 namespace {
@@ -15,8 +16,6 @@ void raise(double& value, double other) { value = std::max(value, other); }
 template <class T> void widen(std::vector<T>& list, std::size_t size, const T& value = {}) {
     if (list.size() < size) list.resize(size, value);
 }
-
-void append(auto& whole, const auto& part) { whole.insert(whole.end(), part.begin(), part.end()); }
 
 void add_digest(Digest& whole, const Digest& part, const std::vector<int>& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) whole.yielding_points[at(elements[e])] = part.yielding_points[e];

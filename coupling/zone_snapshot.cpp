@@ -5,13 +5,9 @@
 
 #include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
+#include "coupling/append.hpp"
 
 namespace stria::coupling {
-namespace {
-
-void append(auto& whole, const auto& part) { whole.insert(whole.end(), part.begin(), part.end()); }
-
-}  // namespace
 
 std::vector<ElementHistory> histories_of_elements(const ZoneSnapshot& snapshot) {
     std::vector<ElementHistory> histories;

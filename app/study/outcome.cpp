@@ -12,7 +12,6 @@ namespace stria::study {
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double same_load = 1e-9;  // of the range of the load: controlled loads are reached to rounding
 
 constexpr std::array<Quantity, 5> size_list = {{{"coarse_unknowns", ""},

@@ -11,8 +11,6 @@ namespace stria::study {
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
 double value_at(const Profile& profile, double s) {
     const auto above = std::ranges::lower_bound(profile.s, s);
     if (above == profile.s.begin()) return profile.opening.front();

@@ -1,9 +1,13 @@
 // The opening along a crack, and how far two of them are apart.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 namespace stria::study {
+
+/// A number that a run did not give.
+inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Opening at stations along a crack at one increment; s increases. Empty where no faces were written.
 struct Profile {

@@ -17,13 +17,13 @@ const double plane_strain_constraint = 2.0 / std::sqrt(3.0);
 constexpr Polynomial load_line{1.000196, -4.06319, 11.242, -106.043, 464.335, -650.677};
 constexpr Polynomial front_face{1.001, -4.6695, 18.46, -236.82, 1214.9, -2143.6};
 
-double at(const Polynomial& polynomial, double u) {
+double value_of(const Polynomial& polynomial, double u) {
     double sum = 0.0;
     for (std::size_t k = polynomial.size(); k-- > 0;) sum = sum * u + polynomial[k];
     return sum;
 }
 
-double crack_length(const Polynomial& polynomial, double C) { return at(polynomial, 1.0 / (std::sqrt(C) + 1.0)); }
+double crack_length(const Polynomial& polynomial, double C) { return value_of(polynomial, 1.0 / (std::sqrt(C) + 1.0)); }
 
 /// Crack length grows with compliance: bisection over all that the polynomials are made for.
 double compliance(const Polynomial& polynomial, double x) {

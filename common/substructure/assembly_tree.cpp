@@ -104,13 +104,13 @@ Placement place_rows(const std::vector<int>& ranks, const std::vector<int>& plac
 }
 
 /// The first and the last leaf that hold an unknown.
-struct Reach {
+struct LeafReach {
     int first = std::numeric_limits<int>::max();
     int last = -1;
 };
 
-std::vector<Reach> reaches(const Layout& layout, const std::vector<Node>& nodes) {
-    std::vector<Reach> reach(at(layout.unknowns));
+std::vector<LeafReach> reaches(const Layout& layout, const std::vector<Node>& nodes) {
+    std::vector<LeafReach> reach(at(layout.unknowns));
     for (int node = 0; node < static_cast<int>(nodes.size()); ++node) {
         for (const int element : nodes[at(node)].elements) {
             for (const int unknown : layout.element_unknowns[at(element)]) {
@@ -160,7 +160,7 @@ AssemblyTree::AssemblyTree(const Layout& layout) {
 }
 
 void AssemblyTree::rank_unknowns(const Layout& layout) {
-    const std::vector<Reach> reach = reaches(layout, nodes);
+    const std::vector<LeafReach> reach = reaches(layout, nodes);
     interior = layout.unknowns - static_cast<int>(layout.boundary.size());
     rank.assign(at(layout.unknowns), -1);
     int next = interior;

@@ -39,14 +39,14 @@ void bisect(std::span<Place> places) {
 }
 
 /// The first and the last of an unknown's elements in the order of the leaves.
-struct Reach {
+struct ElementReach {
     int first = std::numeric_limits<int>::max();
     int last = -1;
 };
 
-void sort_by_halves(int begin, int half, int end, const std::vector<Reach>& reach, std::span<int> unknowns);
+void sort_by_halves(int begin, int half, int end, const std::vector<ElementReach>& reach, std::span<int> unknowns);
 
-void sort_by_parts(int begin, int end, const std::vector<Reach>& reach, std::span<int> unknowns) {
+void sort_by_parts(int begin, int end, const std::vector<ElementReach>& reach, std::span<int> unknowns) {
     if (end - begin <= leaf_elements || unknowns.size() < 2) {
         std::ranges::sort(unknowns);
         return;
@@ -55,7 +55,7 @@ void sort_by_parts(int begin, int end, const std::vector<Reach>& reach, std::spa
 }
 
 /// Sorts the unknowns of the part [begin, end): those of each half alone, then those that the halves share.
-void sort_by_halves(int begin, int half, int end, const std::vector<Reach>& reach, std::span<int> unknowns) {
+void sort_by_halves(int begin, int half, int end, const std::vector<ElementReach>& reach, std::span<int> unknowns) {
     const auto right = std::ranges::partition(unknowns, [&](int i) { return reach[at(i)].last < half; });
     const auto shared = std::ranges::partition(right, [&](int i) { return reach[at(i)].first >= half; });
     sort_by_parts(begin, half, reach, {unknowns.begin(), right.begin()});
@@ -88,7 +88,7 @@ std::vector<int> nested_dissection(const IndexLists& element_unknowns, const std
     require(centres.size() == element_unknowns.size(), "nested dissection: one centre an element");
     require(late.empty() || late.size() == centres.size(), "nested dissection: late or not, one an element");
     const auto [places, early] = bisected(centres, late);
-    std::vector<Reach> reach(at(unknowns));
+    std::vector<ElementReach> reach(at(unknowns));
     for (int position = 0; position < static_cast<int>(places.size()); ++position) {
         for (const int unknown : element_unknowns[at(places[at(position)].element)]) {
             if (unknown < 0) continue;

@@ -14,7 +14,7 @@ constexpr int most_iterations = 50;
 
 /// In the plane the relative stress xi = dev(sigma) - X has two independent parts, its zz component (the equibiaxial
 /// stress) and the shears (xx - yy, xy). Each returns on its own: xi = xi_predicted / (1 + gamma rate).
-struct Block {
+struct PlaneBlock {
     J2Update update;
     double biaxial;       // MPa, E / (1 - nu): equibiaxial stress per strain
     double two_shear;     // MPa, 2 G
@@ -23,7 +23,7 @@ struct Block {
 };
 
 /// C : eps for every point of a pack.
-template <int rows> Tensors<rows> in_plane_stress(const Block& block, const Tensors<rows>& strain) {
+template <int rows> Tensors<rows> in_plane_stress(const PlaneBlock& block, const Tensors<rows>& strain) {
     const Scalars<rows> mean = 0.5 * block.biaxial * (strain.col(0) + strain.col(1));
     const Scalars<rows> half_difference = 0.5 * block.two_shear * (strain.col(0) - strain.col(1));
     Tensors<rows> stress;
@@ -51,7 +51,7 @@ template <int rows> struct Parts {
 };
 
 template <int rows>
-Return<rows> return_at(const Block& block, const Parts<rows>& predicted, const Scalars<rows>& gamma) {
+Return<rows> return_at(const PlaneBlock& block, const Parts<rows>& predicted, const Scalars<rows>& gamma) {
     Return<rows> result;
     result.per_biaxial = 1.0 / (1.0 + block.biaxial_rate * gamma);
     result.per_shear = 1.0 / (1.0 + block.shear_rate * gamma);
@@ -68,7 +68,8 @@ Return<rows> return_at(const Block& block, const Parts<rows>& predicted, const S
 /// h is decreasing and convex (1/q is a power mean, of order -2, of functions linear in gamma) and not negative where
 /// the search starts, with the larger rate for both parts: Newton's method climbs to the root and never passes it.
 template <int rows>
-Scalars<rows> plastic_multiplier(const Block& block, const Prediction<rows>& prediction, const Parts<rows>& parts) {
+Scalars<rows> plastic_multiplier(const PlaneBlock& block, const Prediction<rows>& prediction,
+                                 const Parts<rows>& parts) {
     const double H = block.update.law.isotropic, rate = std::max(block.biaxial_rate, block.shear_rate);
     const Scalars<rows> limit = prediction.yield_stress;
     Scalars<rows> gamma =
@@ -92,8 +93,8 @@ Scalars<rows> plastic_multiplier(const Block& block, const Prediction<rows>& pre
 /// Simo and Taylor's tangent: what is left of C after the return at constant gamma, less v x v / (softening +
 /// hardening) with v = d sigma / d gamma. Where nothing flows gamma and v are zero and D is C to the last bit.
 template <int rows>
-void write_tangent(const Block& block, PackPlace<rows> at, const Return<rows>& returned, const Tensors<rows>& plastic,
-                   const Scalars<rows>& gamma, const Prediction<rows>& prediction) {
+void write_tangent(const PlaneBlock& block, PackPlace<rows> at, const Return<rows>& returned,
+                   const Tensors<rows>& plastic, const Scalars<rows>& gamma, const Prediction<rows>& prediction) {
     const MandelMatrix& C = block.update.stiffness;
     const double H = block.update.law.isotropic;
     const Scalars<rows> lost_biaxial = block.biaxial * block.biaxial / 3.0 * gamma * returned.per_biaxial;
@@ -125,7 +126,7 @@ void write_tangent(const Block& block, PackPlace<rows> at, const Return<rows>& r
     for (int i = 0; i < 4; ++i) put(2, i, Scalars<rows>::Zero());  // C and v have no zz
 }
 
-template <int rows> void return_to_surface(const Block& block, PackPlace<rows> at) {
+template <int rows> void return_to_surface(const PlaneBlock& block, PackPlace<rows> at) {
     const J2Update& update = block.update;
     const Tensors<rows> strain_increment = at.tensors(update.strain_increment, 0);
     const Prediction<rows> prediction = predict<rows>(update, at, in_plane_stress<rows>(block, strain_increment));
@@ -160,17 +161,17 @@ void J2PlaneStress::update(int points, int stride, const double* strain_incremen
     const double biaxial = elastic_part.young / (1.0 - elastic_part.poisson);
     const double two_shear = 2.0 * elastic_part.shear_modulus();
     const double back = 2.0 / 3.0 * std::accumulate(parameters_.kinematic.begin(), parameters_.kinematic.end(), 0.0);
-    const Block block{.update = {.law = parameters_,
-                                 .stiffness = elastic(),
-                                 .strain_increment = strain_increment,
-                                 .committed = committed,
-                                 .trial = trial,
-                                 .tangent = tangent,
-                                 .yielding = yielding},
-                      .biaxial = biaxial,
-                      .two_shear = two_shear,
-                      .biaxial_rate = biaxial / 3.0 + back,
-                      .shear_rate = two_shear + back};
+    const PlaneBlock block{.update = {.law = parameters_,
+                                      .stiffness = elastic(),
+                                      .strain_increment = strain_increment,
+                                      .committed = committed,
+                                      .trial = trial,
+                                      .tangent = tangent,
+                                      .yielding = yielding},
+                           .biaxial = biaxial,
+                           .two_shear = two_shear,
+                           .biaxial_rate = biaxial / 3.0 + back,
+                           .shear_rate = two_shear + back};
     for_each_pack<pack_size>(points, stride, [&block]<int rows>(PackPlace<rows> at) { return_to_surface(block, at); });
 }
 

@@ -1,0 +1,15 @@
+# Where CMAKE_UNITY_BUILD is on, the sources of a folder are compiled together, `most` at a time: what they instantiate
+# alike is instantiated once. A unit holds sources below one folder of `root`, so a new source recompiles little else.
+function(stria_units_by_folder target root most)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "^/")
+  foreach(source IN LISTS sources)
+    file(RELATIVE_PATH path ${root} ${source})
+    string(REGEX MATCH "^[^/]+/" folder "${path}")
+    string(MAKE_C_IDENTIFIER "unit_${folder}" unit)
+    math(EXPR part "0${${unit}} / ${most}")
+    math(EXPR ${unit} "0${${unit}} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit}_${part})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
