@@ -1,4 +1,4 @@
-# Where CMAKE_UNITY_BUILD is on, the sources of a folder are compiled together, `most` at a time: what they instantiate
+# Where STRIA_UNITS is on, the sources of a folder are compiled together, `most` at a time: what they instantiate
 # alike is instantiated once. A unit holds sources below one folder of `root`, so a new source recompiles little else.
 function(stria_units_by_folder target root most)
   get_target_property(sources ${target} SOURCES)
@@ -11,5 +11,5 @@ function(stria_units_by_folder target root most)
     math(EXPR ${unit} "0${${unit}} + 1")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit}_${part})
   endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${STRIA_UNITS} UNITY_BUILD_MODE GROUP)
 endfunction()
