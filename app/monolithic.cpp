@@ -182,10 +182,10 @@ private:
         for (int j = 0; j < scene_.enriched.unknowns; ++j)
             for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it)
                 add(entries, static_cast<int>(it.row()), j, it.value());
-        const auto& operators = zone_.zone().operators();
+        const auto& operators = zone_.bulk().operators();
         for (std::size_t e = 0; e < operators.size(); ++e) {
             const auto& unknowns = operators[e].unknowns;
-            const Eigen::MatrixXd& K = zone_.zone().tangents()[e];
+            const Eigen::MatrixXd& K = zone_.bulk().tangents()[e];
             for (std::size_t i = 0; i < unknowns.size(); ++i) {
                 for (std::size_t j = 0; j < unknowns.size(); ++j) {
                     add(entries, whole_[at(unknowns[i])], whole_[at(unknowns[j])],
@@ -239,7 +239,7 @@ private:
         structure_.for_each_operator([&](const auto& op) {
             for (const int unknown : op.unknowns) used[at(unknown)] = 1;
         });
-        for (const ElementOperator& op : zone_.zone().operators())
+        for (const ElementOperator& op : zone_.bulk().operators())
             for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
         for (std::size_t i = 0; i < held_.size(); ++i)
             if (used[i] == 0) held_[i] = 1;
@@ -280,7 +280,7 @@ std::unique_ptr<coarse::Equilibrium> MonolithicFactory::resume(const coarse::Str
                                                                const coupling::ZoneSnapshot& zone) {
     if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, 0.0);
     zone_.restore(*patch, zone);
-    zone_.wake({}, {});
+    zone_.wake_all();
     return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, 0.0);
 }
 

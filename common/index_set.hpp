@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <utility>
 #include <vector>
 
@@ -27,9 +28,9 @@ public:
     /// How many ids there are, inside and outside.
     [[nodiscard]] int size() const { return static_cast<int>(flags_.size()); }
 
-    [[nodiscard]] bool contains(int id) const { return flags_[at(id)] != 0; }
-    void insert(int id) { flags_[at(id)] = 1; }
-    void erase(int id) { flags_[at(id)] = 0; }
+    [[nodiscard]] bool contains(std::integral auto id) const { return flags_[at(id)] != 0; }
+    void insert(std::integral auto id) { flags_[at(id)] = 1; }
+    void erase(std::integral auto id) { flags_[at(id)] = 0; }
 
     [[nodiscard]] int count() const { return static_cast<int>(std::ranges::count(flags_, char{1})); }
     [[nodiscard]] bool none() const { return std::ranges::find(flags_, char{1}) == flags_.end(); }

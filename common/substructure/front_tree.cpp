@@ -11,8 +11,6 @@
 #include "common/substructure/front.hpp"
 
 namespace stria {
-namespace {}  // namespace
-
 struct FrontTree::Tree {
     enum class Rest : char { Awake, Leaf, Inside };
 
@@ -28,9 +26,10 @@ struct FrontTree::Tree {
     AssemblyTree plan;
     std::vector<Front> fronts;
     std::vector<char> dirty;
-    std::vector<Rest> rest;             // per node
-    std::vector<char> resting, inside;  // per element, per unknown
-    Eigen::VectorXd carried;            // by rank
+    std::vector<Rest> rest;  // per node
+    ElementSet resting;
+    UnknownSet inside;
+    Eigen::VectorXd carried;  // by rank
     bool factored = false;
     long refactored = 0;
     int widest = 0;  // most unknowns that a front keeps
@@ -38,7 +37,7 @@ struct FrontTree::Tree {
 
 FrontTree::Tree::Tree(const Layout& layout)
     : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()),
-      rest(plan.nodes.size(), Rest::Awake), resting(elements, 0), inside(plan.rank.size(), 0),
+      rest(plan.nodes.size(), Rest::Awake), resting(elements), inside(plan.rank.size()),
       carried(Eigen::VectorXd::Zero(std::ssize(plan.rank))) {
     fronts.reserve(plan.nodes.size());
     for (const AssemblyTree::Node& node : plan.nodes) {
@@ -154,33 +153,34 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
     return x(tree.plan.rank);
 }
 
-void FrontTree::rest(std::span<const char> may_rest) {
+void FrontTree::rest(const ElementSet& may_rest) {
     Tree& tree = *tree_;
-    require(tree.factored && may_rest.size() == tree.elements,
-            "front tree: factor() before rest(), one flag an element");
+    require(tree.factored && at(may_rest.size()) == tree.elements,
+            "front tree: factor() before rest(), a set of its elements");
     using Rest = Tree::Rest;
-    std::ranges::fill(tree.resting, static_cast<char>(0));
-    std::ranges::fill(tree.inside, static_cast<char>(0));
+    tree.resting = ElementSet(tree.elements);
+    tree.inside = UnknownSet(tree.plan.rank.size());
     std::vector<char> inside(tree.plan.rank.size(), 0);  // by rank
     for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
         const AssemblyTree::Node& node = tree.plan.nodes[index];
         const auto rests = [&](int child) { return tree.rest[at(child)] != Rest::Awake; };
-        const auto may = [&](int element) { return may_rest[at(element)] != 0; };
+        const auto may = [&](int element) { return may_rest.contains(element); };
         const bool all =
             node.leaf() ? std::ranges::all_of(node.elements, may) : std::ranges::all_of(node.children, rests);
         tree.rest[index] = all ? Rest::Leaf : Rest::Awake;
         if (!all) continue;
         for (const int child : node.children)
             if (child >= 0) tree.rest[at(child)] = Rest::Inside;
-        for (const int element : node.elements) tree.resting[at(element)] = 1;
+        for (const int element : node.elements) tree.resting.insert(element);
         std::fill_n(inside.begin() + node.first_rank, node.eliminated, static_cast<char>(1));
     }
-    for (std::size_t i = 0; i < inside.size(); ++i) tree.inside[i] = inside[at(tree.plan.rank[i])];
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        if (inside[at(tree.plan.rank[i])] != 0) tree.inside.insert(i);
     tree.carried.setZero();
 }
 
-const std::vector<char>& FrontTree::resting() const { return tree_->resting; }
-const std::vector<char>& FrontTree::inside() const { return tree_->inside; }
+const ElementSet& FrontTree::resting() const { return tree_->resting; }
+const UnknownSet& FrontTree::inside() const { return tree_->inside; }
 
 void FrontTree::carry(const Eigen::VectorXd& load) {
     Tree& tree = *tree_;

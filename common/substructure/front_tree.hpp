@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/geometry/vec2.hpp"
+#include "common/index_set.hpp"
 #include "common/substructure/substructure.hpp"
 
 namespace stria {
@@ -48,9 +49,9 @@ public:
     /// Subtrees whose elements may all rest serve as leaves from now on: factor(), reduce() and expand() leave alone
     /// what is inside them, and their elements do not change. Loads and displacements of what rests are in the
     /// functions below.
-    void rest(std::span<const char> may_rest);
-    [[nodiscard]] const std::vector<char>& resting() const;  // per element
-    [[nodiscard]] const std::vector<char>& inside() const;   // per unknown: of a subtree that rests
+    void rest(const ElementSet& may_rest);
+    [[nodiscard]] const ElementSet& resting() const;
+    [[nodiscard]] const UnknownSet& inside() const;  // of a subtree that rests
 
     /// Carries the load that is due on the elements that rest, on all unknowns, onto what is awake. Kept.
     void carry(const Eigen::VectorXd& load);

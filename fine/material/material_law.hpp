@@ -40,7 +40,7 @@ public:
     [[nodiscard]] virtual int state_size() const = 0;
 
     /// Whether a point may ever flow.
-    [[nodiscard]] bool flows() const { return state_size() > state::plastic_strain; }
+    [[nodiscard]] bool can_yield() const { return state_size() > state::plastic_strain; }
 
     /// Updates `points` points stored with `stride`: strain increments (4 components) and committed states in, trial
     /// states and consistent tangents (16 components, row-major 4 x 4 Mandel; none where nothing flows: it is
@@ -64,12 +64,12 @@ public:
     void begin(const Mandel& strain, double* state, int stride) const {
         const Mandel stress = elastic() * strain;
         for (int c = 0; c < 4; ++c) state[static_cast<std::ptrdiff_t>(c) * stride] = stress[c];
-        if (flows()) state[static_cast<std::ptrdiff_t>(state::work) * stride] = 0.5 * stress.dot(strain);
+        if (can_yield()) state[static_cast<std::ptrdiff_t>(state::work) * stride] = 0.5 * stress.dot(strain);
     }
 
     /// Stress work density, N/mm2: a function of the stress where nothing flows.
     [[nodiscard]] double work(const double* state, int stride) const {
-        return flows() ? state[static_cast<std::ptrdiff_t>(state::work) * stride] : stored_energy(state, stride);
+        return can_yield() ? state[static_cast<std::ptrdiff_t>(state::work) * stride] : stored_energy(state, stride);
     }
 };
 

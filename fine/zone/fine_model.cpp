@@ -7,13 +7,23 @@
 #include "common/stopwatch.hpp"
 
 namespace stria::fine {
+namespace {
+
+template <class Set> Set first_of(const Set& set, int count) {
+    Set first(count);
+    for (int id = 0; id < count; ++id)
+        if (set.contains(id)) first.insert(id);
+    return first;
+}
+
+}  // namespace
 
 FineModel::FineModel(const Case& input) : system_(input) {}
 
 void FineModel::set_patch(const coupling::Patch& patch) {
     system_.set_patch(patch);
     plant_tree();
-    begin_rest(system_.may_rest());
+    begin_rest();
 }
 
 void FineModel::plant_tree() {
@@ -23,7 +33,7 @@ void FineModel::plant_tree() {
     layout.unknowns = patch.mesh.unknowns + contact.multipliers();
     layout.multipliers = contact.multipliers();
     layout.boundary = patch.boundary;
-    for (const ElementOperator& op : system_.zone().operators()) {
+    for (const ElementOperator& op : system_.bulk().operators()) {
         layout.element_unknowns.push_back(op.unknowns);
         Vec2 centre = Vec2::Zero();
         for (const int node : patch.mesh.elements[at(op.element)]) centre += patch.mesh.nodes[at(node)] / 4.0;
@@ -36,7 +46,7 @@ void FineModel::plant_tree() {
         unknowns.push_back(patch.mesh.unknowns + k);
         layout.centres.push_back(contact.keys()[at(k)].x);
     }
-    changed_.assign(layout.element_unknowns.size(), 1);
+    changed_ = ElementSet(layout.element_unknowns.size(), true);
     all_changed_ = true;
     in_tree_.assign(at(contact.multipliers()), none);
     multiplier_matrices_.resize(in_tree_.size());
@@ -56,7 +66,7 @@ coupling::PatchResponse FineModel::collect() {
     system_.set_boundary(asked_.boundary);
     linearise();
     coupling::PatchResponse response = system_.measure();
-    if (is_time_to_check_rest(response) && wake_what_would_flow()) {
+    if (is_time_to_check_rest(response) && wake_what_would_yield()) {
         linearise();
         response = system_.measure();
     }
@@ -71,44 +81,52 @@ void FineModel::linearise() {
     rest_is_checked_ = false;
 }
 
-// Quiet subtrees of elements become leaves: their points and fronts are not looked at any more, until one would flow.
-void FineModel::begin_rest(std::vector<char> may_rest) {
-    some_rest_ = std::ranges::find(may_rest, 1) != may_rest.end();
+// Subtrees of elements that may rest become leaves: their points and fronts are not looked at any more, until one
+// would yield.
+void FineModel::begin_rest() {
+    const ElementSet may_rest = system_.may_rest();
+    some_rest_ = !may_rest.none();
     if (!some_rest_) return;
     if (all_changed_) {
         find_changes();
         factor();
     }
-    may_rest.resize(changed_.size(), 0);  // multipliers never do
-    for (std::size_t e = 0; e < may_rest.size(); ++e)
-        if (changed_[e] != 0) may_rest[e] = 0;
-    tree_->rest(may_rest);
-    system_.rest(tree_->resting(), tree_->inside());
+    ElementSet resting(changed_.size());  // multipliers never do
+    for (const int e : may_rest.members())
+        if (!changed_.contains(e)) resting.insert(e);
+    tree_->rest(resting);
+    system_.rest(resting_elements(), unknowns_inside());
     carry_rest_load();
 }
 
 // As a snapshot has it. Where the tree is another one, what does not fill a subtree of it is awake.
 void FineModel::rest_again(const coupling::ZoneSnapshot& snapshot) {
-    std::vector<char> resting(changed_.size(), 0);
-    for (std::size_t e = 0; e < snapshot.resting.size(); ++e) resting[e] = snapshot.resting[e] != 0 ? 1 : 0;
-    some_rest_ = std::ranges::find(resting, 1) != resting.end();
+    ElementSet resting(changed_.size());
+    for (std::size_t e = 0; e < snapshot.resting.size(); ++e)
+        if (snapshot.resting[e] != 0) resting.insert(e);
+    some_rest_ = !resting.none();
     if (!some_rest_) return;
     find_changes();
     factor();
     tree_->rest(resting);
-    system_.wake(tree_->resting(), tree_->inside());
+    system_.wake_all_but(resting_elements(), unknowns_inside());
     carry_rest_load();
 }
 
+// Of the bulk: the tree has multipliers besides.
+ElementSet FineModel::resting_elements() const { return first_of(tree_->resting(), system_.bulk().elements().count()); }
+
+UnknownSet FineModel::unknowns_inside() const { return first_of(tree_->inside(), system_.patch().mesh.unknowns); }
+
 void FineModel::carry_rest_load() {
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(std::ssize(tree_->inside()));
-    load.head(system_.displacement().size()) = system_.zone().rest_load();
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(tree_->inside().size());
+    load.head(system_.displacement().size()) = system_.bulk().rest_load();
     tree_->carry(load);
 }
 
 Eigen::VectorXd FineModel::moved_since_rest() const {
-    Eigen::VectorXd moved = Eigen::VectorXd::Zero(std::ssize(tree_->inside()));
-    moved.head(system_.displacement().size()) = system_.displacement() - system_.zone().rest_displacement();
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(tree_->inside().size());
+    moved.head(system_.displacement().size()) = system_.displacement() - system_.bulk().resting().displacement();
     return moved;
 }
 
@@ -123,33 +141,33 @@ bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) c
 }
 
 // True where something has been woken: then the trial state is to be evaluated again.
-bool FineModel::wake_what_would_flow() {
+bool FineModel::wake_what_would_yield() {
     if (std::exchange(rest_is_checked_, true)) return false;
     rest_was_checked_ = true;
-    const Eigen::VectorXd& start = system_.zone().rest_displacement();
-    const std::vector<std::size_t> flowing =
-        system_.would_flow(start + tree_->follow(moved_since_rest()).head(start.size()));
-    if (flowing.empty()) return false;
-    std::vector<char> still = tree_->resting();
-    for (const std::size_t e : flowing) still[e] = 0;
-    const auto before = std::ranges::count(tree_->resting(), 1);
+    const Eigen::VectorXd& start = system_.bulk().resting().displacement();
+    const std::vector<int> yielding = system_.would_yield(start + tree_->follow(moved_since_rest()).head(start.size()));
+    if (yielding.empty()) return false;
+    ElementSet still = tree_->resting();
+    for (const int e : yielding) still.erase(e);
+    const int before = tree_->resting().count();
     tree_->rest(still);
-    work_.elements_woken += before - std::ranges::count(tree_->resting(), 1);
-    system_.wake(tree_->resting(), tree_->inside());
+    work_.elements_woken += before - tree_->resting().count();
+    system_.wake_all_but(resting_elements(), unknowns_inside());
     carry_rest_load();
     return true;
 }
 
 // What differs from the last factor: tangents of elements, and multipliers whose status has changed.
 void FineModel::find_changes() {
-    const std::span<const char> changed = system_.zone().changed();
-    for (std::size_t e = 0; e < changed.size(); ++e) changed_[e] = static_cast<char>(changed_[e] | changed[e]);
+    const ElementSet& changed = system_.bulk().changed();
+    for (int e = 0; e < changed.size(); ++e)
+        if (changed.contains(e)) changed_.insert(e);
     const std::vector<std::int8_t>& statuses = system_.contact().statuses();
     for (std::size_t k = 0; k < statuses.size(); ++k) {
         if (in_tree_[k] == statuses[k]) continue;
         in_tree_[k] = statuses[k];
         multiplier_matrices_[k] = multiplier_matrix(static_cast<int>(k));
-        changed_[changed.size() + k] = 1;
+        changed_.insert(at(changed.size()) + k);
     }
 }
 
@@ -170,26 +188,26 @@ Eigen::MatrixXd FineModel::multiplier_matrix(int k) const {
 
 // Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
 bool FineModel::last_factor_serves(const coupling::PatchResponse& response) const {
-    const auto first_multiplier = changed_.end() - std::ssize(in_tree_);
-    return !all_changed_ && asked_.settled_below > 0.0 &&
-           std::find(first_multiplier, changed_.end(), 1) == changed_.end() &&
+    const std::vector<char>& flags = changed_.flags();
+    const auto first_multiplier = flags.end() - std::ssize(in_tree_);
+    return !all_changed_ && asked_.settled_below > 0.0 && std::find(first_multiplier, flags.end(), 1) == flags.end() &&
            std::max(response.interior_residual, response.contact_residual) <= asked_.settled_below;
 }
 
 void FineModel::factor() {
-    if (all_changed_) std::ranges::fill(changed_, static_cast<char>(1));
-    const std::span<const Eigen::MatrixXd> tangents = system_.zone().tangents();
+    if (all_changed_) changed_ = ElementSet(changed_.size(), true);
+    const std::span<const Eigen::MatrixXd> tangents = system_.bulk().tangents();
     const long before = tree_->refactored();
     tree_->factor(
         [&](int element) -> const Eigen::MatrixXd& {
             const auto e = at(element);
             return e < tangents.size() ? tangents[e] : multiplier_matrices_[e - tangents.size()];
         },
-        changed_);
+        changed_.flags());
     const long refactored = tree_->refactored() - before;
     work_.fronts_refactored += refactored;
     work_.fronts_kept += tree_->fronts() - refactored;
-    std::ranges::fill(changed_, static_cast<char>(0));
+    changed_ = ElementSet(changed_.size());
     all_changed_ = false;
 }
 
@@ -234,11 +252,11 @@ void FineModel::advance_interior() {
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {
-    if (some_rest_ && wake_what_would_flow()) linearise();
+    if (some_rest_ && wake_what_would_yield()) linearise();
     coupling::StepReport report = system_.commit(reversal);
     if (reversal) {
-        system_.wake({}, {});
-        begin_rest(system_.may_rest());
+        system_.wake_all();
+        begin_rest();
     }
     report.factor_s = factor_s_;
     report.work += work_;

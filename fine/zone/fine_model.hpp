@@ -30,12 +30,14 @@ public:
 
 private:
     void plant_tree();
-    void begin_rest(std::vector<char> may_rest);
+    void begin_rest();
     void rest_again(const coupling::ZoneSnapshot& snapshot);
+    [[nodiscard]] ElementSet resting_elements() const;
+    [[nodiscard]] UnknownSet unknowns_inside() const;
     void linearise();
     [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
     [[nodiscard]] bool is_time_to_check_rest(const coupling::PatchResponse& response) const;
-    [[nodiscard]] bool wake_what_would_flow();
+    [[nodiscard]] bool wake_what_would_yield();
     void carry_rest_load();
     void find_changes();
     [[nodiscard]] Eigen::MatrixXd multiplier_matrix(int k) const;
@@ -56,7 +58,8 @@ private:
     bool all_changed_ = true;
     // Something rests; it was looked at: at the present trial state, in this increment.
     bool some_rest_ = false, rest_is_checked_ = false, rest_was_checked_ = false;
-    std::vector<char> changed_;  // per element, then multiplier: its matrix is not that of the last factor
+    ElementSet changed_;  // of the tree, whose elements are those of the bulk, then the multipliers: its matrix is
+                          // not that of the last factor
     coupling::WorkCounts work_;  // of condensing
 };
 

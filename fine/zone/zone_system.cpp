@@ -8,6 +8,7 @@
 
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
+#include "fine/bulk/bulk_report.hpp"
 
 namespace stria::fine {
 
@@ -16,13 +17,13 @@ ZoneSystem::ZoneSystem(const Case& input)
       increments_(remembered_increments(input.load.steps)) {}
 
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
-    if (zone_) wake({}, {});
-    const std::unique_ptr<Zone> old = std::move(zone_);
+    if (bulk_) wake_all();
+    const std::unique_ptr<Bulk> old = std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     if (old) keep_displacement(patch);
     make_contact(patch);
     carry_unknowns(patch, old_contact.get());
-    zone_ = std::make_unique<Zone>(patch.mesh, make_law(), elastic_, rule(), old.get(), committed_.displacement);
+    bulk_ = std::make_unique<Bulk>(patch.mesh, make_law(), elastic_, rule(), old.get(), committed_.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
     if (old) open_new_faces(before);
@@ -47,15 +48,15 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = committed_;
-    inside_.assign(at(patch_.mesh.unknowns), 0);
+    inside_ = UnknownSet(patch_.mesh.unknowns);
     contact_->settle(committed_.displacement);
     find_tip_stations();
 }
 
 // No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
 void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
-    zone_->evaluate(committed_.displacement);
-    Eigen::VectorXd force = zone_->internal_force();
+    bulk_->evaluate(committed_.displacement);
+    Eigen::VectorXd force = bulk_->internal_force();
     contact_->add_force(committed_.pressure, force);
     opening_.open(before, patch_.mesh, -force);
 }
@@ -126,41 +127,81 @@ void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
 void ZoneSystem::linearise() {
     {
         const Stopwatch watch(constitutive_s_);
-        zone_->evaluate(trial_.displacement);
+        bulk_->evaluate(trial_.displacement);
     }
     const Stopwatch watch(contact_s_);
     gap_ = contact_->gaps_that_matter(trial_.displacement, trial_.pressure, contact_work_);
     contact_->choose_statuses(trial_.pressure, gap_);
-    Eigen::VectorXd force = zone_->internal_force();
+    Eigen::VectorXd force = bulk_->internal_force();
     contact_->add_force(trial_.pressure, force);
     load_ = load_factor_ * patch_.unit_load - force;
     response_.resize(0);
 }
 
+void ZoneSystem::add_response(const Eigen::VectorXd& load) {
+    load_ += load;
+    response_ = load;
+}
+
+ElementSet ZoneSystem::may_rest() const {
+    ElementSet may = bulk_->may_rest();
+    const auto bears_load = [&](int unknown) { return patch_.unit_load[unknown] != 0.0; };
+    for (int e = 0; e < may.size(); ++e) {
+        if (std::ranges::any_of(bulk_->elements().op(e).unknowns, bears_load)) may.erase(e);
+        for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
+            if (bulk_->elements().is_near(e, patch_.mesh.tips[t].position, patch_.ahead[t])) may.erase(e);
+    }
+    return may;
+}
+
+void ZoneSystem::rest(const ElementSet& elements, const UnknownSet& inside) {
+    bulk_->rest(elements, committed_.displacement);
+    set_inside(inside);
+}
+
+std::vector<int> ZoneSystem::would_yield(const Eigen::VectorXd& displacement) {
+    const Stopwatch watch(constitutive_s_);
+    for (Eigen::Index i = 0; i < trial_.displacement.size(); ++i)
+        if (inside_.contains(i)) trial_.displacement[i] = displacement[i];
+    return bulk_->would_yield(trial_.displacement);
+}
+
+void ZoneSystem::wake_all_but(const ElementSet& still, const UnknownSet& inside) {
+    bulk_->wake_all_but(still);
+    set_inside(inside);
+}
+
+void ZoneSystem::wake_all() { wake_all_but(ElementSet(bulk_->elements().count()), UnknownSet(patch_.mesh.unknowns)); }
+
+void ZoneSystem::set_inside(const UnknownSet& inside) {
+    inside_ = inside;
+    force_scale_at_rest_ = bulk_->rest_load().lpNorm<Eigen::Infinity>();
+}
+
 coupling::PatchResponse ZoneSystem::measure() {
     coupling::PatchResponse response;
-    std::vector<char> on_boundary(at(patch_.mesh.unknowns), 0);
-    for (const int unknown : patch_.boundary) on_boundary[at(unknown)] = 1;
+    UnknownSet followed = inside_;  // by the structure, or by the others
+    for (const int unknown : patch_.boundary) followed.insert(unknown);
     response.interior_force = force_scale_at_rest_;
     const Eigen::VectorXd scale =
-        response_.size() > 0 ? zone_->force_scale() + response_.cwiseAbs() : zone_->force_scale();
+        response_.size() > 0 ? bulk_->force_scale() + response_.cwiseAbs() : bulk_->force_scale();
     for (int i = 0; i < patch_.mesh.unknowns; ++i) {
         response.interior_force = std::max(response.interior_force, scale[i]);
-        if (on_boundary[at(i)] == 0 && inside_[at(i)] == 0)
+        if (!followed.contains(i))
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
     step_ = damping_.factor(response.interior_residual);
     response.contact_residual = contact_->residual(trial_.pressure, gap_);
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
-    response.digest.yielding_points = zone_->yielding_points();
-    response.digest.largest_plastic_increment = zone_->largest_plastic_increment();
+    response.digest.yielding_points = bulk_->history().yielding_points();
+    response.digest.largest_plastic_increment = bulk_->history().largest_plastic_increment();
     response.digest.status = contact_->statuses();
     response.digest.multiplier.assign(trial_.pressure.begin(), trial_.pressure.end());
     response.digest.status_changes = contact_->status_changes();
     for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
-        response.digest.force_ahead.push_back(zone_->force_ahead(patch_.mesh.tips[t], patch_.ahead[t]));
+        response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
     return response;
 }
 
@@ -171,23 +212,23 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     }
     const Unknowns move{trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
     committed_ = trial_;
-    zone_->commit(reversal);
+    bulk_->commit(reversal);
     contact_->commit(committed_.displacement);
     coupling::StepReport report;
-    report.energy = {.stored = zone_->stored_energy(),
+    report.energy = {.stored = fine::stored_energy(*bulk_),
                      .released = opening_.release(move.displacement),
                      .load_path = patch_.unit_load.dot(move.displacement)};
     increments_.push(move);
     report_tips(report);
     report_rings(report);
     report_faces(report);
-    report.dissipation = zone_->dissipation();
-    report.points = zone_->points();
+    report.dissipation = fine::dissipation(*bulk_);
+    report.points = bulk_->history().points();
     report.unknowns = patch_.mesh.unknowns + contact_->multipliers();
     report.multipliers = contact_->multipliers();
-    report.work = zone_->counts();
+    report.work = bulk_->counts();
     report.work += contact_work_;
-    report.work.history_values = zone_->history_values();
+    report.work.history_values = bulk_->history().values_beyond_stress();
     report.work.interface_elements = contact_->interface_elements();
     report.constitutive_s = constitutive_s_;
     report.contact_s = contact_s_;
@@ -206,9 +247,9 @@ void ZoneSystem::report_tips(coupling::StepReport& report) const {
         const Tip& tip = patch_.mesh.tips[t];
         report.tips[t].CTOD = opening_at_intercept(
             patch_.mesh, tip, [&](const FaceStation& station) { return jump(station).dot(station.normal); });
-        report.tips[t].plastic_zone = zone_->plastic_extent(tip, std::numbers::pi);
-        report.tips[t].plastic_zone_axis = zone_->plastic_extent(tip, std::numbers::pi / 12.0);
-        report.tips[t].plastic_reach = zone_->plastic_reach(tip);
+        report.tips[t].plastic_zone = plastic_extent(*bulk_, tip, std::numbers::pi);
+        report.tips[t].plastic_bulk_axis = plastic_extent(*bulk_, tip, std::numbers::pi / 12.0);
+        report.tips[t].plastic_reach = plastic_reach(*bulk_, tip);
     }
 }
 
@@ -224,7 +265,7 @@ void ZoneSystem::report_rings(coupling::StepReport& report) const {
         }
         if (rings.empty()) continue;
         RingSums sums(patch_.mesh, tip, elastic_, rings);
-        zone_->add_to(sums);
+        add_to(sums, *bulk_);
         for (const FaceStation& station : tip_stations_[at(t)]) {
             const double pressure = contact_->pressure_at(station, committed_.pressure);
             if (pressure > 0.0) sums.add_pressure(station, pressure, station.opening_slope(committed_.displacement));
@@ -263,10 +304,6 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
     }
 }
 
-coupling::ZoneState ZoneSystem::state() const {
-    coupling::ZoneState out;
-    zone_->describe(out);
-    return out;
-}
+coupling::ZoneState ZoneSystem::state() const { return state_of(*bulk_); }
 
 }  // namespace stria::fine

@@ -6,7 +6,7 @@
 #include "common/damping.hpp"
 #include "common/io/case.hpp"
 #include "coupling/messages.hpp"
-#include "fine/bulk/zone.hpp"
+#include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
 #include "fine/growth/opening_faces.hpp"
 
@@ -37,22 +37,24 @@ public:
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
     void linearise();
 
-    /// Elements that may rest: quiet ones, without loads of their own, that nobody asks what lies ahead of a tip.
-    [[nodiscard]] std::vector<char> may_rest() const;
-    /// From the committed state on; `inside`: unknowns, by a flag, that follow the others. Of those neither loads nor
-    /// residuals are known here.
-    void rest(const std::vector<char>& elements, const std::vector<char>& inside);
-    /// The trial unknowns inside go where they follow the others to; the elements that would flow there.
-    [[nodiscard]] std::vector<std::size_t> would_flow(const Eigen::VectorXd& displacement);
+    /// Elements that may rest: elastic for a whole cycle, without loads of their own, and away from the tips about
+    /// which the force ahead is asked for.
+    [[nodiscard]] ElementSet may_rest() const;
+    /// These rest from the committed state on. `inside`: the unknowns that follow the others; neither their loads nor
+    /// their residuals are known here.
+    void rest(const ElementSet& elements, const UnknownSet& inside);
+    /// The trial unknowns inside go to `displacement` (of all unknowns); the elements at rest that would yield there.
+    [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& displacement);
     /// All but those that still rest are evaluated again.
-    void wake(const std::vector<char>& still, const std::vector<char>& inside);
+    void wake_all_but(const ElementSet& still, const UnknownSet& inside);
+    void wake_all();
     /// What the elements at rest do to the others, N/mm.
     void add_response(const Eigen::VectorXd& load);
 
     /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p), N/mm.
     [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
 
-    [[nodiscard]] const Zone& zone() const { return *zone_; }
+    [[nodiscard]] const Bulk& bulk() const { return *bulk_; }
     [[nodiscard]] const ContactInterface& contact() const { return *contact_; }
     [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
@@ -88,7 +90,7 @@ private:
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
     void find_tip_stations();
-    void set_inside(const std::vector<char>& inside);
+    void set_inside(const UnknownSet& inside);
     void keep_displacement(const coupling::Patch& next);
     void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
     void open_new_faces(const EnrichedMesh& before);
@@ -100,7 +102,7 @@ private:
     const Case& input_;
     Elasticity elastic_;
     coupling::Patch patch_;
-    std::unique_ptr<Zone> zone_;
+    std::unique_ptr<Bulk> bulk_;
     std::unique_ptr<ContactInterface> contact_;
     FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
@@ -110,7 +112,7 @@ private:
     OpeningFaces opening_;
     IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd gap_, load_;
-    std::vector<char> inside_;  // per unknown: of what rests; empty: nothing does
+    UnknownSet inside_;  // of what rests
     double force_scale_at_rest_ = 0.0;
     Eigen::VectorXd response_;  // of what rests, N/mm; empty: nothing does
     double largest_move_ = 0.0, load_factor_ = 0.0;

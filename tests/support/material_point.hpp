@@ -33,7 +33,7 @@ inline PointUpdate update_point(const fine::MaterialLaw& law, const std::vector<
     Eigen::Matrix<double, 4, 4, Eigen::RowMajor> tangent;
     unsigned char yields = 0;
     law.update(1, 1, strain_increment.data(), committed.data(), update.state.data(), tangent.data(), &yields);
-    update.tangent = law.flows() ? MandelMatrix(tangent) : law.elastic();
+    update.tangent = law.can_yield() ? MandelMatrix(tangent) : law.elastic();
     update.yields = yields != 0;
     return update;
 }

@@ -29,16 +29,16 @@ struct Snapshot {
     std::vector<std::size_t> first_point;   // of each element
 
     explicit Snapshot(const fine::ZoneSystem& system)
-        : mesh(system.patch().mesh), u(system.zone().committed_displacement()), frozen(system.frozen()),
+        : mesh(system.patch().mesh), u(system.bulk().committed_displacement()), frozen(system.frozen()),
           state(system.state()) {
-        const auto& operators = system.zone().operators();
+        const auto& operators = system.bulk().operators();
         std::size_t points = 0;
         for (std::size_t e = 0; e < operators.size(); ++e) {
             element[mesh.element_ids[e]] = static_cast<int>(e);
             first_point.push_back(points);
             points += operators[e].points.size();
-            for (std::size_t q = 0; q < operators[e].points.size(); ++q)
-                gradient.push_back(system.zone().committed_gradient(e, q));
+            for (const auto& point : system.bulk().committed_states(static_cast<int>(e)))
+                gradient.push_back(point.gradient);
         }
         first_point.push_back(points);
         for (const FaceStation& station : system.contact().stations()) faces.push_back(station.x);

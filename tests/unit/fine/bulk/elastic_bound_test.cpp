@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fine/bulk/zone.hpp"
+#include "fine/bulk/bulk_report.hpp"
 #include "tests/support/material_point.hpp"
 #include "tests/support/plates.hpp"
 
@@ -11,9 +11,9 @@ namespace stria::test {
 namespace {
 
 using coupling::ZoneState;
-using fine::Zone;
+using fine::Bulk;
 
-Zone make_zone(const EnrichedMesh& mesh, const Case& input) {
+Bulk make_bulk(const EnrichedMesh& mesh, const Case& input) {
     return {mesh,
             fine::make_material_law(input.material, input.model.plane),
             elasticity_of(input.material, input.model.plane),
@@ -34,11 +34,11 @@ protected:
 
 // No point's von Mises stress is larger than what the energy of its element allows.
 TEST_P(ElasticBound, Bounds) {
-    const Zone zone = make_zone(plate, scene);
+    const Bulk bulk = make_bulk(plate, scene);
     const Elasticity elastic = elasticity_of(scene.material, scene.model.plane);
     for (const unsigned seed : {1U, 2U, 3U}) {
         const Eigen::VectorXd u = random_vector(plate.unknowns, 1e-3, seed);
-        for (const ElementOperator& op : zone.operators()) {
+        for (const ElementOperator& op : bulk.operators()) {
             const Eigen::VectorXd element_u = gather(u, op.unknowns);
             const double work = element_u.dot(op.stiffness(elastic.stiffness()) * element_u);
             double largest = 0.0;
@@ -52,17 +52,16 @@ TEST_P(ElasticBound, Bounds) {
     }
 }
 
-// Small increments are proven elastic; what is committed is what the points say, and flow is never overlooked.
+// Small increments are proven elastic; what is committed is what the points say, and yielding is never overlooked.
 TEST_P(ElasticBound, ChangesNoResult) {
-    Zone proving = make_zone(plate, scene);
+    Bulk proving = make_bulk(plate, scene);
     const Eigen::VectorXd u = random_vector(plate.unknowns, 4e-3, 7);
     for (int k = 1; k <= 40; ++k) {
         proving.evaluate(k / 40.0 * u);
         const Eigen::VectorXd trial_force = proving.internal_force();
-        const std::vector<std::int32_t> yielding = proving.yielding_points();
+        const std::vector<std::int32_t> yielding = proving.history().yielding_points();
         proving.commit(false);
-        ZoneState state;
-        proving.describe(state);
+        const ZoneState state = state_of(proving);
         Eigen::VectorXd force = Eigen::VectorXd::Zero(plate.unknowns);
         std::size_t point = 0;
         for (const ElementOperator& op : proving.operators()) {
@@ -75,10 +74,10 @@ TEST_P(ElasticBound, ChangesNoResult) {
             force(op.unknowns) += of_element;
         }
         EXPECT_LT((force - trial_force).cwiseAbs().maxCoeff(), 1e-11 * force.cwiseAbs().maxCoeff()) << k;
-        // Committing looks at every point: as many flow as the proof had said.
-        EXPECT_EQ(proving.yielding_points(), yielding) << k;
+        // Committing looks at every point: as many yield as the proof had said.
+        EXPECT_EQ(proving.history().yielding_points(), yielding) << k;
     }
-    const coupling::WorkCounts& counts = proving.counts();
+    const coupling::WorkCounts counts = proving.counts();
     EXPECT_GT(counts.points_proven_elastic, 0);
     EXPECT_GT(counts.tangents_computed, 0);
     EXPECT_GT(counts.elastic_tangents_reused, 0);

@@ -103,9 +103,9 @@ public:
         const coupling::Patch& zone = system_.patch();
         const Eigen::Index n = zone.mesh.unknowns, m = system_.contact().multipliers();
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
-        for (std::size_t e = 0; e < system_.zone().operators().size(); ++e) {
-            const std::vector<int>& unknowns = system_.zone().operators()[e].unknowns;
-            matrix(unknowns, unknowns) += system_.zone().tangents()[e];
+        for (std::size_t e = 0; e < system_.bulk().operators().size(); ++e) {
+            const std::vector<int>& unknowns = system_.bulk().operators()[e].unknowns;
+            matrix(unknowns, unknowns) += system_.bulk().tangents()[e];
         }
         const Eigen::MatrixXd B = system_.contact().operator_B();
         const Eigen::VectorXd open = system_.contact().open_diagonal();
@@ -152,7 +152,7 @@ TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
     FullNewton full;
     double last = 0.0;
     for (const double strain :
-         {5e-4, 1e-3, 1.5e-3, 1e-3, 5e-4, 0.0, -5e-4, -1e-3}) {  // flows, unloads, closes, flows back
+         {5e-4, 1e-3, 1.5e-3, 1e-3, 5e-4, 0.0, -5e-4, -1e-3}) {  // yields, unloads, closes, yields back
         const double predictor = strain * last > 0.0 && strain > last ? 0.5 : 0.0;
         last = strain;
         for (int iteration = 0; iteration < 8; ++iteration) {
@@ -219,7 +219,7 @@ TEST_F(Resting, ChangesNoDisplacementAndNoForce) {
     EXPECT_GT(work.points_at_rest, work.points_evaluated / 4);
 }
 
-TEST_F(Resting, WhatWouldFlowIsWoken) {
+TEST_F(Resting, WhatWouldYieldIsWoken) {
     cycles(2, 8e-4);
     const coupling::StepReport overload = cycles(1, 2.4e-3);
     EXPECT_GT(overload.work.elements_woken, 0);

@@ -1,0 +1,300 @@
+#include "fine/bulk/bulk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/error.hpp"
+#include "common/integration/moment_fit.hpp"
+#include "fine/bulk/element_kernels.hpp"
+#include "fine/bulk/history_rows.hpp"
+
+namespace stria::fine {
+
+Bulk::Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+           const IntegrationRule& rule, const Bulk* old, const Eigen::VectorXd& displacement)
+    : Bulk(BulkElements(mesh, elastic, rule,
+                        [&](int e, const CrackPiece* cut) {
+                            return old != nullptr ? old->elements_.points_kept(mesh, e, cut) : std::nullopt;
+                        }),
+           std::move(law), displacement) {
+    if (old != nullptr)
+        carry_history(*old);
+    else
+        for (int e = 0; e < elements_.count(); ++e) begin_elastic(e);
+    history_.rollback();
+    settle();
+}
+
+Bulk::Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+           const IntegrationRule& rule, const coupling::ZoneSnapshot& snapshot)
+    : Bulk(BulkElements(mesh, elastic, rule,
+                        [&, rows = histories_of_elements(snapshot)](int e, const CrackPiece*) {
+                            return points_of(snapshot, rows.at(at(e)));
+                        }),
+           std::move(law), snapshot.displacement) {
+    require(snapshot.element == mesh.element_ids, "a snapshot has the elements of its zone, in its order");
+    read_rows(snapshot, operators(), history_);
+    history_.set_half_cycle_ended(snapshot.half_cycle_ended);
+    history_.rollback();
+    settle();
+    ElementSet resting(elements_.count());
+    for (int e = 0; e < elements_.count(); ++e) {
+        resting_.set_elastic_half_cycles(e, snapshot.quiet_half_cycles[at(e)]);
+        if (snapshot.resting[at(e)] != 0) resting.insert(e);
+    }
+    rest(resting, snapshot.rest_displacement);
+}
+
+Bulk::Bulk(BulkElements elements, std::unique_ptr<MaterialLaw> law, const Eigen::VectorXd& displacement)
+    : elements_(std::move(elements)), history_(std::move(law), operators()), resting_(operators(), displacement),
+      bound_(elements_.elastic().shear_modulus()), proven_(elements_.count(), true),  // no force is known yet
+      committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
+      increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
+      tangents_(elements_.stiffness()), changed_(elements_.count(), true), yielded_(elements_.count()) {
+    for (const ElementOperator& op : operators()) bound_.add_element(op);
+}
+
+void Bulk::remember(coupling::ZoneSnapshot& out) const {
+    out.element = elements_.mesh().element_ids;
+    out.rank.assign(out.element.size(), 0);
+    for (const ElementOperator& op : operators()) out.points.push_back(static_cast<std::int32_t>(op.points.size()));
+    write_rows(operators(), history_, out);
+    out.half_cycle_ended = history_.half_cycle_ended();
+    out.quiet_half_cycles = resting_.elastic_half_cycles();
+    for (int e = 0; e < elements_.count(); ++e) out.resting.push_back(resting_.contains(e) ? 1 : 0);
+    out.rest_displacement = resting_.displacement();
+}
+
+void Bulk::begin_elastic(int e) {
+    const ElementOperator& op = elements_.op(e);
+    const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
+    for (std::size_t q = 0; q < op.points.size(); ++q) history_.begin(e, q, op.strain(u, q));
+}
+
+void Bulk::carry_history(const Bulk& old) {
+    counts_ = old.counts();
+    history_.set_half_cycle_ended(old.history_.half_cycle_ended());
+    for (int e = 0; e < elements_.count(); ++e) {
+        if (const std::optional<int> found = old.elements_.find(elements_.mesh().element_ids[at(e)]))
+            carry_history(old, *found, e);
+        else
+            begin_elastic(e);
+    }
+}
+
+// Old points come first and in their order; one that is new has a mean history of those around it on its side. What
+// the functions no longer say of the displacement's gradient is kept beside them.
+void Bulk::carry_history(const Bulk& old, int old_element, int element) {
+    constexpr double rounding = 1e-14;
+    const ElementOperator &before = old.elements_.op(old_element), &now = elements_.op(element);
+    resting_.set_elastic_half_cycles(element, old.resting_.elastic_half_cycles()[at(old_element)]);
+    const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
+    for (std::size_t q = 0; q < now.points.size(); ++q) {
+        Eigen::Matrix2d untold = -now.displacement_gradient(u, q);
+        for (const auto& [from, share] : history_of(now.points, q, before.points)) {
+            history_.add_share(element, q, share, old.history_, old_element, from);
+            untold += share * old.gradient(old_element, from, old_u);
+        }
+        if (history_.has_frozen_gradients() || untold.cwiseAbs().maxCoeff() >= rounding)
+            history_.freeze_gradient(element, q, untold);
+    }
+}
+
+Eigen::Matrix2d Bulk::gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const {
+    return elements_.op(e).displacement_gradient(element_u, q) + history_.frozen_gradient(e, q);
+}
+
+void Bulk::evaluate(const Eigen::VectorXd& u) {
+    trial_u_ = u;
+    increment_ = u - committed_u_;
+    for (int e = 0; e < elements_.count(); ++e) {
+        if (resting_.contains(e)) continue;
+        with_kernel(elements_.op(e), [&](const auto& kernel) {
+            if (proves_elastic(e, kernel))
+                proven_.insert(e);
+            else
+                proven_.erase(e);
+        });
+    }
+    update_points(false);
+    force_.setZero();
+    force_scale_.setZero();
+    for (int e = 0; e < elements_.count(); ++e) {
+        if (resting_.contains(e)) {
+            counts_.points_at_rest += history_.points(e);
+            continue;
+        }
+        with_kernel(elements_.op(e), [&](const auto& kernel) {
+            find_trial_force(e, kernel);
+            add_trial_force(e);
+            find_tangent(e, kernel);
+        });
+    }
+}
+
+template <class Kernel> bool Bulk::proves_elastic(int e, const Kernel& kernel) {
+    const auto elastic = kernel.elastic(elements_.stiffness()[at(e)], increment_);
+    if (!bound_.proves(at(e), elastic.work)) return false;
+    const auto committed = committed_force_.of(e);
+    auto trial = trial_force_.of(e);
+    for (Eigen::Index k = 0; k < trial.size(); ++k) trial[k] = committed[k] + elastic.force.data()[k];
+    return true;
+}
+
+// In as long blocks as there are.
+void Bulk::update_points(bool proven) {
+    const auto is_due = [&](int e) { return !resting_.contains(e) && proven_.contains(e) == proven; };
+    const int count = elements_.count();
+    for (int e = 0; e < count;) {
+        const int begin = e;
+        while (e < count && is_due(e)) ++e;
+        history_.update(operators(), begin, e, increment_);
+        while (e < count && !is_due(e)) ++e;
+    }
+}
+
+template <class Kernel> void Bulk::find_trial_force(int e, const Kernel& kernel) {
+    if (proven_.contains(e)) {
+        history_.set_elastic(e);
+        counts_.points_proven_elastic += history_.points(e);
+        return;
+    }
+    const auto force = kernel.force(history_.trial_stresses(e), history_.points());
+    std::copy_n(force.data(), force.size(), trial_force_.of(e).data());
+}
+
+void Bulk::add_trial_force(int e) {
+    const auto force = trial_force_.of(e);
+    const std::vector<int>& unknowns = elements_.op(e).unknowns;
+    for (Eigen::Index k = 0; k < force.size(); ++k) {
+        force_[unknowns[at(k)]] += force[k];
+        force_scale_[unknowns[at(k)]] += std::abs(force[k]);
+    }
+}
+
+// The elastic matrix plus what yielding takes away at the points that yield.
+template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
+    const bool yields = history_.yields(e), yielded = yielded_.contains(e);
+    if (yields || yielded)
+        changed_.insert(e);
+    else
+        changed_.erase(e);
+    if (!yields) {
+        if (yielded) tangents_[at(e)] = elements_.stiffness()[at(e)];
+        yielded_.erase(e);
+        ++counts_.elastic_tangents_reused;
+        return;
+    }
+    yielded_.insert(e);
+    ++counts_.tangents_computed;
+    const MandelMatrix elastic = elements_.elastic().stiffness();
+    typename Kernel::Matrix K = elements_.stiffness()[at(e)];
+    for (std::size_t q = 0; q < at(history_.points(e)); ++q)
+        if (history_.yields(e, q)) kernel.add_stiffness(history_.tangent(e, q) - elastic, q, K);
+    tangents_[at(e)] = K;
+}
+
+void Bulk::commit(bool reversal) {
+    update_points(true);
+    history_.commit(reversal);
+    committed_u_ = trial_u_;
+    increment_.setZero();
+    settle();
+    if (reversal) resting_.count_half_cycle(history_);
+}
+
+// Where the points were not looked at before the commit, the forces are now those of their stresses.
+void Bulk::settle() {
+    for (const int e : proven_.members()) find_committed_force(e);
+    proven_ = ElementSet(elements_.count());
+    committed_force_ = trial_force_;
+    for (int e = 0; e < elements_.count(); ++e)
+        if (!resting_.contains(e)) bound_.set_margin(at(e), history_.elastic_margin(e));
+}
+
+void Bulk::find_committed_force(int e) {
+    with_kernel(elements_.op(e), [&](const auto& kernel) {
+        const auto force = kernel.force(history_.stresses(e), history_.points());
+        std::copy_n(force.data(), force.size(), trial_force_.of(e).data());
+    });
+}
+
+Mandel Bulk::trial_stress(int e, std::size_t q) const {
+    if (!proven_.contains(e)) return history_.trial_stress(e, q);
+    const ElementOperator& op = elements_.op(e);
+    return history_.stress(e, q) + history_.law().elastic() * op.strain(gather(increment_, op.unknowns), q);
+}
+
+std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
+    const ElementOperator& op = elements_.op(e);
+    std::vector<PointState> states;
+    states.reserve(op.points.size());
+    const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
+    for (std::size_t q = 0; q < op.points.size(); ++q)
+        states.push_back({history_.stress(e, q), history_.work(e, q), gradient(e, q, u)});
+    if (!resting_.contains(e)) return states;
+    const Eigen::VectorXd moved = resting_.moved(op, committed_u_);
+    for (std::size_t q = 0; q < op.points.size(); ++q) {
+        const Mandel strain = op.strain(moved, q);
+        const Mandel change = history_.law().elastic() * strain;
+        states[q].work += (states[q].stress + 0.5 * change).dot(strain);
+        states[q].stress += change;
+    }
+    return states;
+}
+
+double Bulk::energy_since_rest(int e) const {
+    if (!resting_.contains(e)) return 0.0;
+    const Eigen::VectorXd moved = resting_.moved(elements_.op(e), committed_u_);
+    return moved.dot(committed_force_.of(e) + 0.5 * elements_.stiffness()[at(e)] * moved);
+}
+
+ElementSet Bulk::may_rest() const {
+    return history_.law().can_yield() ? resting_.may_rest() : ElementSet(elements_.count(), true);
+}
+
+void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
+    resting_.rest(elements, displacement, operators());
+    for (const int e : elements.members()) {
+        proven_.erase(e);
+        changed_.erase(e);
+        yielded_.erase(e);
+        history_.set_elastic(e);
+    }
+}
+
+Eigen::VectorXd Bulk::rest_load() const {
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(elements_.mesh().unknowns);
+    for (const int e : resting_.elements().members()) {
+        const double* force = committed_force_.of(e).data();
+        for (const int unknown : elements_.op(e).unknowns) load[unknown] -= *force++;
+    }
+    return load;
+}
+
+std::vector<int> Bulk::would_yield(const Eigen::VectorXd& u) {
+    trial_u_ = u;  // what rests has followed since evaluate()
+    return resting_.would_yield(u, elements_, history_, bound_);
+}
+
+void Bulk::wake_all_but(const ElementSet& still) {
+    const Eigen::VectorXd moved = committed_u_ - resting_.displacement();
+    for (const int e : resting_.elements().members()) {
+        if (still.contains(e)) continue;
+        history_.update(operators(), e, e + 1, moved);
+        history_.commit(e);
+        resting_.wake(e);
+        find_committed_force(e);
+        committed_force_.of(e) = trial_force_.of(e);
+        bound_.set_margin(at(e), history_.elastic_margin(e));
+    }
+}
+
+coupling::WorkCounts Bulk::counts() const {
+    coupling::WorkCounts counts = counts_;
+    counts.points_evaluated += history_.evaluated();
+    return counts;
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,115 @@
+// The bulk of the zone under plasticity: internal forces and tangents of its elements, committed and trial.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/index_set.hpp"
+#include "coupling/work_counts.hpp"
+#include "coupling/zone_snapshot.hpp"
+#include "fine/bulk/bulk_elements.hpp"
+#include "fine/bulk/elastic_bound.hpp"
+#include "fine/bulk/element_values.hpp"
+#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/resting_elements.hpp"
+
+namespace stria::fine {
+
+/// A point yields where its trial increment meets the yield criterion; it is plastic where it has yielded before.
+/// Displacements are those of all unknowns of the mesh, mm; forces on them are per thickness, N/mm.
+class Bulk {
+public:
+    /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
+    /// newly cut them, and the points' states; the others start from sigma = C eps(displacement) (docs/equations.md,
+    /// growth). `displacement`: committed.
+    Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+         const IntegrationRule& rule, const Bulk* old, const Eigen::VectorXd& displacement);
+
+    /// As a snapshot has it, which holds all elements of the mesh. Throws std::logic_error where it does not.
+    Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
+         const IntegrationRule& rule, const coupling::ZoneSnapshot& snapshot);
+
+    /// Writes all that is committed, but for the displacements.
+    void remember(coupling::ZoneSnapshot& out) const;
+
+    /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
+    void evaluate(const Eigen::VectorXd& u);
+
+    /// Trial becomes committed. `reversal`: with this increment a half cycle ends; plastic extents start anew after it.
+    void commit(bool reversal);
+
+    [[nodiscard]] const BulkElements& elements() const { return elements_; }
+    [[nodiscard]] const std::vector<ElementOperator>& operators() const { return elements_.operators(); }
+    [[nodiscard]] const PointHistory& history() const { return history_; }
+    [[nodiscard]] const RestingElements& resting() const { return resting_; }
+
+    [[nodiscard]] const Eigen::VectorXd& committed_displacement() const { return committed_u_; }
+    [[nodiscard]] const Eigen::VectorXd& internal_force() const { return force_; }
+    /// Sum over elements of |nodal force|, per unknown: the scale against which a residual is small.
+    [[nodiscard]] const Eigen::VectorXd& force_scale() const { return force_scale_; }
+    /// Per element, 2f x 2f where it has f functions.
+    [[nodiscard]] std::span<const Eigen::MatrixXd> tangents() const { return tangents_; }
+    /// Elements whose tangent differs from that of the evaluation before.
+    [[nodiscard]] const ElementSet& changed() const { return changed_; }
+
+    [[nodiscard]] Mandel trial_stress(int e, std::size_t q) const;
+    struct PointState {
+        Mandel stress;             // MPa
+        double work;               // stress work density so far, N/mm2
+        Eigen::Matrix2d gradient;  // of the displacement, with what its functions no longer tell (row: component)
+    };
+    /// Committed, of all points of an element. Where it rests they follow its displacement elastically.
+    [[nodiscard]] std::vector<PointState> committed_states(int e) const;
+    /// Energy that an element holds beyond that of its points' states, as it has moved while it rests, N.
+    [[nodiscard]] double energy_since_rest(int e) const;
+
+    /// Elements that no point of has yielded in for a whole cycle, or ever can.
+    [[nodiscard]] ElementSet may_rest() const;
+    /// These are left out of evaluate() from now on: they respond elastically, and who condenses them knows how.
+    /// `displacement`: that of their points' states.
+    void rest(const ElementSet& elements, const Eigen::VectorXd& displacement);
+    /// Minus the nodal forces of the elements at rest, where they came to rest.
+    [[nodiscard]] Eigen::VectorXd rest_load() const;
+    /// Of those at rest, the ones that would yield at a displacement, which is the trial one from now on; it differs
+    /// from that of evaluate() only in what follows them.
+    [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& u);
+    /// Brings those that rest, and are not among `still`, to the committed displacement; evaluate() sees them again.
+    void wake_all_but(const ElementSet& still);
+
+    /// So far, summed over evaluations: of points and elements.
+    [[nodiscard]] coupling::WorkCounts counts() const;
+    void count_on_from(const coupling::WorkCounts& counts) { counts_ = counts; }
+
+private:
+    Bulk(BulkElements elements, std::unique_ptr<MaterialLaw> law, const Eigen::VectorXd& displacement);
+    void carry_history(const Bulk& old);
+    void carry_history(const Bulk& old, int old_element, int element);
+    void begin_elastic(int e);
+    [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
+    template <class Kernel> [[nodiscard]] bool proves_elastic(int e, const Kernel& kernel);
+    template <class Kernel> void find_trial_force(int e, const Kernel& kernel);
+    template <class Kernel> void find_tangent(int e, const Kernel& kernel);
+    void add_trial_force(int e);
+    void update_points(bool proven);
+    void settle();
+    void find_committed_force(int e);
+
+    BulkElements elements_;
+    PointHistory history_;
+    RestingElements resting_;
+    ElasticBound bound_;
+    // Elements that surely stay elastic: their trial force is the committed one plus that of their elastic matrix,
+    // their points wait for the commit.
+    ElementSet proven_;
+    ElementValues committed_force_, trial_force_;  // nodal, of each element
+    Eigen::VectorXd committed_u_, trial_u_;
+    Eigen::VectorXd increment_;  // trial less committed displacement
+    Eigen::VectorXd force_, force_scale_;
+    std::vector<Eigen::MatrixXd> tangents_;
+    ElementSet changed_;
+    ElementSet yielded_;  // in the last evaluation
+    coupling::WorkCounts counts_;
+};
+
+}  // namespace stria::fine

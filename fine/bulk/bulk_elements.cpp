@@ -1,0 +1,54 @@
+#include "fine/bulk/bulk_elements.hpp"
+
+#include <utility>
+
+#include "common/integration/moment_fit.hpp"
+
+namespace stria::fine {
+
+BulkElements::BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, const IntegrationRule& rule,
+                           const KnownPoints& known)
+    : mesh_(mesh), elastic_(elastic), piece_(piece_of_elements(mesh_)) {
+    const MandelMatrix stiffness = elastic_.stiffness();
+    operators_.reserve(mesh_.elements.size());
+    for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
+        element_of_id_[mesh_.element_ids[at(e)]] = e;
+        const int piece = piece_[at(e)];
+        const CrackPiece* cut = piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
+        if (auto points = known(e, cut))
+            operators_.push_back(make_operator(mesh_, e, cut, rule, std::move(*points)));
+        else
+            operators_.push_back(make_operator(mesh_, e, cut, rule));
+        stiffness_.push_back(operators_.back().stiffness(stiffness));
+    }
+}
+
+std::optional<int> BulkElements::find(int id) const {
+    const auto found = element_of_id_.find(id);
+    return found != element_of_id_.end() ? std::optional(found->second) : std::nullopt;
+}
+
+// While a tip stands in the element nothing jumps there yet, and the weights stay.
+std::optional<std::vector<IntegrationPoint>> BulkElements::points_kept(const EnrichedMesh& later, int element,
+                                                                       const CrackPiece* cut) const {
+    const std::optional<int> own = find(later.element_ids[at(element)]);
+    if (!own) return std::nullopt;
+    std::vector<IntegrationPoint> points = op(*own).points;
+    const int old_piece = piece_[at(*own)];
+    if (cut == nullptr || (old_piece >= 0 && mesh_.pieces[at(old_piece)].points == cut->points)) return points;
+    const std::array<Vec2, 4> corners = ElementBasis(later, element, true).corners();
+    const CutElement sides = cut_element(corners, *cut);
+    if (sides.tips.empty())
+        fit_weights(sides, corners, points);
+    else
+        for (IntegrationPoint& point : points) point.side = sides.side_of(point.x);
+    return points;
+}
+
+bool BulkElements::is_near(int element, const Vec2& place, double radius) const {
+    const std::array<int, 4>& corners = mesh_.elements[at(element)];
+    const double diagonal = (mesh_.nodes[at(corners[0])] - mesh_.nodes[at(corners[2])]).norm();
+    return (op(element).points.front().x - place).norm() <= radius + 2.0 * diagonal;
+}
+
+}  // namespace stria::fine

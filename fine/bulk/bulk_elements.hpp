@@ -1,0 +1,53 @@
+// The elements of the zone: their points and functions, their elastic matrices, and which of them an earlier zone had.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "common/enrichment/enriched_mesh.hpp"
+#include "common/integration/element_operator.hpp"
+#include "common/material/elasticity.hpp"
+
+namespace stria::fine {
+
+/// Does not change. Elements are numbered as in the mesh, from 0.
+class BulkElements {
+public:
+    /// Points that an element has already, with `cut` the crack inside it or null; none: they are placed anew.
+    using KnownPoints = std::function<std::optional<std::vector<IntegrationPoint>>(int element, const CrackPiece* cut)>;
+
+    BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, const IntegrationRule& rule,
+                 const KnownPoints& known);
+
+    [[nodiscard]] int count() const { return static_cast<int>(operators_.size()); }
+    [[nodiscard]] const EnrichedMesh& mesh() const { return mesh_; }
+    [[nodiscard]] const Elasticity& elastic() const { return elastic_; }
+    [[nodiscard]] const std::vector<ElementOperator>& operators() const { return operators_; }
+    [[nodiscard]] const ElementOperator& op(int element) const { return operators_[at(element)]; }
+
+    /// Elastic stiffness of each element, 2f x 2f where it has f functions, N/mm2.
+    [[nodiscard]] const std::vector<Eigen::MatrixXd>& stiffness() const { return stiffness_; }
+
+    /// The element with an id of the whole mesh.
+    [[nodiscard]] std::optional<int> find(int id) const;
+
+    /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the
+    /// crack, `cut`, has newly cut it (docs/equations.md, growth).
+    [[nodiscard]] std::optional<std::vector<IntegrationPoint>> points_kept(const EnrichedMesh& later, int element,
+                                                                           const CrackPiece* cut) const;
+
+    /// Whether an element has points within a radius of a place, or could have; mm.
+    [[nodiscard]] bool is_near(int element, const Vec2& place, double radius) const;
+
+private:
+    EnrichedMesh mesh_;
+    Elasticity elastic_;
+    std::vector<int> piece_;  // per element: the piece of a crack inside it, -1: none
+    std::vector<ElementOperator> operators_;
+    std::vector<Eigen::MatrixXd> stiffness_;
+    std::map<int, int> element_of_id_;
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,63 @@
+#include "fine/bulk/history_rows.hpp"
+
+#include "common/error.hpp"
+
+namespace stria::fine {
+namespace {
+
+/// So many numbers, then the state of the law.
+constexpr int leading = 12;
+
+/// Calls visit(element, point there, its place among all points), in the order of the rows.
+template <class Visit> void for_each_point(const std::vector<ElementOperator>& operators, const Visit& visit) {
+    std::size_t row = 0;
+    for (int e = 0; e < std::ssize(operators); ++e)
+        for (std::size_t q = 0; q < operators[at(e)].points.size(); ++q) visit(e, q, row++);
+}
+
+}  // namespace
+
+std::vector<IntegrationPoint> points_of(const coupling::ZoneSnapshot& snapshot, const coupling::ElementHistory& rows) {
+    std::vector<IntegrationPoint> points;
+    for (std::size_t q = 0; q < rows.rows; ++q) {
+        const double* row = &snapshot.history.at((rows.first_row + q) * at(snapshot.columns));
+        points.push_back({.x = {row[0], row[1]},
+                          .xi = {row[2], row[3]},
+                          .weight = row[4],
+                          .side = static_cast<int>(row[5]),
+                          .region = static_cast<int>(row[6])});
+    }
+    return points;
+}
+
+void read_rows(const coupling::ZoneSnapshot& snapshot, const std::vector<ElementOperator>& operators,
+               PointHistory& history) {
+    require(snapshot.history.size() == at(snapshot.columns) * at(history.points()) &&
+                snapshot.columns == leading + history.law().state_size(),
+            "a snapshot has the points of its zone and the states of its law");
+    for_each_point(operators, [&](int e, std::size_t q, std::size_t place) {
+        const double* row = &snapshot.history[place * at(snapshot.columns)];
+        history.set_plastic(e, q, row[7] != 0.0);
+        Eigen::Matrix2d frozen;
+        frozen << row[8], row[9], row[10], row[11];
+        if (!frozen.isZero(0.0)) history.freeze_gradient(e, q, frozen);
+        for (int c = 0; c < history.law().state_size(); ++c) history.set_value(c, e, q, row[leading + c]);
+    });
+}
+
+void write_rows(const std::vector<ElementOperator>& operators, const PointHistory& history,
+                coupling::ZoneSnapshot& snapshot) {
+    snapshot.columns = leading + history.law().state_size();
+    snapshot.history.reserve(at(snapshot.columns) * at(history.points()));
+    for_each_point(operators, [&](int e, std::size_t q, std::size_t) {
+        const IntegrationPoint& p = operators[at(e)].points[q];
+        const Eigen::Matrix2d frozen = history.frozen_gradient(e, q);
+        snapshot.history.insert(snapshot.history.end(),
+                                {p.x.x(), p.x.y(), p.xi.x(), p.xi.y(), p.weight, static_cast<double>(p.side),
+                                 static_cast<double>(p.region), history.is_plastic(e, q) ? 1.0 : 0.0, frozen(0, 0),
+                                 frozen(0, 1), frozen(1, 0), frozen(1, 1)});
+        for (int c = 0; c < history.law().state_size(); ++c) snapshot.history.push_back(history.value(c, e, q));
+    });
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,104 @@
+#include "fine/bulk/point_history.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "fine/bulk/element_kernels.hpp"
+
+namespace stria::fine {
+
+PointHistory::PointHistory(std::unique_ptr<MaterialLaw> law, const std::vector<ElementOperator>& operators)
+    : law_(std::move(law)) {
+    for (const ElementOperator& op : operators) first_.push_back(points() + static_cast<int>(op.points.size()));
+    const auto n = at(points());
+    committed_.assign(at(law_->state_size()) * n, 0.0);
+    trial_ = committed_;
+    strain_.assign(4 * n, 0.0);
+    tangent_.assign(law_->can_yield() ? 16 * n : 0, 0.0);
+    yielding_.assign(n, 0);
+    plastic_.assign(n, 0);
+}
+
+void PointHistory::update(std::span<const ElementOperator> operators, int begin, int end,
+                          const Eigen::VectorXd& increment) {
+    if (begin == end) return;
+    for (int e = begin; e < end; ++e)
+        with_kernel(operators[at(e)],
+                    [&](const auto& kernel) { kernel.write_strains(increment, &strain_[place(0, e, 0)], points()); });
+    const auto first = place(0, begin, 0);
+    const int count = first_[at(end)] - first_[at(begin)];
+    law_->update(count, points(), &strain_[first], &committed_[first], &trial_[first],
+                 law_->can_yield() ? &tangent_[first] : nullptr, &yielding_[first]);
+    evaluated_ += count;
+}
+
+void PointHistory::commit(bool reversal) {
+    committed_.swap(trial_);
+    trial_ = committed_;
+    if (half_cycle_ended_) std::ranges::fill(plastic_, static_cast<unsigned char>(0));
+    for (std::size_t q = 0; q < plastic_.size(); ++q)
+        plastic_[q] = static_cast<unsigned char>(plastic_[q] | yielding_[q]);
+    half_cycle_ended_ = reversal;
+}
+
+void PointHistory::copy(int e, const std::vector<double>& from, std::vector<double>& to) const {
+    for (int c = 0; c < law_->state_size(); ++c) {
+        const auto begin = static_cast<std::ptrdiff_t>(place(c, e, 0));
+        std::copy_n(from.begin() + begin, points(e), to.begin() + begin);
+    }
+}
+
+Mandel PointHistory::plastic_strain(int e, std::size_t q) const {
+    return law_->can_yield() ? tensor(committed_, state::plastic_strain, e, q) : Mandel(Mandel::Zero());
+}
+
+MandelMatrix PointHistory::tangent(int e, std::size_t q) const {
+    MandelMatrix D;
+    for (int c = 0; c < 16; ++c) D(c / 4, c % 4) = tangent_[place(c, e, q)];
+    return D;
+}
+
+bool PointHistory::yields(int e) const {
+    return std::ranges::any_of(std::span(&yielding_[place(0, e, 0)], at(points(e))), [](auto y) { return y != 0; });
+}
+
+void PointHistory::set_elastic(int e) {
+    std::fill_n(&yielding_[place(0, e, 0)], points(e), static_cast<unsigned char>(0));
+}
+
+std::vector<std::int32_t> PointHistory::yielding_points() const {
+    std::vector<std::int32_t> count(first_.size() - 1, 0);
+    for (std::size_t e = 0; e < count.size(); ++e)
+        count[e] = static_cast<std::int32_t>(std::count_if(
+            yielding_.begin() + first_[e], yielding_.begin() + first_[e + 1], [](auto y) { return y != 0; }));
+    return count;
+}
+
+double PointHistory::largest_plastic_increment() const {
+    double largest = 0.0;
+    const auto offset = at(state::accumulated) * at(points());
+    for (std::size_t q = 0; q < yielding_.size(); ++q)
+        if (yielding_[q] != 0) largest = std::max(largest, trial_[offset + q] - committed_[offset + q]);
+    return largest;
+}
+
+bool PointHistory::is_plastic(int e) const {
+    return std::ranges::any_of(std::span(&plastic_[place(0, e, 0)], at(points(e))), [](auto p) { return p != 0; });
+}
+
+void PointHistory::add_share(int e, std::size_t q, double share, const PointHistory& other, int from,
+                             std::size_t from_q) {
+    for (int c = 0; c < law_->state_size(); ++c) committed_[place(c, e, q)] += share * other.committed(c, from, from_q);
+    set_plastic(e, q, is_plastic(e, q) || other.is_plastic(from, from_q));
+}
+
+Eigen::Matrix2d PointHistory::frozen_gradient(int e, std::size_t q) const {
+    return frozen_gradient_.empty() ? Eigen::Matrix2d::Zero().eval() : frozen_gradient_[place(0, e, q)];
+}
+
+void PointHistory::freeze_gradient(int e, std::size_t q, const Eigen::Matrix2d& gradient) {
+    if (frozen_gradient_.empty()) frozen_gradient_.assign(at(points()), Eigen::Matrix2d::Zero());
+    frozen_gradient_[place(0, e, q)] = gradient;
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,130 @@
+// What the points of the zone remember, committed and trial. It alone knows where a number of a point's state stands.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/integration/element_operator.hpp"
+#include "fine/material/material_law.hpp"
+
+namespace stria::fine {
+
+/// A point is known by its element e and its number q there. Fields are stored component by component over all points
+/// (material_law.hpp), so that laws work on packs of neighbouring points. A component that the law does not store is
+/// zero.
+class PointHistory {
+public:
+    /// All zero.
+    PointHistory(std::unique_ptr<MaterialLaw> law, const std::vector<ElementOperator>& operators);
+
+    [[nodiscard]] const MaterialLaw& law() const { return *law_; }
+    /// Of all elements; the stride between two components of a field.
+    [[nodiscard]] int points() const { return first_.back(); }
+    [[nodiscard]] int points(int e) const { return first_[at(e) + 1] - first_[at(e)]; }
+    /// Numbers that all points store beyond their stresses.
+    [[nodiscard]] std::int64_t values_beyond_stress() const {
+        return static_cast<std::int64_t>(points()) * (law_->state_size() - state::plastic_strain);
+    }
+    /// Points that the law has been asked for so far.
+    [[nodiscard]] std::int64_t evaluated() const { return evaluated_; }
+
+    // Trial and committed.
+
+    /// Trial states and tangents of the elements begin ... end - 1: committed ones plus a displacement increment, given
+    /// on all unknowns, mm. Throws NumericalFailure where the return mapping fails.
+    void update(std::span<const ElementOperator> operators, int begin, int end, const Eigen::VectorXd& increment);
+    /// Trial becomes committed. `reversal`: with this a half cycle ends.
+    void commit(bool reversal);
+    /// Of one element, whatever the others do.
+    void commit(int e) { copy(e, trial_, committed_); }
+    void rollback(int e) { copy(e, committed_, trial_); }
+    void rollback() { trial_ = committed_; }
+
+    [[nodiscard]] Mandel stress(int e, std::size_t q) const { return tensor(committed_, state::stress, e, q); }
+    [[nodiscard]] Mandel trial_stress(int e, std::size_t q) const { return tensor(trial_, state::stress, e, q); }
+    [[nodiscard]] Mandel plastic_strain(int e, std::size_t q) const;
+    [[nodiscard]] double accumulated(int e, std::size_t q) const { return committed(state::accumulated, e, q); }
+    /// Densities, N/mm2.
+    [[nodiscard]] double dissipation(int e, std::size_t q) const { return committed(state::dissipation, e, q); }
+    [[nodiscard]] double work(int e, std::size_t q) const { return law_->work(first_committed(e) + q, points()); }
+    [[nodiscard]] double stored_energy(int e, std::size_t q) const {
+        return law_->stored_energy(first_committed(e) + q, points());
+    }
+    /// Consistent, of the trial state.
+    [[nodiscard]] MandelMatrix tangent(int e, std::size_t q) const;
+
+    /// The first stress component of an element's first point; its others follow, components are points() apart.
+    [[nodiscard]] const double* stresses(int e) const { return &committed_[place(state::stress, e, 0)]; }
+    [[nodiscard]] const double* trial_stresses(int e) const { return &trial_[place(state::stress, e, 0)]; }
+
+    /// The smallest change of the von Mises stress that makes a point of the element yield, MPa.
+    [[nodiscard]] double elastic_margin(int e) const {
+        return law_->elastic_margin(points(e), points(), first_committed(e));
+    }
+    [[nodiscard]] double trial_elastic_margin(int e) const {
+        return law_->elastic_margin(points(e), points(), &trial_[place(0, e, 0)]);
+    }
+
+    // Who yields, and who is plastic.
+
+    /// In the trial increment.
+    [[nodiscard]] bool yields(int e, std::size_t q) const { return yielding_[place(0, e, q)] != 0; }
+    [[nodiscard]] bool yields(int e) const;
+    void set_elastic(int e);
+    /// Per element: points that yield.
+    [[nodiscard]] std::vector<std::int32_t> yielding_points() const;
+    /// Of the accumulated plastic strain, over points that yield.
+    [[nodiscard]] double largest_plastic_increment() const;
+
+    /// Whether a point has yielded in a committed increment since the last half cycle ended.
+    [[nodiscard]] bool is_plastic(int e, std::size_t q) const { return plastic_[place(0, e, q)] != 0; }
+    [[nodiscard]] bool is_plastic(int e) const;
+    void set_plastic(int e, std::size_t q, bool plastic) { plastic_[place(0, e, q)] = plastic ? 1 : 0; }
+    /// The last commit ended a half cycle.
+    [[nodiscard]] bool half_cycle_ended() const { return half_cycle_ended_; }
+    void set_half_cycle_ended(bool ended) { half_cycle_ended_ = ended; }
+
+    // How a history starts: committed states; rollback() when all are written.
+
+    /// Of a point that has been elastic up to a total strain.
+    void begin(int e, std::size_t q, const Mandel& strain) { law_->begin(strain, first_committed(e) + q, points()); }
+    /// Adds a share of the state of a point of another history with the same law.
+    void add_share(int e, std::size_t q, double share, const PointHistory& other, int from, std::size_t from_q);
+    /// All numbers of a state, in the order of the law.
+    [[nodiscard]] double value(int component, int e, std::size_t q) const { return committed_[place(component, e, q)]; }
+    void set_value(int component, int e, std::size_t q, double value) { committed_[place(component, e, q)] = value; }
+
+    /// Displacement gradient that the unknowns do not tell, as the functions it was made of are gone (row: component).
+    [[nodiscard]] Eigen::Matrix2d frozen_gradient(int e, std::size_t q) const;
+    [[nodiscard]] bool has_frozen_gradients() const { return !frozen_gradient_.empty(); }
+    void freeze_gradient(int e, std::size_t q, const Eigen::Matrix2d& gradient);
+
+private:
+    [[nodiscard]] std::size_t place(int component, int e, std::size_t q) const {
+        return at(component) * at(points()) + at(first_[at(e)]) + q;
+    }
+    [[nodiscard]] double* first_committed(int e) { return &committed_[place(0, e, 0)]; }
+    [[nodiscard]] const double* first_committed(int e) const { return &committed_[place(0, e, 0)]; }
+    [[nodiscard]] double committed(int component, int e, std::size_t q) const {
+        return component < law_->state_size() ? value(component, e, q) : 0.0;
+    }
+    [[nodiscard]] Mandel tensor(const std::vector<double>& states, int component, int e, std::size_t q) const {
+        return tensor_at(&states[place(component, e, q)], points(), 0);
+    }
+    void copy(int e, const std::vector<double>& from, std::vector<double>& to) const;
+
+    std::unique_ptr<MaterialLaw> law_;
+    std::vector<int> first_{0};                     // point of each element, and behind the last
+    std::vector<double> committed_, trial_;         // as many components as a state of the law
+    std::vector<double> strain_;                    // 4 components: the increment
+    std::vector<double> tangent_;                   // 16 components; empty: no point can yield
+    std::vector<unsigned char> yielding_;           // per point
+    std::vector<unsigned char> plastic_;            // per point, in this half cycle
+    bool half_cycle_ended_ = false;                 // the next plastic increment is the first of a half cycle
+    std::vector<Eigen::Matrix2d> frozen_gradient_;  // per point; empty: none
+    std::int64_t evaluated_ = 0;
+};
+
+}  // namespace stria::fine
