@@ -28,14 +28,14 @@ PHASES = {
 # A sample belongs to the innermost of its functions that stands here.
 PARTS = {
     "return mapping": r"fine::(J2|J2PlaneStress|Elastic)::update",
-    "strains, forces and tangents of points": r"fine::Zone::(evaluate|evaluate_element|update_points|update_block|would_flow|commit|settle|measure_margins|proves_elastic)",
+    "strains, forces and tangents of points": r"fine::(Bulk|PointHistory|RestingElements)::",
     "contact": r"fine::ContactInterface::",
     "fronts: factor": r"FrontTree::factor",
     "fronts: solve": r"FrontTree::(reduce|expand)",
     "Gamma: factor": r"CondensedEquilibrium::factor_tangent",
     "Gamma: solve": r"CondensedEquilibrium::(solve|linearise)",
     "near structure: solve": r"Structure::expand",
-    "rings": r"RingForms|ring_integrals|RingSums|Zone::add_to",
+    "rings": r"RingForms|ring_integrals|RingSums|fine::add_to",
     "guard": r"YieldGuard|near_elements_beyond",
     "exchange": r"Transport|pack<|unpack<",
     "reports of the zone": r"fine::(ZoneSystem|FineModel)::(commit|measure)",

@@ -248,7 +248,7 @@ void ZoneSystem::report_tips(coupling::StepReport& report) const {
         report.tips[t].CTOD = opening_at_intercept(
             patch_.mesh, tip, [&](const FaceStation& station) { return jump(station).dot(station.normal); });
         report.tips[t].plastic_zone = plastic_extent(*bulk_, tip, std::numbers::pi);
-        report.tips[t].plastic_bulk_axis = plastic_extent(*bulk_, tip, std::numbers::pi / 12.0);
+        report.tips[t].plastic_zone_axis = plastic_extent(*bulk_, tip, std::numbers::pi / 12.0);
         report.tips[t].plastic_reach = plastic_reach(*bulk_, tip);
     }
 }
