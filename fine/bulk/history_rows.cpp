@@ -9,7 +9,7 @@ namespace {
 constexpr int leading = 12;
 
 /// Calls visit(element, point there, its place among all points), in the order of the rows.
-template <class Visit> void for_each_point(const std::vector<ElementOperator>& operators, const Visit& visit) {
+template <class Visit> void for_each_row(const std::vector<ElementOperator>& operators, const Visit& visit) {
     std::size_t row = 0;
     for (int e = 0; e < std::ssize(operators); ++e)
         for (std::size_t q = 0; q < operators[at(e)].points.size(); ++q) visit(e, q, row++);
@@ -35,7 +35,7 @@ void read_rows(const coupling::ZoneSnapshot& snapshot, const std::vector<Element
     require(snapshot.history.size() == at(snapshot.columns) * at(history.points()) &&
                 snapshot.columns == leading + history.law().state_size(),
             "a snapshot has the points of its zone and the states of its law");
-    for_each_point(operators, [&](int e, std::size_t q, std::size_t place) {
+    for_each_row(operators, [&](int e, std::size_t q, std::size_t place) {
         const double* row = &snapshot.history[place * at(snapshot.columns)];
         history.set_plastic(e, q, row[7] != 0.0);
         Eigen::Matrix2d frozen;
@@ -49,7 +49,7 @@ void write_rows(const std::vector<ElementOperator>& operators, const PointHistor
                 coupling::ZoneSnapshot& snapshot) {
     snapshot.columns = leading + history.law().state_size();
     snapshot.history.reserve(at(snapshot.columns) * at(history.points()));
-    for_each_point(operators, [&](int e, std::size_t q, std::size_t) {
+    for_each_row(operators, [&](int e, std::size_t q, std::size_t) {
         const IntegrationPoint& p = operators[at(e)].points[q];
         const Eigen::Matrix2d frozen = history.frozen_gradient(e, q);
         snapshot.history.insert(snapshot.history.end(),
