@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -10,19 +9,8 @@
 namespace stria {
 namespace {
 
-/// The elastic structure for the load factor 1, all faces traction-free.
-struct Nominal {
-    coarse::Structure structure;
-    Eigen::VectorXd u;
-    std::vector<coarse::TipResult> tips;
-
-    explicit Nominal(const coarse::Scene& scene)
-        : structure(scene, std::vector<char>(scene.mesh.elements.size(), 0)), u(structure.expand({}, 1.0)),
-          tips(coarse::fracture_parameters(structure, u, {})) {}
-};
-
-void print_handbook(const Nominal& nominal) {
-    for (const coarse::HandbookLine& line : coarse::compare_with_handbook(nominal.structure, nominal.u, nominal.tips)) {
+void print_handbook(const coarse::NominalSolution& nominal) {
+    for (const coarse::HandbookLine& line : coarse::compare_with_handbook(nominal)) {
         fmt::print("# {}: handbook {:.6g}", line.quantity + (line.unit.empty() ? "" : ", " + line.unit), line.handbook);
         if (std::isfinite(line.own))
             fmt::print(", this mesh {:.6g} ({:+.2f} %)", line.own, 100.0 * (line.own / line.handbook - 1.0));
@@ -30,8 +18,8 @@ void print_handbook(const Nominal& nominal) {
     }
 }
 
-void print_zone_estimate(const coarse::Scene& scene, const Nominal& nominal) {
-    const double largest = coarse::largest_load_factor(scene.input.load, nominal.structure, nominal.tips);
+void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
+    const double largest = coarse::largest_load_factor(scene.input.load, nominal);
     std::vector<double> K_I;
     for (const coarse::TipResult& tip : nominal.tips) {
         K_I.push_back(tip.K_I * largest);
@@ -43,8 +31,7 @@ void print_zone_estimate(const coarse::Scene& scene, const Nominal& nominal) {
                 coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
         }
     }
-    const std::vector<char> in_zone = coarse::select_zone(scene, K_I);
-    const auto elements = std::ranges::count(in_zone, static_cast<char>(1));
+    const int elements = coarse::select_zone(scene, K_I).count();
     fmt::print("# zone: {} elements, about {} points\n", elements,
                elements * 4 * scene.input.fine.subcells * scene.input.fine.subcells);
 }
@@ -57,7 +44,7 @@ int check(const RunOptions& options) {
     fmt::print("{}\n", resolved_toml(input));
     fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
-    const Nominal nominal(scene);
+    const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "app/interruption.hpp"
 #include "app/version.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/error.hpp"
 #include "common/io/case_file.hpp"
 #include "common/io/whole_file.hpp"
@@ -28,7 +29,7 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
 
 coarse::Scene scene_of(const RunOptions& options, const Case& input) {
     try {
-        return coarse::make_scene(input);
+        return coarse::refined_scene(input);
     } catch (const CaseError& error) {
         throw CaseError(fmt::format("{}: {}", options.case_path, error.what()));
     }

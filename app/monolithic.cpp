@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/structure/support_forces.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/index.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -17,7 +18,7 @@ class MonolithicEquilibrium : public coarse::Equilibrium {
 public:
     MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed,
                           double load_factor)
-        : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.stiffness()),
+        : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.elements().stiffness()),
           whole_(whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
           committed_load_factor_(load_factor), load_factor_(load_factor),
           increments_(remembered_increments(scene_.input.load.steps)) {
@@ -34,8 +35,8 @@ public:
 
     void begin(const coarse::Target& target, const Predictor& predictor) override {
         const bool by_load = target.control == Control::Load;
-        controlled_ = by_load ? coarse::Controlled::load_factor(scene_.enriched.unknowns)
-                              : coarse::Controlled{scene_.mean_displacement, 0.0};
+        controlled_ = by_load ? coarse::LinearReading::load_factor(scene_.enriched.unknowns)
+                              : coarse::LinearReading{scene_.mean_displacement, 0.0};
         target_ = target.value;
         trial_ = committed_;
         load_factor_ = committed_load_factor_;
@@ -53,7 +54,7 @@ public:
     coarse::Residual linearise() override {
         zone_.linearise();
         const coupling::PatchResponse response = zone_.measure();
-        residual_ = load_factor_ * structure_load_ - structure_.internal_force(trial_);
+        residual_ = load_factor_ * structure_load_ - structure_.elements().internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         off_target_ = target_ - controlled_.at(trial_, load_factor_);
         coarse::Residual result;
@@ -161,7 +162,7 @@ public:
     }
 
     [[nodiscard]] coarse::MachineReading machine_reading() const override {
-        Eigen::VectorXd forces = structure_.forces_on_prescribed(trial_);
+        Eigen::VectorXd forces = coarse::forces_on_prescribed(structure_.elements(), trial_);
         std::vector<double> zone_force(at(scene_.enriched.unknowns), 0.0);
         for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
         for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
@@ -236,7 +237,7 @@ private:
     // Terms that no element sees have no stiffness: they stay zero.
     void hold_unused() {
         std::vector<char> used(held_.size(), 0);
-        structure_.for_each_operator([&](const auto& op) {
+        structure_.elements().for_each([&](const auto& op) {
             for (const int unknown : op.unknowns) used[at(unknown)] = 1;
         });
         for (const ElementOperator& op : zone_.bulk().operators())
@@ -250,7 +251,7 @@ private:
     fine::ZoneSystem& zone_;
     SparseMatrix stiffness_;
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
-    coarse::Controlled controlled_;
+    coarse::LinearReading controlled_;
     double target_ = 0.0, off_target_ = 0.0;
     Eigen::VectorXd structure_load_, committed_, trial_, residual_, correction_;
     double committed_load_factor_, load_factor_;

@@ -32,7 +32,7 @@ Measurement measure(int across, double radius) {
     Measurement m;
     const Setting setting{{4, 0.5, coarse::TipSupport::Gathered, radius}, 1, false};
     const coarse::Scene scene = timed(m.scene, [&] { return exact_boundary(across, setting); });
-    const coarse::Structure structure = timed(m.structure, [&] { return coarse::Structure(scene, no_zone(scene)); });
+    const coarse::Structure structure = timed(m.structure, [&] { return coarse::Structure(scene); });
     const Eigen::VectorXd u = timed(m.displacement, [&] { return structure.expand({}, 1.0); });
     const auto tips = timed(m.parameters, [&] { return coarse::fracture_parameters(structure, u, {}); });
     m.energy = energy_error(structure, u, setting.mode);

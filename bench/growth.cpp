@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
-#include "coarse/model/scene.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/zone/fine_model.hpp"
 
@@ -41,7 +41,7 @@ Case plate(int across, int refine) {
 
 void measure(int across, int refine) {
     const Case input = plate(across, refine);
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine);
     coarse::FatigueAnalysis analysis(scene, factory, {});
@@ -52,7 +52,7 @@ void measure(int across, int refine) {
                 1e3 * analysis.setup_seconds());
     const coupling::WorkCounts made = analysis.work();
     std::printf(" %ld, %ld, %ld | %zu |", made.structure_factorisations, made.structure_factors_kept,
-                made.far_factorisations, analysis.structure().near_elements().size());
+                made.far_factorisations, analysis.structure().elements().near().size());
     for (const coarse::TipResult& tip : analysis.nominal()) std::printf(" %.13g |", tip.K_I);
     std::printf("\n");
     std::fflush(stdout);

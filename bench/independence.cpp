@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/zone/fine_model.hpp"
 
@@ -79,7 +80,7 @@ Measurement measure(int across) {
         return now - std::exchange(last, now);
     };
     Measurement result;
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine);
     coarse::Listener listener;
@@ -94,7 +95,7 @@ Measurement measure(int across) {
     result.elements = across * across;
     result.unknowns = analysis.structure().unknowns();
     result.gamma = static_cast<int>(analysis.structure().gamma().size());
-    result.near = static_cast<int>(analysis.structure().near_elements().size());
+    result.near = static_cast<int>(analysis.structure().elements().near().size());
     result.full_checks = analysis.work().structure_checks_full;
     result.checks_by_bound = analysis.work().structure_checks_by_bound;
     return result;

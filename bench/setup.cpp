@@ -89,7 +89,7 @@ Measurement measure(int elements) {
     scene.enriched = coarse::enrich(scene.mesh, scene.input.cracks, coarse::choose_enrichment(scene.input));
     coarse::put_loads_on_unknowns(scene);
     lap();
-    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    const coarse::Structure structure(scene);
     for (const double seconds :
          {structure.seconds().assembly, structure.seconds().ordering, structure.seconds().factor}) {
         result.peak_gb[phase] = peak_gb();

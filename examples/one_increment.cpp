@@ -3,8 +3,8 @@
 
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/newton.hpp"
-#include "coarse/fracture/fracture_parameters.hpp"
-#include "coarse/model/scene.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/io/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -16,14 +16,11 @@ int main(int count, char** words) {
     const double load_factor = std::stod(words[2]);
     use_one_thread();
     const Case input = read_case(words[1]);
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
 
     // The elastic body says how large the zone of eq. (3) has to be.
-    const std::vector<char> no_zone(scene.mesh.elements.size(), 0);
-    const coarse::Structure body(scene, no_zone);
     std::vector<double> K;  // one per tip, MPa sqrt(mm)
-    for (const auto& tip : coarse::fracture_parameters(body, body.expand({}, 1.0), {}))
-        K.push_back(load_factor * tip.K_I);
+    for (const coarse::TipResult& tip : coarse::solve_nominal(scene).tips) K.push_back(load_factor * tip.K_I);
 
     // Structure and zone share the displacement of Gamma, the boundary between them.
     const coarse::Structure structure(scene, coarse::select_zone(scene, K));

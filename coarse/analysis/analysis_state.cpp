@@ -1,6 +1,4 @@
 // What an analysis remembers, and how it goes on from that.
-#include <algorithm>
-
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "common/error.hpp"
 
@@ -20,10 +18,6 @@ std::vector<Vec2> points_of(const AnalysisState::Polyline& line) {
     std::vector<Vec2> points;
     for (std::size_t k = 0; k < line.x.size(); ++k) points.emplace_back(line.x[k], line.y.at(k));
     return points;
-}
-
-bool some_element(const std::vector<char>& in_zone) {
-    return std::ranges::any_of(in_zone, [](char inside) { return inside != 0; });
 }
 
 }  // namespace
@@ -49,7 +43,7 @@ AnalysisState FatigueAnalysis::state() const {
     state.load = controller_.position();
     state.work = work_;
     state.equilibrium = equilibrium_->state();
-    if (some_element(state.in_zone)) state.zone = factory_.zone_snapshot();
+    if (!state.in_zone.none()) state.zone = factory_.zone_snapshot();
     return state;
 }
 
@@ -65,7 +59,7 @@ void FatigueAnalysis::restore(const AnalysisState& from) {
         nominal_displacement_ = {};
     }
     require(std::ssize(from.displacement) == scene_->enriched.unknowns &&
-                from.in_zone.size() == scene_->mesh.elements.size(),
+                from.in_zone.size() == std::ssize(scene_->mesh.elements),
             "a state is of the mesh of its scene");
     committed_ = from.displacement;
     load_factor_ = from.load_factor;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coarse/analysis/growth_law.hpp"
+#include "coarse/load/growth_schedule.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -19,15 +20,16 @@ constexpr double closure_precision = 0.002;  // of the larger load of a half cyc
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : scene_(&scene), factory_(factory), listener_(std::move(listener)),
-      controller_(scene.input.load, scene.input.solver), guard_(scene.input) {
+      controller_(scene.input.load, scene.input.solver), guard_(scene.input.material) {
     const Stopwatch watch(setup_s_);
     if (!scene.free_motions.text.empty()) listener_.note(scene.free_motions.text);
     committed_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     std::vector<double> largest_K_I;
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
-        far_ = far_elements(scene, std::vector<char>(scene.mesh.elements.size(), 0));
-        structure_ = solve_nominal(scene);
-        largest_K_I = largest_nominal_K(*structure_);
+        far_ = far_elements(scene, ElementSet(scene.mesh.elements.size()));
+        NominalSolution nominal = solve_nominal_of(scene);
+        largest_K_I = largest_nominal_K(nominal);
+        structure_ = std::move(nominal.structure);
     }
     if (!nominal_.empty()) first_length_ = nominal_.front().a;
     closure_ = ClosureMeter(scene.input, largest_K_I);
@@ -39,7 +41,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
 }
 
 // Structures one after another, each with what serves of the last one's factors.
-std::unique_ptr<Structure> FatigueAnalysis::condense(const Scene& scene, const std::vector<char>& in_zone) {
+std::unique_ptr<Structure> FatigueAnalysis::condense(const Scene& scene, const ElementSet& in_zone) {
     const Stopwatch watch(coarse_factor_s_);
     const bool known = knows_far_body();
     auto structure = std::make_unique<Structure>(scene, in_zone, far_, std::exchange(factors_, {}));
@@ -53,8 +55,8 @@ bool FatigueAnalysis::knows_far_body() const { return factors_.far && factors_.f
 // Of the first tip.
 double FatigueAnalysis::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
 
-void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisState* from) {
-    const bool has_zone = std::ranges::any_of(in_zone, [](char inside) { return inside != 0; });
+void FatigueAnalysis::build(const ElementSet& in_zone, const AnalysisState* from) {
+    const bool has_zone = !in_zone.none();
     const std::shared_ptr<const NearFactor> near = factors_.near;
     if (!structure_ || &structure_->scene() != scene_ || structure_->in_zone() != in_zone) {  // else the nominal one
         far_ = from != nullptr ? from->far : far_elements(*scene_, in_zone, far_);
@@ -64,7 +66,7 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
     }
     ++(near && factors_.near == near ? own_work_.structure_factors_kept : own_work_.structure_factorisations);
     guard_.turn_to(*structure_, nominal_displacement_);
-    structure_->make_rings();
+    rings_.emplace(*structure_);
     const coupling::Patch patch = has_zone ? patch_of(in_zone, structure_->gamma()) : coupling::Patch();
     if (equilibrium_) {
         earlier_exchange_s_ += equilibrium_->exchange_seconds();
@@ -77,12 +79,11 @@ void FatigueAnalysis::build(const std::vector<char>& in_zone, const AnalysisStat
         equilibrium_ = factory_.make(*structure_, zone_patch, committed_, load_factor_);
     if (has_zone) restart(work_, *structure_, committed_);
     controller_.forget_increments();
-    const auto zone = std::ranges::count(in_zone, static_cast<char>(1));
     listener_.note(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
-                               in_zone.size(), zone, structure_->unknowns(), structure_->gamma().size()));
+                               in_zone.size(), in_zone.count(), structure_->unknowns(), structure_->gamma().size()));
 }
 
-coupling::Patch FatigueAnalysis::patch_of(const std::vector<char>& in_zone, const std::vector<int>& gamma) const {
+coupling::Patch FatigueAnalysis::patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const {
     coupling::Patch patch = make_patch(*scene_, in_zone, gamma, committed_);
     patch.ahead = closure_.ahead(scene_->enriched);
     return patch;
@@ -203,10 +204,10 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report,
     largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
     increment.machine = equilibrium_->machine_reading();
     equilibrium_->begin_commit(step.reversal);
-    const RingIntegrals own = ring_integrals(*structure_, equilibrium_->near_displacement());
+    const RingIntegrals own = rings_->integrals(equilibrium_->near_displacement());
     increment.zone = equilibrium_->commit(step.reversal);
     increment.equilibrium = equilibrium_.get();
-    increment.tips = fracture_parameters(*structure_, equilibrium_->near_displacement(), own, increment.zone);
+    increment.tips = fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone);
     look_at_rings(increment);
     committed_behind_ = true;
     add_increment(work_, *structure_, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,

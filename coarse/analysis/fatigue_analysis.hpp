@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "coarse/analysis/cycle_meter.hpp"
 #include "coarse/analysis/increment.hpp"
@@ -31,8 +32,8 @@ struct AnalysisState {
         std::vector<double> x, y;  // mm
     };
     std::vector<Polyline> cracks;
-    std::vector<char> in_zone;     // per element
-    std::vector<char> far;         // per element: with which the structure was condensed (it shows in the last bits)
+    ElementSet in_zone;
+    ElementSet far;                // with which the structure was condensed (it shows in the last bits)
     Eigen::VectorXd displacement;  // of the whole mesh, zero inside the zone, mm
     double load_factor = 0.0;
     double largest_force = 0.0;  // largest scale of a residual up to now, N/mm
@@ -84,13 +85,13 @@ public:
     [[nodiscard]] double coarse_factor_seconds() const { return coarse_factor_s_; }
 
 private:
-    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const std::vector<char>& in_zone);
+    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone);
     [[nodiscard]] bool knows_far_body() const;
-    [[nodiscard]] std::unique_ptr<Structure> solve_nominal(const Scene& scene);
-    [[nodiscard]] std::vector<double> largest_nominal_K(const Structure& body);
+    [[nodiscard]] NominalSolution solve_nominal_of(const Scene& scene);
+    [[nodiscard]] std::vector<double> largest_nominal_K(const NominalSolution& nominal);
     void restore(const AnalysisState& from);
-    void build(const std::vector<char>& in_zone, const AnalysisState* from = nullptr);
-    [[nodiscard]] coupling::Patch patch_of(const std::vector<char>& in_zone, const std::vector<int>& gamma) const;
+    void build(const ElementSet& in_zone, const AnalysisState* from = nullptr);
+    [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
     void refresh_committed();
     void note_if_large(const char* phase) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
@@ -105,7 +106,7 @@ private:
     [[nodiscard]] bool grow(const LoadStep& reached);
     [[nodiscard]] std::unique_ptr<Scene> scene_of_longer_cracks(const Case& input);
     void take(std::unique_ptr<Scene> longer);
-    [[nodiscard]] std::vector<char> zone_about(const Scene& longer);
+    [[nodiscard]] ElementSet zone_about(const Scene& longer);
     [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void look_at_rings(const Increment& increment);
 
@@ -114,9 +115,10 @@ private:
     EquilibriumFactory& factory_;
     Listener listener_;
     LoadController controller_;
-    std::vector<char> far_;  // per element (near_elements.hpp)
+    ElementSet far_;  // near_elements.hpp
     StructureFactors factors_;
     std::unique_ptr<Structure> structure_;
+    std::optional<StructureRings> rings_;
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::vector<TipResult> nominal_;

@@ -8,15 +8,6 @@
 
 namespace stria::coarse {
 
-bool grows_at(const GrowthSection& growth, const LoadStep& step) {
-    const bool extreme = growth.at == GrowthAt::Maximum ? step.ends_cycle : step.at_minimum;
-    return extreme && step.cycle % growth.every == 0;
-}
-
-double planned_growth(const GrowthSection& growth, const LoadSection& load) {
-    return growth.increment * (cycle_count(load) / growth.every);
-}
-
 double hoop_stress_angle(double K_I, double K_II) {
     if (std::abs(K_II) < 0.005 * std::abs(K_I)) return 0.0;
     const double ratio = K_I / K_II;

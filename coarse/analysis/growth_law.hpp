@@ -10,12 +10,6 @@
 
 namespace stria::coarse {
 
-/// Whether the cracks advance when a step of the load has been reached.
-bool grows_at(const GrowthSection& growth, const LoadStep& step);
-
-/// What a tip advances in a whole run, mm.
-double planned_growth(const GrowthSection& growth, const LoadSection& load);
-
 /// Angle from a tip's direction to the largest hoop stress, radians, within 70.6 degrees; 0 where |K_II| is below 0.005
 /// K_I. Erdogan and Sih, J. Basic Eng. 85 (1963) 519.
 double hoop_stress_angle(double K_I, double K_II);

@@ -15,30 +15,24 @@ namespace stria::coarse {
 
 // K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
 // the structure, it condenses what is near or in the zone.
-std::unique_ptr<Structure> FatigueAnalysis::solve_nominal(const Scene& scene) {
+NominalSolution FatigueAnalysis::solve_nominal_of(const Scene& scene) {
     note_if_large("elastic solution of the whole body");
     const bool known = knows_far_body();
     auto near = std::exchange(factors_.near, nullptr);
-    auto body = condense(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    auto body = condense(scene, ElementSet(scene.mesh.elements.size()));
     factors_.near = std::move(near);  // of the structure
-    nominal_displacement_ = {};
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-    if (known)  // and the guard knows how it answers
-        body->expand_near({}, 1.0, u);
-    else
-        u = nominal_displacement_ = body->expand({}, 1.0);
-    nominal_ = fracture_parameters(*body, u, {});
-    return body;
+    // A far body that was there before: the guard knows how it answers.
+    NominalSolution nominal = known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
+    nominal_displacement_ = known ? Eigen::VectorXd() : nominal.displacement;
+    nominal_ = nominal.tips;
+    return nominal;
 }
 
 /// The K of eq. (3), one a tip.
-std::vector<double> FatigueAnalysis::largest_nominal_K(const Structure& body) {
+std::vector<double> FatigueAnalysis::largest_nominal_K(const NominalSolution& nominal) {
     const LoadSection& load = scene_->input.load;
     controller_.set_scale(target_of_unit(load, nominal_, grown()));
-    const double largest = largest_load_factor(load, body, nominal_, grown());
-    std::vector<double> largest_K_I;
-    for (const TipResult& tip : nominal_) largest_K_I.push_back(tip.K_I * largest);
-    return largest_K_I;
+    return largest_K_I(load, nominal, grown());
 }
 
 bool FatigueAnalysis::has_grown_enough() const {
@@ -100,7 +94,7 @@ void FatigueAnalysis::take(std::unique_ptr<Scene> longer) {
     const Stopwatch watch(growth_s_);
     refresh_committed();
     const Scene& before = *scene_;
-    const std::vector<char> in_zone = zone_about(*longer);
+    const ElementSet in_zone = zone_about(*longer);
     if (longer->input.growth->retain == Retain::All && needs_fine(longer->input)) {
         auto retaining = std::make_unique<Scene>(with_functions_left(*longer, before.enriched));
         if (nominal_displacement_.size() > 0)
@@ -117,17 +111,16 @@ void FatigueAnalysis::take(std::unique_ptr<Scene> longer) {
 
 // What a longer crack changes the functions of, and what eq. (3) wants about the tips, is fine before the functions
 // change: its state is kept. Without a zone nobody sees what is released.
-std::vector<char> FatigueAnalysis::zone_about(const Scene& longer) {
-    const std::vector<char> now = structure_->in_zone();
-    const bool has_zone = std::ranges::find(now, static_cast<char>(1)) != now.end();
-    std::vector<char> in_zone = has_zone ? with_changed_functions(now, scene_->enriched, longer.enriched) : now;
+ElementSet FatigueAnalysis::zone_about(const Scene& longer) {
+    const ElementSet now = structure_->in_zone();
+    const bool has_zone = !now.none();
+    ElementSet in_zone = has_zone ? with_changed_functions(now, scene_->enriched, longer.enriched) : now;
     far_ = far_elements(longer, in_zone, far_);
-    std::unique_ptr<Structure> body = solve_nominal(longer);
-    const std::vector<char> about_tips = select_zone(longer, largest_nominal_K(*body));
-    for (std::size_t e = 0; e < in_zone.size(); ++e) in_zone[e] = static_cast<char>(in_zone[e] | about_tips[e]);
+    NominalSolution nominal = solve_nominal_of(longer);
+    in_zone |= select_zone(longer, largest_nominal_K(nominal));
     if (!has_zone) {
         work_.released = std::numeric_limits<double>::quiet_NaN();
-        structure_ = std::move(body);
+        structure_ = std::move(nominal.structure);
     } else if (in_zone != now) {
         factory_.extend_zone(patch_of(in_zone, gamma_of(*scene_, in_zone)));
     }

@@ -48,7 +48,8 @@ void CondensedEquilibrium::impose_held() {
 
 void CondensedEquilibrium::begin(const Target& target, const Predictor& predictor) {
     const auto n = std::ssize(structure_.free_places());
-    controlled_ = target.control == Control::Load ? Controlled::load_factor(n) : structure_.mean_displacement();
+    controlled_ =
+        target.control == Control::Load ? LinearReading::load_factor(n) : structure_.loads().mean_displacement();
     target_ = target.value;
     predictor_ = predictor;
     iteration_ = 0;
@@ -66,7 +67,7 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
 
 Residual CondensedEquilibrium::linearise() {
     const Eigen::VectorXd u = on_free(trial_);
-    residual_ = load_factor_ * structure_.unit_load();
+    residual_ = load_factor_ * structure_.loads().unit().boundary;
     off_target_ = target_ - controlled_.at(u, load_factor_);
     Residual result;
     result.scale = std::abs(load_factor_) * largest_unit_force_;
@@ -103,7 +104,7 @@ Residual CondensedEquilibrium::linearise() {
 
 /// Of the residual, by the load factor: loads on both sides, less what the zone's held unknowns pull along.
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
-    Eigen::VectorXd derivative = structure_.unit_load() + on_free(response_.unit_load);
+    Eigen::VectorXd derivative = structure_.loads().unit().boundary + on_free(response_.unit_load);
     for (const auto& [place, value] : held_)
         if (value != 0.0) derivative -= value * on_free(zone_tangent_.col(place));
     return derivative;
@@ -223,9 +224,9 @@ const Eigen::VectorXd& CondensedEquilibrium::near_displacement() const {
 
 MachineReading CondensedEquilibrium::machine_reading() const {
     const Eigen::VectorXd u = on_free(trial_);
-    MachineReading reading{structure_.mean_displacement().at(u, load_factor_),
-                           structure_.holding_force().at(u, load_factor_),
-                           structure_.imposed_force().at(u, load_factor_)};
+    const CondensedLoads& loads = structure_.loads();
+    MachineReading reading{loads.mean_displacement().at(u, load_factor_), loads.holding_force().at(u, load_factor_),
+                           loads.imposed_force().at(u, load_factor_)};
     if (fine_ == nullptr) return reading;
     for (const auto& [place, share] : pulled_) reading.force += share * response_.force[place];
     for (const auto& [place, value] : held_) reading.imposed_force += value * response_.force[place];

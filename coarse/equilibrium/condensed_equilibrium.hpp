@@ -50,7 +50,7 @@ private:
     std::vector<std::pair<int, double>> pulled_;  // place in Gamma, share of its reaction in the machine's force
     int iteration_ = 0;
     Predictor predictor_;
-    Controlled controlled_;  // on the free places
+    LinearReading controlled_;  // on the free places
     double target_ = 0.0, off_target_ = 0.0;
     Eigen::VectorXd committed_, trial_;  // on Gamma
     double committed_load_factor_ = 0.0, load_factor_ = 0.0;

@@ -5,8 +5,12 @@
 namespace stria::coarse {
 namespace {
 
+Eigen::VectorXd on_free_places(const Structure& structure, const Eigen::VectorXd& u) {
+    return structure.on_free_places(gather(u, structure.gamma()));
+}
+
 double load_displacement(const Structure& structure, const Eigen::VectorXd& u, double load_factor) {
-    return structure.load_displacement().at(structure.on_free_places(gather(u, structure.gamma())), load_factor);
+    return structure.loads().load_displacement().at(on_free_places(structure, u), load_factor);
 }
 
 }  // namespace
@@ -18,7 +22,8 @@ void add_increment(WorkBalance& balance, const Structure& structure, const Eigen
         0.5 * (balance.load_factor + load_factor) * (path - balance.load_displacement + zone.energy.load_path);
     balance.external += 0.5 * (balance.imposed_force + imposed_force) * (load_factor - balance.load_factor);
     balance.released += zone.energy.released;
-    balance.stored = structure.stored_energy(gather(u, structure.gamma()), load_factor) + zone.energy.stored;
+    balance.stored = structure.loads().stored_energy(structure.tangent(), on_free_places(structure, u), load_factor) +
+                     zone.energy.stored;
     balance.dissipated = zone.dissipation;
     balance.load_factor = load_factor;
     balance.load_displacement = path;

@@ -30,7 +30,7 @@ double crack_length(const Scene& scene, const Tip& tip) {
 double mouth_opening(const Structure& structure, int crack, const Eigen::VectorXd& u) {
     for (const CrackPiece& piece : structure.scene().enriched.pieces) {
         if (piece.crack != crack) continue;
-        if (structure.in_zone()[at(piece.element)] != 0 || piece.entry < 0.0) break;
+        if (structure.in_zone().contains(piece.element) || piece.entry < 0.0) break;
         return face_station_at(structure.scene().enriched, crack, piece.s.front()).opening(u);
     }
     return std::nan("");
@@ -82,45 +82,44 @@ void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>&
     result.K_spread = std::max(spread(elastic, &RingValues::K_I, K), spread(elastic, &RingValues::K_II, K));
 }
 
-}  // namespace
-
-RingIntegrals ring_integrals(const Structure& structure, const Eigen::VectorXd& u) {
-    RingIntegrals integrals;
-    for (int t = 0; t < std::ssize(structure.scene().enriched.tips); ++t)
-        integrals.push_back(structure.rings(t).values(structure, u));
-    return integrals;
+/// What a zone reports of a tip, or else its opening where the structure holds it.
+void put_openings(const EnrichedMesh& mesh, int t, const Eigen::VectorXd& u, const coupling::StepReport& report,
+                  TipResult& result) {
+    const Tip& tip = mesh.tips[at(t)];
+    if (report.tips.empty()) {
+        const double opening = opening_at_intercept(mesh, tip, u);
+        if (opening >= 0.0) result.CTOD = opening;
+        return;
+    }
+    const coupling::TipReport& zone = report.tips[at(t)];
+    if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
+    result.plastic_zone = zone.plastic_zone;
+    result.plastic_zone_axis = zone.plastic_zone_axis;
+    result.contact_length = report.contact_length[at(tip.crack)];
+    if (std::isfinite(report.mouth_opening[at(tip.crack)])) result.CMOD = report.mouth_opening[at(tip.crack)];
 }
+
+}  // namespace
 
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report) {
-    return fracture_parameters(structure, u, ring_integrals(structure, u), report);
+    const StructureRings rings(structure);
+    return fracture_parameters(rings, u, rings.integrals(u), report);
 }
 
-std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Eigen::VectorXd& u,
                                            const RingIntegrals& own, const coupling::StepReport& report) {
-    const Scene& scene = structure.scene();
-    const EnrichedMesh& mesh = scene.enriched;
+    const Scene& scene = rings.structure().scene();
     std::vector<TipResult> results;
-    for (int t = 0; t < static_cast<int>(mesh.tips.size()); ++t) {
-        const Tip& tip = mesh.tips[at(t)];
+    for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
+        const Tip& tip = scene.enriched.tips[at(t)];
         TipResult result;
         result.a = crack_length(scene, tip);
         result.CTOD = std::nan("");
-        result.CMOD = mouth_opening(structure, tip.crack, u);
-        if (!report.tips.empty()) {
-            const coupling::TipReport& zone = report.tips[at(t)];
-            if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
-            result.plastic_zone = zone.plastic_zone;
-            result.plastic_zone_axis = zone.plastic_zone_axis;
-            result.contact_length = report.contact_length[at(tip.crack)];
-            if (std::isfinite(report.mouth_opening[at(tip.crack)])) result.CMOD = report.mouth_opening[at(tip.crack)];
-        } else {
-            const double opening = opening_at_intercept(mesh, tip, u);
-            if (opening >= 0.0) result.CTOD = opening;
-        }
-        const std::vector<Annulus>& rings = structure.rings(t).rings();
+        result.CMOD = mouth_opening(rings.structure(), tip.crack, u);
+        put_openings(scene.enriched, t, u, report, result);
         const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
-        put_rings(rings, values_on(t, scene, own[at(t)], report), plastic_reach, result);
+        put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), plastic_reach, result);
         results.push_back(result);
     }
     return results;
@@ -132,7 +131,7 @@ std::vector<coupling::FaceSample> face_samples(const Structure& structure, const
     std::vector<coupling::FaceSample> samples = report.faces;
     for (int crack = 0; crack < static_cast<int>(structure.scene().input.cracks.size()); ++crack) {
         for (const FaceStation& station : face_stations(mesh, crack, 1, 4)) {
-            if (structure.in_zone()[at(station.element)] != 0) continue;
+            if (structure.in_zone().contains(station.element)) continue;
             samples.push_back({.crack = crack,
                                .s = station.s,
                                .x = station.x.x(),

@@ -1,10 +1,9 @@
-// Stress intensities, T stress, J and openings of every tip: what the structure sees of the rings plus what the zone
-// reports.
+// Stress intensities, T stress, J and openings of every tip: the structure's share in them plus the zone's.
 #pragma once
 
 #include <vector>
 
-#include "coarse/structure/structure.hpp"
+#include "coarse/fracture/structure_rings.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {
@@ -21,14 +20,12 @@ struct TipResult {
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;  // mm
 };
 
-/// The structure's share in the domain integrals, tip by tip and ring by ring. `u`: displacement of the whole mesh, of
-/// which near elements are read.
-using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
-RingIntegrals ring_integrals(const Structure& structure, const Eigen::VectorXd& u);
-
-/// `u`: likewise, zero inside the zone; `report`: the zone's share (empty without a zone).
-std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
+/// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:
+/// rings.integrals(u). `report`: the zone's share, empty without a zone. One result per tip.
+std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Eigen::VectorXd& u,
                                            const RingIntegrals& own, const coupling::StepReport& report);
+
+/// The same, with rings made for this once.
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report);
 

@@ -52,9 +52,9 @@ double opening_at(const Scene& scene, double x, const Eigen::VectorXd& u) {
 
 }  // namespace
 
-std::vector<HandbookLine> compare_with_handbook(const Structure& structure, const Eigen::VectorXd& u,
-                                                const std::vector<TipResult>& tips) {
-    const Scene& scene = structure.scene();
+std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) {
+    const Scene& scene = nominal.structure->scene();
+    const std::vector<TipResult>& tips = nominal.tips;
     const Specimen& specimen = find_specimen(scene.input.mesh.specimen);
     const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
     if (specimen.handbook_K == nullptr || !loaded || !is_standard_crack(scene) || !is_standard_load(scene)) return {};
@@ -68,7 +68,7 @@ std::vector<HandbookLine> compare_with_handbook(const Structure& structure, cons
     if (scene.mesh.load_line) {
         const double per_load = modulus / load;
         lines.push_back({"compliance E' B v / P on the load line", "", ct_load_line_compliance(a / width),
-                         per_load * opening_at(scene, 0.0, u)});
+                         per_load * opening_at(scene, 0.0, nominal.displacement)});
         lines.push_back({"compliance E' B v / P on the front face", "", ct_front_face_compliance(a / width),
                          per_load * tips.front().CMOD});
     }

@@ -1,10 +1,10 @@
-// What the handbook of the case's specimen says, beside what the elastic structure says.
+// The handbook's values for the specimen of a case beside those of its nominal solution.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
 
 namespace stria::coarse {
 
@@ -12,13 +12,12 @@ struct HandbookLine {
     std::string quantity;
     std::string unit;
     double handbook;
-    double own;  // not a number: nothing of our own to compare
+    double own;  // NaN: the solution has no such value
 };
 
-/// `u`, `tips`: the elastic, traction-free solution for the load factor 1. Empty where the handbook does not apply: no
-/// formula, not one straight crack across the width at mid-height (of mt in the middle), or loads that are not what
-/// it assumes (uniform tension on ends that turn freely, or forces at both pins). The limit load is a load factor.
-std::vector<HandbookLine> compare_with_handbook(const Structure& structure, const Eigen::VectorXd& u,
-                                                const std::vector<TipResult>& tips);
+/// Empty where the handbook does not apply: it has no formula, or there is not one straight crack across the width at
+/// mid-height (of mt in the middle), or the loads are not what it assumes (uniform tension on ends that turn freely, or
+/// forces at both pins). The limit load is a load factor.
+std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal);
 
 }  // namespace stria::coarse

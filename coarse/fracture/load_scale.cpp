@@ -14,15 +14,21 @@ double target_of_unit(const LoadSection& load, const std::vector<TipResult>& nom
     return std::exp(load.K_gradient * grown) / nominal.front().K_I;
 }
 
-double largest_load_factor(const LoadSection& load, const Structure& elastic, const std::vector<TipResult>& nominal,
-                           double grown) {
-    double per_load_factor = 1.0 / target_of_unit(load, nominal, grown);
+double largest_load_factor(const LoadSection& load, const NominalSolution& nominal, double grown) {
+    double per_load_factor = 1.0 / target_of_unit(load, nominal.tips, grown);
     if (load.control == Control::Displacement) {
-        per_load_factor = elastic.mean_displacement().per_load_factor;
-        if (std::abs(per_load_factor) <= 1e-9 * elastic.expand({}, 1.0).lpNorm<Eigen::Infinity>())
+        per_load_factor = nominal.structure->loads().mean_displacement().per_load_factor;
+        if (std::abs(per_load_factor) <= 1e-9 * nominal.displacement.lpNorm<Eigen::Infinity>())
             throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
     }
     return largest_value(load) / per_load_factor;
+}
+
+std::vector<double> largest_K_I(const LoadSection& load, const NominalSolution& nominal, double grown) {
+    const double largest = largest_load_factor(load, nominal, grown);
+    std::vector<double> K_I;
+    for (const TipResult& tip : nominal.tips) K_I.push_back(tip.K_I * largest);
+    return K_I;
 }
 
 }  // namespace stria::coarse

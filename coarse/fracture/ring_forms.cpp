@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "coarse/model/rings.hpp"
-#include "coarse/structure/structure.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -24,14 +23,14 @@ RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rin
 
 }  // namespace
 
-RingForms::RingForms(const Structure& structure, int tip) : tip_(tip), rings_(rings_about(structure.scene(), tip)) {
-    weigh_points(structure);
-    weigh_unknowns(structure);
+RingForms::RingForms(const CoarseElements& elements, int tip) : tip_(tip), rings_(rings_about(elements.scene(), tip)) {
+    weigh_points(elements);
+    weigh_unknowns(elements);
 }
 
-void RingForms::weigh_points(const Structure& structure) {
-    RingSums geometry = sums_about(structure.scene(), tip_, rings_);
-    structure.for_each_operator(structure.near_elements(), [&](const auto& op) {
+void RingForms::weigh_points(const CoarseElements& elements) {
+    RingSums geometry = sums_about(elements.scene(), tip_, rings_);
+    elements.for_each(elements.near(), [&](const auto& op) {
         if (!geometry.enter(op.element)) return;
         elements_.push_back(op.element);
         unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
@@ -49,13 +48,13 @@ void RingForms::weigh_points(const Structure& structure) {
     unknowns_.erase(std::ranges::unique(unknowns_).begin(), unknowns_.end());
 }
 
-void RingForms::weigh_unknowns(const Structure& structure) {
-    const Scene& scene = structure.scene();
+void RingForms::weigh_unknowns(const CoarseElements& elements) {
+    const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix elastic = scene.elastic.stiffness();
     RingSums geometry = sums_about(scene, tip_, rings_);
     interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
-    structure.for_each_operator(elements_, [&](const auto& op) {
+    elements.for_each(elements_, [&](const auto& op) {
         using Values = typename std::decay_t<decltype(op)>::Values;
         geometry.enter(op.element);
         std::vector<Values> local(3 * rings_.size(), Values::Zero(std::ssize(op.unknowns)));
@@ -74,14 +73,14 @@ void RingForms::weigh_unknowns(const Structure& structure) {
     });
 }
 
-std::vector<DomainIntegral> RingForms::values(const Structure& structure, const Eigen::VectorXd& u) const {
-    const Scene& scene = structure.scene();
+std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
+    const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix elastic = scene.elastic.stiffness();
     std::vector<DomainIntegral> result(rings_.size());
     std::size_t element = 0;
     auto weight = weights_.begin();
-    structure.for_each_operator(elements_, [&](const auto& op) {
+    elements.for_each(elements_, [&](const auto& op) {
         const std::span<const int> entered = entered_[element++];
         const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {

@@ -4,25 +4,24 @@
 
 #include <vector>
 
+#include "coarse/structure/coarse_elements.hpp"
 #include "common/fracture/domain_integral.hpp"
 #include "common/index_lists.hpp"
 
 namespace stria::coarse {
 
-class Structure;
-
 class RingForms {
 public:
-    RingForms(const Structure& structure, int tip);
+    RingForms(const CoarseElements& elements, int tip);
 
     [[nodiscard]] const std::vector<Annulus>& rings() const { return rings_; }
 
     /// One a ring. `u`: displacement of the whole mesh, of which near elements are read.
-    [[nodiscard]] std::vector<DomainIntegral> values(const Structure& structure, const Eigen::VectorXd& u) const;
+    [[nodiscard]] std::vector<DomainIntegral> values(const CoarseElements& elements, const Eigen::VectorXd& u) const;
 
 private:
-    void weigh_points(const Structure& structure);
-    void weigh_unknowns(const Structure& structure);
+    void weigh_points(const CoarseElements& elements);
+    void weigh_unknowns(const CoarseElements& elements);
 
     int tip_;
     std::vector<Annulus> rings_;

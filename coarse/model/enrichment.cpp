@@ -5,12 +5,12 @@
 #include <numeric>
 #include <set>
 
+#include "coarse/model/crack_sides.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/enrichment/tip_functions.hpp"
 #include "common/error.hpp"
-#include "common/geometry/clipping.hpp"
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
-#include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -97,20 +97,19 @@ private:
     }
 
     void add_crack(int crack, const CrackPath& path) {
-        node_side_.clear();
-        on_crack_.clear();
+        const CrackSides sides(mesh_, path);
         std::set<int> without_jump;  // the tip functions open the crack there
         if (path.tip_at_start) add_tip(crack, path, true, without_jump);
         if (path.tip_at_end) add_tip(crack, path, false, without_jump);
-        for (const CrackPiece& piece : path.pieces) note_sides(piece);
-        for (const auto& [node, side] : node_side_) {
+        for (const auto& [node, side] : sides.of_nodes()) {
             if (!without_jump.contains(node))
                 result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
-        set_element_sides(path);
+        sides.put_on_elements(result_.element_side);
+        met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());
         note_met_edges(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
-        add_tip_terms(path);
+        add_tip_terms(path, sides);
     }
 
     void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& without_jump) {
@@ -125,23 +124,10 @@ private:
         const Vec2& before = start ? points[1] : points[points.size() - 2];
         tip.direction = ((start ? points.front() : points.back()) - before).normalized();
         result_.tips.push_back(tip);
-        without_jump.merge(tip_nodes(piece));
-    }
-
-    // Side of the nodes of cut elements. A node on the crack counts as + (docs/method.md, section 2).
-    void note_sides(const CrackPiece& piece) {
-        for (const double place : {piece.entry, piece.exit}) note_if_node(piece, place);
-        const bool holds_tip = piece.entry < 0.0 || piece.exit < 0.0;
-        if (piece.neighbour >= 0 || holds_tip) return;
-        const CutElement cut = cut_element(corners(piece.element), piece);
-        for (const int node : mesh_.elements[at(piece.element)]) {
-            if (on_crack_.contains(node)) continue;
-            node_side_[node] = side_of_polygon(cut.left, mesh_.nodes[at(node)]) >= 0 ? 1 : -1;
-        }
+        without_jump.merge(tip_nodes(mesh_, piece));
     }
 
     void note_met_edges(const CrackPath& path) {
-        met_nodes_.insert(on_crack_.begin(), on_crack_.end());
         for (const CrackPiece& piece : path.pieces) {
             for (const double place : {piece.entry, piece.exit}) {
                 if (place < 0.0 || place == std::floor(place)) continue;
@@ -152,95 +138,13 @@ private:
         }
     }
 
-    void note_if_node(const CrackPiece& piece, double place) {
-        if (place < 0.0 || place != std::floor(place)) return;
-        const int node = mesh_.elements[at(piece.element)][at(static_cast<int>(place) % 4)];
-        node_side_[node] = 1;
-        on_crack_.insert(node);
-    }
-
-    // Elements that touch the crack without being cut: at a node, left or right of the two pieces that meet there;
-    // beside a tip, like the nodes of its element (a kink may put them across the straight line behind the tip); along
-    // an edge.
-    void set_element_sides(const CrackPath& path) {
-        std::set<int> cut;
-        for (const CrackPiece& piece : path.pieces)
-            if (piece.neighbour < 0) cut.insert(piece.element);
-        const auto around = elements_around_nodes(mesh_);
-        for (const int node : on_crack_) {
-            const auto [before, after] = neighbours_on_crack(path, mesh_.nodes[at(node)]);
-            for (const int element : around[at(node)]) {
-                if (!cut.contains(element))
-                    result_.element_side[at(element)] = side(before, mesh_.nodes[at(node)], after, element);
-            }
-        }
-        if (path.tip_at_start) set_sides_beside_tip(path.pieces.front(), cut, around);
-        if (path.tip_at_end) set_sides_beside_tip(path.pieces.back(), cut, around);
-        for (const CrackPiece& piece : path.pieces) {
-            if (piece.neighbour < 0) continue;
-            result_.element_side[at(piece.element)] = -1;
-            result_.element_side[at(piece.neighbour)] = 1;
-        }
-    }
-
-    void set_sides_beside_tip(const CrackPiece& piece, const std::set<int>& cut,
-                              const std::vector<std::vector<int>>& around) {
-        std::map<int, std::set<int>> sides;  // of each element's nodes; both: it lies ahead of the tip
-        for (const int node : tip_nodes(piece)) {
-            if (on_crack_.contains(node)) continue;
-            for (const int element : around[at(node)]) sides[element].insert(side_near_tip(piece, node));
-        }
-        for (const auto& [element, seen] : sides) {
-            signed char& known = result_.element_side[at(element)];
-            if (known == 0 && seen.size() == 1 && !cut.contains(element))
-                known = static_cast<signed char>(*seen.begin());
-        }
-    }
-
-    /// Nodes of the element or elements that hold the tip at the end of a piece.
-    [[nodiscard]] std::set<int> tip_nodes(const CrackPiece& piece) const {
-        std::set<int> nodes;
-        for (const int element : {piece.element, piece.neighbour}) {
-            if (element >= 0) nodes.insert(mesh_.elements[at(element)].begin(), mesh_.elements[at(element)].end());
-        }
-        return nodes;
-    }
-
-    // Ahead of the tip either side will do.
-    [[nodiscard]] int side_near_tip(const CrackPiece& piece, int node) const {
-        if (on_crack_.contains(node)) return 1;
-        const Vec2& x = mesh_.nodes[at(node)];
-        if (piece.neighbour >= 0) return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
-        return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
-    }
-
-    [[nodiscard]] static std::pair<Vec2, Vec2> neighbours_on_crack(const CrackPath& path, const Vec2& x) {
-        std::optional<Vec2> before, after;
-        for (const CrackPiece& piece : path.pieces) {
-            if (piece.points.front() == x) after = piece.points[1];
-            if (piece.points.back() == x) before = piece.points[piece.points.size() - 2];
-        }
-        if (!before) before = 2.0 * x - *after;
-        if (!after) after = 2.0 * x - *before;
-        return {*before, *after};
-    }
-
-    [[nodiscard]] signed char side(const Vec2& before, const Vec2& x, const Vec2& after, int element) const {
-        const auto c = corners(element);
-        const Vec2 centre = (c[0] + c[1] + c[2] + c[3]) / 4.0;
-        const bool left_of_first = orientation(before, x, centre) > 0,
-                   left_of_second = orientation(x, after, centre) > 0;
-        const bool turns_left = orientation(before, x, after) >= 0;
-        return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
-    }
-
-    void add_tip_terms(const CrackPath& path) {
+    void add_tip_terms(const CrackPath& path, const CrackSides& sides) {
         const int count = int(path.tip_at_start) + int(path.tip_at_end);
         const bool gathered = tip_enrichment_.support == TipSupport::Gathered;
         for (int k = 0; k < count; ++k) {
             const int index = static_cast<int>(result_.tips.size()) - count + k;
             const CrackPiece& piece = path.tip_at_start && k == 0 ? path.pieces.front() : path.pieces.back();
-            for (const auto& [node, side] : enriched_nodes(result_.tips[at(index)], piece)) {
+            for (const auto& [node, side] : enriched_nodes(result_.tips[at(index)], piece, sides)) {
                 const auto value =
                     tip_functions(result_.tips[at(index)], mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
                 for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha) {
@@ -252,26 +156,27 @@ private:
     }
 
     /// Nodes that carry a tip's functions, with the side of the crack that chooses the branch of theta there.
-    [[nodiscard]] std::map<int, int> enriched_nodes(const Tip& tip, const CrackPiece& piece) const {
+    [[nodiscard]] std::map<int, int> enriched_nodes(const Tip& tip, const CrackPiece& piece,
+                                                    const CrackSides& sides) const {
         std::map<int, int> nodes;
         if (tip_enrichment_.support != TipSupport::Topological) {
             const double radius = disk_radius(tip, piece);
             for (int element = 0; element < static_cast<int>(mesh_.elements.size()); ++element) {
-                const auto c = corners(element);  // whole elements: there the functions are complete
-                if (((c[0] + c[1] + c[2] + c[3]) / 4.0 - tip.position).norm() > radius) continue;
+                // Whole elements: there the functions are complete.
+                if ((centre(mesh_, element) - tip.position).norm() > radius) continue;
                 for (const int node : mesh_.elements[at(element)]) {
-                    const auto beside = node_side_.find(node);
-                    nodes[node] = beside != node_side_.end() ? beside->second : 0;
+                    const auto beside = sides.of_nodes().find(node);
+                    nodes[node] = beside != sides.of_nodes().end() ? beside->second : 0;
                 }
             }
         }
-        for (const int node : tip_nodes(piece)) nodes[node] = side_near_tip(piece, node);
+        for (const int node : tip_nodes(mesh_, piece)) nodes[node] = sides.near_tip(piece, node);
         return nodes;
     }
 
     [[nodiscard]] double disk_radius(const Tip& tip, const CrackPiece& piece) const {
-        const auto c = corners(piece.element);
-        const double diagonal = (c[2] - c[0]).norm();
+        const auto& nodes = mesh_.elements[at(piece.element)];
+        const double diagonal = (mesh_.nodes[at(nodes[2])] - mesh_.nodes[at(nodes[0])]).norm();
         const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * diagonal);
         // Beyond some twenty elements a larger disk costs more than it gains.
         if (!tip_enrichment_.radius) return std::min(0.75 * reach, 20.0 * diagonal);
@@ -282,17 +187,10 @@ private:
             *tip_enrichment_.radius, tip.position.x(), tip.position.y(), reach));
     }
 
-    [[nodiscard]] std::array<Vec2, 4> corners(int element) const {
-        const auto& n = mesh_.elements[at(element)];
-        return {mesh_.nodes[at(n[0])], mesh_.nodes[at(n[1])], mesh_.nodes[at(n[2])], mesh_.nodes[at(n[3])]};
-    }
-
     const Mesh& mesh_;
     const std::vector<CrackSection>& cracks_;
     TipEnrichment tip_enrichment_;
     EnrichedMesh result_;
-    std::map<int, int> node_side_;  // of the present crack
-    std::set<int> on_crack_;
     std::set<int> met_nodes_;  // of all cracks so far
     std::set<std::pair<int, int>> crossed_edges_;
 };

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 
+#include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -18,20 +20,18 @@ Edge edge_of(const Mesh& mesh, int element, int k) {
 
 bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     if (mesh.level[at(element)] >= disk.levels) return false;
-    Vec2 centre = Vec2::Zero();
     double longest = 0.0;
     const auto& nodes = mesh.elements[at(element)];
-    for (std::size_t k = 0; k < 4; ++k) {
-        centre += mesh.nodes[at(nodes[k])] / 4.0;
+    for (std::size_t k = 0; k < 4; ++k)
         longest = std::max(longest, (mesh.nodes[at(nodes[(k + 1) % 4])] - mesh.nodes[at(nodes[k])]).norm());
-    }
     const double half_diagonal = (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm() / 2.0;
-    const double distance = std::max(0.0, distance_to_segment(centre, disk.from, disk.to) - half_diagonal);
+    const double distance =
+        std::max(0.0, distance_to_segment(centre(mesh, element), disk.from, disk.to) - half_diagonal);
     return distance <= disk.radius && longest > disk.growth * distance;
 }
 
 /// What the disks ask for, and larger elements that touch any of it; of those only the ones that may be split at once.
-std::vector<char> elements_to_split(const Mesh& mesh, const std::vector<RefinedDisk>& disks) {
+ElementSet elements_to_split(const Mesh& mesh, const std::vector<RefinedDisk>& disks) {
     const auto around = elements_around_nodes(mesh);
     const auto for_larger_neighbours = [&](int element, const auto& visit) {
         for (const int node : mesh.elements[at(element)]) {
@@ -39,21 +39,21 @@ std::vector<char> elements_to_split(const Mesh& mesh, const std::vector<RefinedD
                 if (mesh.level[at(other)] < mesh.level[at(element)]) visit(other);
         }
     };
-    std::vector<char> asked(mesh.elements.size(), 0);
+    ElementSet asked(mesh.elements.size()), now = asked;
     std::vector<int> waiting;
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         if (std::ranges::any_of(disks, [&](const RefinedDisk& disk) { return is_too_large(mesh, e, disk); }))
             waiting.push_back(e);
     }
-    std::vector<char> now(mesh.elements.size(), 0);
     while (!waiting.empty()) {
         const int e = waiting.back();
         waiting.pop_back();
-        if (asked[at(e)] != 0) continue;
-        asked[at(e)] = now[at(e)] = 1;
+        if (asked.contains(e)) continue;
+        asked.insert(e);
+        now.insert(e);
         for_larger_neighbours(e, [&](int larger) {
             waiting.push_back(larger);
-            now[at(e)] = 0;
+            now.erase(e);
         });
     }
     return now;
@@ -65,8 +65,8 @@ public:
 
     /// False where nothing was split.
     bool split(const std::vector<RefinedDisk>& disks) {
-        const std::vector<char> chosen = elements_to_split(mesh_, disks);
-        if (std::ranges::none_of(chosen, [](char c) { return c != 0; })) return false;
+        const ElementSet chosen = elements_to_split(mesh_, disks);
+        if (chosen.none()) return false;
         Mesh next = mesh_;
         next.elements.clear();
         next.level.clear();
@@ -74,7 +74,7 @@ public:
         std::vector<int> first(mesh_.elements.size());  // new number of each element, or of its first part
         for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
             first[at(e)] = static_cast<int>(next.elements.size());
-            const bool parts = chosen[at(e)] != 0;
+            const bool parts = chosen.contains(e);
             if (parts)
                 append_parts(e, next);
             else
@@ -97,13 +97,9 @@ private:
     // Part k lies at corner k, and its edges k and k - 1 on those of the whole.
     void append_parts(int element, Mesh& next) {
         std::array<int, 4> n = mesh_.elements[at(element)], m{};
-        Vec2 centre = Vec2::Zero();
-        for (int k = 0; k < 4; ++k) {
-            m[at(k)] = middle(edge_of(mesh_, element, k), next);
-            centre += mesh_.nodes[at(n[at(k)])] / 4.0;
-        }
+        for (int k = 0; k < 4; ++k) m[at(k)] = middle(edge_of(mesh_, element, k), next);
         const auto c = static_cast<int>(next.nodes.size());
-        next.nodes.push_back(centre);
+        next.nodes.push_back(centre(mesh_, element));
         next.elements.push_back({n[0], m[0], c, m[3]});
         next.elements.push_back({m[0], n[1], m[1], c});
         next.elements.push_back({c, m[1], n[2], m[2]});
@@ -116,12 +112,12 @@ private:
         return found->second;
     }
 
-    static std::vector<BoundaryEdge> follow(const std::vector<BoundaryEdge>& edges, const std::vector<char>& chosen,
+    static std::vector<BoundaryEdge> follow(const std::vector<BoundaryEdge>& edges, const ElementSet& chosen,
                                             const std::vector<int>& first) {
         std::vector<BoundaryEdge> result;
         for (const auto& [element, edge] : edges) {
             const int start = first[at(element)];
-            if (chosen[at(element)] == 0) {
+            if (!chosen.contains(element)) {
                 result.push_back({start, edge});
                 continue;
             }

@@ -4,9 +4,6 @@
 #include <map>
 
 #include "coarse/model/enrichment.hpp"
-#include "coarse/model/mesh_refinement.hpp"
-#include "coarse/specimen/specimen.hpp"
-#include "coarse/zone/zone_refinement.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/error.hpp"
 #include "common/fem/quadrature.hpp"
@@ -105,10 +102,8 @@ void weigh_reactions(Scene& scene) {
 
 }  // namespace
 
-Scene make_scene(const Case& input) {
-    if (input.fine.refine == 1) return make_scene(input, make_mesh(input));
-    const Scene unrefined = make_scene(input, make_mesh(input));
-    return make_scene(input, refine(unrefined.mesh, disks_to_refine(unrefined)));
+void impose(const std::vector<PrescribedUnknown>& prescribed, double load_factor, Eigen::VectorXd& u) {
+    for (const PrescribedUnknown& p : prescribed) u[p.unknown] = load_factor * p.value;
 }
 
 Scene make_scene(const Case& input, Mesh mesh) {
@@ -148,9 +143,9 @@ Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
 void put_loads_on_unknowns(Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     scene.unit_force = Eigen::VectorXd::Zero(mesh.unknowns);
-    scene.observed.assign(at(mesh.unknowns), 0);
+    scene.observed = UnknownSet(mesh.unknowns);
     const auto observe = [&](int node) {
-        std::fill_n(scene.observed.begin() + mesh.unknown(node, 0, 0), 2, static_cast<char>(1));
+        for (const int component : {0, 1}) scene.observed.insert(mesh.unknown(node, 0, component));
     };
     const std::vector<int> piece = piece_of_elements(mesh);
     for (const EdgeLoad& load : scene.loads.edges) {

@@ -1,4 +1,4 @@
-// A case turned into mechanics: mesh, enrichment, loads and supports on unknowns, for one position of the cracks.
+// A case as mechanics for one position of the cracks: mesh, enrichment, loads and supports on unknowns.
 #pragma once
 
 #include <string>
@@ -7,15 +7,19 @@
 #include "coarse/model/boundary_conditions.hpp"
 #include "coarse/model/rigid_motions.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/index_set.hpp"
 #include "common/io/case.hpp"
 #include "common/material/elasticity.hpp"
 
 namespace stria::coarse {
 
 struct PrescribedUnknown {
-    int unknown;
-    double value;  // mm per unit load factor
+    int unknown;   // of the whole mesh
+    double value;  // mm at the load factor 1
 };
+
+/// Overwrites the prescribed ones among the unknowns `u` of the whole mesh, mm.
+void impose(const std::vector<PrescribedUnknown>& prescribed, double load_factor, Eigen::VectorXd& u);
 
 struct Scene {
     Case input;
@@ -24,23 +28,27 @@ struct Scene {
     Loads loads;
     FreeMotions free_motions;
     EnrichedMesh enriched;
-    Eigen::VectorXd unit_force;  // on all unknowns, per unit load factor, N/mm
-    std::vector<PrescribedUnknown>
-        prescribed;                     // ascending; supports, imposed displacements, and the pins of free motions
-    std::vector<char> observed;         // per unknown: standard unknown of a node where loads are applied and reported
-    Eigen::VectorXd mean_displacement;  // weights on all unknowns: of the loaded boundary, along its direction; zero
-                                        // where there is none
-    Eigen::VectorXd pull;  // of each prescribed unknown: what its reaction adds to the load reported; zero where forces
-                           // load the boundary reported
+    Eigen::VectorXd unit_force;  // on all unknowns at the load factor 1, N/mm
+
+    /// Supports, imposed displacements and the pins of free motions, ascending.
+    std::vector<PrescribedUnknown> prescribed;
+
+    /// Standard unknowns of the nodes where loads are applied or reported.
+    UnknownSet observed;
+
+    /// Weights on all unknowns: their product with u is the mean displacement of the loaded boundary along its
+    /// direction. Zero where no boundary is loaded.
+    Eigen::VectorXd mean_displacement;
+
+    /// Per prescribed unknown, the share of its reaction in the force reported. Zero where forces load the boundary
+    /// reported.
+    Eigen::VectorXd pull;
 };
 
-/// Meshes, refines, enriches and resolves a case. Throws CaseError.
-Scene make_scene(const Case& input);
-
-/// The same on a given mesh.
+/// Enriches and resolves a case on a mesh. Throws CaseError.
 Scene make_scene(const Case& input, Mesh mesh);
 
-/// The same scene with the functions of the tips that `before` had and it has not as unknowns still (growth.retain).
+/// The same scene, with the tip functions of `before` kept as unknowns where the tip has moved on (growth.retain).
 Scene with_functions_left(Scene scene, const EnrichedMesh& before);
 
 /// Loads and supports on the unknowns of an enriched mesh: enriched terms included, the jump held on supported edges.

@@ -60,8 +60,7 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
     }
     if (due(scene_.input.output.fields, increment.step)) {
         std::optional<coupling::ZoneState> zone;
-        if (std::ranges::find(structure.in_zone(), static_cast<char>(1)) != structure.in_zone().end())
-            zone = zone_state_();
+        if (!structure.in_zone().none()) zone = zone_state_();
         FieldData fields = make_fields(structure, increment.equilibrium->structure_displacement(),
                                        zone ? &*zone : nullptr, increment.zone.faces);
         fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}},

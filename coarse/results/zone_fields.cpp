@@ -37,7 +37,7 @@ public:
         : structure_(structure), mesh_(structure.scene().enriched), u_(u), whole_(mesh_.elements.size()),
           shared_(mesh_.nodes.size(), -1) {
         const MandelMatrix elastic = structure.scene().elastic.stiffness();
-        structure.for_each_operator([&](const auto& op) {
+        structure.elements().for_each([&](const auto& op) {
             const auto local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
                 mean({op.element, op.points[q].side})
@@ -69,10 +69,7 @@ public:
 
 private:
     void add_zone(const coupling::ZoneState& zone) {
-        std::vector<int> elements;
-        for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e)
-            if (structure_.in_zone()[at(e)] != 0) elements.push_back(e);
-        const EnrichedMesh part = extract(mesh_, elements);
+        const EnrichedMesh part = extract(mesh_, structure_.in_zone().members());
         const std::vector<int> whole = whole_unknowns(mesh_, part);
         for (int i = 0; i < part.unknowns; ++i) u_[whole[at(i)]] = zone.displacement[i];
         for (std::size_t q = 0; q < zone.element.size(); ++q) {
@@ -157,7 +154,7 @@ private:
         }
         von_mises_.push_back(stria::von_mises(stress));
         accumulated_.push_back(sum.accumulated / w);
-        zone_.push_back(structure_.in_zone()[at(key.first)]);
+        zone_.push_back(structure_.in_zone().contains(key.first) ? 1.0 : 0.0);
         side_.push_back(key.second);
         const auto contact = pressure_of_.find(key.first);
         contact_.push_back(contact != pressure_of_.end() ? contact->second : 0.0);

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "coarse/specimen/structured.hpp"
+#include "common/fem/centre.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -20,23 +22,17 @@ constexpr double front = 0.25, half_height = 0.6, hole_height = 0.275, hole_radi
 /// 15 to 45 degrees; with a filled hole the front face would open by 4 P / (E' B) less at any crack length.
 constexpr double contact_angle = std::numbers::pi / 6.0;
 
-Vec2 centre_of(const Mesh& mesh, int element) {
-    Vec2 centre = Vec2::Zero();
-    for (const int node : mesh.elements[at(element)]) centre += mesh.nodes[at(node)] / 4.0;
-    return centre;
-}
-
 /// The sector of the hole through which the pin presses outwards: elements whose middle is in it; on a mesh too coarse
 /// for that, the nearest.
 std::vector<int> pin_elements(const Mesh& mesh, const Vec2& pin, double radius) {
     std::vector<int> inside;
     int nearest = 0;
     for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Vec2 centre = centre_of(mesh, element);
-        const double distance = (centre - pin).norm();
-        const double angle = std::atan2(std::abs(centre.x()), std::abs(centre.y()) - std::abs(pin.y()));
+        const Vec2 middle = centre(mesh, element);
+        const double distance = (middle - pin).norm();
+        const double angle = std::atan2(std::abs(middle.x()), std::abs(middle.y()) - std::abs(pin.y()));
         if (distance <= radius && angle <= contact_angle) inside.push_back(element);
-        if (distance < (centre_of(mesh, nearest) - pin).norm()) nearest = element;
+        if (distance < (centre(mesh, nearest) - pin).norm()) nearest = element;
     }
     if (inside.empty()) inside.push_back(nearest);
     return inside;
@@ -65,47 +61,42 @@ SpreadPoint spread_over(const Mesh& mesh, const std::vector<int>& elements, cons
 /// Nearest pin's middle.
 Vec2 pin_near(const Vec2& x, double width) { return {0.0, std::copysign(hole_height * width, x.y())}; }
 
-/// 1 for the elements of the holes that no pin fills.
-std::vector<char> open_holes(const Mesh& mesh, const std::vector<int>& pins, double width) {
-    std::vector<char> open(mesh.elements.size(), 0);
-    for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Vec2 centre = centre_of(mesh, element);
-        const bool in_hole = (centre - pin_near(centre, width)).norm() <= hole_radius * width;
-        if (in_hole && !std::ranges::binary_search(pins, element)) open[at(element)] = 1;
+/// The elements of the holes that no pin fills.
+ElementSet open_holes(const Mesh& mesh, const std::vector<int>& pins, double width) {
+    ElementSet open(mesh.elements.size());
+    for (int element = 0; element < open.size(); ++element) {
+        const Vec2 middle = centre(mesh, element);
+        const bool in_hole = (middle - pin_near(middle, width)).norm() <= hole_radius * width;
+        if (in_hole && !std::ranges::binary_search(pins, element)) open.insert(element);
     }
     return open;
 }
 
 /// Edges of elements beside a hole: boundaries "hole-top" and "hole-bottom".
-void name_hole_edges(Mesh& mesh, const std::vector<char>& open) {
+void name_hole_edges(Mesh& mesh, const ElementSet& open) {
     std::map<std::pair<int, int>, double> hole_edges;  // by their nodes in the order of the neighbour, with y
-    for (std::size_t e = 0; e < open.size(); ++e) {
-        if (open[e] == 0) continue;
-        const auto& nodes = mesh.elements[e];
-        for (std::size_t k = 0; k < 4; ++k)
-            hole_edges[{nodes[(k + 1) % 4], nodes[k]}] = centre_of(mesh, static_cast<int>(e)).y();
+    for (const int e : open.members()) {
+        const auto& nodes = mesh.elements[at(e)];
+        for (std::size_t k = 0; k < 4; ++k) hole_edges[{nodes[(k + 1) % 4], nodes[k]}] = centre(mesh, e).y();
     }
-    for (std::size_t e = 0; e < open.size(); ++e) {
-        if (open[e] != 0) continue;
-        const auto& nodes = mesh.elements[e];
+    for (const int e : open.complement().members()) {
+        const auto& nodes = mesh.elements[at(e)];
         for (std::size_t k = 0; k < 4; ++k) {
             const auto edge = hole_edges.find({nodes[k], nodes[(k + 1) % 4]});
             if (edge == hole_edges.end()) continue;
-            mesh.boundary[edge->second > 0.0 ? "hole-top" : "hole-bottom"].push_back(
-                {static_cast<int>(e), static_cast<int>(k)});
+            mesh.boundary[edge->second > 0.0 ? "hole-top" : "hole-bottom"].push_back({e, static_cast<int>(k)});
         }
     }
 }
 
 /// The mesh without the open elements, and without nodes that no other element has.
-Mesh without(const Mesh& mesh, const std::vector<char>& open) {
+Mesh without(const Mesh& mesh, const ElementSet& open) {
     std::vector<int> new_element(mesh.elements.size(), -1), new_node(mesh.nodes.size(), -1);
     Mesh rest;
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        if (open[e] != 0) continue;
-        new_element[e] = static_cast<int>(rest.elements.size());
-        rest.elements.push_back(mesh.elements[e]);
-        for (const int node : mesh.elements[e]) new_node[at(node)] = 0;
+    for (const int e : open.complement().members()) {
+        new_element[at(e)] = static_cast<int>(rest.elements.size());
+        rest.elements.push_back(mesh.elements[at(e)]);
+        for (const int node : mesh.elements[at(e)]) new_node[at(node)] = 0;
     }
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (new_node[n] < 0) continue;
@@ -135,7 +126,7 @@ Mesh compact_tension_mesh(const MeshSection& section) {
         pins.insert(pins.end(), pin.begin(), pin.end());
     }
     std::ranges::sort(pins);
-    const std::vector<char> open = open_holes(filled, pins, W);
+    const ElementSet open = open_holes(filled, pins, W);
     name_hole_edges(filled, open);
 
     Mesh mesh = without(filled, open);
@@ -147,8 +138,8 @@ Mesh compact_tension_mesh(const MeshSection& section) {
         mesh.pins.emplace(side > 0.0 ? "pin-top" : "pin-bottom", std::move(spread));
     }
     for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Vec2 centre = centre_of(mesh, element);
-        if ((centre - pin_near(centre, W)).norm() <= insert_radius * W) mesh.insert.push_back(element);
+        const Vec2 middle = centre(mesh, element);
+        if ((middle - pin_near(middle, W)).norm() <= insert_radius * W) mesh.insert.push_back(element);
     }
     return mesh;
 }

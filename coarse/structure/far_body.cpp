@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
 #include "common/linear/symmetric_assembly.hpp"
@@ -10,9 +11,8 @@
 #include "common/substructure/nested_dissection.hpp"
 
 namespace stria::coarse {
-namespace {}  // namespace
 
-FarBody::FarBody(const Scene& scene, std::vector<char> far, StructureSeconds& seconds) : far_(std::move(far)) {
+FarBody::FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds) : far_(std::move(far)) {
     IndexLists of_elements;
     {
         const Stopwatch watch(seconds.ordering);
@@ -38,8 +38,8 @@ SparseMatrix FarBody::assemble(const Scene& scene, const IndexLists& of_elements
     const MandelMatrix elastic = scene.elastic.stiffness();
     SparseMatrix lower = lower_pattern(of_elements, static_cast<int>(inner_.size() + rim_.size()));
     std::size_t k = 0;
-    for (int e = 0; e < std::ssize(far_); ++e)
-        if (far_[at(e)] != 0)
+    for (int e = 0; e < far_.size(); ++e)
+        if (far_.contains(e))
             add_to_lower(lower, of_elements[k++], plain_operator(scene.enriched, e, averaged).stiffness(elastic));
     return lower;
 }
@@ -47,15 +47,16 @@ SparseMatrix FarBody::assemble(const Scene& scene, const IndexLists& of_elements
 /// Of each unknown of the mesh, ascending; -1 where far elements do not see it, or it is prescribed.
 std::vector<int> FarBody::number(const Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
-    std::vector<char> by_far(mesh.nodes.size(), 0), by_others = by_far, prescribed(at(mesh.unknowns), 0);
-    for (const PrescribedUnknown& p : scene.prescribed) prescribed[at(p.unknown)] = 1;
-    for (std::size_t e = 0; e < far_.size(); ++e)
-        for (const int node : mesh.elements[e]) (far_[e] != 0 ? by_far : by_others)[at(node)] = 1;
+    NodeSet by_far(mesh.nodes.size()), by_others = by_far;
+    UnknownSet prescribed(mesh.unknowns);
+    for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
+    for (int e = 0; e < far_.size(); ++e)
+        for (const int node : mesh.elements[at(e)]) (far_.contains(e) ? by_far : by_others).insert(node);
     for (int node = 0; node < std::ssize(mesh.nodes); ++node) {
-        if (by_far[at(node)] == 0) continue;
+        if (!by_far.contains(node)) continue;
         for (const int component : {0, 1}) {
-            if (prescribed[at(mesh.unknown(node, 0, component))] != 0) continue;
-            (by_others[at(node)] != 0 ? rim_ : inner_).push_back({node, component});
+            if (prescribed.contains(mesh.unknown(node, 0, component))) continue;
+            (by_others.contains(node) ? rim_ : inner_).push_back({node, component});
         }
     }
     std::vector<int> place(at(mesh.unknowns), -1);
@@ -71,11 +72,9 @@ IndexLists FarBody::order_elimination(const Scene& scene) {
     const std::vector<int> place = number(scene);
     IndexLists of_elements;
     std::vector<Vec2> centres;
-    for (int e = 0; e < std::ssize(far_); ++e) {
-        if (far_[at(e)] == 0) continue;
+    for (const int e : far_.members()) {
         of_elements.append(plain_unknowns(mesh, e));
-        centres.push_back(Vec2::Zero());
-        for (const int node : mesh.elements[at(e)]) centres.back() += mesh.nodes[at(node)] / 4.0;
+        centres.push_back(centre(mesh, e));
     }
     of_elements.map([&](int unknown) { return place[at(unknown)]; });
     std::vector<int> kept(rim_.size());

@@ -1,5 +1,5 @@
-// The far elements of a structure, condensed onto the rim that they share with near ones: most of the body, of which
-// cracks that grow and zones that move change nothing.
+// The far elements of a structure, condensed onto the rim. The rim is what they share with near elements. They are most
+// of the body, and neither a growing crack nor a moving zone changes them.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "coarse/model/scene.hpp"
 #include "common/index_lists.hpp"
+#include "common/index_set.hpp"
 #include "common/substructure/sparse_leaf.hpp"
 #include "common/substructure/substructure.hpp"
 
@@ -19,22 +20,21 @@ struct StructureSeconds {
     double factor = 0.0;    // analysis, factor, condensed tangent and load
 };
 
-/// A function of the mesh, the supports and the choice of elements alone: to the last bit the same for whoever makes
-/// it.
+/// It depends on the mesh, the supports and the choice of elements alone: whoever makes it gets the same bits.
 class FarBody : public Substructure {
 public:
-    /// `far`: per element, 1 where it is one of them (near_elements.hpp); all of them are plain.
-    FarBody(const Scene& scene, std::vector<char> far, StructureSeconds& seconds);
+    /// `far`: its elements (near_elements.hpp). All of them are plain.
+    FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds);
 
-    [[nodiscard]] const std::vector<char>& far() const { return far_; }
+    [[nodiscard]] const ElementSet& far() const { return far_; }
 
-    /// Unknowns of a mesh, in the leaf's numbering: those that far elements alone see, and those of the rim; none that
-    /// are prescribed. All are standard ones, and the rim's ascend.
+    /// Unknowns of the mesh in the order of elimination: those that only far elements see, and those of the rim, which
+    /// ascend. All are standard unknowns, and none is prescribed.
     [[nodiscard]] std::vector<int> inner(const EnrichedMesh& mesh) const { return unknowns_of(mesh, inner_); }
     [[nodiscard]] std::vector<int> rim(const EnrichedMesh& mesh) const { return unknowns_of(mesh, rim_); }
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override { return leaf_->tangent(); }
-    /// Remembers its answers: structure after structure asks for the same loads.
+    /// Remembers its last answers, because one structure after another asks for the same loads.
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& rim) const override {
         return leaf_->expand(load, rim);
@@ -51,7 +51,7 @@ private:
     [[nodiscard]] SparseMatrix assemble(const Scene& scene, const IndexLists& of_elements,
                                         StructureSeconds& seconds) const;
 
-    std::vector<char> far_;
+    ElementSet far_;
     std::vector<Place> inner_, rim_;
     std::unique_ptr<const SparseLeaf> leaf_;
     struct Answer {

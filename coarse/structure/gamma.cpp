@@ -6,26 +6,24 @@
 
 namespace stria::coarse {
 
-std::vector<int> gamma_of(const Scene& scene, const std::vector<char>& in_zone) {
+std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone) {
     const EnrichedMesh& mesh = scene.enriched;
-    const auto unknowns = at(mesh.unknowns);
-    std::vector<char> coarse(unknowns, 0), fine = coarse;
-    const auto mark = [](const auto& seen, std::vector<char>& side) {
-        for (const int unknown : seen) side[at(unknown)] = 1;
+    UnknownSet coarse(mesh.unknowns), fine = coarse;
+    const auto mark = [](const auto& seen, UnknownSet& side) {
+        for (const int unknown : seen) side.insert(unknown);
     };
     const std::vector<int> piece = piece_of_elements(mesh);
-    for (int e = 0; e < std::ssize(in_zone); ++e) {
-        const auto element = at(e);
-        std::vector<char>& side = in_zone[element] != 0 ? fine : coarse;
-        if (is_plain(mesh, e) && piece[element] < 0)
+    for (int e = 0; e < in_zone.size(); ++e) {
+        UnknownSet& side = in_zone.contains(e) ? fine : coarse;
+        if (is_plain(mesh, e) && piece[at(e)] < 0)
             mark(plain_unknowns(mesh, e), side);
         else
-            mark(ElementBasis(mesh, e, piece[element] >= 0).unknowns(), side);
+            mark(ElementBasis(mesh, e, piece[at(e)] >= 0).unknowns(), side);
     }
-    for (const PrescribedUnknown& p : scene.prescribed) coarse[at(p.unknown)] = 1;
+    for (const PrescribedUnknown& p : scene.prescribed) coarse.insert(p.unknown);
     std::vector<int> gamma;
-    for (std::size_t i = 0; i < unknowns; ++i)
-        if (fine[i] != 0 && (coarse[i] != 0 || scene.observed[i] != 0)) gamma.push_back(static_cast<int>(i));
+    for (int i = 0; i < mesh.unknowns; ++i)
+        if (fine.contains(i) && (coarse.contains(i) || scene.observed.contains(i))) gamma.push_back(i);
     return gamma;
 }
 

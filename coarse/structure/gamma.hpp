@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "coarse/model/scene.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 
-/// Gamma: unknowns of the whole mesh that zone elements share with coarse ones or that are prescribed or reported,
-/// ascending. `in_zone`: per element.
-std::vector<int> gamma_of(const Scene& scene, const std::vector<char>& in_zone);
+/// Gamma: unknowns of the whole mesh, ascending, that a zone element sees and that a coarse element also sees, or that
+/// are prescribed or reported.
+std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone);
 
 }  // namespace stria::coarse

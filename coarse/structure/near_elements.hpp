@@ -1,22 +1,21 @@
-// Which coarse elements are near. Each increment looks at these; of the others, the far ones, it asks for no more than
-// a proof that they stay elastic (far_stress_bound.hpp), so that its cost does not know how large the body is. Far ones
-// are condensed once and serve structure after structure (far_body.hpp).
+// Which coarse elements are near and which are far. An increment visits near ones only. Of the far ones it needs a
+// proof that they stay elastic (far_stress_bound.hpp), so its cost does not depend on the size of the body. Far
+// elements are condensed once and serve one structure after another (far_body.hpp).
 #pragma once
 
-#include <vector>
-
 #include "coarse/model/scene.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 
-/// Per element, 1 where it has to be near: it is coarse and a ring about a tip crosses or encloses it, it touches the
-/// zone, or a crack changes its functions: what the domain integrals and openings want, where stresses are large, and
-/// where points with little weight lie.
-std::vector<char> near_elements(const Scene& scene, const std::vector<char>& in_zone);
+/// Coarse elements that have to be near: a ring about a tip crosses or encloses them, or they touch the zone, or a
+/// crack changes their functions. Domain integrals and openings are taken there, stresses are large there, and points
+/// with little weight lie there.
+ElementSet near_elements(const Scene& scene, const ElementSet& in_zone);
 
-/// Per element, 1 where it is far. `known`: those of the structure before (none: empty); they stay for as long as none
-/// of them has to be near. Else they are chosen anew, where cracks grow with room ahead of their tips.
-std::vector<char> far_elements(const Scene& scene, const std::vector<char>& in_zone,
-                               const std::vector<char>& known = {});
+/// The far elements. `known`: those of the structure before (none: empty). They stay for as long as none of them has to
+/// be near; otherwise they are chosen anew, with room ahead of the tips where cracks grow. Where no element has to be
+/// near, none is far.
+ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known = {});
 
 }  // namespace stria::coarse

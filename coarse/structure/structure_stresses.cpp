@@ -32,7 +32,7 @@ double largest_stress(const Operator& op, const MandelMatrix& elastic, const Eig
 std::vector<int> elements_beyond(double stress, const Structure& structure, const Eigen::VectorXd& u) {
     const MandelMatrix elastic = structure.scene().elastic.stiffness();
     std::vector<int> found;
-    structure.for_each_operator([&](const auto& op) {
+    structure.elements().for_each([&](const auto& op) {
         if (may_yield(structure, op.element) && largest_stress(op, elastic, u) > stress) found.push_back(op.element);
     });
     return found;
@@ -42,7 +42,7 @@ std::vector<int> near_elements_beyond(double stress, const Structure& structure,
     const MandelMatrix elastic = structure.scene().elastic.stiffness();
     const double of_unit_strain = structure.scene().elastic.largest_von_mises();
     std::vector<int> found;
-    structure.for_each_operator(structure.near_elements(), [&](const auto& op) {
+    structure.elements().for_each(structure.elements().near(), [&](const auto& op) {
         if (stress_bound(op, elastic, of_unit_strain, gather(u, op.unknowns)) > stress &&
             may_yield(structure, op.element) && largest_stress(op, elastic, u) > stress)
             found.push_back(op.element);
@@ -53,7 +53,7 @@ std::vector<int> near_elements_beyond(double stress, const Structure& structure,
 double largest_far_stress(const Structure& structure, const Eigen::VectorXd& u) {
     const MandelMatrix elastic = structure.scene().elastic.stiffness();
     double largest = 0.0;
-    structure.for_each_operator([&](const auto& op) {
+    structure.elements().for_each([&](const auto& op) {
         if (structure.is_far(op.element) && may_yield(structure, op.element))
             largest = std::max(largest, largest_stress(op, elastic, u));
     });
@@ -62,7 +62,7 @@ double largest_far_stress(const Structure& structure, const Eigen::VectorXd& u) 
 
 double smallest_far_weight(const Structure& structure) {
     double smallest = std::numeric_limits<double>::infinity();
-    structure.for_each_operator([&](const auto& op) {
+    structure.elements().for_each([&](const auto& op) {
         if (!structure.is_far(op.element) || !may_yield(structure, op.element)) return;
         for (const IntegrationPoint& point : op.points) smallest = std::min(smallest, point.weight);
     });

@@ -13,9 +13,8 @@ constexpr int most_unpaid = 8;
 
 }  // namespace
 
-YieldGuard::YieldGuard(const Case& input)
-    : limit_(input.material.yield_stress ? *input.material.yield_stress * (1.0 + 1e-9)
-                                         : std::numeric_limits<double>::infinity()) {}
+YieldGuard::YieldGuard(const MaterialSection& material)
+    : limit_(material.yield_stress ? *material.yield_stress * (1.0 + 1e-9) : std::numeric_limits<double>::infinity()) {}
 
 void YieldGuard::turn_to(const Structure& structure, const Eigen::VectorXd& elastic) {
     structure_ = &structure;

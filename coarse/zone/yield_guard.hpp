@@ -1,5 +1,5 @@
-// Whether all that is coarse stays elastic: looks at the near elements, and at the far ones where their bound does not
-// settle it.
+// Whether all coarse elements stay elastic. The near ones are visited; the far ones only where the bound of their
+// stresses leaves it open.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@ namespace stria::coarse {
 class YieldGuard {
 public:
     /// Nothing yields where the material has no yield stress.
-    explicit YieldGuard(const Case& input);
+    explicit YieldGuard(const MaterialSection& material);
 
     /// Turns to another structure, which must outlive its checks. Where its far body is another one, the bound begins
-    /// anew with `elastic`: displacement of the whole mesh of some state that is in equilibrium there at the load
-    /// factor 1; may be empty.
+    /// anew with `elastic`, the displacement of the whole mesh in an elastic equilibrium at the load factor 1, mm. It
+    /// may be empty: then the bound learns more slowly.
     void turn_to(const Structure& structure, const Eigen::VectorXd& elastic);
 
     /// Coarse elements that the trial state, in equilibrium, takes beyond the yield stress, ascending.

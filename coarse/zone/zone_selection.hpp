@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coarse/model/scene.hpp"
+#include "common/index_set.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {
@@ -12,23 +13,23 @@ namespace stria::coarse {
 /// Eq. (3): R_sub = beta * (pi/16) * K_I^2 / sigma_y^2, mm.
 double subdivision_radius(double beta, double K_I, double yield_stress);
 
-/// Radius of the zone about a tip, mm: the case's own, or eq. (3); 0 in elastic scenes without one.
-double zone_radius(const Case& input, double K_I);
+/// Radius of the zone about a tip, mm: that of the case, or eq. (3). 0 without either.
+double zone_radius(const FineSection& fine, const MaterialSection& material, double K_I);
 
-/// Per element, 1 inside the zone. `K_I`: largest of the load history, one a tip. All zero in elastic, traction-free
-/// scenes.
-std::vector<char> select_zone(const Scene& scene, const std::vector<double>& K_I);
+/// The elements of the zone. `K_I`: the largest of the load history, MPa sqrt(mm), one per tip. None in elastic,
+/// traction-free scenes.
+ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I);
 
-/// A zone that some elements join, with one ring of neighbours more, so that a growing plastic zone does not ask again
-/// at once.
-std::vector<char> with_ring(const Scene& scene, std::vector<char> in_zone, const std::vector<int>& joining);
+/// A zone that some elements join together with their neighbours. The neighbours give a growing plastic zone room, so
+/// that it does not ask again at once.
+ElementSet with_ring(const Scene& scene, ElementSet in_zone, const std::vector<int>& joining);
 
-/// A zone with the elements whose functions longer cracks change: those that they newly cut, or that get tip functions.
-std::vector<char> with_changed_functions(std::vector<char> in_zone, const EnrichedMesh& before,
-                                         const EnrichedMesh& longer);
+/// A zone that takes in the elements whose functions longer cracks change: those that they newly cut, and those that
+/// get tip functions.
+ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before, const EnrichedMesh& longer);
 
-/// The zone as the message that the fine component gets; `displacement`: of the whole mesh, committed.
-coupling::Patch make_patch(const Scene& scene, const std::vector<char>& in_zone, const std::vector<int>& gamma,
+/// The message by which the fine component gets its zone. `displacement`: of the whole mesh, committed, mm.
+coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement);
 
 }  // namespace stria::coarse

@@ -7,6 +7,7 @@
 
 #include "common/crack/crack_crossings.hpp"
 #include "common/error.hpp"
+#include "common/fem/centre.hpp"
 #include "common/geometry/clipping.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
@@ -84,7 +85,7 @@ private:
         const bool ends_at_tip =
             (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
         if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b);
-        const bool first_is_left = orientation(a.position, b.position, centre(shared[0])) > 0;
+        const bool first_is_left = orientation(a.position, b.position, centre(mesh_, shared[0])) > 0;
         CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
         result.neighbour = first_is_left ? shared[0] : shared[1];
         return result;
@@ -114,7 +115,8 @@ private:
             const double off =
                 std::max(distance_to_segment(tip, first, second), distance_to_segment(middle, first, second));
             if (end == nullptr || off > 1e-9 * (first - second).norm()) continue;
-            const int left = orientation(chain.first.front(), chain.first.back(), centre(edge.elements[0])) > 0 ? 0 : 1;
+            const int left =
+                orientation(chain.first.front(), chain.first.back(), centre(mesh_, edge.elements[0])) > 0 ? 0 : 1;
             CrackPiece result = make_piece(edge.elements[at(1 - left)], chain, a, b);
             result.neighbour = edge.elements[at(left)];
             return result;
@@ -168,11 +170,6 @@ private:
     [[nodiscard]] std::array<Vec2, 4> polygon(int e) const {
         const auto& n = mesh_.elements[at(e)];
         return {node(n[0]), node(n[1]), node(n[2]), node(n[3])};
-    }
-
-    [[nodiscard]] Vec2 centre(int e) const {
-        const auto corners = polygon(e);
-        return (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0;
     }
 
     const Mesh& mesh_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/fem/strain_operator.hpp"
@@ -160,10 +161,9 @@ IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut) {
     const ElementBasis basis(mesh, element, cut);
     if (!basis.singular()) return {};
     const auto& c = basis.corners();
-    const Vec2 centre = (c[0] + c[1] + c[2] + c[3]) / 4.0;
     double distance = 1e300;  // to the nearest tip, in diagonals
     for (const Tip& tip : mesh.tips)
-        distance = std::min(distance, (tip.position - centre).norm() / (c[2] - c[0]).norm());
+        distance = std::min(distance, (tip.position - centre(c)).norm() / (c[2] - c[0]).norm());
     if (distance > 3.0) return {.gauss = 3};
     return {.subcells = 2, .gauss = 6, .tip_points = 10};
 }

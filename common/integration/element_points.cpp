@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
@@ -123,7 +124,7 @@ private:
 
     void add_quad(int i, int j, const std::array<Vec2, 4>& quad) {
         const int s = rule_.subcells;
-        const int side = side_at((quad[0] + quad[1] + quad[2] + quad[3]) / 4.0);
+        const int side = side_at(centre(quad));
         for (const SquarePoint& gauss : gauss_square(rule_.gauss)) {
             const Vec2 xi = Vec2(-1.0, -1.0) + (Vec2(2.0 * i + 1.0, 2.0 * j + 1.0) + gauss.xi) / s;
             add_point(map_to_physical(corners_, xi), xi, gauss.weight * shape_q4(corners_, xi).jacobian / (s * s),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 #include "common/io/hdf5.hpp"
 
 namespace stria::hdf5 {
@@ -18,6 +19,9 @@ namespace detail {
 
 template <class T> inline constexpr bool is_vector = false;
 template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T> inline constexpr bool is_index_set = false;
+template <class Kind> inline constexpr bool is_index_set<IndexSet<Kind>> = true;
 
 /// What a scalar or an entry of a list is stored as.
 template <class T> struct Stored {
@@ -31,8 +35,8 @@ concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 }  // namespace detail
 
-/// Scalars become attributes; lists of numbers, vectors and texts datasets; lists of vectors of one length datasets of
-/// two dimensions; everything else groups. Throws std::runtime_error as Group does.
+/// Scalars become attributes; lists of numbers, vectors, texts and index sets datasets; lists of vectors of one length
+/// datasets of two dimensions; everything else groups. Throws std::runtime_error as Group does.
 class Saver {
 public:
     static constexpr bool saves = true;
@@ -48,6 +52,8 @@ public:
             group_.write<double>(name, std::span(value.data(), at(value.size())));
         } else if constexpr (std::is_same_v<T, std::string>) {
             list(name, std::vector<char>(value.begin(), value.end()));
+        } else if constexpr (detail::is_index_set<T>) {
+            list(name, value.flags());
         } else if constexpr (detail::is_vector<T>) {
             list(name, value);
         } else {
@@ -96,6 +102,10 @@ public:
             std::vector<char> letters;
             list(name, letters);
             value.assign(letters.begin(), letters.end());
+        } else if constexpr (detail::is_index_set<T>) {
+            std::vector<char> flags;
+            list(name, flags);
+            value = T::of_flags(std::move(flags));
         } else if constexpr (detail::is_vector<T>) {
             list(name, value);
         } else {

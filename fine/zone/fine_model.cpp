@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
 
@@ -35,9 +36,7 @@ void FineModel::plant_tree() {
     layout.boundary = patch.boundary;
     for (const ElementOperator& op : system_.bulk().operators()) {
         layout.element_unknowns.push_back(op.unknowns);
-        Vec2 centre = Vec2::Zero();
-        for (const int node : patch.mesh.elements[at(op.element)]) centre += patch.mesh.nodes[at(node)] / 4.0;
-        layout.centres.push_back(centre);
+        layout.centres.push_back(centre(patch.mesh, op.element));
     }
     for (int k = 0; k < contact.multipliers(); ++k) {
         std::vector<int>& unknowns = layout.element_unknowns.emplace_back();

@@ -7,6 +7,7 @@
 
 #include "app/monolithic.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/sent_analysis.hpp"
 
@@ -68,7 +69,7 @@ class DisplacementControl : public testing::TestWithParam<Scenery> {
 protected:
     static RunHistory follow(const Case& input, coarse::EquilibriumFactory& factory, Control control,
                              const std::vector<double>& targets) {
-        const coarse::Scene scene = coarse::make_scene(input);
+        const coarse::Scene scene = coarse::refined_scene(input);
         const coarse::Structure structure(scene, coarse::select_zone(scene, {1500.0}));
         const Eigen::VectorXd zero = Eigen::VectorXd::Zero(scene.enriched.unknowns);
         const coupling::Patch patch = coarse::make_patch(scene, structure.in_zone(), structure.gamma(), zero);
@@ -149,9 +150,8 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
     input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 0.1, .min = 0.0}}, .control = Control::Displacement};
     coarse::CondensedFactory factory(nullptr);
     const RunHistory run = run_analysis(input, factory);
-    const coarse::Scene scene = coarse::make_scene(input);
-    const double compliance =
-        coarse::Structure(scene, std::vector<char>(scene.mesh.elements.size(), 0)).mean_displacement().per_load_factor;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const double compliance = coarse::Structure(scene).loads().mean_displacement().per_load_factor;
     EXPECT_EQ(run.increments[0].newton.count(), 1);
     EXPECT_NEAR(run.increments[0].load_factor, 0.1 / compliance, 1e-12 * 0.1 / compliance);
     EXPECT_NEAR(scene.mean_displacement.dot(run.increments[0].displacement), 0.1, 1e-12);
@@ -161,7 +161,7 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
 TEST(ElasticDisplacementControl, RefusesWhatNoLoadMoves) {
     Case input = small_sent({"load.control=\"displacement\""});
     for (BoundarySection& boundary : input.boundaries) boundary.traction = Vec2::Zero();
-    EXPECT_THROW(coarse::make_scene(input), CaseError);
+    EXPECT_THROW(coarse::refined_scene(input), CaseError);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/pulled_plate.hpp"
@@ -29,19 +30,18 @@ Grown grow(int refine) {
     input.growth = GrowthSection{.increment = 0.3};
     input.fine.radius = 1.5;
     input.fine.refine = refine;
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine);
     Grown grown;
-    std::vector<char> in_zone;
+    ElementSet in_zone;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
         if (structure.in_zone() != in_zone) ++grown.changes_of_zone;
         in_zone = structure.in_zone();
         if (!grown.K.empty() && grown.K.back() == increment.nominal_K[0]) return;
         grown.K.push_back(increment.nominal_K[0]);
-        const coarse::Structure whole(structure.scene(), std::vector<char>(in_zone.size(), 0));
-        grown.K_of_the_whole.push_back(coarse::fracture_parameters(whole, whole.expand({}, 1.0), {})[0].K_I);
+        grown.K_of_the_whole.push_back(coarse::solve_nominal(structure.scene()).tips[0].K_I);
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();

@@ -11,6 +11,7 @@
 #include "app/fine_side.hpp"
 #include "app/monolithic.hpp"
 #include "coarse/results/checkpoint.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "coupling/wire.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -89,7 +90,7 @@ struct Part {
 Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coarse::AnalysisState* from = nullptr,
               int stop = std::numeric_limits<int>::max()) {
     use_one_thread();
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     Part part;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
@@ -117,7 +118,7 @@ Part run_by(int ranks, const Case& input, const coarse::AnalysisState* from = nu
 coarse::AnalysisState through_a_file(const Case& input, const coarse::AnalysisState& state) {
     const TemporaryFolder folder;
     coarse::write_checkpoint(folder / "checkpoint.h5",
-                             {coarse::mark_of(coarse::make_scene(input)), state, coarse::RecorderState()});
+                             {coarse::mark_of(coarse::refined_scene(input)), state, coarse::RecorderState()});
     return coarse::read_checkpoint(folder / "checkpoint.h5").analysis;
 }
 

@@ -11,17 +11,17 @@ namespace stria::test {
 /// Of the free unknowns' stiffness, every diagonal entry scaled to 1: largest over smallest eigenvalue, by `iterations`
 /// power iterations (some percent too small: the largest eigenvalues lie close together).
 inline double condition_number(const coarse::Structure& structure, int iterations = 60) {
-    const SparseMatrix whole = structure.stiffness();
-    std::vector<char> held(at(structure.scene().enriched.unknowns), 0);
-    for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held[at(p.unknown)] = 1;
+    const SparseMatrix whole = structure.elements().stiffness();
+    UnknownSet held(structure.scene().enriched.unknowns);
+    for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held.insert(p.unknown);
     const Eigen::VectorXd scale = whole.diagonal().cwiseSqrt().cwiseInverse();
     std::vector<Triplet> entries;
     entries.reserve(at(whole.nonZeros()));
     for (int j = 0; j < whole.outerSize(); ++j) {
         for (SparseMatrix::InnerIterator entry(whole, j); entry; ++entry) {
             const auto i = static_cast<int>(entry.row());
-            if (held[at(i)] == 0 && held[at(j)] == 0) entries.emplace_back(i, j, entry.value() * scale[i] * scale[j]);
-            if (i == j && held[at(i)] != 0) entries.emplace_back(i, i, 1.0);
+            if (!held.contains(i) && !held.contains(j)) entries.emplace_back(i, j, entry.value() * scale[i] * scale[j]);
+            if (i == j && held.contains(i)) entries.emplace_back(i, i, 1.0);
         }
     }
     SparseMatrix K(whole.rows(), whole.cols());

@@ -17,9 +17,7 @@ inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elastici
 }
 
 /// No fine zone: every element is the structure's.
-inline std::vector<char> no_zone(const coarse::Scene& scene) {
-    return std::vector<char>(scene.mesh.elements.size(), 0);
-}
+inline ElementSet no_zone(const coarse::Scene& scene) { return ElementSet(scene.mesh.elements.size()); }
 
 /// Displacement gradient of a homogeneous in-plane stress (the plane state gives the rest) without rotation.
 inline Eigen::Matrix2d gradient_of(const Eigen::Matrix2d& stress, const Elasticity& elastic) {

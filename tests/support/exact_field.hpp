@@ -50,7 +50,7 @@ inline coarse::Scene exact_boundary(int n, const Setting& setting) {
 inline double energy_error(const coarse::Structure& structure, const Eigen::VectorXd& u, int mode) {
     const coarse::Scene& scene = structure.scene();
     double wrong = 0.0, whole = 0.0;
-    structure.for_each_operator([&](const auto& op) {
+    structure.elements().for_each([&](const auto& op) {
         const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const IntegrationPoint& point = op.points[q];

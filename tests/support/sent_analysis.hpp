@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
-#include "coarse/model/scene.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/io/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/zone/fine_model.hpp"
@@ -55,7 +55,7 @@ struct RunHistory {
 
 inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& factory) {
     use_one_thread();
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     RunHistory history;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {

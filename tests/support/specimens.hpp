@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
-#include "coarse/model/scene.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
+#include "coarse/structure/support_forces.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/index.hpp"
 
 namespace stria::test {
@@ -85,25 +87,25 @@ inline Case graded_to_tips(Case input, double at_tip = 0.01) {
 
 struct ElasticSolution {
     coarse::Scene scene;
-    std::unique_ptr<coarse::Structure> structure;
-    Eigen::VectorXd u;
-    std::vector<coarse::TipResult> tips;
+    coarse::NominalSolution nominal;
+    const coarse::Structure& structure = *nominal.structure;
+    const Eigen::VectorXd& u = nominal.displacement;
+    const std::vector<coarse::TipResult>& tips = nominal.tips;
 
     explicit ElasticSolution(const Case& input)
-        : scene(coarse::make_scene(input)),
-          structure(std::make_unique<coarse::Structure>(scene, std::vector<char>(scene.mesh.elements.size(), 0))),
-          u(structure->expand({}, 1.0)), tips(coarse::fracture_parameters(*structure, u, {})) {}
+        : scene(coarse::refined_scene(input)), nominal(coarse::solve_nominal(scene)) {}
+    ElasticSolution(const ElasticSolution&) = delete;
+    ElasticSolution& operator=(const ElasticSolution&) = delete;
 
     /// Force along y on a boundary whose displacement is imposed, N/mm.
     [[nodiscard]] double reaction(const std::string& boundary) const {
-        const Eigen::VectorXd forces = structure->forces_on_prescribed(u);
+        const Eigen::VectorXd forces = coarse::forces_on_prescribed(structure.elements(), u);
         double sum = 0.0;
-        std::vector<char> on_boundary(scene.mesh.nodes.size(), 0);
+        NodeSet on_boundary(scene.mesh.nodes.size());
         for (const BoundaryEdge& edge : scene.mesh.boundary.at(boundary))
-            for (const int node : coarse::edge_nodes(scene.mesh, edge)) on_boundary[at(node)] = 1;
-        for (std::size_t n = 0; n < on_boundary.size(); ++n) {
-            if (on_boundary[n] == 0) continue;
-            const int unknown = scene.enriched.unknown(static_cast<int>(n), 0, 1);
+            for (const int node : coarse::edge_nodes(scene.mesh, edge)) on_boundary.insert(node);
+        for (const int node : on_boundary.members()) {
+            const int unknown = scene.enriched.unknown(node, 0, 1);
             const auto held =
                 std::ranges::lower_bound(scene.prescribed, unknown, {}, &coarse::PrescribedUnknown::unknown);
             if (held != scene.prescribed.end() && held->unknown == unknown)

@@ -78,7 +78,7 @@ coarse::TipResult along_edges(const Case& input, int n) {
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
     coarse::put_loads_on_unknowns(scene);
-    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    const coarse::Structure structure(scene);
     return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {}).front();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "coarse/zone/refined_scene.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
@@ -65,7 +66,7 @@ coarse::Scene cut_square(int elements, double left, double right, QuadraticPress
         pulled.traction = Vec2(1.0, 0.0);  // marks the edge as loaded; the exact traction replaces it
         input.boundaries.push_back(pulled);
     }
-    coarse::Scene scene = coarse::make_scene(input);
+    coarse::Scene scene = coarse::refined_scene(input);
     field.origin = {0.5, 0.5 * (left + right)};
     field.tangent = Vec2(1.0, right - left).normalized();
 

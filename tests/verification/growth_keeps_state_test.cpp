@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 
+#include "coarse/zone/refined_scene.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -209,7 +210,7 @@ private:
 
 std::vector<Change> changes_of(const Case& input) {
     use_one_thread();
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     GrowthWitness witness(input);
     coarse::CondensedFactory factory(&witness);
     std::unique_ptr<coarse::Scene> last;

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <vector>
 
+#include "coarse/zone/refined_scene.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 #include "common/index.hpp"
@@ -22,7 +23,7 @@ TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
                    "load.blocks=[{cycles=1000, max=501.0, ratio=0.0}]", "fine.refine=16", "growth.increment=0.1",
                    "growth.every=10", "closure.profile=[]", "closure.distance=0.1"});
     use_one_thread();
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine);
     std::vector<int> iterations(1001, 0);  // by cycle, what only measures and is rolled back included

@@ -36,7 +36,7 @@ void hold_boundary(coarse::Scene& scene, const Eigen::VectorXd& u) {
 /// Largest force out of balance with a displacement, relative to the largest that its parts could make.
 double imbalance(coarse::Scene& scene, const Eigen::VectorXd& u) {
     hold_boundary(scene, u);
-    const SparseMatrix K = coarse::Structure(scene, no_zone(scene)).stiffness();
+    const SparseMatrix K = coarse::Structure(scene).elements().stiffness();
     const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
     return (K * u - scene.unit_force).cwiseAbs().maxCoeff() / scale.maxCoeff();
 }
@@ -48,7 +48,7 @@ TEST(PatchTest, UncutElementsOfAnyShape) {
         coarse::Scene scene = make_scene(mesh, coarse::enrich(mesh, {}, {}), steel);
         const Eigen::VectorXd u = linear_field(scene.enriched, gradient);
         hold_boundary(scene, u);
-        const Eigen::VectorXd found = coarse::Structure(scene, no_zone(scene)).expand({}, 1.0);
+        const Eigen::VectorXd found = coarse::Structure(scene).expand({}, 1.0);
         EXPECT_LT((found - u).cwiseAbs().maxCoeff(), exact * u.cwiseAbs().maxCoeff());
     }
 }
@@ -149,8 +149,8 @@ TEST(PatchTest, EachHalfHoldsItsOwnStrain) {
         coarse::Scene scene = make_scene(mesh, cracked(mesh, {from, to}), steel);
         const Eigen::VectorXd u = Halves{plus, minus, {0.01, 0.02}, {-0.03, 0.0}}.on(scene.enriched, from, to);
         hold_boundary(scene, u);
-        const coarse::Structure structure(scene, no_zone(scene));
-        structure.for_each_operator([&](const auto& op) {
+        const coarse::Structure structure(scene);
+        structure.elements().for_each([&](const auto& op) {
             const auto local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
                 const Vec2 d = to - from, r = op.points[q].x - from;
@@ -168,15 +168,13 @@ TEST(PatchTest, AreasOfStructureAndZoneAddUp) {
     coarse::Scene scene = make_scene(mesh, cracked(mesh, {{0.0, 0.46}, {0.33, 0.48}, {0.61, 0.55}}), steel);
     hold_boundary(scene, Eigen::VectorXd::Zero(scene.enriched.unknowns));
     for (int trial = 0; trial < 5; ++trial) {
-        std::vector<char> in_zone(mesh.elements.size());
-        for (char& inside : in_zone) inside = static_cast<char>(random() % 2);
-        std::vector<int> zone;
-        for (int e = 0; e < static_cast<int>(in_zone.size()); ++e)
-            if (in_zone[at(e)] != 0) zone.push_back(e);
+        ElementSet in_zone(mesh.elements.size());
+        for (int e = 0; e < in_zone.size(); ++e)
+            if (random() % 2 == 1) in_zone.insert(e);
         double area = 0.0;
         const coarse::Structure structure(scene, in_zone);
-        structure.for_each_operator([&](const auto& op) { area += op.area; });
-        const EnrichedMesh patch = extract(scene.enriched, zone);
+        structure.elements().for_each([&](const auto& op) { area += op.area; });
+        const EnrichedMesh patch = extract(scene.enriched, in_zone.members());
         for (int e = 0; e < static_cast<int>(patch.elements.size()); ++e)
             area += make_operator(patch, e, piece_in(patch, e), {.subcells = 3}).area;
         EXPECT_NEAR(area, 1.0, 1e-13);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
 #include "tests/support/elastic_scene.hpp"
@@ -168,7 +169,7 @@ double imbalance_of_tension_along(const Mesh& mesh, const Vec2& from, const Vec2
         for (int k = 0; k < 2 * (1 + static_cast<int>(scene.enriched.terms[at(node)].size())); ++k)
             scene.prescribed.push_back({first + k, u[first + k]});
     }
-    const SparseMatrix K = coarse::Structure(scene, no_zone(scene)).stiffness();
+    const SparseMatrix K = coarse::Structure(scene).elements().stiffness();
     const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
     return (K * u - scene.unit_force).cwiseAbs().maxCoeff() / scale.maxCoeff();
 }
@@ -208,8 +209,8 @@ coarse::TipResult edge_crack(double a, PlaneState plane, double poisson = 0.3) {
     input.boundaries[0].traction = Vec2(0.0, 1.0);
     input.boundaries[1].on = "bottom";
     input.boundaries[1].traction = Vec2(0.0, -1.0);
-    const coarse::Scene scene = coarse::make_scene(input);
-    const coarse::Structure structure(scene, no_zone(scene));
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const coarse::Structure structure(scene);
     return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {}).front();
 }
 

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "coarse/zone/refined_scene.hpp"
 #include "tests/support/condition_number.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
@@ -48,15 +49,14 @@ TEST(RetainedFunctions, AreNearlyWhatOtherFunctionsSayAlready) {
         Case input = edge_crack(0.3, 3.0, End::Pulled);
         input.mesh.size = 1.0 / 61.0;
         input.fine.enrichment = enrichment;
-        coarse::Scene retained = coarse::make_scene(input);
+        coarse::Scene retained = coarse::refined_scene(input);
         for (int step = 1; step <= 4; ++step) {
             input.cracks[0].points[1].x() += 0.7 / 61.0;
             retained = coarse::with_functions_left(coarse::make_scene(input, retained.mesh), retained.enriched);
         }
         const coarse::Scene longer = coarse::make_scene(input, retained.mesh);
-        const std::vector<char> no_zone(longer.mesh.elements.size(), 0);
-        const double before = condition_number(coarse::Structure(longer, no_zone)),
-                     after = condition_number(coarse::Structure(retained, no_zone));
+        const double before = condition_number(coarse::Structure(longer)),
+                     after = condition_number(coarse::Structure(retained));
         std::cout << fmt::format(
             "{} functions, 4 steps: {} unknowns, condition {:.2e}; with old functions {}, {:.2e}\n",
             longer.enriched.tip_functions, longer.enriched.unknowns, before, retained.enriched.unknowns, after);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "coarse/model/rings.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/index.hpp"
 #include "tests/support/one_equilibrium.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -57,7 +58,7 @@ Case touching_crack(double a, double middle, double gradient) {
 // The solution is that without a crack: sigma_yy = -1. T = sigma_xx - sigma_yy = 1.
 TEST(Rings, ACrackHeldClosedReleasesNothing) {
     const double a = 0.05, K = std::sqrt(pi * a);
-    const coarse::Scene scene = coarse::make_scene(touching_crack(a, -1.0, 0.0));
+    const coarse::Scene scene = coarse::refined_scene(touching_crack(a, -1.0, 0.0));
     const Equilibrated result = equilibrate(scene, 1.0);
     ASSERT_TRUE(result.newton.converged);
     EXPECT_NEAR(result.zone.contact_length[0], 2.0 * a, 1e-9);
@@ -77,7 +78,7 @@ TEST(Rings, ACrackHeldClosedReleasesNothing) {
 // -sigma_0.
 TEST(Rings, ACrackThatBendingClosesInPart) {
     const double a = 0.05, K = std::pow(2.0 / 3.0, 1.5) * std::sqrt(pi * a);
-    const coarse::Scene scene = coarse::make_scene(touching_crack(a, 0.0, 1.0 / a));
+    const coarse::Scene scene = coarse::refined_scene(touching_crack(a, 0.0, 1.0 / a));
     const Equilibrated result = equilibrate(scene, 1.0);
     ASSERT_TRUE(result.newton.converged);
     const auto open = std::ranges::find_if(scene.enriched.tips, [](const Tip& tip) { return tip.direction.x() > 0.0; });
@@ -107,7 +108,7 @@ TEST(Rings, AnInclinedCrackPushedShutSlides) {
     Case input = touching_crack(a, -1.0, 0.0);
     const Vec2 half = a * Vec2(std::sin(beta), std::cos(beta));
     input.cracks[0].points = {Vec2(0.5, 0.5) - half, Vec2(0.5, 0.5) + half};
-    const coarse::Scene scene = coarse::make_scene(input);
+    const coarse::Scene scene = coarse::refined_scene(input);
     const Equilibrated result = equilibrate(scene, 1.0);
     ASSERT_TRUE(result.newton.converged);
     for (const coarse::TipResult& tip : result.tips) {

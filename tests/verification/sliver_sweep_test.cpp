@@ -71,7 +71,7 @@ void sweep(const std::string& name, const Moved& moved, int steps, std::size_t t
         const Vec2 exact = reference(t);
         K_I.add(solution.tips[tip].K_I / exact.x(), t);
         K_II.add((solution.tips[tip].K_II - exact.y()) / exact.x(), t);
-        condition.add(condition_number(*solution.structure), t);
+        condition.add(condition_number(solution.structure), t);
     }
     std::cout << fmt::format(
         "sweep {}: K_I {:.5f} (at {:.3f}) to {:.5f} (at {:.3f}) of the smooth one, varies by {:.3f} %; K_II by {:.3f} "

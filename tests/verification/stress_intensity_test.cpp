@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "coarse/fracture/fracture_parameters.hpp"
-#include "coarse/model/scene.hpp"
 #include "coarse/specimen/specimen.hpp"
+#include "coarse/zone/refined_scene.hpp"
 
 namespace stria::test {
 namespace {
@@ -31,8 +31,8 @@ Case tension(const std::string& specimen, double height, int cells, std::vector<
 }
 
 std::vector<coarse::TipResult> solve(const Case& input) {
-    const coarse::Scene scene = coarse::make_scene(input);
-    const coarse::Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const coarse::Structure structure(scene);
     return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {});
 }
 

@@ -36,7 +36,7 @@ struct Errors {
 
 Errors errors(int n, const Setting& setting) {
     const coarse::Scene scene = exact_boundary(n, setting);
-    const coarse::Structure structure(scene, no_zone(scene));
+    const coarse::Structure structure(scene);
     const Eigen::VectorXd u = structure.expand({}, 1.0);
     const coarse::TipResult tip = coarse::fracture_parameters(structure, u, {}).front();
     return {energy_error(structure, u, setting.mode),
@@ -120,7 +120,7 @@ TEST(FixedRadius, IsAsWellConditionedAsPlainElements) {
         double last = 0.0, rate = 0.0;
         for (const int n : {11, 21, 41}) {
             const coarse::Scene scene = exact_boundary(n, {{4, 0.5, support, 0.2}, 1, false});
-            const double found = condition_number(coarse::Structure(scene, no_zone(scene)));
+            const double found = condition_number(coarse::Structure(scene));
             rate = last > 0.0 ? std::log(found / last) / std::log(double(n) / (n == 21 ? 11 : 21)) : 0.0;
             std::cout << fmt::format("{} n {:2d}: condition number {:.3e}, rate {:.2f}\n",
                                      support == coarse::TipSupport::Nodal ? "nodal" : "gathered", n, found, rate);

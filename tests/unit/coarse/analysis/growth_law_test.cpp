@@ -1,4 +1,5 @@
 #include "coarse/analysis/growth_law.hpp"
+#include "coarse/load/growth_schedule.hpp"
 
 #include <gtest/gtest.h>
 

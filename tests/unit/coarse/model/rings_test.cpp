@@ -7,13 +7,14 @@
 
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/structure/structure.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
 namespace {
 
-Scene cracked_plate(double size, bool contact) { return make_scene(test::pulled_plate(size, true, contact)); }
+Scene cracked_plate(double size, bool contact) { return refined_scene(test::pulled_plate(size, true, contact)); }
 
 TEST(Rings, LieInTheLargestAndAreTwoElementsThick) {
     const Scene scene = cracked_plate(0.25, false);
@@ -46,7 +47,7 @@ TEST(Rings, GoToTheZoneOnlyIfItHasAShareInThem) {
 // K from the first ring beyond what has flowed, its spread over such rings; J and its spread from all.
 TEST(Rings, ThatHoldFlowDoNotTellK) {
     const Scene scene = cracked_plate(0.25, false);
-    const Structure structure(scene, std::vector<char>(scene.mesh.elements.size(), 0));
+    const Structure structure(scene);
     const Eigen::VectorXd u = structure.expand({}, 1.0);
     const double radius = largest_ring(scene, 0);
     const auto parameters = [&](double plastic_reach) {

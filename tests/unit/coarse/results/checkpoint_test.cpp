@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "coarse/zone/refined_scene.hpp"
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
 #include "coupling/wire.hpp"
@@ -23,8 +24,8 @@ Checkpoint some_checkpoint() {
     checkpoint.mark = {"young = 1.0\n", {{.cycles = 3, .max = 50.0, .min = -50.0}}, 0.1, 2, 1ULL << 63U};
     AnalysisState& state = checkpoint.analysis;
     state.cracks = {{{0.0, 20.25}, {100.0, 1.0 / 3.0}}};
-    state.in_zone = {0, 1, 1};
-    state.far = {1, 0, 0};
+    state.in_zone = ElementSet::of_flags({0, 1, 1});
+    state.far = ElementSet::of_flags({1, 0, 0});
     state.nominal = {{.a = 7.0, .K_I = 0.1, .CMOD = -0.0}};
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
     state.closed = {1};
@@ -116,7 +117,7 @@ protected:
     static CaseMark mark(std::vector<std::string> settings = {}) {
         settings.insert(settings.begin(),
                         {"mesh.size=25.0", "mesh.grading=[]", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"});
-        return mark_of(make_scene(test::sent_case(settings)));
+        return mark_of(refined_scene(test::sent_case(settings)));
     }
     static std::string against(std::vector<std::string> settings) {
         Checkpoint checkpoint;

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "coarse/structure/structure_stresses.hpp"
+#include "coarse/zone/refined_scene.hpp"
+#include "common/fem/centre.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -22,13 +24,10 @@ protected:
         return plate;
     }
 
-    static std::vector<char> zone_of(const Scene& scene) {
-        std::vector<char> zone(scene.mesh.elements.size(), 0);
-        for (std::size_t e = 0; e < zone.size(); ++e) {
-            Vec2 centre = Vec2::Zero();
-            for (const int node : scene.mesh.elements[e]) centre += scene.mesh.nodes[std::size_t(node)] / 4.0;
-            zone[e] = static_cast<char>((centre - Vec2(7.3, 20.2)).norm() < 1.5);
-        }
+    static ElementSet zone_of(const Scene& scene) {
+        ElementSet zone(scene.mesh.elements.size());
+        for (int e = 0; e < zone.size(); ++e)
+            if ((centre(scene.mesh, e) - Vec2(7.3, 20.2)).norm() < 1.5) zone.insert(e);
         return zone;
     }
 
@@ -60,7 +59,7 @@ protected:
     }
 
     std::mt19937 generator{7};
-    const Scene scene = make_scene(input());
+    const Scene scene = refined_scene(input());
     const Structure structure{scene, zone_of(scene)};
 };
 
@@ -72,7 +71,7 @@ TEST_P(FarStress, NearUnknownsAreThoseOfTheWhole) {
         const Eigen::VectorXd whole = structure.expand(gamma, load_factor);
         Eigen::VectorXd near = Eigen::VectorXd::Zero(whole.size());
         structure.expand_near(gamma, load_factor, near);
-        structure.for_each_operator(structure.near_elements(), [&](const auto& op) {
+        structure.elements().for_each(structure.elements().near(), [&](const auto& op) {
             const Eigen::VectorXd error = gather(near, op.unknowns) - gather(whole, op.unknowns);
             EXPECT_LE(error.lpNorm<Eigen::Infinity>(), 1e-12 * whole.lpNorm<Eigen::Infinity>());
         });
@@ -83,7 +82,7 @@ TEST_P(FarStress, FarForceIsThatOfTheFarElements) {
     const State s = state(random_gamma(1e-4), 0.0);
     double energy = 0.0;
     const MandelMatrix elastic = scene.elastic.stiffness();
-    structure.for_each_operator([&](const auto& op) {
+    structure.elements().for_each([&](const auto& op) {
         if (!structure.is_far(op.element)) return;
         const auto local = gather(s.whole, op.unknowns);
         energy += 0.5 * local.dot((op.stiffness(elastic) * local).eval());

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "coarse/structure/structure.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/pulled_plate.hpp"
 
@@ -18,26 +19,26 @@ Scene scene_with(double crack) {
     input.fine.radius = 1.5;
     input.load.blocks = {{.cycles = 20, .max = 50.0, .min = 0.0}};
     input.growth = GrowthSection{.increment = 0.5};
-    return make_scene(input);
+    return refined_scene(input);
 }
 
 class Factors : public testing::Test {
 protected:
-    static std::vector<char> zone_of(const Scene& scene) { return select_zone(scene, {0.0}); }
+    static ElementSet zone_of(const Scene& scene) { return select_zone(scene, {0.0}); }
 
     const Scene scene = scene_with(7.3), longer = scene_with(7.8), far_on = scene_with(13.3);
-    const std::vector<char> zone = zone_of(scene), next_zone = zone_of(longer);
-    const std::vector<char> far = far_elements(scene, zone);
+    const ElementSet zone = zone_of(scene), next_zone = zone_of(longer);
+    const ElementSet far = far_elements(scene, zone);
 };
 
 TEST_F(Factors, FarElementsStayUntilOneHasToBeNear) {
-    EXPECT_GT(std::ranges::count(far, static_cast<char>(1)), std::ssize(far) / 4);
+    EXPECT_GT(far.count(), far.size() / 4);
     EXPECT_EQ(far_elements(longer, next_zone, far), far);
-    const std::vector<char> zone_far_on = zone_of(far_on), anew = far_elements(far_on, zone_far_on, far);
+    const ElementSet zone_far_on = zone_of(far_on), anew = far_elements(far_on, zone_far_on, far);
     EXPECT_NE(anew, far);
     EXPECT_EQ(anew, far_elements(far_on, zone_far_on));
-    const std::vector<char> near = near_elements(far_on, zone_far_on);
-    for (std::size_t e = 0; e < anew.size(); ++e) EXPECT_FALSE(anew[e] != 0 && (near[e] != 0 || zone_far_on[e] != 0));
+    const ElementSet near = near_elements(far_on, zone_far_on);
+    for (const int e : anew.members()) EXPECT_FALSE(near.contains(e) || zone_far_on.contains(e));
 }
 
 TEST_F(Factors, OfAFarBodyServeAgainToTheLastBit) {
@@ -46,9 +47,9 @@ TEST_F(Factors, OfAFarBodyServeAgainToTheLastBit) {
     EXPECT_EQ(again.factors().far, before.factors().far);
     EXPECT_NE(fresh.factors().far, before.factors().far);
     EXPECT_EQ(again.tangent(), fresh.tangent());
-    EXPECT_EQ(again.unit_load(), fresh.unit_load());
-    EXPECT_EQ(again.mean_displacement().weights, fresh.mean_displacement().weights);
-    EXPECT_EQ(again.mean_displacement().per_load_factor, fresh.mean_displacement().per_load_factor);
+    EXPECT_EQ(again.loads().unit().boundary, fresh.loads().unit().boundary);
+    EXPECT_EQ(again.loads().mean_displacement().weights, fresh.loads().mean_displacement().weights);
+    EXPECT_EQ(again.loads().mean_displacement().per_load_factor, fresh.loads().mean_displacement().per_load_factor);
     const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(std::ssize(fresh.gamma()), -1e-3, 1e-3);
     EXPECT_EQ(again.expand(gamma, 40.0), fresh.expand(gamma, 40.0));
 }
@@ -61,13 +62,13 @@ TEST_F(Factors, OfTheSameMatrixServeAgain) {
 }
 
 TEST_F(Factors, DoNotDependOnWhatIsFar) {
-    const Structure some(scene, zone, far), none(scene, zone, std::vector<char>(far.size(), 0));
+    const Structure some(scene, zone, far), none(scene, zone, ElementSet(far.size()));
     EXPECT_EQ(none.factors().far, nullptr);
     EXPECT_EQ(some.gamma(), none.gamma());
     EXPECT_LT((some.tangent() - none.tangent()).norm(), 1e-12 * none.tangent().norm());
     const Eigen::VectorXd gamma = Eigen::VectorXd::Zero(std::ssize(none.gamma())), u = none.expand(gamma, 1.0);
     EXPECT_LT((some.expand(gamma, 1.0) - u).norm(), 1e-11 * u.norm());
-    EXPECT_NEAR(some.mean_displacement().per_load_factor, scene.mean_displacement.dot(u), 1e-11 * u.norm());
+    EXPECT_NEAR(some.loads().mean_displacement().per_load_factor, scene.mean_displacement.dot(u), 1e-11 * u.norm());
 }
 
 }  // namespace

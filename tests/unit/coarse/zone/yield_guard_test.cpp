@@ -1,5 +1,6 @@
 // The guard sees every coarse element that would yield, and looks at the far ones only where their bound leaves a
 // doubt.
+#include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/yield_guard.hpp"
 
 #include <gtest/gtest.h>
@@ -42,11 +43,11 @@ Case with_forces(double force) {
 struct Watched {
     int increments = 0, extensions = 0;
     std::int64_t full_checks = 0, checks_by_bound = 0;
-    std::vector<char> in_zone;
+    ElementSet in_zone;
 };
 
 Watched run(const Case& input) {
-    const Scene scene = make_scene(input);
+    const Scene scene = refined_scene(input);
     fine::FineModel fine(input);
     CondensedFactory factory(&fine);
     Watched watched;
@@ -80,10 +81,10 @@ TEST(YieldGuard, FindsWhatYieldsFarFromTheTip) {
     EXPECT_GT(forces.full_checks, 0);
     EXPECT_GT(forces.checks_by_bound, forces.full_checks);
     EXPECT_EQ(forces.full_checks + forces.checks_by_bound, forces.increments + forces.extensions);
-    const Scene scene = make_scene(input);
+    const Scene scene = refined_scene(input);
     int far_in_zone = 0;
-    for (std::size_t e = 0; e < forces.in_zone.size(); ++e)
-        far_in_zone += forces.in_zone[e] != 0 && scene.mesh.nodes[std::size_t(scene.mesh.elements[e][0])].x() > 30.0;
+    for (const int e : forces.in_zone.members())
+        if (scene.mesh.nodes[at(scene.mesh.elements[at(e)][0])].x() > 30.0) ++far_in_zone;
     EXPECT_GT(far_in_zone, 0);
 }
 

@@ -1,4 +1,5 @@
 // Which elements are fine: eq. (3), the disk about a tip, the faces that may touch.
+#include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 
 #include "coarse/structure/structure.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "tests/support/pulled_plate.hpp"
 
@@ -19,23 +21,16 @@ namespace {
 Scene cracked_plate(bool plastic, bool contact, std::optional<double> radius = {}) {
     Case input = test::pulled_plate(1.0, plastic, contact);
     input.fine.radius = radius;
-    return make_scene(input);
+    return refined_scene(input);
 }
 
 std::set<int> zone_of(const Scene& scene, double K_I) {
-    const std::vector<char> in_zone = select_zone(scene, {K_I});
-    std::set<int> zone;
-    for (std::size_t e = 0; e < in_zone.size(); ++e)
-        if (in_zone[e] != 0) zone.insert(static_cast<int>(e));
-    return zone;
+    const std::vector<int> zone = select_zone(scene, {K_I}).members();
+    return {zone.begin(), zone.end()};
 }
 
 double distance_to_tip(const Scene& scene, int element) {
-    Vec2 centre = Vec2::Zero();
-    for (const int node : scene.enriched.elements[at(element)]) {
-        centre += scene.enriched.nodes[at(node)] / 4.0;
-    }
-    return (centre - scene.enriched.tips[0].position).norm();
+    return (centre(scene.enriched, element) - scene.enriched.tips[0].position).norm();
 }
 
 bool has_tip_function(const Scene& scene, int element) {
@@ -104,7 +99,7 @@ TEST(ZoneSelection, ThePatchHasTheZonesElementsAndSharesGammaAlone) {
         EXPECT_EQ(std::ranges::binary_search(patch.boundary, static_cast<int>(i)),
                   std::ranges::binary_search(structure.gamma(), whole[i]));
     }
-    EXPECT_EQ(std::ssize(patch.mesh.elements), std::ranges::count(structure.in_zone(), 1));
+    EXPECT_EQ(std::ssize(patch.mesh.elements), structure.in_zone().count());
     EXPECT_EQ(patch.boundary.size(), structure.gamma().size());
 }
 

@@ -1,0 +1,27 @@
+// The nominal solution: the linear elastic body with traction-free cracks at the load factor 1. Its K_I is K_1(a).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/structure/structure.hpp"
+
+namespace stria::coarse {
+
+struct NominalSolution {
+    std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone
+    Eigen::VectorXd displacement;          // of the whole mesh, mm
+    std::vector<TipResult> tips;           // one per tip
+};
+
+/// `body`: without a zone.
+[[nodiscard]] NominalSolution solve_nominal(std::unique_ptr<Structure> body);
+
+/// Finds the displacement of near elements alone, which is all that K needs; elsewhere it is zero. Costs less.
+[[nodiscard]] NominalSolution solve_nominal_near(std::unique_ptr<Structure> body);
+
+/// Condenses the whole body for it. `scene` must outlive the solution.
+[[nodiscard]] NominalSolution solve_nominal(const Scene& scene);
+
+}  // namespace stria::coarse

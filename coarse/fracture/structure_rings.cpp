@@ -1,0 +1,16 @@
+#include "coarse/fracture/structure_rings.hpp"
+
+namespace stria::coarse {
+
+StructureRings::StructureRings(const Structure& structure) : structure_(&structure) {
+    for (int tip = 0; tip < std::ssize(structure.scene().enriched.tips); ++tip)
+        tips_.emplace_back(structure.elements(), tip);
+}
+
+RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {
+    RingIntegrals integrals;
+    for (const RingForms& tip : tips_) integrals.push_back(tip.values(structure_->elements(), u));
+    return integrals;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,31 @@
+// The ring forms of all tips of a structure.
+#pragma once
+
+#include <vector>
+
+#include "coarse/fracture/ring_forms.hpp"
+#include "coarse/structure/structure.hpp"
+
+namespace stria::coarse {
+
+/// Domain integrals, tip by tip and ring by ring.
+using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
+
+class StructureRings {
+public:
+    /// `structure` must outlive its rings.
+    explicit StructureRings(const Structure& structure);
+
+    [[nodiscard]] const Structure& structure() const { return *structure_; }
+    [[nodiscard]] const RingForms& about(int tip) const { return tips_[at(tip)]; }
+
+    /// The structure's share in the domain integrals. `u`: displacement of the whole mesh, mm; that of near elements is
+    /// read.
+    [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
+
+private:
+    const Structure* structure_;
+    std::vector<RingForms> tips_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,109 @@
+#include "coarse/model/crack_sides.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "common/fem/centre.hpp"
+#include "common/geometry/clipping.hpp"
+#include "common/index.hpp"
+#include "common/integration/cut_element.hpp"
+
+namespace stria::coarse {
+
+std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece) {
+    std::set<int> nodes;
+    for (const int element : {piece.element, piece.neighbour}) {
+        if (element >= 0) nodes.insert(mesh.elements[at(element)].begin(), mesh.elements[at(element)].end());
+    }
+    return nodes;
+}
+
+CrackSides::CrackSides(const Mesh& mesh, const CrackPath& path) : mesh_(mesh), path_(path) {
+    for (const CrackPiece& piece : path.pieces) note_piece(piece);
+}
+
+void CrackSides::note_piece(const CrackPiece& piece) {
+    for (const double place : {piece.entry, piece.exit}) note_if_node(piece, place);
+    const bool holds_tip = piece.entry < 0.0 || piece.exit < 0.0;
+    if (piece.neighbour >= 0 || holds_tip) return;
+    const CutElement cut = cut_element(corners(piece.element), piece);
+    for (const int node : mesh_.elements[at(piece.element)]) {
+        if (on_crack_.contains(node)) continue;
+        of_nodes_[node] = side_of_polygon(cut.left, mesh_.nodes[at(node)]) >= 0 ? 1 : -1;
+    }
+}
+
+void CrackSides::note_if_node(const CrackPiece& piece, double place) {
+    if (place < 0.0 || place != std::floor(place)) return;
+    const int node = mesh_.elements[at(piece.element)][at(static_cast<int>(place) % 4)];
+    of_nodes_[node] = 1;
+    on_crack_.insert(node);
+}
+
+int CrackSides::near_tip(const CrackPiece& piece, int node) const {
+    if (on_crack_.contains(node)) return 1;
+    const Vec2& x = mesh_.nodes[at(node)];
+    if (piece.neighbour >= 0) return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
+    return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+}
+
+// At a node, left or right of the two pieces that meet there; beside a tip, like the nodes of its element (a kink may
+// put them across the straight line behind the tip); along an edge.
+void CrackSides::put_on_elements(std::vector<signed char>& sides) const {
+    std::set<int> cut;
+    for (const CrackPiece& piece : path_.pieces)
+        if (piece.neighbour < 0) cut.insert(piece.element);
+    const Around around = elements_around_nodes(mesh_);
+    for (const int node : on_crack_) {
+        for (const int element : around[at(node)])
+            if (!cut.contains(element)) sides[at(element)] = side_at_node(mesh_.nodes[at(node)], element);
+    }
+    if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), cut, around, sides);
+    if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), cut, around, sides);
+    for (const CrackPiece& piece : path_.pieces) {
+        if (piece.neighbour < 0) continue;
+        sides[at(piece.element)] = -1;
+        sides[at(piece.neighbour)] = 1;
+    }
+}
+
+void CrackSides::put_beside_tip(const CrackPiece& piece, const std::set<int>& cut, const Around& around,
+                                std::vector<signed char>& sides) const {
+    std::map<int, std::set<int>> seen;  // sides of each element's nodes; both: it lies ahead of the tip
+    for (const int node : tip_nodes(mesh_, piece)) {
+        if (on_crack_.contains(node)) continue;
+        for (const int element : around[at(node)]) seen[element].insert(near_tip(piece, node));
+    }
+    for (const auto& [element, of_its_nodes] : seen) {
+        signed char& known = sides[at(element)];
+        if (known == 0 && of_its_nodes.size() == 1 && !cut.contains(element))
+            known = static_cast<signed char>(*of_its_nodes.begin());
+    }
+}
+
+/// The crack's points before and after one of its points; beyond an end its line goes on.
+std::pair<Vec2, Vec2> CrackSides::neighbours_on_crack(const Vec2& x) const {
+    std::optional<Vec2> before, after;
+    for (const CrackPiece& piece : path_.pieces) {
+        if (piece.points.front() == x) after = piece.points[1];
+        if (piece.points.back() == x) before = piece.points[piece.points.size() - 2];
+    }
+    if (!before) before = 2.0 * x - *after;
+    if (!after) after = 2.0 * x - *before;
+    return {*before, *after};
+}
+
+signed char CrackSides::side_at_node(const Vec2& x, int element) const {
+    const auto [before, after] = neighbours_on_crack(x);
+    const Vec2 middle = centre(mesh_, element);
+    const bool left_of_first = orientation(before, x, middle) > 0, left_of_second = orientation(x, after, middle) > 0;
+    const bool turns_left = orientation(before, x, after) >= 0;
+    return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
+}
+
+std::array<Vec2, 4> CrackSides::corners(int element) const {
+    const auto& n = mesh_.elements[at(element)];
+    return {mesh_.nodes[at(n[0])], mesh_.nodes[at(n[1])], mesh_.nodes[at(n[2])], mesh_.nodes[at(n[3])]};
+}
+
+}  // namespace stria::coarse

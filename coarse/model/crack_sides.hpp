@@ -1,0 +1,50 @@
+// On which side of a crack the nodes and elements that touch it lie. Side +1 is left of the crack's direction.
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/crack/crack_path.hpp"
+#include "common/fem/mesh.hpp"
+
+namespace stria::coarse {
+
+/// Nodes of the element or elements that hold the tip at the end of a piece.
+[[nodiscard]] std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece);
+
+class CrackSides {
+public:
+    /// `mesh` and `path` must outlive the sides.
+    CrackSides(const Mesh& mesh, const CrackPath& path);
+
+    /// +1 or -1 for each node of an element that the crack cuts, and for each node on the crack: those count as +1.
+    [[nodiscard]] const std::map<int, int>& of_nodes() const { return of_nodes_; }
+    [[nodiscard]] const std::set<int>& nodes_on_crack() const { return on_crack_; }
+
+    /// Side of a node of the element that holds the tip at the end of a piece. Ahead of the tip either will do.
+    [[nodiscard]] int near_tip(const CrackPiece& piece, int node) const;
+
+    /// Sets the side, +1 or -1, of the elements that touch the crack without being cut. `sides`: one per element.
+    void put_on_elements(std::vector<signed char>& sides) const;
+
+private:
+    using Around = std::vector<std::vector<int>>;  // the elements around each node
+
+    void note_piece(const CrackPiece& piece);
+    void note_if_node(const CrackPiece& piece, double place);
+    void put_beside_tip(const CrackPiece& piece, const std::set<int>& cut, const Around& around,
+                        std::vector<signed char>& sides) const;
+    [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
+    [[nodiscard]] signed char side_at_node(const Vec2& x, int element) const;
+    [[nodiscard]] std::array<Vec2, 4> corners(int element) const;
+
+    const Mesh& mesh_;
+    const CrackPath& path_;
+    std::map<int, int> of_nodes_;
+    std::set<int> on_crack_;
+};
+
+}  // namespace stria::coarse
