@@ -1,7 +1,7 @@
 // The program `stria-coarse`: the structure, its equilibrium and its results; the fine component is another process.
 #include "app/command_line.hpp"
-#include "app/exit_code.hpp"
-#include "app/launch.hpp"
+#include "app/process/exit_code.hpp"
+#include "app/run/launch.hpp"
 
 int main(int argc, char** argv) {
     return stria::exit_code_of("stria-coarse", [&]() -> int {

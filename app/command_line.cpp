@@ -1,6 +1,6 @@
 #include "app/command_line.hpp"
 
-#include "app/version.hpp"
+#include "app/process/version.hpp"
 #include "common/error.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,8 +1,8 @@
 // What the user asked for on the command line; the same options for all three programs.
 #pragma once
 
-#include "app/run.hpp"
-#include "app/study/study.hpp"
+#include "app/run/run_options.hpp"
+#include "app/study/study_options.hpp"
 
 #include <optional>
 #include <string>

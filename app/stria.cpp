@@ -1,9 +1,9 @@
 // The program `stria`: the commands a user types.
 #include "app/command_line.hpp"
-#include "app/exit_code.hpp"
-#include "app/launch.hpp"
+#include "app/process/exit_code.hpp"
+#include "app/run/launch.hpp"
 #include "app/study/study.hpp"
-#include "common/io/case_file.hpp"
+#include "common/case/case_file.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
-#include "common/io/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/zone/fine_model.hpp"
 

@@ -18,13 +18,13 @@ BELOW = {
 
 # Library, its headers, and the files or folders (ending in /) that may see them.
 DOORS = [
-    ("MPI", r"mpi\.h$", ["coupling/mpi_transport.cpp", "app/"]),
+    ("MPI", r"mpi\.h$", ["coupling/transport/mpi_transport.cpp", "app/"]),
     ("CGAL", r"CGAL/", ["common/geometry/clipping.cpp"]),
     ("CHOLMOD and UMFPACK", r"(suitesparse/)?(cholmod|umfpack|amd|colamd|SuiteSparse_config)\w*\.h$", ["common/linear/", "common/substructure/sparse_leaf.cpp"]),
     ("HDF5", r"(hdf5|hdf5_hl|H5\w*)\.h$", ["common/io/hdf5.cpp"]),
-    ("toml++", r"(toml\+\+/|toml\.hpp$)", ["common/io/case_file.cpp"]),
+    ("toml++", r"(toml\+\+/|toml\.hpp$)", ["common/case/case_file.cpp"]),
     ("CLI11", r"CLI/", ["app/command_line.cpp"]),
-    ("nlohmann-json", r"nlohmann/", ["app/study/run_files.cpp"]),
+    ("nlohmann-json", r"nlohmann/", ["app/run/run_files.cpp"]),
 ]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study/page.hpp"
+#include "app/study/report.hpp"
 
 namespace stria::study {
 

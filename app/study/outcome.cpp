@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/study/run_files.hpp"
+#include "app/run/run_files.hpp"
 #include "common/io/number_table.hpp"
 
 namespace stria::study {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
-#include "common/io/case_file.hpp"
 
 namespace stria::study {
 

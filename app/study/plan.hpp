@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study/study.hpp"
+#include "app/study/study_options.hpp"
 #include "app/study/table.hpp"
 
 namespace stria::study {

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <unistd.h>
 
-#include "app/exit_code.hpp"
-#include "app/launch.hpp"
+#include "app/process/exit_code.hpp"
+#include "app/process/version.hpp"
+#include "app/run/launch.hpp"
+#include "app/run/run_files.hpp"
 #include "app/study/plan.hpp"
-#include "app/study/run_files.hpp"
-#include "app/version.hpp"
-#include "common/io/case_file.hpp"
+#include "common/case/case_file.hpp"
 
 namespace stria::study {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "app/run.hpp"
+#include "app/run/run_options.hpp"
 #include "app/study/table.hpp"
 
 namespace stria::study {

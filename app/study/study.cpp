@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "app/exit_code.hpp"
+#include "app/process/exit_code.hpp"
+#include "app/process/version.hpp"
 #include "app/study/page.hpp"
 #include "app/study/plan.hpp"
 #include "app/study/runner.hpp"
-#include "app/version.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
-#include "common/io/case_file.hpp"
 #include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 

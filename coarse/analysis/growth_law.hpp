@@ -5,8 +5,8 @@
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/load/load_controller.hpp"
 #include "coarse/model/scene.hpp"
+#include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
-#include "common/io/case.hpp"
 
 namespace stria::coarse {
 

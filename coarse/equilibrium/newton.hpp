@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coarse/equilibrium/equilibrium.hpp"
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 

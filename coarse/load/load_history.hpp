@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 

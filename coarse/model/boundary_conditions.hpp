@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "common/case/case.hpp"
 #include "common/fem/mesh.hpp"
 #include "common/geometry/vec2.hpp"
-#include "common/io/case.hpp"
 
 namespace stria::coarse {
 

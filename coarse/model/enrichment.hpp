@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "common/case/case.hpp"
 #include "common/crack/crack_path.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
-#include "common/io/case.hpp"
 
 namespace stria::coarse {
 

@@ -6,9 +6,9 @@
 
 #include "coarse/model/boundary_conditions.hpp"
 #include "coarse/model/rigid_motions.hpp"
+#include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/index_set.hpp"
-#include "common/io/case.hpp"
 #include "common/material/elasticity.hpp"
 
 namespace stria::coarse {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
-#include "common/io/case.hpp"
 
 namespace stria::coarse {
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "coarse/results/checkpoint_members.hpp"
+#include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/archive.hpp"
-#include "common/io/case_file.hpp"
 
 namespace stria::coarse {
 namespace {

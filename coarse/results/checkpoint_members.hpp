@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "coarse/results/checkpoint.hpp"
-#include "coupling/zone_snapshot_members.hpp"
+#include "coupling/transport/zone_snapshot_members.hpp"
 
 namespace stria {
 

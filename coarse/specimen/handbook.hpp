@@ -1,7 +1,7 @@
 // Handbook solutions of the specimens: stress intensity, compliance and limit load, per mm of thickness.
 #pragma once
 
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 

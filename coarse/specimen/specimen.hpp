@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "common/case/case.hpp"
 #include "common/fem/mesh.hpp"
-#include "common/io/case.hpp"
 
 namespace stria::coarse {
 

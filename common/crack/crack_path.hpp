@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "common/enrichment/enriched_mesh.hpp"
+#include "common/crack/crack_piece.hpp"
 #include "common/fem/mesh.hpp"
 
 namespace stria {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/crack/crack_piece.hpp"
+#include "common/crack/tip.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
 
@@ -26,28 +28,6 @@ struct Term {
     [[nodiscard]] bool same_function(const Term& other) const {
         return kind == other.kind && owner == other.owner && function == other.function;
     }
-};
-
-/// Part of a crack inside one element, as resolved on the mesh (crossings within 1e-3 of an edge's length of a node are
-/// snapped onto the node). Runs from one element boundary point to another, or ends at a tip inside the element.
-struct CrackPiece {
-    int crack;
-    int element;         // index into EnrichedMesh::elements
-    int neighbour = -1;  // the other element where the piece runs along an edge (element lies right of it), else -1
-    std::vector<Vec2> points;  // in the order of the crack's points, kinks included, mm
-    std::vector<double> s;     // arc length of each point from the crack's first point
-    double entry = -1.0;  // place on the element's boundary, edge index + fraction of it; -1: starts at a tip inside
-    double exit = -1.0;   // likewise for its last point
-};
-
-/// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else
-/// -1.
-struct Tip {
-    int crack;
-    Vec2 position;
-    Vec2 direction;  // unit, out of the crack
-    double s;        // arc length of the tip
-    int upper;
 };
 
 /// A hanging node, tied to the trace of the larger neighbour: the displacement there is the mean of the ends' on either
@@ -118,9 +98,6 @@ struct EnrichedMesh {
     [[nodiscard]] int term_index(int node, const Term& term) const;
 };
 
-/// Whether a tip has stayed where it was.
-bool same_place(const Tip& a, const Tip& b);
-
 /// Values of unknowns that both meshes have (the same node, the same function of the same crack or tip), carried from
 /// one numbering to the other; elsewhere `initial`.
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
@@ -128,9 +105,5 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
 
 /// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
-
-/// The part of a mesh made of the given elements (ascending), with their pieces, all tips, and the terms of their nodes
-/// that do not vanish on all of them. With a hanging node it must hold the ends of its edge.
-EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements);
 
 }  // namespace stria

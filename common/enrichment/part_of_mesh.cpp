@@ -1,10 +1,82 @@
 #include "common/enrichment/part_of_mesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
 
+#include "common/enrichment/element_basis.hpp"
 #include "common/index.hpp"
 
 namespace stria {
+
+namespace {
+
+/// Drops the terms that no element of the mesh sees.
+void drop_unseen_terms(EnrichedMesh& mesh) {
+    mesh.number();
+    std::vector<char> seen(at(mesh.unknowns), 0);
+    const std::vector<int> piece = piece_of_elements(mesh);
+    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+        const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
+        for (const int unknown : basis.unknowns()) seen[at(unknown)] = 1;
+    }
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        std::vector<Term> kept;
+        const auto& terms = mesh.terms[at(node)];
+        for (int t = 0; t < static_cast<int>(terms.size()); ++t) {
+            if (mesh.follows(node, t + 1) || seen[at(mesh.unknown(node, t + 1, 0))] != 0) kept.push_back(terms[at(t)]);
+        }
+        mesh.terms[at(node)] = std::move(kept);
+    }
+    mesh.number();
+}
+
+}  // namespace
+
+EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements) {
+    EnrichedMesh part;
+    part.tips = whole.tips;
+    part.left_tips = whole.left_tips;
+    part.tip_exponent = whole.tip_exponent;
+    part.tip_functions = whole.tip_functions;
+
+    std::map<int, int> local_node;  // ascending: the part keeps the order of the whole
+    std::vector<int> local_element(whole.elements.size(), -1);
+    for (const int e : elements) {
+        for (const int node : whole.elements[at(e)]) local_node.emplace(node, 0);
+    }
+    for (auto& [node, local] : local_node) {
+        local = static_cast<int>(part.nodes.size());
+        const auto n = at(node);
+        part.nodes.push_back(whole.nodes[n]);
+        part.node_ids.push_back(whole.node_ids[n]);
+        part.terms.push_back(whole.terms[n]);
+    }
+    for (const int e : elements) {
+        const auto index = at(e);
+        local_element[index] = static_cast<int>(part.elements.size());
+        std::array<int, 4> corners{};
+        for (std::size_t k = 0; k < 4; ++k) corners[k] = local_node.at(whole.elements[index][k]);
+        part.elements.push_back(corners);
+        part.element_ids.push_back(whole.element_ids[index]);
+        part.element_side.push_back(whole.element_side[index]);
+    }
+    for (CrackPiece piece : whole.pieces) {
+        piece.element = local_element[at(piece.element)];
+        if (piece.neighbour >= 0) piece.neighbour = local_element[at(piece.neighbour)];
+        if (piece.element >= 0) part.pieces.push_back(std::move(piece));
+    }
+    for (TiedNode tied : whole.tied) {
+        const auto local = local_node.find(tied.node);
+        if (local == local_node.end()) continue;
+        tied.node = local->second;
+        for (int& end : tied.ends) end = local_node.at(end);
+        part.tied.push_back(tied);
+    }
+    drop_unseen_terms(part);
+    return part;
+}
 
 std::vector<int> whole_unknowns(const EnrichedMesh& whole, const EnrichedMesh& part) {
     std::vector<int> result(at(part.unknowns));

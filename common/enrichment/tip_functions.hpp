@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/enrichment/enriched_mesh.hpp"
+#include "common/crack/tip.hpp"
 
 namespace stria {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 #include "common/mandel.hpp"
 
 namespace stria {

@@ -13,7 +13,7 @@
 namespace stria {
 namespace {
 
-using Layout = FrontTree::Layout;
+using Layout = FrontLayout;
 using Node = AssemblyTree::Node;
 
 /// Median halves along the longer direction; ties are broken by the other coordinate and the number, so that the tree

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/substructure/front.hpp"
-#include "common/substructure/front_tree.hpp"
+#include "common/substructure/front_layout.hpp"
 
 namespace stria {
 
@@ -25,15 +25,15 @@ struct AssemblyTree {
         std::vector<int> kept;  // ranks, ascending
     };
 
-    explicit AssemblyTree(const FrontTree::Layout& layout);
+    explicit AssemblyTree(const FrontLayout& layout);
 
     std::vector<Node> nodes;  // children before parents, the root last
     std::vector<int> rank;    // of each unknown
     int interior = 0;         // unknowns that are not boundary
 
 private:
-    void rank_unknowns(const FrontTree::Layout& layout);
-    void place_contributions(const FrontTree::Layout& layout);
+    void rank_unknowns(const FrontLayout& layout);
+    void place_contributions(const FrontLayout& layout);
 };
 
 }  // namespace stria

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "common/substructure/front_tree.hpp"
+#include "common/substructure/front_layout.hpp"
 
 namespace stria {
 

@@ -8,13 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "common/geometry/vec2.hpp"
 #include "common/index_set.hpp"
+#include "common/substructure/front_layout.hpp"
 #include "common/substructure/substructure.hpp"
 
 namespace stria {
-
-enum class Symmetry { Symmetric, General };
 
 /// Multipliers enter by element matrices [0, -b; -b^T, 0] on (what they act on, themselves), or with a negative
 /// diagonal where they are idle. Each is eliminated in the front in which the last of the interior unknowns that it
@@ -23,15 +21,7 @@ class FrontTree : public Substructure {
 public:
     using MatrixOfElement = std::function<const Eigen::MatrixXd&(int element)>;
 
-    struct Layout {
-        int unknowns = 0;                                // numbered 0..unknowns-1
-        int multipliers = 0;                             // the last so many of them: Lagrange multipliers
-        std::vector<std::vector<int>> element_unknowns;  // per element, the order of its matrix
-        std::vector<Vec2> centres;                       // per element, mm: what is bisected
-        std::vector<int> boundary;                       // unknowns kept to the root, in this order
-        int leaf_elements = 12;
-        Symmetry symmetry = Symmetry::Symmetric;  // General: partial LU with pivoting inside the eliminated block
-    };
+    using Layout = FrontLayout;
 
     explicit FrontTree(Layout layout);
     ~FrontTree() override;

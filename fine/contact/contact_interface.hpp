@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
+#include "common/case/case.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "common/integration/element_operator.hpp"
-#include "common/io/case.hpp"
 #include "common/linear/sparse.hpp"
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_law.hpp"

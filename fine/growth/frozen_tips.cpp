@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/enrichment/part_of_mesh.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 

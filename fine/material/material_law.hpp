@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 #include "common/mandel.hpp"
 
 namespace stria::fine {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "common/case/case.hpp"
 #include "common/damping.hpp"
-#include "common/io/case.hpp"
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"

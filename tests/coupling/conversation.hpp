@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/error.hpp"
-#include "coupling/remote_fine_scale.hpp"
-#include "coupling/serve.hpp"
-#include "coupling/transport.hpp"
+#include "coupling/transport/remote_fine_scale.hpp"
+#include "coupling/transport/serve.hpp"
+#include "coupling/transport/transport.hpp"
 #include "tests/support/fake_fine_scale.hpp"
 
 namespace stria::test {

@@ -5,9 +5,9 @@
 #include <future>
 
 #include "common/error.hpp"
-#include "coupling/memory_transport.hpp"
-#include "coupling/remote_fine_scale.hpp"
-#include "coupling/serve.hpp"
+#include "coupling/transport/memory_transport.hpp"
+#include "coupling/transport/remote_fine_scale.hpp"
+#include "coupling/transport/serve.hpp"
 #include "tests/support/deadline.hpp"
 #include "tests/support/plates.hpp"
 #include "tests/support/program.hpp"

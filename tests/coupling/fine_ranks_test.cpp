@@ -1,5 +1,6 @@
 // Several fine components that look like one: answers, state, failures.
-#include "coupling/fine_ranks.hpp"
+#include "common/enrichment/part_of_mesh.hpp"
+#include "coupling/ranks/fine_ranks.hpp"
 
 #include <gtest/gtest.h>
 

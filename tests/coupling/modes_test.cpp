@@ -6,11 +6,11 @@
 #include <future>
 #include <map>
 
-#include "app/fine_side.hpp"
-#include "app/monolithic.hpp"
-#include "coupling/memory_transport.hpp"
-#include "coupling/remote_fine_scale.hpp"
-#include "coupling/serve.hpp"
+#include "app/run/fine_side.hpp"
+#include "app/run/monolithic.hpp"
+#include "coupling/transport/memory_transport.hpp"
+#include "coupling/transport/remote_fine_scale.hpp"
+#include "coupling/transport/serve.hpp"
 #include "tests/support/deadline.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "coupling/mpi_transport.hpp"
+#include "coupling/transport/mpi_transport.hpp"
 #include "tests/coupling/conversation.hpp"
 #include "tests/support/deadline.hpp"
 

@@ -8,11 +8,11 @@
 #include <map>
 #include <optional>
 
-#include "app/fine_side.hpp"
-#include "app/monolithic.hpp"
+#include "app/run/fine_side.hpp"
+#include "app/run/monolithic.hpp"
 #include "coarse/results/checkpoint.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "coupling/wire.hpp"
+#include "coupling/transport/wire.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "coupling/memory_transport.hpp"
-#include "coupling/wire.hpp"
+#include "coupling/transport/memory_transport.hpp"
+#include "coupling/transport/wire.hpp"
 #include "tests/coupling/conversation.hpp"
 #include "tests/support/deadline.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/study/run_files.hpp"
+#include "app/run/run_files.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
@@ -120,17 +120,17 @@ TEST_F(Resumed, AfterComponentsWereKilled) {
 
 TEST_F(Resumed, AfterItWasAskedToStop) {
     EXPECT_EQ(run_and_ask(SIGTERM, 14), 130);
-    EXPECT_EQ(study::read_json(output + "/summary.json").words["status"], "interrupted");
+    EXPECT_EQ(read_json(output + "/summary.json").words["status"], "interrupted");
     const int rows = rows_of(output + "/history.csv");
     EXPECT_LT(rows, whole_rows);
     EXPECT_EQ(run_and_ask(SIGINT, rows + 8, {"--resume", "--mode", "inprocess"}), 130);
     EXPECT_NE(text_of(folder / "log").find("interrupted: the last checkpoint is"), std::string::npos);
     EXPECT_EQ(run_to_the_end({"--resume"}), 0) << text_of(folder / "log");
-    EXPECT_EQ(study::read_json(output + "/summary.json").words["status"], "done");
+    EXPECT_EQ(read_json(output + "/summary.json").words["status"], "done");
     expect_same_tables(output, undisturbed);
     EXPECT_EQ(run_to_the_end({"--resume"}), 0);
     EXPECT_NE(text_of(folder / "log").find("nothing is left to do"), std::string::npos);
-    EXPECT_EQ(study::read_json(output + "/summary.json").words["status"], "done");
+    EXPECT_EQ(read_json(output + "/summary.json").words["status"], "done");
     expect_same_tables(output, undisturbed);
 }
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <vector>
 
-#include "app/study/run_files.hpp"
+#include "app/run/run_files.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -33,7 +33,7 @@ protected:
                                        "--mode", GetParam(),           "--force"};
         for (const std::string& value : overrides) words.insert(words.end(), {"--set", value});
         EXPECT_EQ(run_program("stria", words, folder / "log"), 0) << text_of(folder / "log");
-        return study::read_json(folder / "out/summary.json").numbers;
+        return read_json(folder / "out/summary.json").numbers;
     }
     [[nodiscard]] bool crosses() const { return GetParam() == "mpi"; }
 

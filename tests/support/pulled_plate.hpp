@@ -1,7 +1,7 @@
 // A square plate with an edge crack, pulled at its ends: for tests of what is chosen about a tip.
 #pragma once
 
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::test {
 

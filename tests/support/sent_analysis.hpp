@@ -9,7 +9,7 @@
 
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/io/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/folders.hpp"

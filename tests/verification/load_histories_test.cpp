@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <iostream>
 
-#include "common/io/case_file.hpp"
+#include "common/case/case_file.hpp"
 #include "tests/support/folders.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "common/enrichment/part_of_mesh.hpp"
 #include "tests/support/elastic_scene.hpp"
 
 namespace stria::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/study/run_files.hpp"
+#include "app/run/run_files.hpp"
 #include "app/study/table.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"

@@ -7,7 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
-#include "coupling/wire.hpp"
+#include "coupling/transport/wire.hpp"
 
 namespace stria::coupling {
 namespace {

@@ -1,4 +1,5 @@
-#include "coupling/zone_partition.hpp"
+#include "common/enrichment/part_of_mesh.hpp"
+#include "coupling/ranks/zone_partition.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "common/error.hpp"
 #include "common/geometry/vec2.hpp"
-#include "coupling/wire.hpp"
+#include "coupling/transport/wire.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/temporary_folder.hpp"
 

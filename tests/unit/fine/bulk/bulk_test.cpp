@@ -1,4 +1,5 @@
 // The bulk of the zone: repeatable evaluation, tangents, history that survives an extension, two-sided patches.
+#include "common/enrichment/part_of_mesh.hpp"
 #include "fine/bulk/bulk_report.hpp"
 
 #include <gtest/gtest.h>

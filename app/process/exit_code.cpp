@@ -1,0 +1,77 @@
+#include "app/process/exit_code.hpp"
+
+#include "common/error.hpp"
+#include "common/io/file_failure.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <mpi.h>
+#include <new>
+#include <string_view>
+
+namespace stria {
+
+namespace {
+
+bool mpi_is_up() {
+    int initialized = 0;
+    int finalized = 0;
+    MPI_Initialized(&initialized);
+    MPI_Finalized(&finalized);
+    return initialized != 0 && finalized == 0;
+}
+
+/// Both components read the case: where mpirun started them together, the coarse one alone complains about it.
+bool coarse_complains_too(const std::string& program) {
+    const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
+    return program == "stria-fine" && size != nullptr && std::string_view(size) != "1";
+}
+
+int leave(const std::string& program, const Ending& ending) {
+    if (ending.code != InputWrong || !coarse_complains_too(program)) {
+        fmt::print(stderr, "{}: {}\n", program, ending.text);
+        std::fflush(stderr);
+    }
+    if (mpi_is_up()) MPI_Abort(MPI_COMM_WORLD, ending.code);
+    return ending.code;
+}
+
+Ending defect(const std::string& what) {
+    return {Defect, "a defect of this program, please send us the case file: " + what};
+}
+
+}  // namespace
+
+Ending ending_of_exception() {
+    try {
+        throw;
+    } catch (const CaseError& error) {
+        return {InputWrong, error.what()};
+    } catch (const NumericalFailure& error) {
+        return {NumbersFailed, error.what()};
+    } catch (const ComponentLost& error) {
+        return {LostComponent, error.what()};
+    } catch (const FileFailure& error) {
+        return {FileFailed, error.what()};
+    } catch (const std::filesystem::filesystem_error& error) {
+        return {FileFailed, error.what()};
+    } catch (const std::bad_alloc&) {
+        return {InputWrong, "the case takes more memory than there is; larger elements (mesh.size, fine.refine, "
+                            "fine.subcells) take less"};
+    } catch (const std::exception& error) {
+        return defect(error.what());
+    } catch (...) {
+        return defect("an unknown exception");
+    }
+}
+
+int exit_code_of(const std::string& program, const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (...) {
+        return leave(program, ending_of_exception());
+    }
+}
+
+}  // namespace stria

@@ -1,0 +1,164 @@
+#include "app/run/coarse_run.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "app/process/exit_code.hpp"
+#include "app/process/interruption.hpp"
+#include "app/process/version.hpp"
+#include "coarse/zone/refined_scene.hpp"
+#include "common/case/case_file.hpp"
+#include "common/error.hpp"
+#include "common/io/whole_file.hpp"
+#include "common/stopwatch.hpp"
+
+namespace stria {
+namespace {
+
+void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::Summary& summary) {
+    summary.work += fine.traffic();
+    for (const coupling::StepReport& rank : fine.reports(zone)) {
+        summary.points_of_ranks.push_back(rank.points);
+        summary.multipliers_of_ranks.push_back(rank.multipliers);
+    }
+    summary.work.ranks_idle = std::ranges::count(summary.points_of_ranks, 0);
+    summary.work.history_moves = fine.history_moves();
+}
+
+}  // namespace
+
+coarse::Scene scene_of(const RunOptions& options, const Case& input) {
+    try {
+        return coarse::refined_scene(input);
+    } catch (const CaseError& error) {
+        throw CaseError(fmt::format("{}: {}", options.case_path, error.what()));
+    }
+}
+
+CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner)
+    : options_(options), directory_(options.output_directory), manner_(std::move(manner)),
+      scene_(scene_of(options, input)), mesh_s_(seconds()),
+      progress_(input, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
+    if (options.resume) read_last_checkpoint();
+    if (!from_) std::filesystem::remove(checkpoint_path());
+    write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
+}
+
+double CoarseRun::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void CoarseRun::read_last_checkpoint() {
+    if (!std::filesystem::exists(checkpoint_path())) {
+        progress_.note(fmt::format("{}: no checkpoint yet, the run starts from the beginning", directory_.string()));
+        return;
+    }
+    from_ = coarse::read_checkpoint(checkpoint_path());
+    coarse::check_same_case(*from_, mark_);
+    saved_ = from_->analysis.increment;
+    progress_.resumed(*saved_);
+    progress_.note(fmt::format("resumed from {} after increment {}, load factor {:.6g}", checkpoint_path().string(),
+                               *saved_, from_->analysis.load_factor));
+}
+
+int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine) {
+    std::unique_ptr<coarse::RunRecorder> recorder;
+    coarse::FatigueAnalysis* running = nullptr;
+    coarse::Listener listener;
+    listener.note = [&](const std::string& text) { progress_.note(text); };
+    listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
+        progress_.attempted(step, report);
+    };
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
+        recorder->record(increment, structure, running->closure());
+        progress_.accepted(increment);
+    };
+    listener.reached = [&](const coarse::LoadStep& step) {
+        if (running->finished()) return true;  // that one is written with the summary
+        const bool stop = interrupted();
+        if (stop || is_due(step)) write_checkpoint(*running, *recorder);
+        return !stop;
+    };
+    coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
+    running = &analysis;
+    if (analysis.finished()) {
+        progress_.note(fmt::format("nothing is left to do: results in {}", directory_.string()));
+        return Done;
+    }
+    // What an earlier run says of itself must not be taken for what this one has done.
+    std::filesystem::remove(directory_ / "summary.json");
+    recorder = std::make_unique<coarse::RunRecorder>(
+        scene_, directory_, [&] { return factory.zone_state(); }, from_ ? &from_->recorder : nullptr);
+    from_.reset();
+    try {
+        analysis.run();
+    } catch (const NumericalFailure& failure) {
+        summarise("failed", analysis, *recorder, fine);
+        throw NumericalFailure(fmt::format("{}; {}", failure.what(), last_checkpoint()));
+    }
+    const bool done = analysis.finished();
+    summarise(done ? "done" : "interrupted", analysis, *recorder, fine);
+    // Last of all: who resumes what is cut off before this line comes here again.
+    if (done) write_checkpoint(analysis, *recorder);
+    if (done)
+        progress_.finished(directory_.string(), seconds());
+    else
+        progress_.note(fmt::format("interrupted: {}; --resume goes on from there", last_checkpoint()));
+    return done ? Done : Interrupted;
+}
+
+bool CoarseRun::is_due(const coarse::LoadStep& step) const {
+    const int every = scene_.input.output.checkpoint_every;
+    return every > 0 && step.ends_cycle && step.cycle % every == 0;
+}
+
+void CoarseRun::write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder) {
+    const Stopwatch watch(checkpoint_s_);
+    const coarse::Checkpoint now{mark_, analysis.state(), recorder.state()};
+    coarse::write_checkpoint(checkpoint_path(), now);
+    saved_ = now.analysis.increment;
+}
+
+std::string CoarseRun::last_checkpoint() const {
+    if (!saved_) return "no checkpoint has been written yet";
+    return fmt::format("the last checkpoint is {}, after increment {}", checkpoint_path().string(), *saved_);
+}
+
+void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& analysis,
+                          const coarse::RunRecorder& recorder, const FineSide* fine) const {
+    const coupling::StepReport& zone = recorder.last_zone();
+    coarse::Summary summary;
+    summary.status = status;
+    summary.version = version_text();
+    summary.mode = manner_.mode;
+    summary.ranks = manner_.ranks;
+    summary.coarse_unknowns = analysis.structure().unknowns();
+    summary.interface_unknowns = std::ssize(analysis.structure().gamma());
+    summary.fine_unknowns = zone.unknowns;
+    summary.fine_points = zone.points;
+    summary.multipliers = zone.multipliers;
+    summary.work = zone.work + analysis.work();
+    summary.newton_iterations = analysis.newton_iterations();
+    summary.step_cuts = analysis.cuts();
+    summary.zone_extensions = analysis.zone_extensions();
+    summary.yield_warnings = analysis.yield_warnings();
+    summary.flowing_rings = analysis.flowing_rings();
+    if (fine != nullptr) add_ranks(*fine, zone, summary);
+    const double output = recorder.output_seconds() + checkpoint_s_;
+    summary.timing = {.mesh = mesh_s_,
+                      .setup = analysis.setup_seconds(),
+                      .coarse_factor = analysis.coarse_factor_seconds(),
+                      .growth = analysis.growth_seconds(),
+                      .fine_constitutive = zone.constitutive_s,
+                      .fine_contact = zone.contact_s,
+                      .fine_factor = zone.factor_s,
+                      .exchange = analysis.exchange_seconds(),
+                      .coarse_solve = analysis.run_seconds() - analysis.exchange_seconds() - output,
+                      .output = output,
+                      .checkpoint = checkpoint_s_,
+                      .total = seconds()};
+    summary.last = recorder.last_rows();
+    coarse::write_json(directory_ / "summary.json", coarse::to_json(summary));
+}
+
+}  // namespace stria

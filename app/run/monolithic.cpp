@@ -1,0 +1,288 @@
+#include "app/run/monolithic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/structure/support_forces.hpp"
+#include "common/enrichment/part_of_mesh.hpp"
+#include "common/index.hpp"
+#include "common/linear/sparse_lu.hpp"
+
+namespace stria {
+namespace {
+
+/// Unknowns: displacements of the whole mesh, then the contact multipliers, then the load factor.
+class MonolithicEquilibrium : public coarse::Equilibrium {
+public:
+    MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed,
+                          double load_factor)
+        : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.elements().stiffness()),
+          whole_(whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
+          committed_load_factor_(load_factor), load_factor_(load_factor),
+          increments_(remembered_increments(scene_.input.load.steps)) {
+        for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];
+        trial_ = committed_;
+        held_.assign(at(scene_.enriched.unknowns), 0);
+        for (const auto& p : scene_.prescribed) held_[at(p.unknown)] = 1;
+        hold_unused();
+        structure_load_ = scene_.unit_force;  // the zone carries the load on its own unknowns
+        for (int i = 0; i < std::ssize(whole_); ++i) {
+            if (!std::ranges::binary_search(zone.patch().boundary, i)) structure_load_[whole_[at(i)]] = 0.0;
+        }
+    }
+
+    void begin(const coarse::Target& target, const Predictor& predictor) override {
+        const bool by_load = target.control == Control::Load;
+        controlled_ = by_load ? coarse::LinearReading::load_factor(scene_.enriched.unknowns)
+                              : coarse::LinearReading{scene_.mean_displacement, 0.0};
+        target_ = target.value;
+        trial_ = committed_;
+        load_factor_ = committed_load_factor_;
+        if (const Increment* earlier = increments_.find(predictor)) {
+            trial_ += predictor.factor * earlier->displacement;
+            load_factor_ += predictor.factor * earlier->load_factor;
+        }
+        if (by_load) load_factor_ = target_;
+        impose_held();
+        zone_.predict(predictor);
+        zone_.set_load_factor(load_factor_);
+        zone_.set_boundary(on_boundary());
+    }
+
+    coarse::Residual linearise() override {
+        zone_.linearise();
+        const coupling::PatchResponse response = zone_.measure();
+        residual_ = load_factor_ * structure_load_ - structure_.elements().internal_force(trial_);
+        for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
+        off_target_ = target_ - controlled_.at(trial_, load_factor_);
+        coarse::Residual result;
+        for (Eigen::Index i = 0; i < residual_.size(); ++i) {
+            if (held_[at(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
+        }
+        result.interior = response.interior_residual;
+        result.contact = response.contact_residual;
+        result.scale = std::max((load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff(), response.interior_force);
+        result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
+        result.yielding_points =
+            std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
+        result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
+        result.status_changes = response.digest.status_changes;
+        result.contact_reach = response.digest.contact_reach;
+        result.force_ahead = response.digest.force_ahead;
+        return result;
+    }
+
+    double solve() override {
+        const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        Eigen::VectorXd right(n + m + 1);
+        right << residual_, zone_.contact_right_hand_side(), off_target_;
+        for (int i = 0; i < n; ++i)
+            if (held_[at(i)] != 0) right[i] = 0.0;
+        std::vector<Triplet> entries;
+        add_bulk(entries);
+        add_contact(entries);
+        add_held_and_target(entries);
+        SparseMatrix matrix(n + m + 1, n + m + 1);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        correction_ = solve_general(matrix, right);
+        const double move = correction_.head(n).cwiseAbs().maxCoeff();
+        return move / std::max({trial_.cwiseAbs().maxCoeff(), move, 1e-300});
+    }
+
+    void apply() override {
+        const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        correction_ *= zone_.step();
+        trial_ += correction_.head(n);
+        load_factor_ += correction_[n + m];
+        impose_held();
+        zone_.move(gather(correction_.head(n), whole_), correction_.segment(n, m));
+        zone_.set_load_factor(load_factor_);
+        zone_.set_boundary(on_boundary());
+    }
+
+    coupling::StepReport commit(bool reversal) override {
+        increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
+        committed_ = trial_;
+        committed_load_factor_ = load_factor_;
+        return zone_.commit(reversal);
+    }
+
+    void rollback() override {
+        trial_ = committed_;
+        load_factor_ = committed_load_factor_;
+    }
+
+    [[nodiscard]] coarse::EquilibriumState state() const override {
+        coarse::EquilibriumState state;
+        state.load_factor = committed_load_factor_;
+        state.whole = committed_;
+        state.displacement = gather(committed_, structure_.gamma());
+        for (const Increment& increment : increments_.all()) {
+            state.whole_increments.push_back(increment.displacement);
+            state.increments.push_back(gather(increment.displacement, structure_.gamma()));
+            state.load_increments.push_back(increment.load_factor);
+        }
+        return state;
+    }
+
+    // Where a condensed run has left Gamma alone, structure and zone say what lies on either side of it.
+    void restore(const coarse::EquilibriumState& state) override {
+        const auto& of_zone = zone_.increments();
+        increments_.clear();
+        for (std::size_t back = state.increments.size(); back-- > 0;) {
+            Eigen::VectorXd whole;
+            if (back < state.whole_increments.size()) {
+                whole = state.whole_increments[back];
+            } else {
+                whole = structure_.expand(state.increments[back], state.load_increments[back]);
+                whole(whole_) = of_zone.at(back).displacement;
+            }
+            increments_.push({std::move(whole), state.load_increments[back]});
+        }
+        if (state.whole.size() > 0) committed_ = state.whole;
+        trial_ = committed_;
+        committed_load_factor_ = load_factor_ = state.load_factor;
+    }
+
+    [[nodiscard]] double load_factor() const override { return load_factor_; }
+
+    [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
+        Eigen::VectorXd u = trial_;
+        for (int i = 0; i < std::ssize(whole_); ++i) {
+            if (!std::ranges::binary_search(zone_.patch().boundary, i)) u[whole_[at(i)]] = 0.0;
+        }
+        return u;
+    }
+
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override {
+        expanded_ = structure_displacement();
+        return expanded_;
+    }
+
+    [[nodiscard]] coarse::MachineReading machine_reading() const override {
+        Eigen::VectorXd forces = coarse::forces_on_prescribed(structure_.elements(), trial_);
+        std::vector<double> zone_force(at(scene_.enriched.unknowns), 0.0);
+        for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
+        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+            forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
+        double imposed_force = 0.0;
+        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+            imposed_force += scene_.prescribed[k].value * forces[static_cast<Eigen::Index>(k)];
+        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force};
+    }
+
+private:
+    void add(std::vector<Triplet>& entries, int row, int column, double value) const {
+        const bool is_held = row < scene_.enriched.unknowns && held_[at(row)] != 0;
+        if (!is_held && value != 0.0) entries.emplace_back(row, column, value);
+    }
+
+    void add_bulk(std::vector<Triplet>& entries) const {
+        for (int j = 0; j < scene_.enriched.unknowns; ++j)
+            for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it)
+                add(entries, static_cast<int>(it.row()), j, it.value());
+        const auto& operators = zone_.bulk().operators();
+        for (std::size_t e = 0; e < operators.size(); ++e) {
+            const auto& unknowns = operators[e].unknowns;
+            const Eigen::MatrixXd& K = zone_.bulk().tangents()[e];
+            for (std::size_t i = 0; i < unknowns.size(); ++i) {
+                for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                    add(entries, whole_[at(unknowns[i])], whole_[at(unknowns[j])],
+                        K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+                }
+            }
+        }
+    }
+
+    void add_contact(std::vector<Triplet>& entries) const {
+        const int n = scene_.enriched.unknowns;
+        const fine::ContactInterface& contact = zone_.contact();
+        const Eigen::VectorXd open = contact.open_diagonal();
+        for (int k = 0; k < contact.multipliers(); ++k) {
+            const bool closed = contact.statuses()[at(k)] != 0;
+            for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it) {
+                const int unknown = whole_[at(static_cast<int>(it.col()))];
+                add(entries, unknown, n + k, -it.value());
+                if (closed) add(entries, n + k, unknown, -it.value());
+            }
+            if (!closed) add(entries, n + k, n + k, open[k]);
+        }
+    }
+
+    // K du - f dlambda = R; a held unknown moves with the load factor; what is controlled goes to its target.
+    void add_held_and_target(std::vector<Triplet>& entries) const {
+        const int n = scene_.enriched.unknowns, lambda = n + zone_.contact().multipliers();
+        for (int i = 0; i < n; ++i) {
+            add(entries, i, lambda, -scene_.unit_force[i]);
+            if (held_[at(i)] != 0) entries.emplace_back(i, i, 1.0);
+            if (controlled_.weights[i] != 0.0) entries.emplace_back(lambda, i, controlled_.weights[i]);
+        }
+        for (const auto& p : scene_.prescribed) entries.emplace_back(p.unknown, lambda, -p.value);
+        entries.emplace_back(lambda, lambda, controlled_.per_load_factor);
+    }
+
+    void impose_held() {
+        for (const auto& p : scene_.prescribed) trial_[p.unknown] = load_factor_ * p.value;
+    }
+
+    [[nodiscard]] Eigen::VectorXd on_boundary() const {
+        Eigen::VectorXd u(std::ssize(zone_.patch().boundary));
+        for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k)
+            u[static_cast<Eigen::Index>(k)] = trial_[whole_[at(zone_.patch().boundary[k])]];
+        return u;
+    }
+
+    // Terms that no element sees have no stiffness: they stay zero.
+    void hold_unused() {
+        std::vector<char> used(held_.size(), 0);
+        structure_.elements().for_each([&](const auto& op) {
+            for (const int unknown : op.unknowns) used[at(unknown)] = 1;
+        });
+        for (const ElementOperator& op : zone_.bulk().operators())
+            for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
+        for (std::size_t i = 0; i < held_.size(); ++i)
+            if (used[i] == 0) held_[i] = 1;
+    }
+
+    const coarse::Structure& structure_;
+    const coarse::Scene& scene_;
+    fine::ZoneSystem& zone_;
+    SparseMatrix stiffness_;
+    std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
+    coarse::LinearReading controlled_;
+    double target_ = 0.0, off_target_ = 0.0;
+    Eigen::VectorXd structure_load_, committed_, trial_, residual_, correction_;
+    double committed_load_factor_, load_factor_;
+    struct Increment {
+        Eigen::VectorXd displacement;
+        double load_factor;
+    };
+    IncrementMemory<Increment> increments_;
+    std::vector<char> held_;
+    mutable Eigen::VectorXd expanded_;  // near_displacement()
+};
+
+}  // namespace
+
+std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Structure& structure,
+                                                             const coupling::Patch* patch,
+                                                             const Eigen::VectorXd& committed, double load_factor) {
+    if (patch == nullptr)
+        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, load_factor);
+    zone_.set_patch(*patch);
+    return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, load_factor);
+}
+
+std::unique_ptr<coarse::Equilibrium> MonolithicFactory::resume(const coarse::Structure& structure,
+                                                               const coupling::Patch* patch,
+                                                               const Eigen::VectorXd& committed,
+                                                               const coupling::ZoneSnapshot& zone) {
+    if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, 0.0);
+    zone_.restore(*patch, zone);
+    zone_.wake_all();
+    return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, 0.0);
+}
+
+}  // namespace stria

@@ -1,0 +1,21 @@
+// What the user asked for where a case is run or checked; the same for all three programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stria {
+
+struct RunOptions {
+    std::string case_path;
+    std::string output_directory;  // empty: runs/<name of the case>
+    std::string mode = "mpi";      // mpi | inprocess | monolithic
+    int fine_ranks = 1;
+    bool force = false;   // write into a folder that holds results
+    bool resume = false;  // go on from its checkpoint
+    bool quiet = false;
+    bool verbose = false;
+    std::vector<std::string> overrides;  // key=value
+};
+
+}  // namespace stria

@@ -1,0 +1,173 @@
+#include "common/case/body_schema.hpp"
+
+#include <map>
+#include <string>
+
+#include "common/case/case_checks.hpp"
+
+namespace stria {
+
+using schema::Section;
+
+Section<ModelSection> model_section() {
+    Section<ModelSection> s;
+    s.choice<PlaneState>("plane", &ModelSection::plane,
+                         {{"strain", PlaneState::Strain}, {"stress", PlaneState::Stress}})
+        .says("Plane strain or plane stress.");
+    s.value("thickness", &ModelSection::thickness).in("mm").positive().says("Thickness of the body.");
+    return s;
+}
+
+namespace {
+
+Section<Grading> grading_section() {
+    Section<Grading> s;
+    s.value("at", &Grading::at)
+        .in("mm")
+        .must_be_given()
+        .says("A point [x, y], or the two ends of an axis-parallel line.");
+    s.value("size", &Grading::size).in("mm").positive().must_be_given().says("Edge length of the elements there.");
+    s.value("outer_size", &Grading::outer_size)
+        .in("mm")
+        .positive()
+        .or_else("size")
+        .says("Edge length at the distance radius.");
+    s.value("radius", &Grading::radius)
+        .in("mm")
+        .at_least(0.0)
+        .says("Up to here the edge length grows from size to outer_size.");
+    s.value("growth", &Grading::growth)
+        .in("mm/mm")
+        .at_least(0.0)
+        .says("Growth of the edge length per length beyond the radius.");
+    s.check(check_grading);
+    return s;
+}
+
+/// Height over width of a specimen in standard proportions; 0: it has none.
+double standard_height(const std::string& specimen) {
+    static const std::map<std::string, double> proportions{{"sent", 4.0}, {"mt", 3.0}, {"ct", 1.2}};
+    const auto found = proportions.find(specimen);
+    return found == proportions.end() ? 0.0 : found->second;
+}
+
+}  // namespace
+
+Section<MeshSection> mesh_section() {
+    Section<MeshSection> s;
+    s.value("specimen", &MeshSection::specimen)
+        .one_of({"sent", "mt", "ct", "plate"})
+        .must_be_given()
+        .says("A specimen of the catalogue.");
+    s.value("width", &MeshSection::width)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("Width of the specimen, from the origin at its lower left corner; of ct W, from the origin on the load "
+              "line "
+              "at mid-height: 1.25 width in all.");
+    s.value("height", &MeshSection::height)
+        .in("mm")
+        .positive()
+        .or_else("4 width of sent, 3 width of mt, 1.2 width of ct")
+        .says("Full height, ends included; of ct always 1.2 width.");
+    s.value("size", &MeshSection::size)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("Element edge far from every grading.");
+    s.list("grading", &MeshSection::grading, grading_section())
+        .says("Wishes for smaller elements near a point or a line; the smallest wish wins.");
+    s.complete([](MeshSection& mesh) {
+        if (mesh.height == 0.0) mesh.height = standard_height(mesh.specimen) * mesh.width;
+    });
+    s.check(check_mesh);
+    return s;
+}
+
+namespace {
+
+Section<IsotropicHardening> isotropic_section() {
+    Section<IsotropicHardening> s;
+    s.value("law", &IsotropicHardening::law).one_of({"linear"}).says("Isotropic hardening law; linear: R = modulus p.");
+    s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("dR/dp.");
+    return s;
+}
+
+Section<KinematicHardening> kinematic_section() {
+    Section<KinematicHardening> s;
+    s.value("C", &KinematicHardening::C)
+        .in("MPa")
+        .at_least(0.0)
+        .must_be_given()
+        .says("Uniaxial modulus: dX = 2/3 C d(eps_p) - gamma X dp.");
+    s.value("gamma", &KinematicHardening::gamma).at_least(0.0).says("Recall; 0 is Prager's law.");
+    return s;
+}
+
+}  // namespace
+
+Section<MaterialSection> material_section() {
+    Section<MaterialSection> s;
+    s.value("young", &MaterialSection::young).in("MPa").positive().must_be_given().says("Young's modulus.");
+    s.value("poisson", &MaterialSection::poisson).at_least(0.0).below(0.5).must_be_given().says("Poisson's ratio.");
+    s.value("yield_stress", &MaterialSection::yield_stress)
+        .in("MPa")
+        .positive()
+        .says("Initial yield stress; absent: elastic.");
+    s.table("isotropic", &MaterialSection::isotropic, isotropic_section()).says("Isotropic hardening.");
+    s.list("kinematic", &MaterialSection::kinematic, kinematic_section())
+        .says("Kinematic hardening; the terms add up.");
+    return s;
+}
+
+namespace {
+
+Section<ContactSection> contact_section() {
+    Section<ContactSection> s;
+    s.value("friction", &ContactSection::friction).at_least(0.0).says("Coulomb's coefficient of friction.");
+    return s;
+}
+
+}  // namespace
+
+Section<CrackSection> crack_section() {
+    Section<CrackSection> s;
+    s.value("points", &CrackSection::points)
+        .in("mm")
+        .must_be_given()
+        .says("Polyline; ends strictly inside the body are tips, others are mouths. The plus face is to its left.");
+    s.table("contact", &CrackSection::contact, contact_section())
+        .says("Unilateral contact of the faces; absent: traction-free.");
+    s.value("notch", &CrackSection::notch)
+        .in("mm")
+        .at_least(0.0)
+        .says("Arc length from the first point that is machined: no contact there.");
+    s.check(check_crack);
+    return s;
+}
+
+Section<BoundarySection> boundary_section() {
+    Section<BoundarySection> s;
+    s.value("on", &BoundarySection::on)
+        .must_be_given()
+        .says(
+            "A named edge of the specimen: top, bottom, left, right; a pin of ct: pin-top, pin-bottom; or \"point\".");
+    s.value("at", &BoundarySection::at).in("mm").says("The point, with on = \"point\".");
+    s.value("displacement", &BoundarySection::displacement).in("mm").says("Displacement per unit load factor.");
+    s.value("traction", &BoundarySection::traction).in("MPa").says("Traction per unit load factor.");
+    s.value("traction_gradient", &BoundarySection::traction_gradient)
+        .in("MPa/mm")
+        .says("Adds gradient (x - origin) to the traction: bending and linear stress fields.");
+    s.value("origin", &BoundarySection::origin).in("mm").says("Where the gradient adds nothing.");
+    s.value("pressure", &BoundarySection::pressure)
+        .in("MPa")
+        .says("Pressure per unit load factor, along the inward normal.");
+    s.value("force", &BoundarySection::force)
+        .in("N/mm")
+        .says("Force at a point or pin, per thickness and unit load factor.");
+    s.check(check_boundary);
+    return s;
+}
+
+}  // namespace stria

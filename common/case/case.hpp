@@ -1,0 +1,206 @@
+// A case as the user writes it (docs/case-reference.md), one struct a section. Units N, mm, MPa throughout.
+// Keys, units, ranges and sentences are declared once, in body_schema, load_schema and method_schema.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/geometry/vec2.hpp"
+
+namespace stria {
+
+enum class PlaneState { Strain, Stress };
+
+struct ModelSection {
+    PlaneState plane = PlaneState::Strain;
+    double thickness = 1.0;  // mm
+    bool operator==(const ModelSection&) const = default;
+};
+
+/// A wish for small elements near a point or an axis-parallel line: edge length `size` there, growing linearly to
+/// `outer_size` at the distance `radius`, and by `growth` mm per mm of distance beyond. The smallest wish wins.
+struct Grading {
+    std::vector<Vec2> at;              // one point, or the two ends of a line
+    double size = 0.0;                 // mm
+    std::optional<double> outer_size;  // mm; absent: size
+    double radius = 0.0;               // mm
+    double growth = 0.25;              // mm per mm
+    bool operator==(const Grading&) const = default;
+};
+
+struct MeshSection {
+    std::string specimen;  // "sent" | "mt" | "ct" | "plate"
+    double width = 0.0;    // mm
+    double height = 0.0;   // mm, full height; ct always has 1.2 width
+    double size = 0.0;     // mm, element edge far from every grading
+    std::vector<Grading> grading;
+    bool operator==(const MeshSection&) const = default;
+};
+
+struct IsotropicHardening {
+    std::string law = "linear";
+    double modulus = 0.0;  // MPa, dR/dp
+    bool operator==(const IsotropicHardening&) const = default;
+};
+
+struct KinematicHardening {
+    double C = 0.0;      // MPa, uniaxial modulus
+    double gamma = 0.0;  // recall; 0: Prager
+    bool operator==(const KinematicHardening&) const = default;
+};
+
+struct MaterialSection {
+    double young = 0.0;                  // MPa
+    double poisson = 0.0;                //
+    std::optional<double> yield_stress;  // MPa; absent: elastic
+    IsotropicHardening isotropic;
+    std::vector<KinematicHardening> kinematic;
+    bool operator==(const MaterialSection&) const = default;
+};
+
+struct ContactSection {
+    double friction = 0.0;  // Coulomb's coefficient
+    bool operator==(const ContactSection&) const = default;
+};
+
+struct CrackSection {
+    std::vector<Vec2> points;               // polyline, mm
+    std::optional<ContactSection> contact;  // absent: traction-free faces
+    double notch = 0.0;                     // mm of arc from the first point without contact
+    bool operator==(const CrackSection&) const = default;
+};
+
+struct BoundarySection {
+    std::string on;                                               // a named edge of the mesh, or "point"
+    std::optional<Vec2> at;                                       // mm, with on = "point"
+    std::array<std::optional<double>, 2> displacement;            // mm per unit load factor; empty: free
+    std::optional<Vec2> traction;                                 // MPa per unit load factor
+    Eigen::Matrix2d traction_gradient = Eigen::Matrix2d::Zero();  // MPa/mm; t += gradient (x - origin)
+    Vec2 origin = Vec2::Zero();
+    std::optional<double> pressure;  // MPa per unit load factor, along the inward normal
+    std::optional<Vec2> force;       // N per mm of thickness and unit load factor, at a point
+    bool operator==(const BoundarySection&) const = default;
+};
+
+struct LoadBlock {
+    int cycles = 1;
+    double max = 0.0;
+    double min = 0.0;  // from `min`, or ratio * max
+    bool operator==(const LoadBlock&) const = default;
+};
+
+/// What the extremes of the blocks are: load factors, mean displacements of the loaded boundary, mm, or nominal stress
+/// intensities of the first tip, MPa sqrt(mm).
+enum class Control { Load, Displacement, StressIntensity };
+
+struct LoadSection {
+    int steps = 40;                 // increments per cycle
+    double grading = 1.0;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
+    std::vector<LoadBlock> blocks;  // those of a spectrum file included
+    std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
+    double scale = 1.0;                        // of every max and min
+    int repeat = 1;                            // of the whole sequence
+    Control control = Control::Load;
+    double K_gradient = 0.0;  // 1/mm, with control of K: K = block value exp(K_gradient (a - a at the start))
+    bool operator==(const LoadSection&) const = default;
+};
+
+/// With the maximum of a cycle, or its minimum, just reached.
+enum class GrowthAt { Maximum, Minimum };
+
+enum class GrowthLaw { Prescribed, Paris, Ctod };
+enum class GrowthDriving { Range, EffectiveRange };  // K_max - K_min, K_max - K_op
+/// What becomes of a tip's functions where it has left: a fixed displacement, or unknowns still.
+enum class Retain { Frozen, All };
+enum class GrowthDirection { HoopStress, Straight };
+
+struct GrowthSection {
+    GrowthLaw law = GrowthLaw::Prescribed;
+    double increment = 0.0;  // mm, of the fastest tip
+    int every = 1;           // cycles
+    GrowthAt at = GrowthAt::Maximum;
+    double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C dCTOD^m, mm
+    GrowthDriving driving = GrowthDriving::Range;
+    GrowthDirection direction = GrowthDirection::HoopStress;
+    Retain retain = Retain::Frozen;
+    std::optional<double> until = {};      // mm, crack length
+    std::optional<double> toughness = {};  // MPa sqrt(mm)
+    bool operator==(const GrowthSection&) const = default;
+};
+
+/// What the opening load is: where the last contact behind the tip is lost, where the compliance at the mouth leaves
+/// that of the open crack, or where tension returns ahead of the tip.
+enum class OpeningDefinition { Contact, Offset, Tension };
+
+struct ClosureSection {
+    std::optional<double> distance;  // mm behind the tip, or ahead of it
+    OpeningDefinition definition = OpeningDefinition::Contact;
+    std::vector<double> profile;  // mm: further distances behind the tip
+    bool tension = false;         // measured too where another definition is used
+    bool operator==(const ClosureSection&) const = default;
+};
+
+struct SolverSection {
+    double tolerance = 1e-8;  // relative residual
+    int max_iterations = 25;  // Newton iterations before the increment is cut
+    int max_cuts = 8;         // successive halvings of an increment
+    bool operator==(const SolverSection&) const = default;
+};
+
+enum class Enrichment { Auto, None, Single, Topological, Geometrical };
+enum class Guard { Extend, Warn };
+
+struct FineSection {
+    double beta = 2.0;
+    std::optional<double> radius;  // mm
+    int refine = 1;
+    double growth = 0.15;  // of the element size with the distance to the tip
+    int subcells = 2;
+    int substeps = 1;  // of a strain increment, at points that flow
+    Enrichment enrichment = Enrichment::Auto;
+    std::optional<double> enrichment_n;
+    std::optional<double> enrichment_radius;  // mm, of geometrical enrichment
+    Guard guard = Guard::Extend;
+    bool operator==(const FineSection&) const = default;
+};
+
+struct CouplingSection {
+    std::string state = "auto";
+    bool operator==(const CouplingSection&) const = default;
+};
+
+enum class Written { Extremes, Cycles, All, None };
+
+struct OutputSection {
+    Written faces = Written::Extremes;
+    Written fields = Written::Extremes;
+    std::string format = "vtkhdf";  // vtkhdf | vtu
+    int checkpoint_every = 10;      // cycles; 0: only at the end, and where a run is interrupted
+    bool operator==(const OutputSection&) const = default;
+};
+
+struct Case {
+    std::string name;  // the folder's name for .../name/case.toml, else the file's stem
+    std::string title;
+    ModelSection model;
+    MeshSection mesh;
+    MaterialSection material;
+    std::vector<CrackSection> cracks;
+    std::vector<BoundarySection> boundaries;
+    LoadSection load;
+    std::optional<GrowthSection> growth;
+    ClosureSection closure;
+    SolverSection solver;
+    CouplingSection coupling;
+    FineSection fine;
+    OutputSection output;
+    bool operator==(const Case&) const = default;
+};
+
+/// The fine component starts if, and only if, there is a yield stress, contact or refinement.
+bool needs_fine(const Case& scene);
+
+}  // namespace stria

@@ -1,0 +1,137 @@
+#include "common/case/case_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stria {
+
+using schema::find;
+using schema::Key;
+using schema::Place;
+using schema::reject;
+using schema::Value;
+
+namespace {
+
+bool moves(const BoundarySection& boundary) {
+    return boundary.displacement[0].value_or(0.0) != 0.0 || boundary.displacement[1].value_or(0.0) != 0.0;
+}
+
+bool carries_load(const BoundarySection& boundary) {
+    return moves(boundary) || boundary.traction || boundary.pressure || boundary.force ||
+           !boundary.traction_gradient.isZero(0.0);
+}
+
+}  // namespace
+
+/// Mesh sizes are cheap to grade along an axis; an oblique line would ask for a size in two directions.
+void check_grading(const Grading& grading, const Value& table, const Place& place) {
+    const bool point = grading.at.size() == 1;
+    const bool line = grading.at.size() == 2 && ((grading.at[0] - grading.at[1]).array() == 0.0).any();
+    if (!point && !line)
+        reject(place.inside("at"), *find(table, "at"), {},
+               "must be one point or the two ends of an axis-parallel line");
+    if (grading.outer_size && *grading.outer_size < grading.size)
+        reject(place.inside("outer_size"), *find(table, "outer_size"), Key{}.in("mm"), "must be >= size");
+}
+
+void check_mesh(const MeshSection& mesh, const Value& table, const Place& place) {
+    if (mesh.height == 0.0)
+        reject(place, table.line, "needs height: a " + mesh.specimen + " has no standard proportions");
+    if (mesh.specimen == "ct" && std::abs(mesh.height - 1.2 * mesh.width) > 1e-9 * mesh.width)
+        reject(place.inside("height"), *find(table, "height"), Key{}.in("mm"), "must be 1.2 width, or be left out");
+    if (mesh.size > std::min(mesh.width, mesh.height))
+        reject(place.inside("size"), *find(table, "size"), Key{}.in("mm"), "must not exceed width and height");
+}
+
+void check_crack(const CrackSection& crack, const Value& table, const Place& place) {
+    const Value& points = *find(table, "points");
+    if (crack.points.size() < 2) reject(place.inside("points"), points, {}, "must have at least two points");
+    for (std::size_t i = 1; i < crack.points.size(); ++i)
+        if (crack.points[i] == crack.points[i - 1])
+            reject(place.inside("points"), points, {}, "must not repeat a point: a segment has no length");
+}
+
+void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {
+    if (growth.law != GrowthLaw::Prescribed && (growth.C <= 0.0 || growth.m <= 0.0))
+        reject(place.inside("law"), *find(table, "law"), {}, "needs C and m, both positive");
+}
+
+void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {
+    const bool point = boundary.on == "point", pin = boundary.on.starts_with("pin-");
+    const auto complain = [&](const char* key, const char* demand) {
+        if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, demand);
+    };
+    if (point && !boundary.at) reject(place, table.line, "on = \"point\" needs at = [x, y]");
+    if (!point) complain("at", "needs on = \"point\"");
+    if (!point && !pin) complain("force", "needs on = \"point\" or a pin");
+    if (pin) complain("displacement", "needs an edge or a point: a pin turns freely and carries a force");
+    if (point || pin)
+        for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
+    if ((point || pin) && !boundary.traction_gradient.isZero(0.0))
+        complain("traction_gradient", "needs an edge, not a point");
+    if (!boundary.displacement[0] && !boundary.displacement[1] && !carries_load(boundary) &&
+        find(table, "traction_gradient") == nullptr)
+        reject(place, table.line, "needs a displacement, traction, pressure or force");
+}
+
+void check_block(const LoadBlock& block, const Value& table, const Place& place) {
+    const Value* ratio = find(table, "ratio");
+    const Value* least = find(table, "min");
+    if (ratio != nullptr && least != nullptr) reject(place, table.line, "has both ratio and min; one of them says it");
+    if (ratio == nullptr && least == nullptr) reject(place, table.line, "needs ratio or min");
+    if (block.min <= block.max) return;
+    const char* name = least != nullptr ? "min" : "ratio";
+    reject(place.inside(name), least != nullptr ? *least : *ratio, {}, "must keep the minimum <= max");
+}
+
+/// Functions gathered over a fixed radius belong to the elastic structure: the zone does not take them.
+void check_enrichment(const Case& whole, const Value& root, const Place& place) {
+    const Value* fine = find(root, "fine");
+    if (fine == nullptr) return;
+    const Enrichment enrichment = whole.fine.enrichment;
+    if (enrichment == Enrichment::Geometrical && needs_fine(whole))
+        reject(place.inside("fine.enrichment"), *find(*fine, "enrichment"), {},
+               "is for elastic, traction-free scenes; others are auto, none, single, topological");
+    if (whole.fine.enrichment_radius && enrichment != Enrichment::Geometrical && enrichment != Enrichment::Auto)
+        reject(place.inside("fine.enrichment_radius"), *find(*fine, "enrichment_radius"), Key{}.in("mm"),
+               "needs enrichment = \"geometrical\" or \"auto\"");
+    if (whole.fine.refine > 1 && !whole.material.yield_stress && !whole.fine.radius)
+        reject(place.inside("fine.refine"), *find(*fine, "refine"), {},
+               "needs fine.radius where nothing yields: eq. (3) gives no radius there");
+}
+
+namespace {
+
+/// Only where a load drives the body is there a load factor left to find.
+void check_control(const Case& whole, const Value& root, const Place& place) {
+    if (whole.load.K_gradient != 0.0 && whole.load.control != Control::StressIntensity)
+        reject(place.inside("load.K_gradient"), *find(*find(root, "load"), "K_gradient"), Key{}.in("1/mm"),
+               "needs control = \"K\"");
+    if (whole.load.control != Control::Displacement) return;
+    const Value& control = *find(*find(root, "load"), "control");
+    const auto driven = std::ranges::find_if(whole.boundaries, carries_load);
+    if (driven == whole.boundaries.end())
+        reject(place.inside("load.control"), control, {}, "needs a boundary that carries a load");
+    if (moves(*driven))
+        reject(place.inside("load.control"), control, {},
+               "needs a load on the first boundary that is driven: \"" + driven->on +
+                   "\" has a displacement of its own, which control = \"load\" scales");
+}
+
+}  // namespace
+
+void check_case(const Case& whole, const Value& root, const Place& place) {
+    check_enrichment(whole, root, place);
+    if (whole.name.find('/') != std::string::npos || whole.name == "." || whole.name == "..")
+        reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
+    check_control(whole, root, place);
+    if (!whole.load.blocks.empty() || whole.load.spectrum) return;
+    const Value* load = find(root, "load");
+    for (const BoundarySection& boundary : whole.boundaries)
+        if (carries_load(boundary))
+            reject(place.inside("load.blocks"), load != nullptr ? load->line : root.line,
+                   "is empty, but boundary \"" + boundary.on + "\" carries a load: give at least one block");
+}
+
+}  // namespace stria

@@ -1,0 +1,44 @@
+#include "common/case/case_schema.hpp"
+
+#include "common/case/body_schema.hpp"
+#include "common/case/case_checks.hpp"
+#include "common/case/load_schema.hpp"
+#include "common/case/method_schema.hpp"
+
+namespace stria {
+
+namespace {
+
+using schema::Section;
+
+Section<Case> whole_case() {
+    Section<Case> s;
+    s.value("title", &Case::title).says("One line for reports.");
+    s.value("name", &Case::name)
+        .or_else("the folder of case.toml, or the file's stem")
+        .says("Names the folder of results.");
+    s.constant("units", "N-mm-MPa").says("the only system of units, units = \"N-mm-MPa\".");
+    s.table("model", &Case::model, model_section()).says("Plane state and thickness.");
+    s.table("mesh", &Case::mesh, mesh_section()).says("The specimen and its background mesh.");
+    s.table("material", &Case::material, material_section()).says("Elasticity and J2 plasticity.");
+    s.list("crack", &Case::cracks, crack_section()).says("Cracks.");
+    s.list("boundary", &Case::boundaries, boundary_section()).says("Supports and loads.");
+    s.table("load", &Case::load, load_section()).says("The history of the load factor.");
+    s.table("growth", &Case::growth, growth_section()).says("How cracks grow; absent: they do not.");
+    s.table("closure", &Case::closure, closure_section()).says("How opening and closing loads are measured.");
+    s.table("solver", &Case::solver, solver_section()).says("Newton's method.");
+    s.table("coupling", &Case::coupling, coupling_section()).says("The exchange between the two components.");
+    s.table("fine", &Case::fine, fine_section()).says("The zones around the tips with plasticity and contact.");
+    s.table("output", &Case::output, output_section()).says("What a run writes.");
+    s.check(check_case);
+    return s;
+}
+
+}  // namespace
+
+const Section<Case>& case_schema() {
+    static const Section<Case> schema = whole_case();
+    return schema;
+}
+
+}  // namespace stria

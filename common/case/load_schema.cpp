@@ -1,0 +1,114 @@
+#include "common/case/load_schema.hpp"
+
+#include "common/case/case_checks.hpp"
+
+namespace stria {
+
+using schema::Section;
+
+namespace {
+
+Section<LoadBlock> block_section() {
+    Section<LoadBlock> s;
+    s.value("cycles", &LoadBlock::cycles).at_least(1).says("Number of cycles.");
+    s.value("max", &LoadBlock::max).must_be_given().says("Largest load factor, or displacement: see control.");
+    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest load factor, or displacement.");
+    s.input("ratio", [](LoadBlock& block, double ratio) {
+         block.min = ratio * block.max;
+     }).says("Stands for min: min = ratio max.");
+    s.check(check_block);
+    return s;
+}
+
+}  // namespace
+
+Section<LoadSection> load_section() {
+    Section<LoadSection> s;
+    s.value("steps", &LoadSection::steps)
+        .at_least(2)
+        .even()
+        .says("Increments per cycle; the first ramp takes half as many more.");
+    s.value("grading", &LoadSection::grading)
+        .positive()
+        .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.6: "
+              "large where little flows, small where much does.");
+    s.list("blocks", &LoadSection::blocks, block_section())
+        .says("Blocks of equal cycles, one after the other. A cycle runs from its maximum to its minimum and on to the "
+              "maximum of the next one.");
+    s.value("spectrum", &LoadSection::spectrum)
+        .says("CSV file, relative to the case file, with a line of names: columns max, min and, if wanted, cycles; or "
+              "one column turning_point. Its cycles follow the blocks; the resolved case lists them as blocks.");
+    s.value("scale", &LoadSection::scale).positive().says("Multiplies every max and min.");
+    s.value("repeat", &LoadSection::repeat).at_least(1).says("How often the whole sequence of blocks is gone through.");
+    s.choice<Control>(
+         "control", &LoadSection::control,
+         {{"load", Control::Load}, {"displacement", Control::Displacement}, {"K", Control::StressIntensity}})
+        .says("What max and min mean; load: the load factor. displacement: the mean displacement, mm, of the first "
+              "listed boundary that carries a load, along it; the load factor follows, past a limit load too. K: the "
+              "nominal "
+              "K, MPa sqrt(mm), of the first tip; the load factor K / K_1(a) follows the growing crack.");
+    s.value("K_gradient", &LoadSection::K_gradient)
+        .in("1/mm")
+        .says("With control = \"K\": K is that of the blocks times exp(K_gradient (a - a at the start)), ASTM E647.");
+    return s;
+}
+
+Section<GrowthSection> growth_section() {
+    Section<GrowthSection> s;
+    s.choice<GrowthLaw>("law", &GrowthSection::law,
+                        {{"prescribed", GrowthLaw::Prescribed}, {"paris", GrowthLaw::Paris}, {"ctod", GrowthLaw::Ctod}})
+        .says("prescribed: by the increment. paris, ctod: by the increment too, slower tips in proportion, and the "
+              "growth "
+              "takes as many cycles as da/dN = C dK^m, or C dCTOD^m, needs for it (dN of cycles.csv).");
+    s.value("increment", &GrowthSection::increment)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("What a tip, by a law of da/dN the fastest one, advances at a time.");
+    s.value("every", &GrowthSection::every).at_least(1).says("Cycles from one advance to the next.");
+    s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
+        .says("At which extreme of the cycle the crack grows.");
+    s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm) or mm").at_least(0.0).says("Of the law of da/dN.");
+    s.value("m", &GrowthSection::m).at_least(0.0).says("Of the law of da/dN.");
+    s.choice<Retain>("retain", &GrowthSection::retain, {{"frozen", Retain::Frozen}, {"all", Retain::All}})
+        .says("Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
+              "comparison.");
+    s.choice<GrowthDriving>("driving", &GrowthSection::driving,
+                            {{"dK", GrowthDriving::Range}, {"dK_eff", GrowthDriving::EffectiveRange}})
+        .says("What drives Paris' law: K_max - K_min, or K_max - K_op.");
+    s.choice<GrowthDirection>("direction", &GrowthSection::direction,
+                              {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
+        .says("hoop: of the largest hoop stress; below K_II = 0.005 K_I straight on.");
+    s.value("until", &GrowthSection::until).in("mm").positive().says("The run ends when a crack is as long.");
+    s.value("toughness", &GrowthSection::toughness)
+        .in("MPa sqrt(mm)")
+        .positive()
+        .says("The run ends when K_max of a tip reaches it.");
+    s.check(check_growth);
+    return s;
+}
+
+Section<ClosureSection> closure_section() {
+    Section<ClosureSection> s;
+    s.value("distance", &ClosureSection::distance)
+        .in("mm")
+        .positive()
+        .or_else("a tenth of the radius of eq. (3) with beta = 1")
+        .says("Contact nearer to the tip does not count; tension is the mean over this distance ahead of it.");
+    s.choice<OpeningDefinition>("definition", &ClosureSection::definition,
+                                {{"contact", OpeningDefinition::Contact},
+                                 {"offset", OpeningDefinition::Offset},
+                                 {"tension", OpeningDefinition::Tension}})
+        .says(
+            "What K_op of cycles.csv, U and dK_eff are. contact: the last contact behind the tip is lost. offset: the "
+            "compliance at the mouth is 2 % below that of the open crack (E647). tension: the mean normal stress ahead "
+            "of the tip becomes positive.");
+    s.value("profile", &ClosureSection::profile)
+        .in("mm")
+        .positive()
+        .says("Further distances behind the tip: their opening and closing loads go to closure.csv.");
+    s.value("tension", &ClosureSection::tension).says("Measure the return of tension beside another definition.");
+    return s;
+}
+
+}  // namespace stria

@@ -1,0 +1,23 @@
+// A crack tip and the frame that it carries.
+#pragma once
+
+#include "common/geometry/vec2.hpp"
+
+namespace stria {
+
+/// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else
+/// -1.
+struct Tip {
+    int crack;
+    Vec2 position;
+    Vec2 direction;  // unit, out of the crack
+    double s;        // arc length of the tip
+    int upper;
+};
+
+/// Whether a tip has stayed where it was.
+inline bool same_place(const Tip& a, const Tip& b) {
+    return a.crack == b.crack && a.upper == b.upper && a.position == b.position && a.direction == b.direction;
+}
+
+}  // namespace stria

@@ -1,0 +1,147 @@
+#include "coupling/transport/mpi_transport.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "common/index.hpp"
+
+namespace stria::coupling {
+
+namespace {
+
+void check(int code) {
+    if (code == MPI_SUCCESS) return;
+    std::array<char, MPI_MAX_ERROR_STRING> text{};
+    int length = 0;
+    MPI_Error_string(code, text.data(), &length);
+    throw ComponentLost(fmt::format("MPI: {}", text.data()));
+}
+
+/// A header, then the bytes it announces. Destroying an end says goodbye and waits for the other's goodbye, so that no
+/// message is left behind when MPI ends, and the other end, if it still waits for a message, gets ComponentLost.
+class MpiTransport final : public Transport {
+public:
+    explicit MpiTransport(int peer) : peer_(peer) {}
+
+    ~MpiTransport() override {
+        try {
+            send_header({.tag = goodbye, .size = 0});
+            while (peer_present_) receive();
+        } catch (...) {  // nobody left to say goodbye to
+        }
+    }
+
+    void send(Tag tag, std::span<const std::byte> bytes) override {
+        if (!peer_present_) throw_ended();
+        send_header({.tag = static_cast<std::uint64_t>(tag), .size = bytes.size()});
+        for (; !bytes.empty(); bytes = bytes.subspan(chunk(bytes.size())))
+            check(MPI_Send(bytes.data(), static_cast<int>(chunk(bytes.size())), MPI_BYTE, peer_, payload,
+                           MPI_COMM_WORLD));
+    }
+
+    Message receive() override {
+        if (!peer_present_) throw_ended();
+        const Header header = receive_header();
+        if (header.tag == goodbye) {
+            peer_present_ = false;
+            throw_ended();
+        }
+        Message message{static_cast<Tag>(header.tag), std::vector<std::byte>(header.size)};
+        for (std::span<std::byte> rest = message.bytes; !rest.empty(); rest = rest.subspan(chunk(rest.size())))
+            receive_exactly(rest.first(chunk(rest.size())), payload);
+        return message;
+    }
+
+private:
+    struct Header {
+        std::uint64_t tag;
+        std::uint64_t size;
+    };
+
+    static constexpr int announcement = 1, payload = 2;  // MPI tags
+    static constexpr std::uint64_t goodbye = 0;          // no Tag has this number
+
+    /// MPI counts in int: longer messages go in pieces.
+    static std::size_t chunk(std::size_t size) { return std::min(size, std::size_t{1} << 30); }
+
+    [[noreturn]] static void throw_ended() { throw ComponentLost("the other component has ended"); }
+
+    void send_header(const Header& header) const {
+        check(MPI_Send(&header, sizeof header, MPI_BYTE, peer_, announcement, MPI_COMM_WORLD));
+    }
+
+    [[nodiscard]] Header receive_header() const {
+        Header header{};
+        receive_exactly(std::as_writable_bytes(std::span(&header, 1)), announcement);
+        return header;
+    }
+
+    void receive_exactly(std::span<std::byte> bytes, int mpi_tag) const {
+        MPI_Status status{};
+        int received = 0;
+        check(MPI_Probe(peer_, mpi_tag, MPI_COMM_WORLD, &status));
+        check(MPI_Get_count(&status, MPI_BYTE, &received));
+        if (at(received) != bytes.size())
+            throw ComponentLost("a message between the components is not as long as announced");
+        check(MPI_Recv(bytes.data(), received, MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE));
+    }
+
+    int peer_;
+    bool peer_present_ = true;
+};
+
+std::vector<Role> gather_roles(Role own) {
+    int size = 0;
+    check(MPI_Comm_size(MPI_COMM_WORLD, &size));
+    const int mine = static_cast<int>(own);
+    std::vector<int> numbers(at(size));
+    check(MPI_Allgather(&mine, 1, MPI_INT, numbers.data(), 1, MPI_INT, MPI_COMM_WORLD));
+    std::vector<Role> roles(numbers.size());
+    std::ranges::transform(numbers, roles.begin(), [](int number) { return static_cast<Role>(number); });
+    return roles;
+}
+
+/// Every rank sees the same roles, so all of them throw or none.
+void check_cast(const std::vector<Role>& roles) {
+    const auto coarse = std::ranges::count(roles, Role::Coarse);
+    const auto fine = std::ranges::count(roles, Role::Fine);
+    if (coarse == 1 && fine >= 1) return;
+    throw CaseError(fmt::format("launch: {} coarse and {} fine ranks were started; one coarse and at least one fine "
+                                "are needed: mpirun -n 1 stria-coarse CASE : -n 1 stria-fine CASE",
+                                coarse, fine));
+}
+
+}  // namespace
+
+MpiSession::Environment::Environment() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);  // errors become exceptions: check()
+}
+
+MpiSession::Environment::~Environment() { MPI_Finalize(); }
+
+MpiSession::MpiSession(Role role) {
+    const std::vector<Role> roles = gather_roles(role);
+    check_cast(roles);
+    for (int rank = 0; rank < static_cast<int>(roles.size()); ++rank)
+        if (roles[at(rank)] != role) peers_.push_back(rank);
+}
+
+std::unique_ptr<Transport> MpiSession::transport(int peer_index) const {
+    return std::make_unique<MpiTransport>(peers_.at(at(peer_index)));
+}
+
+// NOLINTNEXTLINE(readability-convert-member-functions-to-static): only who has a session may end it
+void MpiSession::abort(int code) const {
+    MPI_Abort(MPI_COMM_WORLD, code);
+    std::_Exit(code);  // MPI_Abort is not declared to stay away
+}
+
+}  // namespace stria::coupling

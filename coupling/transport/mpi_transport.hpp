@@ -1,0 +1,41 @@
+// The conversation between two programs under one mpirun (MPMD). The only door to MPI besides the programs' launcher.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coupling/transport/transport.hpp"
+
+namespace stria::coupling {
+
+/// What a program is: it knows this by itself, never from the order on the command line.
+enum class Role : int { Coarse = 0, Fine = 1 };
+
+/// MPI from its start to its end, and who is who in it. Make one, first thing in main; transports must die before it.
+class MpiSession {
+public:
+    /// Starts MPI and agrees with all other ranks on the cast: one coarse and some fine. Otherwise every rank gets a
+    /// CaseError that says what was started and what should have been, with MPI already ended.
+    explicit MpiSession(Role role);
+
+    [[nodiscard]] int peers() const { return static_cast<int>(peers_.size()); }
+
+    /// The conversation with the peer of the given index: ranks of the other role, in ascending order.
+    [[nodiscard]] std::unique_ptr<Transport> transport(int peer_index = 0) const;
+
+    /// Ends every rank at once: nobody is left waiting for this one.
+    [[noreturn]] void abort(int code) const;
+
+private:
+    struct Environment {
+        Environment();
+        Environment(const Environment&) = delete;
+        Environment& operator=(const Environment&) = delete;
+        ~Environment();
+    };
+
+    Environment environment_;
+    std::vector<int> peers_;  // ranks in MPI_COMM_WORLD
+};
+
+}  // namespace stria::coupling

@@ -1,0 +1,99 @@
+#include "coupling/transport/remote_fine_scale.hpp"
+
+#include "common/error.hpp"
+#include "coupling/transport/wire.hpp"
+
+namespace stria::coupling {
+
+namespace {
+
+[[noreturn]] void throw_again(const Failure& failure) {
+    if (failure.kind == Failure::Kind::Case) throw CaseError(failure.text);
+    throw NumericalFailure(failure.text);
+}
+
+}  // namespace
+
+RemoteFineScale::RemoteFineScale(Transport& transport, std::uint64_t case_digest) : transport_(transport) {
+    const Hello own{.protocol = protocol_version, .case_digest = case_digest};
+    send(Tag::Hello, pack(own));
+    const Message reply = receive();
+    expect(Tag::Hello, reply.tag);
+    check_same(own, unpack<Hello>(reply.bytes));
+}
+
+RemoteFineScale::~RemoteFineScale() {
+    try {
+        if (in_flight_) receive();  // an unread answer would keep the other side from reading on
+        send(Tag::Stop, {});
+    } catch (...) {  // it has ended already, or the end of the transport will tell it
+    }
+}
+
+void RemoteFineScale::set_patch(const Patch& patch) { ask(Tag::Patch, pack(patch), Tag::Done); }
+
+void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag::Displacement, pack(displacement)); }
+
+PatchResponse RemoteFineScale::collect() {
+    const Message message = answer(Tag::Response);
+    auto response = unpack<PatchResponse>(message.bytes);
+    if (response.same_tangent) {
+        ++traffic_.tangents_not_sent;
+        traffic_.bytes_not_sent += bytes_with_tangent_ - std::ssize(message.bytes);
+    } else {
+        bytes_with_tangent_ = std::ssize(message.bytes);
+    }
+    return response;
+}
+
+void RemoteFineScale::begin_commit(bool reversal) {
+    send(Tag::Commit, pack(Commit{reversal}));
+    commit_begun_ = true;
+}
+
+StepReport RemoteFineScale::commit(bool reversal) {
+    if (!commit_begun_) begin_commit(reversal);
+    commit_begun_ = false;
+    return unpack<StepReport>(answer(Tag::Report).bytes);
+}
+
+void RemoteFineScale::rollback() { ask(Tag::Rollback, {}, Tag::Done); }
+
+ZoneState RemoteFineScale::state() { return unpack<ZoneState>(ask(Tag::State, {}, Tag::State).bytes); }
+
+ZoneSnapshot RemoteFineScale::snapshot() { return unpack<ZoneSnapshot>(ask(Tag::Snapshot, {}, Tag::Snapshot).bytes); }
+
+void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
+    ask(Tag::Restore, pack(Restore{patch, snapshot}), Tag::Done);
+}
+
+void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
+    require(!in_flight_, "one question in flight");
+    transport_.send(tag, bytes);
+    in_flight_ = tag != Tag::Stop;
+    ++traffic_.messages;
+    traffic_.bytes += std::ssize(bytes);
+}
+
+Message RemoteFineScale::receive() {
+    require(in_flight_, "an answer is read once, after its question");
+    in_flight_ = false;
+    Message message = transport_.receive();
+    ++traffic_.messages;
+    traffic_.bytes += std::ssize(message.bytes);
+    return message;
+}
+
+Message RemoteFineScale::answer(Tag expected) {
+    Message message = receive();
+    if (message.tag == Tag::Failure) throw_again(unpack<Failure>(message.bytes));
+    expect(expected, message.tag);
+    return message;
+}
+
+Message RemoteFineScale::ask(Tag question, std::span<const std::byte> bytes, Tag expected) {
+    send(question, bytes);
+    return answer(expected);
+}
+
+}  // namespace stria::coupling

@@ -1,0 +1,142 @@
+// The fields of every message in the order in which they cross. Sender and receiver walk through the same list, so
+// their orders cannot differ, and the structured bindings do not compile where a field is missing.
+#pragma once
+
+#include <type_traits>
+
+#include "coupling/transport/protocol.hpp"
+
+namespace stria::coupling {
+
+template <class M, class T>
+concept Is = std::is_same_v<std::remove_const_t<M>, T>;
+
+void fields(auto& wire, Is<Hello> auto& m) {
+    auto& [protocol, case_digest] = m;
+    wire(protocol, case_digest);
+}
+
+void fields(auto& wire, Is<Failure> auto& m) {
+    auto& [kind, text] = m;
+    wire(kind, text);
+}
+
+void fields(auto& wire, Is<Commit> auto& m) {
+    auto& [reversal] = m;
+    wire(reversal);
+}
+
+void fields(auto& wire, Is<Ring> auto& m) {
+    auto& [tip, number, inner_radius, outer_radius] = m;
+    wire(tip, number, inner_radius, outer_radius);
+}
+
+void fields(auto& wire, Is<Term> auto& m) {
+    auto& [kind, owner, function, shift] = m;
+    wire(kind, owner, function, shift);
+}
+
+void fields(auto& wire, Is<CrackPiece> auto& m) {
+    auto& [crack, element, neighbour, points, s, entry, exit] = m;
+    wire(crack, element, neighbour, points, s, entry, exit);
+}
+
+void fields(auto& wire, Is<Tip> auto& m) {
+    auto& [crack, position, direction, s, upper] = m;
+    wire(crack, position, direction, s, upper);
+}
+
+void fields(auto& wire, Is<TiedNode> auto& m) {
+    auto& [node, ends, side, jump_tied] = m;
+    wire(node, ends, side, jump_tied);
+}
+
+void fields(auto& wire, Is<EnrichedMesh> auto& m) {
+    auto& [nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+           element_side, tied, first_unknown, first_gathered, unknowns] = m;
+    wire(nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+         element_side, tied, first_unknown, first_gathered, unknowns);
+}
+
+void fields(auto& wire, Is<Patch> auto& m) {
+    auto& [mesh, boundary, unit_load, displacement, rings, ahead] = m;
+    wire(mesh, boundary, unit_load, displacement, rings, ahead);
+}
+
+void fields(auto& wire, Is<PatchDisplacement> auto& m) {
+    auto& [iteration, predictor, load_factor, settled_below, boundary] = m;
+    wire(iteration, predictor.factor, predictor.back, load_factor, settled_below, boundary);
+}
+
+void fields(auto& wire, Is<Digest> auto& m) {
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead] =
+        m;
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead);
+}
+
+void fields(auto& wire, Is<PatchResponse> auto& m) {
+    auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
+           interior_correction, interior_displacement, digest] = m;
+    wire(force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
+         interior_correction, interior_displacement, digest);
+}
+
+void fields(auto& wire, Is<FaceSample> auto& m) {
+    auto& [crack, s, x, y, opening, slip, pressure, shear, status] = m;
+    wire(crack, s, x, y, opening, slip, pressure, shear, status);
+}
+
+void fields(auto& wire, Is<RingReport> auto& m) {
+    auto& [tip, number, J, interaction_I, interaction_II, interaction_T] = m;
+    wire(tip, number, J, interaction_I, interaction_II, interaction_T);
+}
+
+void fields(auto& wire, Is<TipReport> auto& m) {
+    auto& [CTOD, plastic_zone, plastic_zone_axis, plastic_reach] = m;
+    wire(CTOD, plastic_zone, plastic_zone_axis, plastic_reach);
+}
+
+void fields(auto& wire, Is<EnergyReport> auto& m) {
+    auto& [stored, released, load_path] = m;
+    wire(stored, released, load_path);
+}
+
+void fields(auto& wire, Is<WorkCounts> auto& m) {
+    for (const NamedWorkCount& count : named_work_counts) wire(m.*count.value);
+}
+
+void fields(auto& wire, Is<StepReport> auto& m) {
+    auto& [tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers, work,
+           constitutive_s, contact_s, factor_s] = m;
+    wire(tips, rings, faces, contact_length, mouth_opening, dissipation, energy, points, unknowns, multipliers, work,
+         constitutive_s, contact_s, factor_s);
+}
+
+void fields(auto& wire, Is<FrozenTip> auto& m) {
+    auto& [mesh, displacement, crack] = m;
+    wire(mesh, displacement, crack);
+}
+
+void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
+    auto& [crack, place, pressure, closed, increments] = m;
+    wire(crack, place, pressure, closed, increments);
+}
+
+void fields(auto& wire, Is<ZoneSnapshot> auto& m) {
+    auto& [ranks, element, rank, points, quiet_half_cycles, resting, columns, history, half_cycle_ended, displacement,
+           rest_displacement, increments, held, multipliers, frozen_tips] = m;
+    wire(ranks, element, rank, points, quiet_half_cycles, resting, columns, history, half_cycle_ended, displacement,
+         rest_displacement, increments, held, multipliers, frozen_tips);
+}
+
+void fields(auto& wire, Is<Restore> auto& m) {
+    auto& [patch, snapshot] = m;
+    wire(patch, snapshot);
+}
+
+void fields(auto& wire, Is<ZoneState> auto& m) {
+    auto& [displacement, element, side, x, y, weight, stress, plastic_strain, accumulated] = m;
+    wire(displacement, element, side, x, y, weight, stress, plastic_strain, accumulated);
+}
+
+}  // namespace stria::coupling

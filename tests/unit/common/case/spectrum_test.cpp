@@ -1,0 +1,54 @@
+// Load spectra from CSV files, good and bad ones.
+#include "common/case/spectrum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "common/error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria {
+namespace {
+
+class Spectrum : public testing::Test {
+protected:
+    std::vector<LoadBlock> read(const std::string& text) {
+        std::ofstream(folder / "s.csv") << text;
+        return read_spectrum(folder / "s.csv");
+    }
+    std::string complaint(const std::string& text) {
+        try {
+            read(text);
+        } catch (const CaseError& error) {
+            const std::string what = error.what();
+            return what.substr(what.find("s.csv"));
+        }
+        return "none";
+    }
+    test::TemporaryFolder folder;
+};
+
+TEST_F(Spectrum, ListsCycles) {
+    const std::vector<LoadBlock> expected{{1, 10.0, -2.5}, {1, 20.0, 0.0}};
+    EXPECT_EQ(read("max,min\n10,-2.5\n20,0\n"), expected);
+    EXPECT_EQ(read("min, cycles, max\r\n1, 3, 4\r\n\r\n"), (std::vector<LoadBlock>{{3, 4.0, 1.0}}));
+}
+
+TEST_F(Spectrum, OrTurningPoints) {
+    EXPECT_EQ(read("turning_point\n-1\n3\n5\n5\n2\n4\n1\n9\n"), (std::vector<LoadBlock>{{1, 5.0, 2.0}, {1, 4.0, 1.0}}));
+}
+
+TEST_F(Spectrum, SaysWhatIsWrongAndWhere) {
+    EXPECT_EQ(complaint("max,min\n10,-2\n1,2\n"), "s.csv:3: load.spectrum: must keep min <= max");
+    EXPECT_EQ(complaint("max,min\n10,x\n"), "s.csv:2: load.spectrum: max and min must be numbers");
+    EXPECT_EQ(complaint("max,min\n10,2\n10\n"), "s.csv:3: load.spectrum: has not as many cells as the line of names");
+    EXPECT_EQ(complaint("max,min,cycles\n10,2,1.5\n"), "s.csv:2: load.spectrum: cycles must be a whole number >= 1");
+    EXPECT_EQ(complaint("a,b\n1,2\n"), "s.csv:1: load.spectrum: must name columns max and min, or turning_point");
+    EXPECT_EQ(complaint("max,min\n"), "s.csv: load.spectrum: holds no cycle");
+    EXPECT_EQ(complaint("turning_point\n1\n2\nx\n"), "s.csv:4: load.spectrum: must be a number");
+    EXPECT_THROW(read_spectrum(folder / "none.csv"), CaseError);
+}
+
+}  // namespace
+}  // namespace stria
