@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "bench/sizes.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "common/stopwatch.hpp"
@@ -55,9 +56,7 @@ Measurement best_of(int repeats, int across, double radius) {
 int main(int argc, char** argv) {
     stria::use_one_thread();
     const int repeats = argc > 1 ? std::atoi(argv[1]) : 3;
-    std::vector<int> sizes;
-    for (int k = 2; k < argc; ++k) sizes.push_back(std::atoi(argv[k]));
-    if (sizes.empty()) sizes = {41, 81, 161, 321};
+    const std::vector<int> sizes = stria::sizes_from(argc, argv, 2, {41, 81, 161, 321});
     std::printf("| radius | elements | energy error | K error | scene | structure | displacement | K | total |\n");
     std::printf("|---|---|---|---|---|---|---|---|---|\n");
     for (const double radius : {0.1, 0.2}) {

@@ -3,9 +3,9 @@
 //     bench_growth [elements across the plate...]
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
+#include "bench/sizes.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -20,14 +20,14 @@ Case plate(int across, int refine) {
     Case input;
     input.mesh = {.specimen = "sent", .width = side, .height = side, .size = 1.0, .grading = {}};
     if (refine == 1)
-        input.mesh.grading = {{.at = {Point(crack, side / 2.0)}, .size = 0.25, .outer_size = {}, .radius = 3.0}};
+        input.mesh.grading = {{.at = {Vec2(crack, side / 2.0)}, .size = 0.25, .outer_size = {}, .radius = 3.0}};
     input.material = {.young = 200e3, .poisson = 0.3, .yield_stress = 300.0, .isotropic = {}, .kinematic = {}};
     input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
     input.cracks = {{.points = {{0.0, side / 2.0 + 0.02}, {crack, side / 2.0 + 0.02}}, .contact = ContactSection{}}};
     for (const double end : {1.0, -1.0}) {
         BoundarySection pulled;
         pulled.on = end > 0.0 ? "top" : "bottom";
-        pulled.traction = Point(0.0, end);
+        pulled.traction = Vec2(0.0, end);
         input.boundaries.push_back(pulled);
     }
     input.load.steps = 6;
@@ -63,11 +63,8 @@ void measure(int across, int refine) {
 
 int main(int argc, char** argv) {
     stria::use_one_thread();
-    std::vector<int> across;
-    for (int k = 1; k < argc; ++k) across.push_back(std::atoi(argv[k]));
-    if (across.empty()) across = {45, 141, 447};
     std::printf("| elements | zone | unknowns of the structure | a step, ms | set-up, ms | near factored, kept, far "
                 "factored | near elements | K_1 |\n|---|---|---|---|---|---|---|---|\n");
-    for (const int n : across)
+    for (const int n : stria::sizes_from(argc, argv, 1, {45, 141, 447}))
         for (const int refine : {4, 1}) stria::measure(n, refine);
 }

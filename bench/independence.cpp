@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "bench/sizes.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -62,7 +63,7 @@ Case plate(int across) {
     for (const double end : {1.0, -1.0}) {
         BoundarySection pulled;
         pulled.on = end > 0.0 ? "top" : "bottom";
-        pulled.traction = Point(0.0, end);
+        pulled.traction = Vec2(0.0, end);
         input.boundaries.push_back(pulled);
     }
     input.load.steps = steps;
@@ -133,11 +134,8 @@ void print(const std::vector<Measurement>& sizes) {
 
 int main(int argc, char** argv) {
     stria::use_one_thread();
-    std::vector<int> across;
-    for (int k = 1; k < argc; ++k) across.push_back(std::atoi(argv[k]));
-    if (across.empty()) across = {45, 141, 447, 1001};
     std::vector<stria::Measurement> sizes;
-    for (const int n : across) sizes.push_back(stria::measure(n));
+    for (const int n : stria::sizes_from(argc, argv, 1, {45, 141, 447, 1001})) sizes.push_back(stria::measure(n));
     stria::print(sizes);
     return 0;
 }

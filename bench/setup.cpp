@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "bench/sizes.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/model/enrichment.hpp"
 #include "coarse/model/scene.hpp"
@@ -61,9 +62,9 @@ Case plate(int elements) {
     input.cracks = {{.points = {{0.0, height / 2.0}, {0.4 * width, height / 2.0}}, .contact = {}}};
     BoundarySection top, bottom;
     top.on = "top";
-    top.traction = Point(0.0, 1.0);
+    top.traction = Vec2(0.0, 1.0);
     bottom.on = "bottom";
-    bottom.traction = Point(0.0, -1.0);
+    bottom.traction = Vec2(0.0, -1.0);
     input.boundaries = {top, bottom};
     return input;
 }
@@ -176,9 +177,7 @@ void print(const std::vector<Measurement>& sizes) {
 
 int main(int argc, char** argv) {
     const int repeats = argc > 1 ? std::atoi(argv[1]) : 3;
-    std::vector<int> elements;
-    for (int k = 2; k < argc; ++k) elements.push_back(std::atoi(argv[k]));
-    if (elements.empty()) elements = {2'000, 20'000, 200'000, 1'000'000};
+    const std::vector<int> elements = stria::sizes_from(argc, argv, 2, {2'000, 20'000, 200'000, 1'000'000});
     std::vector<stria::Measurement> sizes;
     for (const int size : elements) sizes.push_back(stria::best_of(repeats, size));
     stria::print(sizes);

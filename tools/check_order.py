@@ -15,7 +15,7 @@ FILES = 20
 
 # Folders in which rooms include one another one way, and folders without a source or a sub-folder that is too large.
 ROOMS_ONE_WAY = ["app", "coupling", "common"]
-SMALL = ["app", "fine", "coupling", "common"]
+SMALL = ["app", "coupling", "common"]
 
 # Sub-folders from the ground up: each includes only those left of it. "." holds the loose files.
 ORDER = {

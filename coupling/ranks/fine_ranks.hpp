@@ -3,12 +3,12 @@
 #pragma once
 
 #include <map>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "common/predictor.hpp"
-#include "common/substructure/front_tree.hpp"
 #include "coupling/fine_scale.hpp"
+#include "coupling/ranks/seam_tree.hpp"
 
 namespace stria::coupling {
 
@@ -20,7 +20,6 @@ class FineRanks final : public FineScale {
 public:
     /// `ranks` must outlive this. `remembered`: increments, for predictors (predictor.hpp).
     FineRanks(std::vector<FineScale*> ranks, std::size_t remembered);
-    ~FineRanks() override;
 
     void set_patch(const Patch& patch) override;
     void request(const PatchDisplacement& displacement) override;
@@ -31,38 +30,27 @@ public:
     ZoneSnapshot snapshot() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
-    /// The last of each rank; of ranks without an element what they have done.
+    /// The last report of each rank. Those of ranks without an element hold only what they have done so far.
     [[nodiscard]] const std::vector<StepReport>& reports() const { return reports_; }
 
     /// How often history had to move.
     [[nodiscard]] int history_moves() const { return history_moves_; }
 
 private:
-    struct Rank;
-
-    [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
+    [[nodiscard]] std::map<int, int> shared_out(const EnrichedMesh& zone) const;
     void move_history();
-    [[nodiscard]] std::vector<EnrichedMesh> divide(const EnrichedMesh& zone);
-    void find_seams();
+    [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
     void take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);
-    void send(std::vector<EnrichedMesh> parts, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);
-    void plant_tree();
-    void advance_seams(const PatchDisplacement& displacement);
+    [[nodiscard]] FineScale& scale_of(const RankPart& part) const { return *scales_[at(part.rank)]; }
     [[nodiscard]] std::vector<PatchResponse> collect_all();
 
     std::vector<FineScale*> scales_;
     Patch patch_;
-    std::map<int, int> owner_;        // rank by id of an element
-    std::vector<Rank> ranks_;         // those with elements
-    std::vector<int> kept_;           // seams and Gamma: unknowns of the patch's mesh, ascending
-    std::vector<int> gamma_, seams_;  // places in kept_
-    Eigen::VectorXd own_load_;        // on kept_, per unit load factor, N/mm: of the seams
-
-    std::unique_ptr<FrontTree> tree_;
-    std::vector<Eigen::MatrixXd> tangents_;  // per rank
-    std::vector<char> changed_;              // per rank: since the last factor
-    ReducedLoad reduced_, reduced_unit_;
-    Eigen::VectorXd committed_, trial_;  // displacement of kept_
+    std::map<int, int> owner_;  // rank by id of an element
+    std::vector<RankPart> parts_;
+    Seams seams_;
+    std::optional<SeamTree> tree_;
+    Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm
     double load_factor_ = 0.0;
     IncrementMemory<Eigen::VectorXd> increments_;
     std::vector<StepReport> reports_;

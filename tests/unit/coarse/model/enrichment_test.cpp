@@ -30,7 +30,7 @@ Nodes tip_nodes(const EnrichedMesh& mesh) {
     return nodes;
 }
 
-TEST(Discretization, TipInsideAnElement) {
+TEST(Enrichment, TipInsideAnElement) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}});
     EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2)}));
     EXPECT_EQ(heaviside_nodes(mesh, -1.0), (Nodes{node(0, 1), node(1, 1)}));
@@ -38,46 +38,46 @@ TEST(Discretization, TipInsideAnElement) {
     for (const int n : tip_nodes(mesh)) EXPECT_EQ(mesh.terms[at(n)].size(), 6U);
 }
 
-TEST(Discretization, MouthOutsideTheBodyChangesNothing) {
+TEST(Enrichment, MouthOutsideTheBodyChangesNothing) {
     const EnrichedMesh inside = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}});
     const EnrichedMesh outside = cracked(square_mesh(4), {{-1.0, 0.4}, {0.6, 0.4}});
     EXPECT_EQ(heaviside_nodes(inside, 1.0), heaviside_nodes(outside, 1.0));
     EXPECT_EQ(tip_nodes(inside), tip_nodes(outside));
 }
 
-TEST(Discretization, SingleTipFunction) {
+TEST(Enrichment, SingleTipFunction) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}}, 1);
     for (const int n : tip_nodes(mesh)) EXPECT_EQ(mesh.terms[at(n)].size(), 1U);
     EXPECT_EQ(mesh.unknowns, 2 * (25 + 4 + 4));
 }
 
-TEST(Discretization, WithoutTipFunctionsTheCrackEndsOnTheLastEdge) {
+TEST(Enrichment, WithoutTipFunctionsTheCrackEndsOnTheLastEdge) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}}, 0);
     EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2)}));
     EXPECT_TRUE(tip_nodes(mesh).empty());
 }
 
-TEST(Discretization, TipOnAnEdgeBelongsToTheElementBehind) {
+TEST(Enrichment, TipOnAnEdgeBelongsToTheElementBehind) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.5, 0.4}});
     EXPECT_EQ(tip_nodes(mesh), (Nodes{node(1, 1), node(2, 1), node(1, 2), node(2, 2)}));
     EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2)}));
 }
 
-TEST(Discretization, TipOnANodeOfACrackAlongEdges) {
+TEST(Enrichment, TipOnANodeOfACrackAlongEdges) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.5}, {0.5, 0.5}});
     EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2)}));
     EXPECT_TRUE(heaviside_nodes(mesh, -1.0).empty());
     EXPECT_EQ(tip_nodes(mesh), (Nodes{node(1, 1), node(2, 1), node(1, 2), node(2, 2), node(1, 3), node(2, 3)}));
 }
 
-TEST(Discretization, AlongEdgesOnlyTheNodesOnTheCrackJump) {
+TEST(Enrichment, AlongEdgesOnlyTheNodesOnTheCrackJump) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.5}, {1.0, 0.5}});
     EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2), node(2, 2), node(3, 2), node(4, 2)}));
     EXPECT_TRUE(heaviside_nodes(mesh, -1.0).empty());
     for (int e = 4; e < 12; ++e) EXPECT_EQ(mesh.element_side[at(e)], e < 8 ? -1 : 1);
 }
 
-TEST(Discretization, ThroughNodesTheyCountAsPlus) {
+TEST(Enrichment, ThroughNodesTheyCountAsPlus) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.0}, {1.0, 1.0}});
     EXPECT_EQ(heaviside_nodes(mesh, -1.0), (Nodes{node(1, 0), node(2, 1), node(3, 2), node(4, 3)}));
     for (int k = 0; k < 5; ++k) EXPECT_EQ(heaviside_side(mesh, node(k, k)), 1.0);
@@ -85,7 +85,7 @@ TEST(Discretization, ThroughNodesTheyCountAsPlus) {
     EXPECT_EQ(mesh.element_side[4], 1);
 }
 
-TEST(Discretization, ACrackInsideHasTwoTipsThatFaceOutwards) {
+TEST(Enrichment, ACrackInsideHasTwoTipsThatFaceOutwards) {
     const EnrichedMesh mesh = cracked(square_mesh(8), {{0.2, 0.4}, {0.8, 0.4}});
     ASSERT_EQ(mesh.tips.size(), 2U);
     EXPECT_EQ(mesh.tips[0].direction, Vec2(-1.0, 0.0));
@@ -94,13 +94,13 @@ TEST(Discretization, ACrackInsideHasTwoTipsThatFaceOutwards) {
     EXPECT_EQ(mesh.tips[1].upper, 1);
 }
 
-TEST(Discretization, ATipJustBeyondASnappedCrossingKeepsItsDirection) {
+TEST(Enrichment, ATipJustBeyondASnappedCrossingKeepsItsDirection) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.2501}, {0.2504, 0.2502}});
     EXPECT_EQ(mesh.pieces.back().points.front(), Vec2(0.25, 0.25));  // a last piece at 27 degrees
     EXPECT_LT((mesh.tips[0].direction - Vec2(0.2504, 0.0001).normalized()).norm(), 1e-15);
 }
 
-TEST(Discretization, RefusesCracksAndTipsTooCloseForTheMesh) {
+TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
     const Mesh mesh = square_mesh(8);
     const auto two = [&](double gap) {
         const std::vector<CrackSection> cracks{{.points = {{0.0, 0.43}, {0.5, 0.43}}, .contact = {}},

@@ -1,0 +1,67 @@
+#include "coupling/ranks/divided_patch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/enrichment/part_of_mesh.hpp"
+#include "common/index.hpp"
+#include "common/integration/element_operator.hpp"
+
+namespace stria::coupling {
+namespace {
+
+std::map<int, std::vector<int>> elements_of_ranks(const EnrichedMesh& zone, const std::map<int, int>& owner) {
+    std::map<int, std::vector<int>> elements;
+    for (int e = 0; e < std::ssize(zone.elements); ++e) elements[owner.at(zone.element_ids[at(e)])].push_back(e);
+    return elements;
+}
+
+Seams find_seams(const Patch& patch, const std::vector<RankPart>& parts) {
+    std::vector<int> seen(at(patch.mesh.unknowns), 0);
+    for (const RankPart& part : parts)
+        for (const int unknown : part.unknowns) ++seen[at(unknown)];
+    for (const int unknown : patch.boundary) seen[at(unknown)] = 2;
+    Seams seams;
+    for (int unknown = 0; unknown < patch.mesh.unknowns; ++unknown) {
+        if (seen[at(unknown)] < 2) continue;
+        const bool on_gamma = std::ranges::binary_search(patch.boundary, unknown);
+        (on_gamma ? seams.gamma : seams.between).push_back(static_cast<int>(seams.kept.size()));
+        seams.kept.push_back(unknown);
+    }
+    return seams;
+}
+
+/// Gives a part's patch its boundary, and the kept unknowns their places.
+void end_at_seams(const Seams& seams, RankPart& part, Patch& patch) {
+    for (int i = 0; i < patch.mesh.unknowns; ++i) {
+        const auto place = std::ranges::lower_bound(seams.kept, part.unknowns[at(i)]);
+        if (place == seams.kept.end() || *place != part.unknowns[at(i)]) continue;
+        patch.boundary.push_back(i);
+        patch.unit_load[i] = 0.0;
+        part.shared.push_back(static_cast<int>(place - seams.kept.begin()));
+    }
+}
+
+}  // namespace
+
+// All rings for everybody: pressure on faces counts also where q is one, inside of them.
+DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const Eigen::VectorXd& displacement) {
+    DividedPatch divided;
+    for (auto& [rank, elements] : elements_of_ranks(patch.mesh, owner)) {
+        EnrichedMesh mesh = extract(patch.mesh, elements);
+        std::vector<int> unknowns = whole_unknowns(patch.mesh, mesh);
+        divided.patches.push_back({.mesh = std::move(mesh),
+                                   .boundary = {},
+                                   .unit_load = gather(patch.unit_load, unknowns),
+                                   .displacement = gather(displacement, unknowns),
+                                   .rings = patch.rings,
+                                   .ahead = patch.ahead});
+        divided.parts.push_back({rank, elements, std::move(unknowns), {}});
+    }
+    divided.seams = find_seams(patch, divided.parts);
+    for (std::size_t k = 0; k < divided.parts.size(); ++k)
+        end_at_seams(divided.seams, divided.parts[k], divided.patches[k]);
+    return divided;
+}
+
+}  // namespace stria::coupling

@@ -1,0 +1,54 @@
+#include "coupling/ranks/seam_tree.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/index.hpp"
+
+namespace stria::coupling {
+namespace {
+
+Vec2 centre(const EnrichedMesh& zone, const std::vector<int>& elements) {
+    Vec2 sum = Vec2::Zero();
+    for (const int element : elements)
+        for (const int node : zone.elements[at(element)]) sum += zone.nodes[at(node)] / 4.0;
+    return sum / static_cast<double>(elements.size());
+}
+
+}  // namespace
+
+SeamTree::SeamTree(const EnrichedMesh& zone, const std::vector<RankPart>& parts, const Seams& seams)
+    : tangents_(parts.size()), changed_(parts.size(), 1) {
+    FrontLayout layout;
+    layout.unknowns = static_cast<int>(seams.kept.size());
+    layout.boundary = seams.gamma;
+    layout.leaf_elements = 1;
+    for (const RankPart& part : parts) {
+        layout.element_unknowns.push_back(part.shared);
+        layout.centres.push_back(centre(zone, part.elements));
+    }
+    tree_ = std::make_unique<FrontTree>(std::move(layout));
+}
+
+void SeamTree::set_tangent(std::size_t part, Eigen::MatrixXd tangent) {
+    tangents_[part] = std::move(tangent);
+    changed_[part] = 1;
+}
+
+bool SeamTree::factor() {
+    if (std::ranges::none_of(changed_, [](char changed) { return changed != 0; })) return false;
+    tree_->factor(tangents_, changed_);
+    std::ranges::fill(changed_, static_cast<char>(0));
+    return true;
+}
+
+void SeamTree::reduce(const Eigen::VectorXd& load, const Eigen::VectorXd& unit_load) {
+    load_ = tree_->reduce(load);
+    unit_load_ = tree_->reduce(unit_load);
+}
+
+Eigen::VectorXd SeamTree::follow(const Eigen::VectorXd& step, double load_step) const {
+    return tree_->expand({load_.interior + load_step * unit_load_.interior, load_.boundary}, step);
+}
+
+}  // namespace stria::coupling
