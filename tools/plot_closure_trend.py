@@ -7,15 +7,11 @@ Each RUN holds cycles.csv: its point is the mean of K_op / K_max over its last s
 drawn at K_min / K_max, hollow. Needs python3-matplotlib.
 """
 
-import csv
 import math
 import sys
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
+from pictures import finish, new_figure, read_table
 
 # Budiansky and Hutchinson, J. Appl. Mech. 45 (1978) 267: strip yielding, small-scale, steady growth; R, K_op / K_max.
 BUDIANSKY_HUTCHINSON = [(0.0, 0.5567), (0.0848, 0.5592), (0.239, 0.5774), (0.364, 0.6060), (0.4838, 0.6465), (0.6024, 0.7005), (0.6918, 0.7514)]
@@ -39,8 +35,7 @@ def elber(R):
 
 def point(run):
     """Load ratio, K_op / K_max, whether there was contact."""
-    with open(run / "cycles.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))[-6:]
+    rows = read_table(run / "cycles.csv")[-6:]
     mean = {name: sum(float(row[name]) for row in rows) / len(rows) for name in ("K_op", "K_min", "K_max")}
     ratio = mean["K_min"] / mean["K_max"]
     return ratio, mean["K_op"] / mean["K_max"], mean["K_op"] > mean["K_min"] + 1e-6 * mean["K_max"]
@@ -48,7 +43,7 @@ def point(run):
 
 def main():
     *curves, picture = sys.argv[1:]
-    figure, axes = pyplot.subplots(figsize=(7.0, 4.6))
+    figure, axes = new_figure(7.0, 4.6)
     grid = [-1.0 + 0.02 * k for k in range(86)]
     for alpha, name in ((1.0, "plane stress"), (3.0, "plane strain")):
         for stress, style in ((0.01, "-"), (0.2, "--")):
@@ -66,13 +61,9 @@ def main():
             axes.plot([p[0] for p in chosen], [p[1] for p in chosen], "o", color=colour, markerfacecolor=fill, label=f"{label}{'' if closes else ', open'}" if chosen else None)
     axes.plot([0.0, 0.8], [0.0, 0.8], color="lightgray", lw=0.8)
     axes.set_xlabel("load ratio R")
-    axes.set_ylabel("$K_{op} / K_{max}$")
     axes.set_xlim(-1.05, 0.8)
     axes.set_ylim(-0.1, 1.0)
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize="x-small")
-    figure.tight_layout()
-    figure.savefig(picture, dpi=110)
+    finish(figure, axes, picture, "x-small")
 
 
 if __name__ == "__main__":

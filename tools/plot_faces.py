@@ -7,13 +7,9 @@ Needs matplotlib (Debian: python3-matplotlib), which nothing else in the project
 """
 
 import argparse
-import csv
 from pathlib import Path
 
-
-def read_table(path):
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+from pictures import read_table
 
 
 def increments_by_load(folder):

@@ -1,4 +1,4 @@
-// How a program of ours ends: one line on standard error and the exit code that belongs to the failure.
+// How our programs end: one line on standard error, and the exit code of the failure.
 #pragma once
 
 #include <functional>
@@ -26,8 +26,8 @@ struct Ending {
 /// Of what is being handled: inside a catch block.
 Ending ending_of_exception();
 
-/// Runs the work and turns what it throws into an exit code. Where MPI is up it is aborted with that code: the other
-/// component may be waiting for a message that will never come.
+/// Runs the work and turns what it throws into an exit code. Where MPI is running, it is aborted with that code: the
+/// other component may wait for a message that will never come.
 int exit_code_of(const std::string& program, const std::function<int()>& work);
 
 }  // namespace stria

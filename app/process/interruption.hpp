@@ -3,13 +3,13 @@
 
 namespace stria {
 
-/// They are noted from here on.
+/// From this call on the signals are noted.
 void heed_interruption();
 
-/// One has come.
+/// True once a signal has come.
 bool interrupted();
 
-/// They are left to somebody else from here on: the fine component ends when the coarse one tells it to.
+/// From this call on the signals are ignored. The fine component ends when the coarse one tells it to.
 void ignore_interruption();
 
 }  // namespace stria

@@ -38,7 +38,7 @@ coarse::Scene scene_of(const RunOptions& options, const Case& input) {
 CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner)
     : options_(options), directory_(options.output_directory), manner_(std::move(manner)),
       scene_(scene_of(options, input)), mesh_s_(seconds()),
-      progress_(input, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
+      progress_(input.load, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
     if (options.resume) read_last_checkpoint();
     if (!from_) std::filesystem::remove(checkpoint_path());
     write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));

@@ -1,5 +1,5 @@
-// The coarse side of one run, from case to results, whoever finds equilibrium: begun or resumed, written down on the
-// way, and ended by the load, by the numbers or by the user.
+// The coarse side of one run, from the case to the results. It begins or resumes the run, records it, and ends it when
+// the load history ends, when no equilibrium is found, or when the user interrupts. Any equilibrium factory serves.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace stria {
 
-/// What only the mesh can tell is wrong names the case file too.
+/// Makes the scene of a case. Some errors show only once there is a mesh: their CaseError names the case file, too.
 coarse::Scene scene_of(const RunOptions& options, const Case& input);
 
 class CoarseRun {
@@ -22,13 +22,15 @@ public:
     struct Manner {
         std::string mode;
         int ranks = 1;
-        bool terminal = false;  // the user's own output is one
+        bool terminal = false;  // the user watches on a terminal
     };
 
-    /// Reads the checkpoint where the run is to be resumed; throws CaseError where it is of another case or damaged.
+    /// Reads the checkpoint where the run is to be resumed. Throws CaseError where the checkpoint is damaged or belongs to
+    /// another case.
     CoarseRun(const RunOptions& options, const Case& input, Manner manner);
 
-    /// Runs to the end or to an interruption; the exit code. `fine`: null where it is no component of its own.
+    /// Runs to the end or to an interruption and returns the exit code. `fine` is null where the run has no separate fine
+    /// component.
     int perform(coarse::EquilibriumFactory& factory, const FineSide* fine);
 
     [[nodiscard]] const coarse::Scene& scene() const { return scene_; }
@@ -48,11 +50,11 @@ private:
     std::filesystem::path directory_;
     Manner manner_;
     coarse::Scene scene_;
-    double mesh_s_;  // and enrichment
+    double mesh_s_;  // time of mesh and enrichment, s
     double checkpoint_s_ = 0.0;
     Progress progress_;
     coarse::CaseMark mark_;
-    std::optional<coarse::Checkpoint> from_;  // what to go on from
+    std::optional<coarse::Checkpoint> from_;  // where the run resumes
     std::optional<int> saved_;                // increment of the last checkpoint
 };
 

@@ -1,4 +1,4 @@
-// The fine components of a run, in this process or others, and what they look like to the coarse one.
+// The fine components of a run, in this process or in others, behind the one port that the coarse component sees.
 #pragma once
 
 #include <memory>
@@ -13,22 +13,22 @@ namespace stria {
 
 class FineSide {
 public:
-    /// In this process. `input` must outlive this.
+    /// All ranks live in this process. `input` must outlive this.
     FineSide(const Case& input, int ranks);
 
-    /// One a peer of the session.
+    /// Each peer of the session is one rank.
     FineSide(const Case& input, const coupling::MpiSession& session);
 
-    /// One as it is, several as one.
+    /// The port. Several ranks look like one.
     [[nodiscard]] coupling::FineScale& scale() { return together_ ? *together_ : *scales_.front(); }
 
-    /// What has crossed between them and the coarse one, and how many there are.
+    /// Messages and bytes between the coarse component and the ranks, and the number of ranks.
     [[nodiscard]] coupling::WorkCounts traffic() const;
 
-    /// How often history had to move from one of them to another.
+    /// How often history had to move from rank to rank.
     [[nodiscard]] int history_moves() const { return together_ ? together_->history_moves() : 0; }
 
-    /// The last report of each; `whole`: that of all.
+    /// The last report of each rank. `whole`: the report of the zone, which is that of a single rank.
     [[nodiscard]] std::vector<coupling::StepReport> reports(const coupling::StepReport& whole) const;
 
 private:
@@ -37,7 +37,7 @@ private:
     std::vector<std::unique_ptr<coupling::Transport>> transports_;
     std::vector<const coupling::RemoteFineScale*> remotes_;
     std::vector<std::unique_ptr<coupling::FineScale>> scales_;
-    std::unique_ptr<coupling::FineRanks> together_;  // of several
+    std::unique_ptr<coupling::FineRanks> together_;  // null for a single rank
 };
 
 }  // namespace stria

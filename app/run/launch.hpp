@@ -8,18 +8,18 @@
 
 namespace stria {
 
-/// Reads the case, fills in the default folder of results, makes it, and refuses one that already holds results, unless
-/// the run is to be resumed. Throws CaseError.
+/// Fills in the default folder of results and makes it. Throws CaseError where the case is wrong, and where the folder
+/// already holds results and the run is neither forced nor resumed.
 void claim_output_directory(RunOptions& options);
 
-/// The command that runs the case in mode mpi; programs are looked for in `programs`.
+/// The words of the command that runs the case in mode mpi. `programs`: the folder of the two components.
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine);
 
-/// Runs it with the environment Open MPI needs and returns its exit code: 4 where a component was lost.
+/// Runs that command with the environment that Open MPI needs. Returns its exit code: 4 where a component was lost.
 int launch(const RunOptions& options);
 
-/// `stria run` with these options as a child whose output goes to the file `log`; its exit code: 4 where it crashed,
-/// 130 where the user has interrupted it or, before it was started, us.
+/// Runs `stria run` with these options as a child process whose output goes to the file `log`. Returns its exit code: 4
+/// where it crashed, 130 where the user interrupted it, or interrupted this process before the child was started.
 int launch_logged(const RunOptions& options, const std::string& log);
 
 }  // namespace stria

@@ -4,9 +4,9 @@
 
 namespace stria {
 
-Progress::Progress(const Case& input, bool quiet, bool verbose, bool terminal)
-    : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(input.load.steps / 2) {
-    increments_ += coarse::cycle_count(input.load) * input.load.steps;
+Progress::Progress(const LoadSection& load, bool quiet, bool verbose, bool terminal)
+    : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(load.steps / 2) {
+    increments_ += coarse::cycle_count(load) * load.steps;
 }
 
 void Progress::end_live_line() {

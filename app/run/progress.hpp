@@ -1,4 +1,4 @@
-// What a run says while it goes: one live line on a terminal, plain lines into a pipe, tables of iterations on request.
+// What a run prints on its way: one live line on a terminal, plain lines into a pipe, tables of iterations on request.
 #pragma once
 
 #include <chrono>
@@ -10,11 +10,11 @@ namespace stria {
 
 class Progress {
 public:
-    /// `terminal`: the user's own output is one, whatever lies between.
-    Progress(const Case& input, bool quiet, bool verbose, bool terminal);
+    /// `terminal`: the user watches on a terminal, even if a pipe lies between.
+    Progress(const LoadSection& load, bool quiet, bool verbose, bool terminal);
 
     void note(const std::string& text);
-    /// The increments up to this one were made before.
+    /// The run goes on after this increment.
     void resumed(int increment) { done_before_ = done_ = increment; }
     void attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report);
     void accepted(const coarse::Increment& increment);

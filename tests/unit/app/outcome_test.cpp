@@ -33,10 +33,14 @@ void write_run(const test::TemporaryFolder& folder, const std::string& status) {
                                 "4,0,1,0.4,0\n4,0,3,0.0,0\n");
 }
 
-TEST(StudyOutcome, TakesTheFirstTipAtTheFirstLargestLoad) {
+Outcome outcome_of_done_run() {
     const test::TemporaryFolder folder;
     write_run(folder, "done");
-    const Outcome run = read_outcome(folder / "");
+    return read_outcome(folder / "");
+}
+
+TEST(StudyOutcome, TakesTheFirstTipAtTheFirstLargestLoad) {
+    const Outcome run = outcome_of_done_run();
     EXPECT_EQ(run.status, "done");
     EXPECT_EQ(run.value("J"), 4.0);
     EXPECT_EQ(run.value("K_I"), 20.0);
@@ -46,9 +50,7 @@ TEST(StudyOutcome, TakesTheFirstTipAtTheFirstLargestLoad) {
 }
 
 TEST(StudyOutcome, TakesContactAndOpeningsFromTheFacesOfTheFirstCrack) {
-    const test::TemporaryFolder folder;
-    write_run(folder, "done");
-    const Outcome run = read_outcome(folder / "");
+    const Outcome run = outcome_of_done_run();
     EXPECT_EQ(run.value("contact_edge"), 2.0);
     EXPECT_EQ(run.at_minimum.s, (std::vector<double>{1, 2, 3}));
     EXPECT_DOUBLE_EQ(run.value("opening_at_min"), 0.05);
@@ -56,9 +58,7 @@ TEST(StudyOutcome, TakesContactAndOpeningsFromTheFacesOfTheFirstCrack) {
 }
 
 TEST(StudyOutcome, DividesWorkByNewtonIterations) {
-    const test::TemporaryFolder folder;
-    write_run(folder, "done");
-    const Outcome run = read_outcome(folder / "");
+    const Outcome run = outcome_of_done_run();
     EXPECT_EQ(run.value("fine_points"), 100.0);
     EXPECT_EQ(run.value("total"), 3.0);
     EXPECT_EQ(run.value("messages_per_iteration"), 2.0);
