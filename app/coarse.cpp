@@ -2,6 +2,7 @@
 #include "app/command_line.hpp"
 #include "app/process/exit_code.hpp"
 #include "app/run/launch.hpp"
+#include "app/run/run.hpp"
 
 int main(int argc, char** argv) {
     return stria::exit_code_of("stria-coarse", [&]() -> int {

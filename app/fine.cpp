@@ -1,6 +1,7 @@
 // The program `stria-fine`: serves plasticity and contact in the zones to a `stria-coarse` of the same mpirun.
 #include "app/command_line.hpp"
 #include "app/process/exit_code.hpp"
+#include "app/run/run.hpp"
 
 int main(int argc, char** argv) {
     return stria::exit_code_of("stria-fine", [&]() -> int {

@@ -1,7 +1,9 @@
 // The program `stria`: the commands a user types.
 #include "app/command_line.hpp"
 #include "app/process/exit_code.hpp"
+#include "app/run/check.hpp"
 #include "app/run/launch.hpp"
+#include "app/run/run.hpp"
 #include "app/study/study.hpp"
 #include "common/case/case_file.hpp"
 
