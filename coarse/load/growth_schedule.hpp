@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coarse/load/load_controller.hpp"
-#include "common/io/case.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 
