@@ -39,7 +39,7 @@ PARTS = {
     "guard": r"YieldGuard|near_elements_beyond",
     "exchange": r"Transport|pack<|unpack<",
     "reports of the zone": r"fine::(ZoneSystem|FineModel)::(commit|measure)",
-    "structure condensed anew, where the zone extends": r"FatigueAnalysis::build",
+    "structure condensed anew, where the zone extends": r"CrackedBody::condense_onto|TwoScaleModel::couple",
 }
 
 

@@ -48,9 +48,9 @@ void measure(int across, int refine) {
     analysis.run();
     const int steps = input.load.blocks[0].cycles;
     std::printf("| %zu | %s | %d | %.1f | %.0f |", scene.mesh.elements.size(), refine > 1 ? "within" : "moves",
-                analysis.structure().unknowns(), 1e3 * analysis.growth_seconds() / steps,
-                1e3 * analysis.setup_seconds());
-    const coupling::WorkCounts made = analysis.work();
+                analysis.structure().unknowns(), 1e3 * analysis.effort().growth_s / steps,
+                1e3 * analysis.effort().setup_s);
+    const coupling::WorkCounts made = analysis.effort().work;
     std::printf(" %ld, %ld, %ld | %zu |", made.structure_factorisations, made.structure_factors_kept,
                 made.far_factorisations, analysis.structure().elements().near().size());
     for (const coarse::TipResult& tip : analysis.nominal()) std::printf(" %.13g |", tip.K_I);

@@ -97,8 +97,8 @@ Measurement measure(int across) {
     result.unknowns = analysis.structure().unknowns();
     result.gamma = static_cast<int>(analysis.structure().gamma().size());
     result.near = static_cast<int>(analysis.structure().elements().near().size());
-    result.full_checks = analysis.work().structure_checks_full;
-    result.checks_by_bound = analysis.work().structure_checks_by_bound;
+    result.full_checks = analysis.effort().work.structure_checks_full;
+    result.checks_by_bound = analysis.effort().work.structure_checks_by_bound;
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/run/coarse_run.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
+#include "coarse/fracture/load_scale.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
 

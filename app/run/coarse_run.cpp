@@ -6,6 +6,7 @@
 #include "app/process/exit_code.hpp"
 #include "app/process/interruption.hpp"
 #include "app/process/version.hpp"
+#include "coarse/results/summary.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
@@ -54,8 +55,8 @@ void CoarseRun::read_last_checkpoint() {
         return;
     }
     from_ = coarse::read_checkpoint(checkpoint_path());
-    coarse::check_same_case(*from_, mark_);
-    saved_ = from_->analysis.increment;
+    coarse::check_same_case(from_->mark, mark_, from_->analysis.load);
+    saved_ = from_->analysis.counts.increments;
     progress_.resumed(*saved_);
     progress_.note(fmt::format("resumed from {} after increment {}, load factor {:.6g}", checkpoint_path().string(),
                                *saved_, from_->analysis.load_factor));
@@ -116,7 +117,7 @@ void CoarseRun::write_checkpoint(const coarse::FatigueAnalysis& analysis, const 
     const Stopwatch watch(checkpoint_s_);
     const coarse::Checkpoint now{mark_, analysis.state(), recorder.state()};
     coarse::write_checkpoint(checkpoint_path(), now);
-    saved_ = now.analysis.increment;
+    saved_ = now.analysis.counts.increments;
 }
 
 std::string CoarseRun::last_checkpoint() const {
@@ -137,23 +138,21 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.fine_unknowns = zone.unknowns;
     summary.fine_points = zone.points;
     summary.multipliers = zone.multipliers;
-    summary.work = zone.work + analysis.work();
-    summary.newton_iterations = analysis.newton_iterations();
+    const coarse::CoarseEffort effort = analysis.effort();
+    summary.work = zone.work + effort.work;
+    summary.counts = effort.counts;
     summary.step_cuts = analysis.cuts();
-    summary.zone_extensions = analysis.zone_extensions();
-    summary.yield_warnings = analysis.yield_warnings();
-    summary.flowing_rings = analysis.flowing_rings();
     if (fine != nullptr) add_ranks(*fine, zone, summary);
     const double output = recorder.output_seconds() + checkpoint_s_;
     summary.timing = {.mesh = mesh_s_,
-                      .setup = analysis.setup_seconds(),
-                      .coarse_factor = analysis.coarse_factor_seconds(),
-                      .growth = analysis.growth_seconds(),
+                      .setup = effort.setup_s,
+                      .coarse_factor = effort.condensing_s,
+                      .growth = effort.growth_s,
                       .fine_constitutive = zone.constitutive_s,
                       .fine_contact = zone.contact_s,
                       .fine_factor = zone.factor_s,
-                      .exchange = analysis.exchange_seconds(),
-                      .coarse_solve = analysis.run_seconds() - analysis.exchange_seconds() - output,
+                      .exchange = effort.exchange_s,
+                      .coarse_solve = effort.run_s - effort.exchange_s - output,
                       .output = output,
                       .checkpoint = checkpoint_s_,
                       .total = seconds()};

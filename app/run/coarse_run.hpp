@@ -10,6 +10,8 @@
 #include "app/run/fine_side.hpp"
 #include "app/run/progress.hpp"
 #include "app/run/run_options.hpp"
+#include "app/run/run.hpp"
+#include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/checkpoint.hpp"
 
 namespace stria {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/analysis/compliance_offset.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coarse/analysis/closure.hpp"
+#include "coarse/analysis/closure_meter.hpp"
 #include "coarse/analysis/cycle_result.hpp"
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
@@ -25,7 +25,7 @@ struct Increment {
     std::vector<TipResult> tips;
     std::vector<double> nominal_K;    // K_1(a) of every tip: elastic, traction-free faces, load factor 1, this length
     WorkBalance work;                 // so far
-    std::vector<CycleResult> cycles;  // one a tip where a cycle ends here
+    std::vector<CycleResult> cycles;  // one per tip where a cycle ends here
 };
 
 }  // namespace stria::coarse

@@ -74,7 +74,7 @@ Residual CondensedEquilibrium::linearise() {
     result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_), 1e-300});
     if (fine_ == nullptr) return result;
     {
-        const Stopwatch watch(exchange_s_);
+        const Stopwatch watch(effort_.exchange_s);
         fine_->request({iteration_, predictor_, load_factor_, settled_below_, trial_});
         // Meanwhile the structure's part, which needs no answer.
         residual_ -= structure_.tangent() * u;
@@ -114,7 +114,7 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 // times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w = 0,
 // k = 1.)
 void CondensedEquilibrium::factor_tangent() {
-    ++work_.gamma_factored;
+    ++effort_.work.gamma_factored;
     definite_ = factor_.factor(bordered_tangent());
     if (!definite_) general_factor_.compute(bordered_tangent());
 }
@@ -136,7 +136,7 @@ double CondensedEquilibrium::solve() {
     if (fine_ == nullptr) return 0.0;
     const auto& [w, k] = controlled_;
     if (response_.same_tangent)
-        ++work_.gamma_factors_reused;
+        ++effort_.work.gamma_factors_reused;
     else
         factor_tangent();
     const double sigma = sigma_;
@@ -169,10 +169,10 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     committed_ = trial_;
     committed_load_factor_ = load_factor_;
     if (fine_ == nullptr) return {};
-    const Stopwatch watch(exchange_s_);
+    const Stopwatch watch(effort_.exchange_s);
     coupling::StepReport report = fine_->commit(reversal);
     if (scene_.input.coupling.state == "auto")
-        ++work_.states_not_sent;
+        ++effort_.work.states_not_sent;
     else
         (void)fine_->state();
     return report;
@@ -208,7 +208,7 @@ void CondensedEquilibrium::restore(const EquilibriumState& state) {
 Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
     if (!expanded_) {
         expanded_ = structure_.expand(trial_, load_factor_);
-        ++work_.structure_solves_full;
+        ++effort_.work.structure_solves_full;
     }
     return *expanded_;
 }
@@ -216,7 +216,7 @@ Eigen::VectorXd CondensedEquilibrium::structure_displacement() const {
 const Eigen::VectorXd& CondensedEquilibrium::near_displacement() const {
     if (!near_known_) {
         structure_.expand_near(trial_, load_factor_, near_);
-        ++work_.structure_solves_near;
+        ++effort_.work.structure_solves_near;
     }
     near_known_ = true;
     return near_;

@@ -31,8 +31,7 @@ public:
     [[nodiscard]] MachineReading machine_reading() const override;
     [[nodiscard]] EquilibriumState state() const override;
     void restore(const EquilibriumState& state) override;
-    [[nodiscard]] double exchange_seconds() const override { return exchange_s_; }
-    [[nodiscard]] coupling::WorkCounts work() const override { return work_; }
+    [[nodiscard]] CoarseEffort effort() const override { return effort_; }
 
 private:
     [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
@@ -73,8 +72,7 @@ private:
     mutable std::optional<Eigen::VectorXd> expanded_;  // structure_displacement() of the trial state
     mutable Eigen::VectorXd near_;                     // near_displacement(), of the trial state where near_known_
     mutable bool near_known_ = false;
-    double exchange_s_ = 0.0;
-    mutable coupling::WorkCounts work_;
+    mutable CoarseEffort effort_;
 };
 
 }  // namespace stria::coarse

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coarse/load/target.hpp"
+#include "coarse/structure/coarse_effort.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {
@@ -89,11 +90,8 @@ public:
     [[nodiscard]] virtual EquilibriumState state() const = 0;
     virtual void restore(const EquilibriumState& state) = 0;
 
-    /// Seconds spent waiting for and talking to the zone.
-    [[nodiscard]] virtual double exchange_seconds() const { return 0.0; }
-
-    /// What has been solved for, and what had not to be, but for the zone's part.
-    [[nodiscard]] virtual coupling::WorkCounts work() const { return {}; }
+    /// Its part of the coarse effort: solves, and the time of the exchange with the zone.
+    [[nodiscard]] virtual CoarseEffort effort() const { return {}; }
 };
 
 }  // namespace stria::coarse

@@ -60,6 +60,7 @@ public:
     /// Halves the increment; false after `max_cuts` halvings.
     [[nodiscard]] bool cut();
 
+    [[nodiscard]] int max_cuts() const { return max_cuts_; }
     [[nodiscard]] int cuts() const { return position_.cuts; }
     /// The value reached: a load factor, or a displacement, mm.
     [[nodiscard]] double reached() const { return position_.reached; }

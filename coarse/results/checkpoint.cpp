@@ -1,9 +1,6 @@
 #include "coarse/results/checkpoint.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <fmt/format.h>
-#include <sstream>
 
 #include "coarse/results/checkpoint_members.hpp"
 #include "common/case/case_file.hpp"
@@ -15,88 +12,7 @@ namespace {
 
 constexpr int format = 1;  // grows with any change of the members below
 
-/// What a run may change when it goes on is left out.
-Case essence(Case input) {
-    input.name.clear();
-    input.title.clear();
-    input.solver = {};
-    input.coupling = {};
-    input.output = {};
-    input.load.blocks.clear();
-    input.load.spectrum.reset();
-    input.load.scale = 1.0;
-    input.load.repeat = 1;
-    return input;
-}
-
-std::uint64_t digest_of(const Mesh& mesh) {
-    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a, a number at a time
-    const auto mix = [&hash](std::uint64_t number) { hash = (hash ^ number) * 1099511628211ULL; };
-    for (const Vec2& node : mesh.nodes)
-        for (const double coordinate : node) mix(std::bit_cast<std::uint64_t>(coordinate));
-    mix(mesh.elements.size());
-    return hash;
-}
-
-[[noreturn]] void refuse(const std::string& difference) {
-    throw CaseError(
-        fmt::format("--resume: {}; a run goes on with the same case: only [solver], [coupling], [output], title and "
-                    "name may change, and the load history where the load has not been yet",
-                    difference));
-}
-
-void compare_texts(const std::string& then, const std::string& now) {
-    std::istringstream before(then), after(now);
-    std::string section, old_line, new_line;
-    while (true) {
-        const bool more_before = static_cast<bool>(std::getline(before, old_line));
-        const bool more_after = static_cast<bool>(std::getline(after, new_line));
-        if (!more_before && !more_after) return;
-        if (!more_before) old_line.clear();
-        if (!more_after) new_line.clear();
-        if (old_line != new_line)
-            refuse(fmt::format("{}\"{}\" in the case was \"{}\" where the checkpoint was written", section, new_line,
-                               old_line));
-        if (old_line.starts_with('[')) section = old_line + " ";
-    }
-}
-
-std::vector<Leg> legs_of(const CaseMark& mark) {
-    LoadSection load;
-    load.blocks = mark.blocks;
-    load.scale = mark.scale;
-    load.repeat = mark.repeat;
-    return legs(load);
-}
-
-/// Up to and with the leg that the load is on.
-void compare_histories(const CaseMark& then, const CaseMark& now, std::size_t leg) {
-    const std::vector<Leg> before = legs_of(then), after = legs_of(now);
-    for (std::size_t k = 0; k < std::min(leg + 1, before.size()); ++k) {
-        const bool same = k < after.size() && after[k].cycle == before[k].cycle && after[k].from == before[k].from &&
-                          after[k].to == before[k].to && after[k].ends_cycle == before[k].ends_cycle;
-        if (!same)
-            refuse(fmt::format("the load history is another one in cycle {}, which had begun when the checkpoint was "
-                               "written",
-                               before[k].cycle));
-    }
-}
-
 }  // namespace
-
-CaseMark mark_of(const Scene& scene) {
-    const LoadSection& load = scene.input.load;
-    return {resolved_toml(essence(scene.input)), load.blocks, load.scale, load.repeat, digest_of(scene.mesh)};
-}
-
-void check_same_case(const Checkpoint& checkpoint, const CaseMark& now) {
-    const CaseMark& then = checkpoint.mark;
-    compare_texts(then.text, now.text);
-    compare_histories(then, now, checkpoint.analysis.load.leg);
-    if (then.mesh != now.mesh)
-        refuse("the mesh is another one than where the checkpoint was written (it is refined along the way that the "
-               "cracks will take)");
-}
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
     hdf5::write_file(path, [&](hdf5::Group& root) {

@@ -6,6 +6,9 @@
 
 #include "coarse/results/checkpoint.hpp"
 #include "coupling/transport/zone_snapshot_members.hpp"
+#include "coarse/analysis/analysis_state.hpp"
+#include "coarse/results/case_mark.hpp"
+#include "coarse/results/run_recorder.hpp"
 
 namespace stria {
 
@@ -168,9 +171,9 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 }
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, in_zone, far, displacement, load_factor, largest_force, closed, cycle, last_cycle, nominal,
-           increment, newton_iterations, extensions, warnings, flowing_rings, growth_ended, load, work, equilibrium,
-           zone] = m;
+    auto& [cracks, in_zone, far, displacement, load_factor, largest_force, closed, cycle, last_cycle, nominal, counts,
+           growth_ended, load, work, equilibrium, zone] = m;
+    auto& [increments, newton_iterations, zone_extensions, yield_warnings, flowing_rings] = counts;
     archive("cracks", cracks);
     archive("in_zone", in_zone);
     archive("far", far);
@@ -181,10 +184,10 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("cycle", cycle);
     archive("last_cycle", last_cycle);
     archive("nominal", nominal);
-    archive("increment", increment);
+    archive("increment", increments);
     archive("newton_iterations", newton_iterations);
-    archive("extensions", extensions);
-    archive("warnings", warnings);
+    archive("extensions", zone_extensions);
+    archive("warnings", yield_warnings);
     archive("flowing_rings", flowing_rings);
     archive("growth_ended", growth_ended);
     archive("load", load);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "coarse/results/summary.hpp"
+#include "coarse/results/json.hpp"
 #include "common/error.hpp"
 #include "common/io/whole_file.hpp"
 
@@ -26,12 +26,6 @@ std::string collection_text(const std::vector<std::pair<std::string, double>>& f
 }
 
 }  // namespace
-
-void FieldData::add_cell(CellType type, const std::vector<std::int64_t>& cell_points) {
-    connectivity.insert(connectivity.end(), cell_points.begin(), cell_points.end());
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-    types.push_back(type);
-}
 
 FieldFormat field_format(const std::string& name) {
     if (name == "vtkhdf") return FieldFormat::VtkHdf;

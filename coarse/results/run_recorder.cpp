@@ -1,8 +1,9 @@
 #include "coarse/results/run_recorder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "coarse/load/load_history.hpp"
+#include "coarse/results/rows.hpp"
 #include "coarse/results/zone_fields.hpp"
 #include "common/io/whole_file.hpp"
 #include "common/stopwatch.hpp"
@@ -21,7 +22,8 @@ CsvWriter table(const std::filesystem::path& path, const std::vector<std::string
 
 RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
-    : scene_(scene), zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
+    : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), zone_state_(std::move(zone_state)),
+      loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
       history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
       cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
       faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),
@@ -49,100 +51,43 @@ RecorderState RunRecorder::state() const {
 void RunRecorder::record(const Increment& increment, const Structure& structure, const ClosureMeter& closure) {
     const Stopwatch watch(output_s_);
     zone_ = increment.zone;
-    present_ = &structure.scene();
-    record_history(increment, structure);
+    record_history(increment, structure.scene());
     cycle_iterations_ += increment.newton.count();
-    if (due(scene_.input.output.faces, increment.step)) {
-        const Eigen::VectorXd& u = increment.equilibrium->near_displacement();
-        for (const coupling::FaceSample& sample : face_samples(structure, u, increment.zone)) {
-            faces_.row(cells_of(face_row(increment.number, sample)));
-        }
-    }
-    if (due(scene_.input.output.fields, increment.step)) {
-        std::optional<coupling::ZoneState> zone;
-        if (!structure.in_zone().none()) zone = zone_state_();
-        FieldData fields = make_fields(structure, increment.equilibrium->structure_displacement(),
-                                       zone ? &*zone : nullptr, increment.zone.faces);
-        fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}},
-                               {"cycle", 1, {double(increment.step.cycle)}}};
-        fields_.write(increment.number, fields);
-    }
+    if (due(output_.faces, increment.step)) record_faces(increment, structure);
+    if (due(output_.fields, increment.step)) record_fields(increment, structure);
     if (increment.step.ends_cycle) record_cycle(increment, closure);
     if (increment.step.ends_cycle || increment.step.cycle == 0) begin_cycle();
 }
 
-void RunRecorder::record_history(const Increment& increment, const Structure&) {
-    HistoryRow row;
-    row.increment = increment.number;
-    row.cycle = increment.step.cycle;
-    row.load_factor = increment.load_factor;
-    row.load = load(increment);
-    row.displacement = loaded_ ? increment.machine.displacement : missing;
-    row.newton_iterations = increment.newton.count();
-    row.dissipation = increment.work.dissipated;
-    row.external_work = increment.work.external;
-    row.stored_energy = increment.work.stored;
-    row.released_energy = increment.work.released;
-    row.balance_error = increment.work.error();
-    last_.clear();
-    if (increment.tips.empty()) last_.push_back(row);
-    for (std::size_t t = 0; t < increment.tips.size(); ++t) {
-        const TipResult& tip = increment.tips[t];
-        row.tip = static_cast<std::int64_t>(t);
-        row.x = present_->enriched.tips[t].position.x();
-        row.y = present_->enriched.tips[t].position.y();
-        row.a = tip.a;
-        row.K_I = tip.K_I;
-        row.K_II = tip.K_II;
-        row.J = tip.J;
-        row.CMOD = tip.CMOD;
-        row.CTOD = tip.CTOD;
-        row.contact_length = tip.contact_length;
-        row.plastic_zone = tip.plastic_zone;
-        row.plastic_zone_axis = tip.plastic_zone_axis;
-        row.T_stress = tip.T_stress;
-        row.J_spread = tip.J_spread;
-        row.K_spread = tip.K_spread;
-        last_.push_back(row);
-    }
-    for (const HistoryRow& written : last_) history_.row(cells_of(written));
+void RunRecorder::record_faces(const Increment& increment, const Structure& structure) {
+    const Eigen::VectorXd& u = increment.equilibrium->near_displacement();
+    for (const coupling::FaceSample& sample : face_samples(structure, u, increment.zone))
+        faces_.row(cells_of(face_row(increment.number, sample)));
+}
+
+void RunRecorder::record_fields(const Increment& increment, const Structure& structure) {
+    std::optional<coupling::ZoneState> zone;
+    if (!structure.in_zone().none()) zone = zone_state_();
+    FieldData fields = make_fields(structure, increment.equilibrium->structure_displacement(), zone ? &*zone : nullptr,
+                                   increment.zone.faces);
+    fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}}, {"cycle", 1, {double(increment.step.cycle)}}};
+    fields_.write(increment.number, fields);
+}
+
+void RunRecorder::record_history(const Increment& increment, const Scene& present) {
+    const double displacement = loaded_ ? increment.machine.displacement : missing;
+    last_ = history_rows(increment, present.enriched.tips, load(increment), displacement);
+    for (const HistoryRow& row : last_) history_.row(cells_of(row));
 }
 
 void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& closure) {
-    for (std::size_t t = 0; t < increment.cycles.size(); ++t) {
-        const CycleResult& cycle = increment.cycles[t];
-        CycleRow row;
-        row.cycle = increment.step.cycle;
-        row.tip = static_cast<std::int64_t>(t);
-        row.a = cycle.a;
-        row.da = cycle.da;
-        row.dN = cycle.dN;
-        row.K_max = cycle.K_max;
-        row.K_min = cycle.K_min;
-        row.K_op = cycle.opening.K_op;
-        row.K_cl = cycle.opening.K_cl;
-        row.U = (row.K_max - row.K_op) / (row.K_max - row.K_min);
-        row.dK_eff = row.K_max - row.K_op;
-        row.J_max = cycle.J_max;
-        row.CTOD_range = cycle.CTOD_range();
-        row.forward_zone = cycle.forward;
-        row.cyclic_zone = cycle.cyclic;
+    for (int t = 0; t < std::ssize(increment.cycles); ++t) {
+        CycleRow row = cycle_row(increment, t);
         row.newton_iterations = cycle_iterations_;
-        row.fine_points = increment.zone.points;
-        row.fine_unknowns = increment.zone.unknowns;
         row.wall_s = seconds() - cycle_start_s_;
-        row.forward_zone_axis = cycle.forward_axis;
-        row.cyclic_zone_axis = cycle.cyclic_axis;
-        row.K_op_contact = cycle.contact.front().K_op;
-        row.K_op_offset = cycle.offset.K_op;
-        row.K_op_tension = cycle.tension.K_op;
         cycles_.row(cells_of(row));
         if (!closure_) continue;
-        for (std::size_t k = 0; k < cycle.contact.size(); ++k) {
-            const OpeningLoads& loads = cycle.contact[k];
-            closure_->row(cells_of(
-                ClosureRow{row.cycle, *row.tip, closure.distances(static_cast<int>(t))[k], loads.K_op, loads.K_cl}));
-        }
+        for (const ClosureRow& opening : closure_rows(increment, t, closure)) closure_->row(cells_of(opening));
     }
 }
 
@@ -167,7 +112,7 @@ bool RunRecorder::due(Written wish, const LoadStep& step) const {
     case Written::Extremes:
         break;
     }
-    return extreme && step.cycle == cycle_count(scene_.input.load);
+    return extreme && step.cycle == last_cycle_;
 }
 
 double RunRecorder::load(const Increment& increment) const {

@@ -6,10 +6,11 @@
 #include <functional>
 #include <optional>
 
-#include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/analysis/closure_meter.hpp"
+#include "coarse/analysis/increment.hpp"
+#include "coarse/model/boundary_conditions.hpp"
 #include "coarse/results/csv.hpp"
 #include "coarse/results/field_writer.hpp"
-#include "coarse/results/summary.hpp"
 #include "coarse/results/tables.hpp"
 
 namespace stria::coarse {
@@ -39,15 +40,17 @@ public:
     [[nodiscard]] double output_seconds() const { return output_s_; }
 
 private:
-    void record_history(const Increment& increment, const Structure& structure);
+    void record_history(const Increment& increment, const Scene& present);
+    void record_faces(const Increment& increment, const Structure& structure);
+    void record_fields(const Increment& increment, const Structure& structure);
     void record_cycle(const Increment& increment, const ClosureMeter& closure);
     void begin_cycle();
     [[nodiscard]] double seconds() const;
     [[nodiscard]] bool due(Written wish, const LoadStep& step) const;
     [[nodiscard]] double load(const Increment& increment) const;
 
-    const Scene& scene_;
-    const Scene* present_ = nullptr;  // of the increment at hand: cracks grow
+    OutputSection output_;
+    int last_cycle_;  // of the load history
     std::function<coupling::ZoneState()> zone_state_;
     std::optional<LoadedBoundary> loaded_;
     CsvWriter history_, cycles_, faces_;

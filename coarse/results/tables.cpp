@@ -108,11 +108,6 @@ template <class Table, class Row> std::vector<Cell> cells_in(const Table& table,
 
 }  // namespace
 
-FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample) {
-    return {increment,      sample.crack, sample.s,        sample.x,     sample.y,
-            sample.opening, sample.slip,  sample.pressure, sample.shear, sample.status};
-}
-
 std::vector<std::string> history_columns() { return names_of(history_table); }
 std::vector<std::string> cycle_columns() { return names_of(cycle_table); }
 std::vector<std::string> closure_columns() { return names_of(closure_table); }

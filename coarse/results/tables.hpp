@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "coarse/results/csv.hpp"
-#include "coupling/messages.hpp"
 
 namespace stria::coarse {
 
@@ -74,8 +73,6 @@ struct FaceRow {
     double pressure = missing, shear = missing;    // MPa
     std::int64_t status = 0;                       // 0 open, 1 stick or frictionless contact, 2 slip
 };
-
-FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample);
 
 std::vector<std::string> history_columns();
 std::vector<std::string> cycle_columns();

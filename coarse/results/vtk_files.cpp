@@ -1,10 +1,9 @@
-// The two file formats of field_writer.hpp.
-#include <fmt/format.h>
+#include "coarse/results/vtk_files.hpp"
 
 #include <bit>
-#include <cstring>
+#include <fmt/format.h>
+#include <span>
 
-#include "coarse/results/field_writer.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
 #include "common/io/hdf5.hpp"
@@ -24,8 +23,9 @@ void validate(const FieldData& data) {
         return array.components > 0 && array.values.size() == count * at(array.components);
     };
     for (const FieldArray& array : data.point_arrays)
-        require(fits(array, data.points.size()), "fields: a value a point");
-    for (const FieldArray& array : data.cell_arrays) require(fits(array, data.types.size()), "fields: a value a cell");
+        require(fits(array, data.points.size()), "fields: one value per point");
+    for (const FieldArray& array : data.cell_arrays)
+        require(fits(array, data.types.size()), "fields: one value per cell");
 }
 
 std::span<const double> coordinates(const FieldData& data) {
@@ -84,6 +84,12 @@ private:
 };
 
 }  // namespace
+
+void FieldData::add_cell(CellType type, const std::vector<std::int64_t>& cell_points) {
+    connectivity.insert(connectivity.end(), cell_points.begin(), cell_points.end());
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    types.push_back(type);
+}
 
 void write_vtkhdf(const std::filesystem::path& path, const FieldData& data) {
     validate(data);

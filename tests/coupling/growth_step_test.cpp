@@ -45,7 +45,7 @@ Grown grow(int refine) {
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
-    grown.made = analysis.work();
+    grown.made = analysis.effort().work;
     return grown;
 }
 

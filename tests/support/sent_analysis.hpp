@@ -69,10 +69,11 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     analysis.run();
     history.nominal = analysis.nominal();
     history.cuts = analysis.cuts();
-    history.extensions = analysis.zone_extensions();
-    history.yield_warnings = analysis.yield_warnings();
-    history.full_checks = analysis.work().structure_checks_full;
-    history.checks_by_bound = analysis.work().structure_checks_by_bound;
+    const coarse::CoarseEffort effort = analysis.effort();
+    history.extensions = effort.counts.zone_extensions;
+    history.yield_warnings = effort.counts.yield_warnings;
+    history.full_checks = effort.work.structure_checks_full;
+    history.checks_by_bound = effort.work.structure_checks_by_bound;
     return history;
 }
 

@@ -13,7 +13,7 @@ protected:
     CycleMeterTest() {
         Case input;
         input.material.yield_stress = 300.0;
-        closure = ClosureMeter(input, {500.0});
+        closure = ClosureMeter(input.closure, input.material, {500.0});
         meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
     }
 

@@ -9,6 +9,7 @@
 
 #include "coarse/results/csv.hpp"
 #include "coarse/results/field_writer.hpp"
+#include "coarse/results/rows.hpp"
 #include "coarse/results/summary.hpp"
 #include "coarse/results/tables.hpp"
 #include "common/error.hpp"

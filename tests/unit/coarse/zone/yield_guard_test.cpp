@@ -60,9 +60,9 @@ Watched run(const Case& input) {
     };
     FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
-    watched.extensions = analysis.zone_extensions();
-    watched.full_checks = analysis.work().structure_checks_full;
-    watched.checks_by_bound = analysis.work().structure_checks_by_bound;
+    watched.extensions = analysis.effort().counts.zone_extensions;
+    watched.full_checks = analysis.effort().work.structure_checks_full;
+    watched.checks_by_bound = analysis.effort().work.structure_checks_by_bound;
     watched.in_zone = analysis.structure().in_zone();
     return watched;
 }

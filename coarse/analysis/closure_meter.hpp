@@ -3,12 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "coarse/equilibrium/newton.hpp"
-#include "coarse/model/scene.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
 #include "common/index.hpp"
+#include "common/case/case.hpp"
 
 namespace stria::coarse {
 
@@ -20,35 +20,38 @@ struct OpeningChange {
     double load_factor;  // to the precision asked for
 };
 
-/// Contact nearer to the tip than a fixed distance does not count: it is as ambiguous as the tip's element
-/// (docs/method.md, section 9).
+/// Reads signals of closure and finds where they change. Contact nearer to the tip than a fixed distance does not
+/// count: it is as ambiguous as the tip's element (docs/method.md, section 9).
 class ClosureMeter {
 public:
     ClosureMeter() = default;
 
-    /// `largest_K_I`: of the load history, one a tip.
-    ClosureMeter(const Case& input, const std::vector<double>& largest_K_I);
+    /// `largest_K_I`: of the load history, MPa sqrt(mm), one per tip. The yield stress gives the default distance.
+    ClosureMeter(const ClosureSection& closure, const MaterialSection& material,
+                 const std::vector<double>& largest_K_I);
 
-    /// Signals of a tip: contact beyond each of distances(tip), the default one first; then, if it is measured,
-    /// compression ahead of the tip.
+    /// Signals per tip: contact beyond each of distances(tip), the default one first; then compression ahead of the tip
+    /// where it is measured.
     [[nodiscard]] int signals() const { return contact_signals() + (tension_ ? 1 : 0); }
     [[nodiscard]] int contact_signals() const { return distance_.empty() ? 0 : static_cast<int>(distance_[0].size()); }
+    /// Behind the tip, mm.
     [[nodiscard]] const std::vector<double>& distances(int tip) const { return distance_[at(tip)]; }
-    /// Per tip: over what distance ahead of it stress is to be averaged, mm: the first one, no less than an element;
-    /// empty where it is not measured.
+    /// Distances ahead of the tips over which the stress is averaged, mm: the first of distances(tip), no less than an
+    /// element. One per tip; empty where compression is not measured.
     [[nodiscard]] std::vector<double> ahead(const EnrichedMesh& mesh) const;
 
-    /// Per tip and signal, whether it is closed, from what Newton's last state says.
+    /// 1 where a signal is closed in Newton's last state: all signals of the first tip, then of the next.
     [[nodiscard]] std::vector<char> closed(const NewtonReport& report) const;
 
-    /// Tries targets between two states until each change lies between two no more than `precision` apart;
-    /// solve(target) finds the trial equilibrium at a target, starting from the state `from`, and the load factor
-    /// there.
+    /// A trial equilibrium, and the load factor there.
     struct Trial {
         NewtonReport report;
         double load_factor;
     };
+    /// Finds the trial equilibrium at a target, starting from the state `from`.
     using Solve = std::function<Trial(double)>;
+
+    /// Tries targets between two states until each change lies between two that are no more than `precision` apart.
     [[nodiscard]] std::vector<OpeningChange> locate(const std::vector<char>& before, const std::vector<char>& after,
                                                     double from, double to, double precision, const Solve& solve) const;
 
@@ -63,13 +66,5 @@ private:
     std::vector<std::vector<double>> distance_;  // per tip, mm
     bool tension_ = false;
 };
-
-/// Where the compliance dv/dP at the mouth, on the way up from the minimum, last is less than 1 - `offset` times that
-/// of the open crack: of the upper quarter of the way down (ASTM E647, appendix on opening force). Loads and openings
-/// at the increments from the maximum to the minimum and from there to the maximum. NaN where it is nowhere, or where
-/// the mouth does not open.
-double compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
-                                 std::span<const double> load_up, std::span<const double> opening_up,
-                                 double offset = 0.02);
 
 }  // namespace stria::coarse

@@ -1,4 +1,4 @@
-#include "coarse/analysis/closure.hpp"
+#include "coarse/analysis/closure_meter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,25 +11,16 @@ namespace {
 
 constexpr double share_of_radius = 0.1;
 
-/// Opening at a load on the way down, linear between increments.
-double interpolated(std::span<const double> load, std::span<const double> opening, double at) {
-    for (std::size_t k = 1; k < load.size(); ++k) {
-        if (load[k] > at) continue;
-        const double way = (load[k - 1] - at) / (load[k - 1] - load[k]);
-        return opening[k - 1] + way * (opening[k] - opening[k - 1]);
-    }
-    return opening.back();
-}
-
 }  // namespace
 
-ClosureMeter::ClosureMeter(const Case& input, const std::vector<double>& largest_K_I)
-    : tension_(input.closure.tension || input.closure.definition == OpeningDefinition::Tension) {
+ClosureMeter::ClosureMeter(const ClosureSection& closure, const MaterialSection& material,
+                           const std::vector<double>& largest_K_I)
+    : tension_(closure.tension || closure.definition == OpeningDefinition::Tension) {
     for (const double K_I : largest_K_I) {
-        const double yield_stress = input.material.yield_stress.value_or(INFINITY);
+        const double yield_stress = material.yield_stress.value_or(INFINITY);
         std::vector<double> distances{
-            input.closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K_I, yield_stress))};
-        distances.insert(distances.end(), input.closure.profile.begin(), input.closure.profile.end());
+            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K_I, yield_stress))};
+        distances.insert(distances.end(), closure.profile.begin(), closure.profile.end());
         distance_.push_back(std::move(distances));
     }
 }
@@ -79,28 +70,6 @@ void ClosureMeter::bisect(const End& before, const End& after, double load_facto
         const int signal = static_cast<int>(k);
         changes.push_back({signal / signals(), signal % signals(), after.closed[k] != 0, load_factor});
     }
-}
-
-double compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
-                                 std::span<const double> load_up, std::span<const double> opening_up, double offset) {
-    if (load_down.size() < 2 || load_up.size() < 2) return NAN;
-    const double range = load_down.front() - load_down.back();
-    const double upper = load_down.front() - 0.25 * range;
-    const double of_open =
-        (opening_down.front() - interpolated(load_down, opening_down, upper)) / (load_down.front() - upper);
-    if (!(of_open > 0.0)) return NAN;
-    double above = NAN, offset_above = 0.0;  // the middle of the segment above, and its offset
-    for (std::size_t k = load_up.size() - 1; k > 0; --k) {
-        const double compliance = (opening_up[k] - opening_up[k - 1]) / (load_up[k] - load_up[k - 1]);
-        const double middle = 0.5 * (load_up[k] + load_up[k - 1]), here = 1.0 - compliance / of_open;
-        if (here >= offset) {
-            if (std::isnan(above)) return NAN;  // stiffer than the open crack up to the maximum
-            return middle + (above - middle) * (here - offset) / (here - offset_above);
-        }
-        above = middle;
-        offset_above = here;
-    }
-    return NAN;
 }
 
 }  // namespace stria::coarse

@@ -1,5 +1,5 @@
-// Where contact comes and goes between two states, found by trying; what the compliance says of it.
-#include "coarse/analysis/closure.hpp"
+// Where contact comes and goes between two states, found by trying.
+#include "coarse/analysis/closure_meter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,18 +27,19 @@ TEST(ClosureMeter, CountsOnlyContactBeyondItsDistances) {
     Case input = loaded();
     input.closure.distance = 0.2;
     input.closure.profile = {0.05, 0.4};
-    const ClosureMeter meter(input, {500.0});
+    const ClosureMeter meter(input.closure, input.material, {500.0});
     EXPECT_EQ(meter.signals(), 3);
     EXPECT_EQ(meter.closed(with_reach(0.3)), (std::vector<char>{1, 1, 0}));
     EXPECT_EQ(meter.closed(with_reach(0.1)), (std::vector<char>{0, 1, 0}));
     EXPECT_EQ(meter.closed(with_reach(-1.0)), (std::vector<char>{0, 0, 0}));
-    EXPECT_NEAR(ClosureMeter(loaded(), {500.0}).distances(0)[0], 0.1 * 3.14159265 / 16.0 * 25.0 / 9.0, 1e-6);
+    EXPECT_NEAR(ClosureMeter({}, loaded().material, {500.0}).distances(0)[0], 0.1 * 3.14159265 / 16.0 * 25.0 / 9.0,
+                1e-6);
 }
 
 TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
     Case input = loaded();
     input.closure.definition = OpeningDefinition::Tension;
-    const ClosureMeter meter(input, {500.0});
+    const ClosureMeter meter(input.closure, input.material, {500.0});
     EXPECT_EQ(meter.signals(), 2);
     EXPECT_EQ(meter.closed(with_reach(-1.0, -2.0)), (std::vector<char>{0, 1}));
     EXPECT_EQ(meter.closed(with_reach(-1.0, 2.0)), (std::vector<char>{0, 0}));
@@ -47,7 +48,7 @@ TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
 TEST(ClosureMeter, FindsTheLoadAsPreciselyAsAsked) {
     Case input = loaded();
     input.closure.distance = 0.2;
-    const ClosureMeter meter(input, {500.0});
+    const ClosureMeter meter(input.closure, input.material, {500.0});
     int trials = 0;
     const auto solve = [&](double target) {
         ++trials;
@@ -70,7 +71,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     Case input = loaded();
     input.closure.distance = 0.1;
     input.closure.profile = {0.2, 0.4};
-    const ClosureMeter meter(input, {500.0});
+    const ClosureMeter meter(input.closure, input.material, {500.0});
     int trials = 0;
     const auto solve = [&](double target) {
         ++trials;
@@ -86,30 +87,9 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
 }
 
 TEST(ClosureMeter, StopsWhereATrialFails) {
-    const ClosureMeter meter(loaded(), {500.0});
+    const ClosureMeter meter({}, loaded().material, {500.0});
     const auto fails = [](double) { return ClosureMeter::Trial{}; };
     EXPECT_TRUE(meter.locate({1}, {0}, 30.0, 40.0, 0.1, fails).empty());
-}
-
-// Compliance 1 above the load 40, .8 below: two straight lines that meet there.
-TEST(ComplianceOffset, FindsWhereTheCrackIsOpen) {
-    std::vector<double> down, up, v_down, v_up;
-    const auto opening = [](double load) { return load > 40.0 ? load : 40.0 - 0.8 * (40.0 - load); };
-    for (int k = 0; k <= 50; ++k) {
-        up.push_back(2.0 * k);
-        down.push_back(100.0 - 2.0 * k);
-        v_up.push_back(opening(up.back()));
-        v_down.push_back(opening(down.back()));
-    }
-    EXPECT_NEAR(compliance_offset_opening(down, v_down, up, v_up), 40.0, 2.0);
-    for (std::size_t k = 0; k < up.size(); ++k) {
-        v_up[k] = up[k];
-        v_down[k] = down[k];
-    }
-    EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // never closed
-    std::ranges::fill(v_up, 0.0);
-    std::ranges::fill(v_down, 0.0);
-    EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // no mouth
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// What a run remembers between two increments: all that a checkpoint holds of an analysis.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coarse/analysis/cycle_meter.hpp"
+#include "coarse/equilibrium/equilibrium.hpp"
+#include "coarse/equilibrium/work_balance.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/load/load_controller.hpp"
+#include "coarse/structure/coarse_effort.hpp"
+#include "common/index_set.hpp"
+#include "coupling/zone_snapshot.hpp"
+
+namespace stria::coarse {
+
+/// Whatever else an analysis holds is a function of this and of the case. A run that goes on from it changes no digit.
+struct AnalysisState {
+    struct Polyline {
+        std::vector<double> x, y;  // mm, one value per point
+    };
+    std::vector<Polyline> cracks;         // one per crack of the case
+    ElementSet in_zone;                   // elements inside the zone
+    ElementSet far;                       // far elements; the choice shows in the last bits
+    Eigen::VectorXd displacement;         // of all unknowns of the mesh, mm; zero inside the zone
+    double load_factor = 0.0;             // committed
+    double largest_force = 0.0;           // largest scale of a residual up to now, N/mm
+    std::vector<char> closed;             // signals of the closure meter
+    CycleMemory cycle;                    // of the present cycle
+    std::vector<CycleResult> last_cycle;  // one per tip, of the last cycle that ended
+    std::vector<TipResult> nominal;       // one per tip, of the present crack lengths
+    RunCounts counts;
+    bool growth_ended = false;  // growth has ended the run
+    LoadPosition load;
+    WorkBalance work;
+    EquilibriumState equilibrium;
+    coupling::ZoneSnapshot zone;  // empty without a zone
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,16 @@
+// The opening load by the compliance offset method (ASTM E647, appendix on opening force).
+#pragma once
+
+#include <span>
+
+namespace stria::coarse {
+
+/// The load at which, on the way up from the minimum, the compliance dv/dP at the mouth last is less than 1 - `offset`
+/// times that of the open crack. The open crack's compliance is that of the upper quarter of the way down.
+/// `load_down`, `opening_down`: load factors and mouth openings, mm, at the increments from the maximum to the minimum;
+/// `load_up`, `opening_up`: from there to the maximum. NaN where there is no such load or the mouth does not open.
+double compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
+                                 std::span<const double> load_up, std::span<const double> opening_up,
+                                 double offset = 0.02);
+
+}  // namespace stria::coarse

@@ -1,0 +1,26 @@
+// Where a crack grows: the direction of an advance, and the crack's line after it.
+#pragma once
+
+#include <vector>
+
+#include "coarse/fracture/fracture_parameters.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
+#include "common/case/case.hpp"
+
+namespace stria::coarse {
+
+/// Angle from a tip's direction to the largest hoop stress, radians, within 70.6 degrees; 0 where |K_II| is below 0.005
+/// K_I. Erdogan and Sih, J. Basic Eng. 85 (1963) 519.
+[[nodiscard]] double hoop_stress_angle(double K_I, double K_II);
+
+/// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves.
+void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
+
+/// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `nominal` and `advance_by`:
+/// one per tip.
+[[nodiscard]] std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
+                                                      const std::vector<Tip>& tips,
+                                                      const std::vector<TipResult>& nominal,
+                                                      const std::vector<double>& advance_by);
+
+}  // namespace stria::coarse

@@ -1,0 +1,67 @@
+#include "coarse/analysis/crack_growth.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "coarse/analysis/crack_advance.hpp"
+#include "coarse/analysis/growth_law.hpp"
+#include "coarse/load/growth_schedule.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+
+bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
+
+std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_factor,
+                                         const std::vector<CycleResult>& last) {
+    const std::vector<TipResult>& nominal = body.nominal();
+    const Scene& present = body.scene();
+    std::unique_ptr<Scene> longer;
+    if (!is_over(nominal, load_factor, last))
+        longer = scene_of(present, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
+                                                 nominal, advances(growth_, last, nominal.size())));
+    ended_ = !longer;
+    return longer;
+}
+
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, double load_factor,
+                          const std::vector<CycleResult>& last) const {
+    if (!last.empty() && fastest_rate(growth_, last) <= 0.0) {
+        note_("nothing drives a tip any more: the crack is arrested");
+        return true;
+    }
+    for (std::size_t t = 0; t < nominal.size(); ++t) {
+        const double K = nominal[t].K_I * load_factor;
+        if (growth_.until && nominal[t].a >= *growth_.until * (1.0 - 1e-9)) {
+            note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal[t].a));
+            return true;
+        }
+        if (growth_.toughness && K >= *growth_.toughness) {
+            note_(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", t, K));
+            return true;
+        }
+    }
+    return false;
+}
+
+std::unique_ptr<Scene> CrackGrowth::scene_of(const Scene& present, std::vector<CrackSection> cracks) const {
+    try {
+        Case input = present.input;
+        input.cracks = std::move(cracks);
+        auto next = std::make_unique<Scene>(make_scene(input, present.mesh));
+        if (next->enriched.tips.size() == present.enriched.tips.size()) return next;
+        note_("the next advance takes a crack out of the body: growth ends here");
+    } catch (const CaseError& error) {
+        note_(fmt::format("growth ends here: {}", error.what()));
+    }
+    return nullptr;
+}
+
+void CrackGrowth::count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const {
+    double grown = 0.0;
+    for (const CycleResult& cycle : cycles) grown = std::max(grown, cycle.da);
+    const double passed = cycles_passed(growth_, grown, fastest_rate(growth_, last), fastest_rate(growth_, cycles));
+    for (CycleResult& cycle : cycles) cycle.dN = passed;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,42 @@
+// Growth at a reached load: whether it goes on, how far each tip advances and where.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coarse/analysis/cracked_body.hpp"
+#include "coarse/load/load_controller.hpp"
+
+namespace stria::coarse {
+
+class CrackGrowth {
+public:
+    /// `note` must outlive it. `ended`: growth has ended the run already.
+    CrackGrowth(const GrowthSection& growth, const Note& note, bool ended)
+        : growth_(growth), note_(note), ended_(ended) {}
+
+    /// Growth has ended the run.
+    [[nodiscard]] bool ended() const { return ended_; }
+
+    [[nodiscard]] bool is_due(const LoadStep& reached) const;
+
+    /// The scene with each tip advanced by the law, from what it went through in the `last` cycle (one per tip). Null
+    /// where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack would leave the body or
+    /// meet another one.
+    [[nodiscard]] std::unique_ptr<Scene> next(const CrackedBody& body, double load_factor,
+                                              const std::vector<CycleResult>& last);
+
+    /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before.
+    void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const;
+
+private:
+    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, double load_factor,
+                               const std::vector<CycleResult>& last) const;
+    [[nodiscard]] std::unique_ptr<Scene> scene_of(const Scene& present, std::vector<CrackSection> cracks) const;
+
+    GrowthSection growth_;
+    const Note& note_;
+    bool ended_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,157 @@
+#include "coarse/analysis/cracked_body.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "coarse/fracture/load_scale.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "common/error.hpp"
+#include "common/stopwatch.hpp"
+
+namespace stria::coarse {
+namespace {
+
+AnalysisState::Polyline polyline_of(const CrackSection& crack) {
+    AnalysisState::Polyline line;
+    for (const Vec2& point : crack.points) {
+        line.x.push_back(point.x());
+        line.y.push_back(point.y());
+    }
+    return line;
+}
+
+std::vector<Vec2> points_of(const AnalysisState::Polyline& line) {
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k < line.x.size(); ++k) points.emplace_back(line.x[k], line.y.at(k));
+    return points;
+}
+
+}  // namespace
+
+CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& note, const AnalysisState* from)
+    : scene_(&scene), effort_(effort), note_(note) {
+    const Stopwatch watch(effort_.setup_s);
+    if (!scene.free_motions.text.empty()) note_(scene.free_motions.text);
+    if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
+        far_ = far_elements(scene, ElementSet(scene.mesh.elements.size()));
+        structure_ = take_nominal_of(scene);
+        if (!nominal_.empty()) first_length_ = nominal_.front().a;
+    }
+    if (from != nullptr) go_on_from(*from);
+    const ElementSet in_zone = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
+    if (structure_ && !serves(in_zone)) structure_.reset();  // two factors at once would take twice the memory
+    condense_onto(in_zone, from != nullptr ? &from->far : nullptr);
+}
+
+void CrackedBody::go_on_from(const AnalysisState& state) {
+    Case input = scene_->input;
+    for (std::size_t k = 0; k < input.cracks.size(); ++k) input.cracks[k].points = points_of(state.cracks.at(k));
+    if (input != scene_->input) {
+        if (input.growth && input.growth->retain == Retain::All)
+            throw CaseError(
+                "--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
+        grown_ = std::make_unique<Scene>(make_scene(input, scene_->mesh));
+        scene_ = grown_.get();
+        nominal_displacement_ = {};
+    }
+    require(std::ssize(state.displacement) == scene_->enriched.unknowns &&
+                state.in_zone.size() == std::ssize(scene_->mesh.elements),
+            "a state is of the mesh of its scene");
+    nominal_ = state.nominal;
+}
+
+void CrackedBody::write(AnalysisState& state) const {
+    for (const CrackSection& crack : scene_->input.cracks) state.cracks.push_back(polyline_of(crack));
+    state.in_zone = structure_->in_zone();
+    state.far = far_;
+    state.nominal = nominal_;
+}
+
+bool CrackedBody::has_zone() const { return !structure_->in_zone().none(); }
+
+// Of the first tip.
+double CrackedBody::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
+
+double CrackedBody::load_scale() const { return target_of_unit(scene_->input.load, nominal_, grown()); }
+
+bool CrackedBody::knows_far_body() const { return factors_.far && factors_.far->far() == far_; }
+
+bool CrackedBody::serves(const ElementSet& in_zone) const {
+    return structure_ && &structure_->scene() == scene_ && structure_->in_zone() == in_zone;
+}
+
+void CrackedBody::condense_onto(const ElementSet& in_zone, const ElementSet* far) {
+    const std::shared_ptr<const NearFactor> near = factors_.near;
+    if (!serves(in_zone)) {  // else the nominal one does
+        far_ = far != nullptr ? *far : far_elements(*scene_, in_zone, far_);
+        note_if_large("condensing the structure onto the zone's boundary");
+        structure_ = condense(*scene_, in_zone);
+    }
+    coupling::WorkCounts& work = effort_.work;
+    ++(near && factors_.near == near ? work.structure_factors_kept : work.structure_factorisations);
+}
+
+// Structures one after another, each with what serves of the last one's factors.
+std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const ElementSet& in_zone) {
+    const Stopwatch watch(effort_.condensing_s);
+    const bool known = knows_far_body();
+    auto structure = std::make_unique<Structure>(scene, in_zone, far_, std::exchange(factors_, {}));
+    factors_ = structure->factors();
+    if (!known && factors_.far) ++effort_.work.far_factorisations;
+    return structure;
+}
+
+// K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
+// the structure, it condenses what is near or in the zone.
+std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
+    note_if_large("elastic solution of the whole body");
+    const bool known = knows_far_body();
+    auto near = std::exchange(factors_.near, nullptr);
+    auto body = condense(scene, ElementSet(scene.mesh.elements.size()));
+    factors_.near = std::move(near);  // of the structure
+    // A far body that was there before: the guard knows how it answers.
+    NominalSolution nominal = known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
+    nominal_ = nominal.tips;
+    largest_K_I_ = stria::coarse::largest_K_I(scene.input.load, nominal, grown());
+    nominal_displacement_ = known ? Eigen::VectorXd() : std::move(nominal.displacement);
+    return std::move(nominal.structure);
+}
+
+// What a longer crack changes the functions of is fine before the functions change: its state is kept.
+ElementSet CrackedBody::zone_about(const Scene& longer) {
+    const ElementSet now = structure_->in_zone();
+    ElementSet in_zone = has_zone() ? with_changed_functions(now, scene_->enriched, longer.enriched) : now;
+    far_ = far_elements(longer, in_zone, far_);
+    std::unique_ptr<Structure> body = take_nominal_of(longer);
+    if (!has_zone()) structure_ = std::move(body);
+    in_zone |= select_zone(longer, largest_K_I_);
+    return in_zone;
+}
+
+// Everything that a longer crack changes is near it: the far body serves again.
+Eigen::VectorXd CrackedBody::take(std::unique_ptr<Scene> longer, const ElementSet& in_zone,
+                                  const Eigen::VectorXd& displacement) {
+    const EnrichedMesh& before = scene_->enriched;
+    if (longer->input.growth->retain == Retain::All && needs_fine(longer->input)) {
+        auto retaining = std::make_unique<Scene>(with_functions_left(*longer, before));
+        if (nominal_displacement_.size() > 0)
+            nominal_displacement_ = carry_over(longer->enriched, nominal_displacement_, retaining->enriched,
+                                               Eigen::VectorXd::Zero(retaining->enriched.unknowns));
+        longer = std::move(retaining);
+    }
+    Eigen::VectorXd carried =
+        carry_over(before, displacement, longer->enriched, Eigen::VectorXd::Zero(longer->enriched.unknowns));
+    scene_ = longer.get();
+    condense_onto(in_zone);
+    grown_ = std::move(longer);
+    return carried;
+}
+
+// Where a factor takes seconds, the user should know what is going on.
+void CrackedBody::note_if_large(const char* phase) const {
+    if (scene_->mesh.elements.size() > 100'000)
+        note_(fmt::format("{} ({} elements) ...", phase, scene_->mesh.elements.size()));
+}
+
+}  // namespace stria::coarse

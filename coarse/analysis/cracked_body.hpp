@@ -1,0 +1,69 @@
+// The body with its cracks as long as they are now: its scene, its nominal solution, and its structure.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "coarse/analysis/analysis_state.hpp"
+#include "coarse/analysis/listener.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
+
+namespace stria::coarse {
+
+class CrackedBody {
+public:
+    /// Chooses the zone by eq. (3), or takes everything from a state of the same case. `scene`: of the cracks as they
+    /// were at the start. `scene`, `effort` and `note` must outlive the body.
+    CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& note, const AnalysisState* from);
+
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] const Structure& structure() const { return *structure_; }
+    [[nodiscard]] bool has_zone() const;
+
+    /// Elastic, traction-free stress intensities for the load factor 1, one per tip.
+    [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_; }
+    /// That solution's displacement of the whole mesh, mm; empty where the guard knows this far body already.
+    [[nodiscard]] const Eigen::VectorXd& nominal_displacement() const { return nominal_displacement_; }
+    /// The K of eq. (3), MPa sqrt(mm), one per tip: the largest of the load history.
+    [[nodiscard]] const std::vector<double>& largest_K_I() const { return largest_K_I_; }
+    /// A unit of the load history as a target (load_scale.hpp).
+    [[nodiscard]] double load_scale() const;
+
+    /// Condenses what is not in the zone onto the zone's boundary, with whatever serves of the factors before. `far`:
+    /// null: as near_elements.hpp chooses.
+    void condense_onto(const ElementSet& in_zone, const ElementSet* far = nullptr);
+
+    /// The zone that longer cracks want: what it holds now, the elements whose functions they change, and what eq. (3)
+    /// wants about the tips, whose nominal solution is that of the longer cracks from here on.
+    [[nodiscard]] ElementSet zone_about(const Scene& longer);
+
+    /// Figure 3 (a): the cracks are longer and nothing else changes. Returns the displacement on the new mesh, mm, zero
+    /// for new functions.
+    [[nodiscard]] Eigen::VectorXd take(std::unique_ptr<Scene> longer, const ElementSet& in_zone,
+                                       const Eigen::VectorXd& displacement);
+
+    void write(AnalysisState& state) const;
+
+private:
+    [[nodiscard]] bool knows_far_body() const;
+    [[nodiscard]] bool serves(const ElementSet& in_zone) const;
+    [[nodiscard]] double grown() const;
+    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone);
+    [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene);
+    void go_on_from(const AnalysisState& state);
+    void note_if_large(const char* phase) const;
+
+    const Scene* scene_;
+    std::unique_ptr<Scene> grown_;  // the present one, once a crack has grown
+    CoarseEffort& effort_;
+    const Note& note_;
+    ElementSet far_;  // near_elements.hpp
+    StructureFactors factors_;
+    std::unique_ptr<Structure> structure_;
+    std::vector<TipResult> nominal_;
+    Eigen::VectorXd nominal_displacement_;
+    std::vector<double> largest_K_I_;
+    double first_length_ = 0.0;  // of the crack of the first tip at the start, mm
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,124 @@
+#include "coarse/analysis/two_scale_model.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "coarse/structure/gamma.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "common/stopwatch.hpp"
+
+namespace stria::coarse {
+
+TwoScaleModel::TwoScaleModel(CrackedBody& body, const ClosureMeter& closure, EquilibriumFactory& factory,
+                             CoarseEffort& effort, const Note& note, const AnalysisState* from)
+    : body_(body), closure_(closure), factory_(factory), effort_(effort), note_(note),
+      guard_(body.scene().input.material), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+    const Stopwatch watch(effort_.setup_s);
+    if (from == nullptr) {
+        couple();
+        return;
+    }
+    displacement_ = from->displacement;
+    load_factor_ = from->load_factor;
+    largest_force_ = from->largest_force;
+    couple(from);
+    equilibrium_->restore(from->equilibrium);
+    work_ = from->work;
+}
+
+void TwoScaleModel::write(AnalysisState& state) const {
+    state.displacement = is_behind_ ? equilibrium_->structure_displacement() : displacement_;
+    state.load_factor = load_factor_;
+    state.largest_force = largest_force_;
+    state.work = work_;
+    state.equilibrium = equilibrium_->state();
+    if (body_.has_zone()) state.zone = factory_.zone_snapshot();
+}
+
+CoarseEffort TwoScaleModel::effort() const {
+    CoarseEffort effort = equilibrium_->effort();
+    effort.work += guard_.work();
+    return effort;
+}
+
+// An equilibrium of the present structure and zone, at the committed state.
+void TwoScaleModel::couple(const AnalysisState* from) {
+    const Structure& structure = body_.structure();
+    const bool has_zone = body_.has_zone();
+    guard_.turn_to(structure, body_.nominal_displacement());
+    rings_.emplace(structure);
+    const coupling::Patch patch = has_zone ? patch_of(structure.in_zone(), structure.gamma()) : coupling::Patch();
+    const coupling::Patch* zone_patch = has_zone ? &patch : nullptr;
+    if (equilibrium_) effort_ += equilibrium_->effort();
+    equilibrium_ = from != nullptr ? factory_.resume(structure, zone_patch, displacement_, from->zone)
+                                   : factory_.make(structure, zone_patch, displacement_, load_factor_);
+    if (has_zone) restart(work_, structure, displacement_);
+    note_(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
+                      structure.in_zone().size(), structure.in_zone().count(), structure.unknowns(),
+                      structure.gamma().size()));
+}
+
+coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const {
+    coupling::Patch patch = make_patch(body_.scene(), in_zone, gamma, displacement_);
+    patch.ahead = closure_.ahead(body_.scene().enriched);
+    return patch;
+}
+
+NewtonReport TwoScaleModel::solve(const LoadStep& step) {
+    const SolverSection& solver = body_.scene().input.solver;
+    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver, largest_force_);
+    effort_.counts.newton_iterations += report.count();
+    return report;
+}
+
+Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report) {
+    const Structure& structure = body_.structure();
+    Increment increment;
+    increment.step = step;
+    increment.newton = report;
+    increment.load_factor = load_factor_ = equilibrium_->load_factor();
+    largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
+    increment.machine = equilibrium_->machine_reading();
+    equilibrium_->begin_commit(step.reversal);  // the zone commits while the structure looks at its rings
+    const RingIntegrals own = rings_->integrals(equilibrium_->near_displacement());
+    increment.zone = equilibrium_->commit(step.reversal);
+    is_behind_ = true;
+    increment.equilibrium = equilibrium_.get();
+    increment.tips = fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone);
+    add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
+                  increment.zone);
+    increment.work = work_;
+    return increment;
+}
+
+void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
+    rollback();
+    refresh_displacement();
+    ++effort_.counts.zone_extensions;
+    body_.condense_onto(with_ring(body_.scene(), body_.structure().in_zone(), yielding));
+    couple();
+}
+
+// What becomes fine because of the longer cracks is fine before the functions change. Without a zone nobody sees what
+// the growth releases.
+void TwoScaleModel::lengthen_cracks(std::unique_ptr<Scene> longer) {
+    const Stopwatch watch(effort_.growth_s);
+    refresh_displacement();
+    const bool has_zone = body_.has_zone();
+    const ElementSet in_zone = body_.zone_about(*longer);
+    if (!has_zone)
+        work_.released = std::numeric_limits<double>::quiet_NaN();
+    else if (in_zone != body_.structure().in_zone())
+        factory_.extend_zone(patch_of(in_zone, gamma_of(body_.scene(), in_zone)));
+    displacement_ = body_.take(std::move(longer), in_zone, displacement_);
+    couple();
+}
+
+// Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.
+void TwoScaleModel::refresh_displacement() {
+    if (std::exchange(is_behind_, false)) displacement_ = equilibrium_->structure_displacement();
+}
+
+}  // namespace stria::coarse

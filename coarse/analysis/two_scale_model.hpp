@@ -1,0 +1,64 @@
+// Structure and zone of the present cracks in one equilibrium, and the state that both have committed.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "coarse/analysis/closure_meter.hpp"
+#include "coarse/analysis/cracked_body.hpp"
+#include "coarse/equilibrium/equilibrium_factory.hpp"
+#include "coarse/fracture/structure_rings.hpp"
+#include "coarse/zone/yield_guard.hpp"
+
+namespace stria::coarse {
+
+class TwoScaleModel {
+public:
+    /// All references must outlive the model. `from`: a state to go on from; null: the unloaded body.
+    TwoScaleModel(CrackedBody& body, const ClosureMeter& closure, EquilibriumFactory& factory, CoarseEffort& effort,
+                  const Note& note, const AnalysisState* from);
+
+    /// Newton's method, to a trial state.
+    [[nodiscard]] NewtonReport solve(const LoadStep& step);
+    void rollback() { equilibrium_->rollback(); }
+    /// Trial becomes committed. The increment holds what mechanics has to say of it: no number, no closure, no cycles.
+    [[nodiscard]] Increment commit(const LoadStep& step, const NewtonReport& report);
+
+    [[nodiscard]] double load_factor() const { return load_factor_; }  // committed
+    [[nodiscard]] double trial_load_factor() const { return equilibrium_->load_factor(); }
+
+    /// Elements outside the zone that the trial state takes beyond yield, ascending.
+    [[nodiscard]] std::vector<int> elements_beyond_yield() { return guard_.elements_beyond(*equilibrium_); }
+    /// They and their neighbours join the zone; the trial state is lost.
+    void extend_zone(const std::vector<int>& yielding);
+
+    /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed.
+    void lengthen_cracks(std::unique_ptr<Scene> longer);
+
+    /// Of the present equilibrium and of the guard; what was before them is in the run's own record.
+    [[nodiscard]] CoarseEffort effort() const;
+
+    void write(AnalysisState& state) const;
+
+private:
+    void couple(const AnalysisState* from = nullptr);
+    void refresh_displacement();
+    [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
+
+    CrackedBody& body_;
+    const ClosureMeter& closure_;
+    EquilibriumFactory& factory_;
+    CoarseEffort& effort_;
+    const Note& note_;
+    YieldGuard guard_;
+    std::unique_ptr<Equilibrium> equilibrium_;
+    std::optional<StructureRings> rings_;  // of the present structure
+    Eigen::VectorXd displacement_;         // committed, of the whole mesh, mm; behind while increments are accepted:
+    bool is_behind_ = false;               // refresh_displacement()
+    double load_factor_ = 0.0;             // committed
+    double largest_force_ = 0.0;           // largest scale of a residual that was committed, N/mm
+    WorkBalance work_;                     // committed
+};
+
+}  // namespace stria::coarse

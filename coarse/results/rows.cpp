@@ -1,0 +1,96 @@
+#include "coarse/results/rows.hpp"
+
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+HistoryRow row_of_body(const Increment& increment, double load, double displacement) {
+    HistoryRow row;
+    row.increment = increment.number;
+    row.cycle = increment.step.cycle;
+    row.load_factor = increment.load_factor;
+    row.load = load;
+    row.displacement = displacement;
+    row.newton_iterations = increment.newton.count();
+    row.dissipation = increment.work.dissipated;
+    row.external_work = increment.work.external;
+    row.stored_energy = increment.work.stored;
+    row.released_energy = increment.work.released;
+    row.balance_error = increment.work.error();
+    return row;
+}
+
+void put_tip(HistoryRow& row, const TipResult& tip) {
+    row.a = tip.a;
+    row.K_I = tip.K_I;
+    row.K_II = tip.K_II;
+    row.J = tip.J;
+    row.CMOD = tip.CMOD;
+    row.CTOD = tip.CTOD;
+    row.contact_length = tip.contact_length;
+    row.plastic_zone = tip.plastic_zone;
+    row.plastic_zone_axis = tip.plastic_zone_axis;
+    row.T_stress = tip.T_stress;
+    row.J_spread = tip.J_spread;
+    row.K_spread = tip.K_spread;
+}
+
+}  // namespace
+
+std::vector<HistoryRow> history_rows(const Increment& increment, const std::vector<Tip>& tips, double load,
+                                     double displacement) {
+    const HistoryRow body = row_of_body(increment, load, displacement);
+    if (increment.tips.empty()) return {body};
+    std::vector<HistoryRow> rows(increment.tips.size(), body);
+    for (std::size_t t = 0; t < rows.size(); ++t) {
+        rows[t].tip = static_cast<std::int64_t>(t);
+        rows[t].x = tips[t].position.x();
+        rows[t].y = tips[t].position.y();
+        put_tip(rows[t], increment.tips[t]);
+    }
+    return rows;
+}
+
+CycleRow cycle_row(const Increment& increment, int tip) {
+    const CycleResult& cycle = increment.cycles[at(tip)];
+    CycleRow row;
+    row.cycle = increment.step.cycle;
+    row.tip = tip;
+    row.a = cycle.a;
+    row.da = cycle.da;
+    row.dN = cycle.dN;
+    row.K_max = cycle.K_max;
+    row.K_min = cycle.K_min;
+    row.K_op = cycle.opening.K_op;
+    row.K_cl = cycle.opening.K_cl;
+    row.U = (row.K_max - row.K_op) / (row.K_max - row.K_min);
+    row.dK_eff = row.K_max - row.K_op;
+    row.J_max = cycle.J_max;
+    row.CTOD_range = cycle.CTOD_range();
+    row.forward_zone = cycle.forward;
+    row.cyclic_zone = cycle.cyclic;
+    row.fine_points = increment.zone.points;
+    row.fine_unknowns = increment.zone.unknowns;
+    row.forward_zone_axis = cycle.forward_axis;
+    row.cyclic_zone_axis = cycle.cyclic_axis;
+    row.K_op_contact = cycle.contact.front().K_op;
+    row.K_op_offset = cycle.offset.K_op;
+    row.K_op_tension = cycle.tension.K_op;
+    return row;
+}
+
+std::vector<ClosureRow> closure_rows(const Increment& increment, int tip, const ClosureMeter& closure) {
+    std::vector<ClosureRow> rows;
+    const std::vector<OpeningLoads>& contact = increment.cycles[at(tip)].contact;
+    for (std::size_t k = 0; k < contact.size(); ++k)
+        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], contact[k].K_op, contact[k].K_cl});
+    return rows;
+}
+
+FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample) {
+    return {increment,      sample.crack, sample.s,        sample.x,     sample.y,
+            sample.opening, sample.slip,  sample.pressure, sample.shear, sample.status};
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,25 @@
+// What an increment and a cycle become in the tables.
+#pragma once
+
+#include <vector>
+
+#include "coarse/analysis/closure_meter.hpp"
+#include "coarse/analysis/increment.hpp"
+#include "coarse/results/tables.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
+
+namespace stria::coarse {
+
+/// One row per tip; without tips, one. `load`, N/mm, and `displacement`, mm: of the loaded boundary, NaN without one.
+[[nodiscard]] std::vector<HistoryRow> history_rows(const Increment& increment, const std::vector<Tip>& tips,
+                                                   double load, double displacement);
+
+/// Of a tip, of the cycle that an increment has ended. Iterations and wall time are left to the recorder.
+[[nodiscard]] CycleRow cycle_row(const Increment& increment, int tip);
+
+/// Likewise, one row per distance behind the tip.
+[[nodiscard]] std::vector<ClosureRow> closure_rows(const Increment& increment, int tip, const ClosureMeter& closure);
+
+[[nodiscard]] FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample);
+
+}  // namespace stria::coarse
