@@ -9,8 +9,8 @@
 
 #include "app/run/fine_side.hpp"
 #include "app/run/progress.hpp"
-#include "app/run/run_options.hpp"
 #include "app/run/run.hpp"
+#include "app/run/run_options.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/checkpoint.hpp"
 
@@ -27,12 +27,12 @@ public:
         bool terminal = false;  // the user watches on a terminal
     };
 
-    /// Reads the checkpoint where the run is to be resumed. Throws CaseError where the checkpoint is damaged or belongs to
-    /// another case.
+    /// Reads the checkpoint where the run is to be resumed. Throws CaseError where the checkpoint is damaged or belongs
+    /// to another case.
     CoarseRun(const RunOptions& options, const Case& input, Manner manner);
 
-    /// Runs to the end or to an interruption and returns the exit code. `fine` is null where the run has no separate fine
-    /// component.
+    /// Runs to the end or to an interruption and returns the exit code. `fine` is null where the run has no separate
+    /// fine component.
     int perform(coarse::EquilibriumFactory& factory, const FineSide* fine);
 
     [[nodiscard]] const coarse::Scene& scene() const { return scene_; }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "coarse/equilibrium/newton.hpp"
+#include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/index.hpp"
-#include "common/case/case.hpp"
 
 namespace stria::coarse {
 

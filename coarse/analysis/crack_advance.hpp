@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
-#include "common/enrichment/enriched_mesh.hpp"
 #include "common/case/case.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
 
 namespace stria::coarse {
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <sstream>
 
-#include "common/error.hpp"
 #include "common/case/case_file.hpp"
+#include "common/error.hpp"
 
 namespace stria::coarse {
 namespace {

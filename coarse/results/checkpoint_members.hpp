@@ -4,11 +4,11 @@
 
 #include <type_traits>
 
-#include "coarse/results/checkpoint.hpp"
-#include "coupling/transport/zone_snapshot_members.hpp"
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/results/case_mark.hpp"
+#include "coarse/results/checkpoint.hpp"
 #include "coarse/results/run_recorder.hpp"
+#include "coupling/transport/zone_snapshot_members.hpp"
 
 namespace stria {
 
