@@ -9,7 +9,6 @@
 
 #include "app/run/fine_side.hpp"
 #include "app/run/progress.hpp"
-#include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/checkpoint.hpp"
