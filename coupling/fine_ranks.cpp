@@ -224,9 +224,14 @@ PatchResponse FineRanks::collect() {
         response.interior_residual = std::max(response.interior_residual, std::abs(load[seam]));
     response.same_tangent = std::ranges::none_of(changed_, [](char changed) { return changed != 0; });
     if (!response.same_tangent) {
-        tree_->factor(tangents_, changed_);
+        tree_->factor(
+            [&](int rank) {
+                const auto& [matrix, symmetry] = tangents_[at(rank)];
+                return FrontTree::ElementMatrix{matrix, symmetry};
+            },
+            changed_);
         std::ranges::fill(changed_, static_cast<char>(0));
-        response.tangent = tree_->tangent();
+        response.tangent = {tree_->tangent(), tree_->symmetry()};
     }
     reduced_ = tree_->reduce(load);
     reduced_unit_ = tree_->reduce(unit_load);

@@ -59,7 +59,7 @@ private:
     Eigen::VectorXd own_load_;        // on kept_, per unit load factor, N/mm: of the seams
 
     std::unique_ptr<FrontTree> tree_;
-    std::vector<Eigen::MatrixXd> tangents_;  // per rank
+    std::vector<CondensedTangent> tangents_;  // per rank
     std::vector<char> changed_;              // per rank: since the last factor
     ReducedLoad reduced_, reduced_unit_;
     Eigen::VectorXd committed_, trial_;  // displacement of kept_

@@ -8,6 +8,7 @@
 
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/predictor.hpp"
+#include "common/substructure/substructure.hpp"
 #include "coupling/work_counts.hpp"
 
 namespace stria::coupling {
@@ -59,7 +60,7 @@ struct Digest {
 /// The zone's answer: a nonlinear superelement.
 struct PatchResponse {
     Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
-    Eigen::MatrixXd tangent;           // condensed tangent on Gamma; empty where `same_tangent`
+    CondensedTangent tangent;          // on Gamma; empty where `same_tangent`
     bool same_tangent = false;         // the tangent is that of the last response
     Eigen::VectorXd unit_load;         // the zone's own loads condensed onto Gamma: minus d force / d load factor
     double interior_residual = 0;      // largest interior force residual, N/mm

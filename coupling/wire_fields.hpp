@@ -74,6 +74,16 @@ void fields(auto& wire, Is<Digest> auto& m) {
     wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead);
 }
 
+// Half of a symmetric tangent stands for the whole.
+void fields(auto& wire, Is<CondensedTangent> auto& m) {
+    auto& [matrix, symmetry] = m;
+    wire(symmetry);
+    if (symmetry == Symmetry::Symmetric)
+        wire.lower_half(matrix);
+    else
+        wire(matrix);
+}
+
 void fields(auto& wire, Is<PatchResponse> auto& m) {
     auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
            interior_correction, interior_displacement, digest] = m;

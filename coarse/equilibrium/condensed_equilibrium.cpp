@@ -106,7 +106,7 @@ Residual CondensedEquilibrium::linearise() {
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
     Eigen::VectorXd derivative = structure_.loads().unit().boundary + on_free(response_.unit_load);
     for (const auto& [place, value] : held_)
-        if (value != 0.0) derivative -= value * on_free(zone_tangent_.col(place));
+        if (value != 0.0) derivative -= value * on_free(zone_tangent_.matrix.col(place));
     return derivative;
 }
 
@@ -115,17 +115,18 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 // k = 1.)
 void CondensedEquilibrium::factor_tangent() {
     ++work_.gamma_factored;
-    definite_ = factor_.factor(bordered_tangent());
-    if (!definite_) general_factor_.compute(bordered_tangent());
+    const Eigen::MatrixXd tangent = bordered_tangent();
+    definite_ = zone_tangent_.symmetry == Symmetry::Symmetric && factor_.factor(tangent);
+    if (!definite_) general_factor_.compute(tangent);
 }
 
 Eigen::MatrixXd CondensedEquilibrium::bordered_tangent() {
     const std::vector<int>& free = structure_.free_places();
     Eigen::MatrixXd bordered = structure_.tangent();
     if (held_.empty())
-        bordered += zone_tangent_;
+        bordered += zone_tangent_.matrix;
     else
-        bordered += zone_tangent_(free, free);
+        bordered += zone_tangent_.matrix(free, free);
     const Eigen::VectorXd& w = controlled_.weights;
     sigma_ = controlled_.is_load_factor() ? 0.0 : bordered.diagonal().mean() / w.squaredNorm();
     if (sigma_ != 0.0) bordered.noalias() += sigma_ * w * w.transpose();

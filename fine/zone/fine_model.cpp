@@ -196,15 +196,17 @@ bool FineModel::last_factor_serves(const coupling::PatchResponse& response) cons
 void FineModel::factor() {
     if (all_changed_) changed_ = ElementSet(changed_.size(), true);
     const std::span<const Eigen::MatrixXd> tangents = system_.bulk().tangents();
-    const long before = tree_->refactored();
+    const long before = tree_->refactored(), general_before = tree_->refactored_general();
     tree_->factor(
-        [&](int element) -> const Eigen::MatrixXd& {
+        [&](int element) {
             const auto e = at(element);
-            return e < tangents.size() ? tangents[e] : multiplier_matrices_[e - tangents.size()];
+            return FrontTree::ElementMatrix{e < tangents.size() ? tangents[e]
+                                                                : multiplier_matrices_[e - tangents.size()]};
         },
         changed_.flags());
     const long refactored = tree_->refactored() - before;
     work_.fronts_refactored += refactored;
+    work_.fronts_general += tree_->refactored_general() - general_before;
     work_.fronts_kept += tree_->fronts() - refactored;
     changed_ = ElementSet(changed_.size());
     all_changed_ = false;
@@ -217,7 +219,7 @@ void FineModel::condense(coupling::PatchResponse& response) {
         ++work_.factors_reused;
     } else {
         factor();
-        response.tangent = tree_->tangent();
+        response.tangent = {tree_->tangent(), tree_->symmetry()};
     }
     reduced_ = tree_->reduce(due());
     response.force = -reduced_.boundary;

@@ -78,7 +78,7 @@ TEST_P(Superelement, CondensedTangentIsTheDerivativeOfTheCondensedForce) {
     const Eigen::VectorXd v = random_vector(u.size(), 1.0, 3);
     constexpr double h = 1e-8;
     const Eigen::VectorXd difference = (settled(model, u + h * v).force - settled(model, u - h * v).force) / (2.0 * h);
-    EXPECT_LT((here.tangent * v - difference).norm(), 3e-6 * difference.norm());
+    EXPECT_LT((here.tangent.matrix * v - difference).norm(), 3e-6 * difference.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(States, Superelement,
