@@ -60,7 +60,7 @@ private:
 
     std::unique_ptr<FrontTree> tree_;
     std::vector<CondensedTangent> tangents_;  // per rank
-    std::vector<char> changed_;              // per rank: since the last factor
+    std::vector<char> changed_;               // per rank: since the last factor
     ReducedLoad reduced_, reduced_unit_;
     Eigen::VectorXd committed_, trial_;  // displacement of kept_
     double load_factor_ = 0.0;

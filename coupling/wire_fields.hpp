@@ -107,8 +107,8 @@ void fields(auto& wire, Is<TipReport> auto& m) {
 }
 
 void fields(auto& wire, Is<EnergyReport> auto& m) {
-    auto& [stored, released, load_path] = m;
-    wire(stored, released, load_path);
+    auto& [stored, released, friction, load_path] = m;
+    wire(stored, released, friction, load_path);
 }
 
 void fields(auto& wire, Is<WorkCounts> auto& m) {
@@ -128,8 +128,8 @@ void fields(auto& wire, Is<FrozenTip> auto& m) {
 }
 
 void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
-    auto& [crack, place, pressure, closed, increments] = m;
-    wire(crack, place, pressure, closed, increments);
+    auto& [crack, place, pressure, shear, status, increments, shear_increments] = m;
+    wire(crack, place, pressure, shear, status, increments, shear_increments);
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {

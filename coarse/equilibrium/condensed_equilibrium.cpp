@@ -91,7 +91,8 @@ Residual CondensedEquilibrium::linearise() {
     result.scale = std::max(result.scale, response_.interior_force);
     result.yielding_points =
         std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
-    result.closed = static_cast<int>(std::ranges::count(response_.digest.status, std::int8_t{1}));
+    result.closed =
+        static_cast<int>(response_.digest.status.size() - std::ranges::count(response_.digest.status, std::int8_t{0}));
     result.status_changes = response_.digest.status_changes;
     result.contact_reach = response_.digest.contact_reach;
     result.force_ahead = response_.digest.force_ahead;

@@ -84,6 +84,7 @@ void RunRecorder::record_history(const Increment& increment, const Structure&) {
     row.stored_energy = increment.work.stored;
     row.released_energy = increment.work.released;
     row.balance_error = increment.work.error();
+    row.frictional_dissipation = increment.work.by_friction;
     last_.clear();
     if (increment.tips.empty()) last_.push_back(row);
     for (std::size_t t = 0; t < increment.tips.size(); ++t) {

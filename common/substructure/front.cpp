@@ -25,9 +25,8 @@ bool vanishes(double pivot, double scale, double tolerance) {
 }  // namespace
 
 Front::Front(int eliminated, int multipliers, int kept)
-    : eliminated_(eliminated), multipliers_(multipliers), kept_(kept),
-      stride_(std::max(1, eliminated + kept)), panel_(eliminated + kept, eliminated), schur_(kept, kept),
-      scale_(eliminated) {}
+    : eliminated_(eliminated), multipliers_(multipliers), kept_(kept), stride_(std::max(1, eliminated + kept)),
+      panel_(eliminated + kept, eliminated), schur_(kept, kept), scale_(eliminated) {}
 
 void Front::clear(Symmetry symmetry) {
     symmetry_ = symmetry;

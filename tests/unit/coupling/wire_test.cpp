@@ -126,7 +126,12 @@ TEST(Wire, Restore) {
     snapshot.displacement = Vec2(1e-300, 2.0);
     snapshot.increments = {Vec2(1.0, 2.0), Vec2(3.0, 4.0)};
     snapshot.held = Vec2(0.0, -5.0);
-    snapshot.multipliers = {{.crack = 1, .place = {0.5, 0.25}, .closed = true, .increments = {0.1, 0.2}}};
+    snapshot.multipliers = {{.crack = 1,
+                             .place = {0.5, 0.25},
+                             .shear = -0.5,
+                             .status = 3,
+                             .increments = {0.1, 0.2},
+                             .shear_increments = {0.3}}};
     snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
     const Restore copy = there_and_back(Restore{small_patch(), snapshot});
     EXPECT_EQ(copy.snapshot.rank, snapshot.rank);
@@ -135,7 +140,9 @@ TEST(Wire, Restore) {
     EXPECT_EQ(copy.snapshot.increments, snapshot.increments);
     EXPECT_EQ(copy.snapshot.held, snapshot.held);
     EXPECT_EQ(copy.snapshot.multipliers.at(0).place, Vec2(0.5, 0.25));
-    EXPECT_TRUE(copy.snapshot.multipliers[0].closed);
+    EXPECT_EQ(copy.snapshot.multipliers[0].shear, -0.5);
+    EXPECT_EQ(copy.snapshot.multipliers[0].status, 3);
+    EXPECT_EQ(copy.snapshot.multipliers[0].shear_increments, snapshot.multipliers[0].shear_increments);
     EXPECT_EQ(copy.snapshot.multipliers[0].increments, snapshot.multipliers[0].increments);
     EXPECT_EQ(copy.snapshot.frozen_tips.at(0).mesh.nodes, small_mesh().nodes);
 }
