@@ -8,6 +8,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "tests/support/one_equilibrium.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -184,6 +185,41 @@ TEST(SlidingCrack, FullCyclesFollowTheClosedForm) {
     EXPECT_LT(worst_shear, 0.01);
     EXPECT_NEAR(per_cycle[0], exact.dissipated(), 0.01 * exact.dissipated());
     EXPECT_NEAR(per_cycle[1] - per_cycle[0], per_cycle[0], 1e-3 * per_cycle[0]);
+}
+
+// references 5.3: a square with an interface from side to side, pressed between clamped ends. nu = 0, so that the state
+// is uniform; units of 20 m, MPa for the Pa of the source.
+TEST(Interface, SticksWithTheTractionsOfAUniformState) {
+    const auto pressed = [](double degrees, double friction) {
+        const double rise = 0.5 * std::tan(degrees * pi / 180.0);
+        Case input = specimen("plate", 1.0, {{0.0, 0.503 - rise}, {1.0, 0.503 + rise}});
+        input.mesh.size = 1.0 / 11.0;
+        input.material.young = 100.0;
+        input.material.poisson = 0.0;
+        input.fine.enrichment = Enrichment::None;
+        input.cracks[0].contact = ContactSection{friction};
+        for (const char* on : {"top", "bottom"}) {
+            BoundarySection held;
+            held.on = on;
+            held.displacement = {0.0, on == std::string("top") ? -0.05 : 0.0};
+            input.boundaries.push_back(held);
+        }
+        return equilibrate(coarse::make_scene(input), 1.0);
+    };
+    const auto expect_uniform = [](const Equilibrated& result, double pressure, double shear) {
+        EXPECT_TRUE(result.newton.converged) << result.newton.table();
+        ASSERT_FALSE(result.zone.faces.empty());
+        for (const coupling::FaceSample& face : result.zone.faces) {
+            EXPECT_NEAR(face.pressure, pressure, 1e-6 * pressure);
+            EXPECT_NEAR(std::abs(face.shear), shear, 1e-6 * pressure);
+            EXPECT_EQ(face.status, 1);
+        }
+    };
+    expect_uniform(pressed(0.0, 0.1), 5.0, 0.0);
+    expect_uniform(pressed(22.5, 0.414214 + 1e-6), 4.267767, 1.767767);
+    const Equilibrated slid = pressed(22.5, 0.414);
+    const auto slides = [](const coupling::FaceSample& face) { return face.status == 2; };
+    EXPECT_TRUE(std::ranges::any_of(slid.zone.faces, slides));
 }
 
 }  // namespace
