@@ -67,8 +67,8 @@ public:
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         result.yielding_points =
             std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
-        result.closed = static_cast<int>(response.digest.status.size() -
-                                         std::ranges::count(response.digest.status, std::int8_t{0}));
+        result.closed =
+            static_cast<int>(std::ranges::count_if(response.digest.status, [](auto status) { return status != 0; }));
         result.status_changes = response.digest.status_changes;
         result.contact_reach = response.digest.contact_reach;
         result.force_ahead = response.digest.force_ahead;

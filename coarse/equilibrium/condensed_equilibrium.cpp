@@ -92,7 +92,7 @@ Residual CondensedEquilibrium::linearise() {
     result.yielding_points =
         std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
     result.closed =
-        static_cast<int>(response_.digest.status.size() - std::ranges::count(response_.digest.status, std::int8_t{0}));
+        static_cast<int>(std::ranges::count_if(response_.digest.status, [](auto status) { return status != 0; }));
     result.status_changes = response_.digest.status_changes;
     result.contact_reach = response_.digest.contact_reach;
     result.force_ahead = response_.digest.force_ahead;

@@ -38,7 +38,7 @@ public:
                                           coupling::WorkCounts& work) const;
 
     /// Chooses the statuses for the next Newton step from tractions and jumps. Where a set of statuses comes back
-    /// within one increment, only the worst multiplier changes its own from then on (docs/method.md, section 5).
+    /// within one increment, only the worst multiplier changes its own from then on (docs/method.md, section 4).
     void choose_statuses(const Eigen::VectorXd& traction, const Jumps& jumps);
     /// From what was committed.
     void begin_increment();

@@ -25,6 +25,9 @@ struct FaceState {
 /// together with the bulk: p = max(0, p - c g), and tau is what tau + c slip leaves inside +-mu max(0, p - c g). c is
 /// the paper's alpha, MPa/mm: it weighs tractions against jumps and changes no solution.
 struct CoulombContact {
+    /// Where faces have slid and have not moved since they are on the bound to the last bit but one: they stick.
+    static constexpr double rounding = 1e-10;
+
     double friction = 0.0;
     double c = 1.0;
 
@@ -37,7 +40,7 @@ struct CoulombContact {
 
     [[nodiscard]] FaceStatus status(const FaceState& s) const {
         if (augmented_pressure(s) <= 0.0) return FaceStatus::Open;
-        if (friction == 0.0 || std::abs(augmented_shear(s)) <= bound(s)) return FaceStatus::Stick;
+        if (friction == 0.0 || std::abs(augmented_shear(s)) <= (1.0 + rounding) * bound(s)) return FaceStatus::Stick;
         return augmented_shear(s) > 0.0 ? FaceStatus::SlipForward : FaceStatus::SlipBack;
     }
 
