@@ -13,7 +13,6 @@
 #include "coarse/model/scene.hpp"
 #include "coarse/structure/structure.hpp"
 #include "fine/contact/contact_interface.hpp"
-#include "tests/support/elastic_scene.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -31,7 +30,7 @@ coarse::Scene cut_square(int n, double left, double right) {
 
 /// Stiffness with the held unknowns taken out.
 Eigen::SparseMatrix<double> held_stiffness(const coarse::Scene& scene) {
-    Eigen::SparseMatrix<double> K = coarse::Structure(scene, no_zone(scene)).stiffness();
+    Eigen::SparseMatrix<double> K = coarse::Structure(scene).elements().stiffness();
     std::vector<char> held(at(K.rows()), 0);
     for (const coarse::PrescribedUnknown& p : scene.prescribed) held[at(p.unknown)] = 1;
     K.prune([&](Eigen::Index i, Eigen::Index j, double) { return held[at(i)] == 0 && held[at(j)] == 0; });
