@@ -15,9 +15,8 @@ constexpr int side = 40;
 
 int node_at(int i, int j) { return j * (side + 1) + i; }
 
-FrontTree::Layout layout(Symmetry symmetry) {
+FrontTree::Layout layout() {
     FrontTree::Layout result;
-    result.symmetry = symmetry;
     result.unknowns = 2 * (side + 1) * (side + 1);
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
@@ -57,10 +56,10 @@ std::vector<char> flags(int i, int j) {
 
 void factor(benchmark::State& state, Symmetry symmetry, const std::vector<char>& changed) {
     const std::vector<Eigen::MatrixXd> matrices = element_matrices();
-    FrontTree tree(layout(symmetry));
-    tree.factor(matrices, changed);
+    FrontTree tree(layout());
+    tree.factor(matrices, changed, symmetry);
     const long before = tree.refactored();
-    for (auto _ : state) tree.factor(matrices, changed);
+    for (auto _ : state) tree.factor(matrices, changed, symmetry);
     const auto refactored = static_cast<double>(tree.refactored() - before);
     state.counters["fronts"] = refactored / static_cast<double>(state.iterations());
     state.counters["boundary"] = static_cast<double>(tree.tangent().rows());
@@ -73,9 +72,9 @@ void factor_corner(benchmark::State& state, Symmetry symmetry) { factor(state, s
 void factor_tip(benchmark::State& state, Symmetry symmetry) { factor(state, symmetry, flags(18, 18)); }
 
 void solve(benchmark::State& state, Symmetry symmetry) {
-    const FrontTree::Layout zone = layout(symmetry);
+    const FrontTree::Layout zone = layout();
     FrontTree tree(zone);
-    tree.factor(element_matrices(), std::vector<char>(zone.centres.size(), 1));
+    tree.factor(element_matrices(), std::vector<char>(zone.centres.size(), 1), symmetry);
     const Eigen::VectorXd load = Eigen::VectorXd::Ones(zone.unknowns);
     for (auto _ : state) {
         const ReducedLoad reduced = tree.reduce(load);
@@ -84,7 +83,7 @@ void solve(benchmark::State& state, Symmetry symmetry) {
 }
 
 void build(benchmark::State& state) {
-    const FrontTree::Layout zone = layout(Symmetry::Symmetric);
+    const FrontTree::Layout zone = layout();
     for (auto _ : state) benchmark::DoNotOptimize(FrontTree(zone).fronts());
 }
 

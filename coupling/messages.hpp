@@ -8,6 +8,7 @@
 
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/predictor.hpp"
+#include "common/substructure/substructure.hpp"
 #include "coupling/work_counts.hpp"
 
 namespace stria::coupling {
@@ -49,7 +50,7 @@ struct PatchDisplacement {
 struct Digest {
     std::vector<std::int32_t> yielding_points;  // per zone element
     double largest_plastic_increment = 0.0;
-    std::vector<std::int8_t> status;    // per multiplier: 0 open, 1 closed
+    std::vector<std::int8_t> status;    // per multiplier: 0 open, 1 stick or frictionless, 2 and 3 slip on and back
     std::vector<double> multiplier;     // per multiplier: pressure, MPa
     std::int32_t status_changes = 0;    // against the iteration before
     std::vector<double> contact_reach;  // per tip: distance of the farthest closed multiplier behind it, mm; < 0: none
@@ -59,7 +60,7 @@ struct Digest {
 /// The zone's answer: a nonlinear superelement.
 struct PatchResponse {
     Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
-    Eigen::MatrixXd tangent;           // condensed tangent on Gamma; empty where `same_tangent`
+    CondensedTangent tangent;          // on Gamma; empty where `same_tangent`
     bool same_tangent = false;         // the tangent is that of the last response
     Eigen::VectorXd unit_load;         // the zone's own loads condensed onto Gamma: minus d force / d load factor
     double interior_residual = 0;      // largest interior force residual, N/mm
@@ -95,6 +96,7 @@ struct TipReport {
 struct EnergyReport {
     double stored = 0;     // elastic and by hardening, in all points: a state
     double released = 0;   // in this increment by faces that a growth has opened (docs/equations.md, work balance)
+    double friction = 0;   // dissipated in this increment by faces that slide
     double load_path = 0;  // mm: displacement in this increment that the zone's own unit loads do work on
 };
 

@@ -26,6 +26,7 @@ struct WorkCounts {
 
     // Condensing the zone.
     std::int64_t fronts_refactored = 0;
+    std::int64_t fronts_general = 0;  // of those refactored: something below makes unsymmetric tangents
     std::int64_t fronts_kept = 0;     // below which no tangent had changed
     std::int64_t factors_reused = 0;  // iterations that factored no front
 
@@ -68,6 +69,7 @@ inline constexpr std::array named_work_counts{
     NamedWorkCount{"gaps_evaluated", &WorkCounts::gaps_evaluated},
     NamedWorkCount{"gaps_proven_open", &WorkCounts::gaps_proven_open},
     NamedWorkCount{"fronts_refactored", &WorkCounts::fronts_refactored},
+    NamedWorkCount{"fronts_general", &WorkCounts::fronts_general},
     NamedWorkCount{"fronts_kept", &WorkCounts::fronts_kept},
     NamedWorkCount{"factors_reused", &WorkCounts::factors_reused},
     NamedWorkCount{"gamma_factored", &WorkCounts::gamma_factored},

@@ -20,10 +20,11 @@ struct FrozenTip {
 /// A contact multiplier, known by its place.
 struct MultiplierSnapshot {
     std::int32_t crack = 0;
-    Vec2 place = Vec2::Zero();       // mm
-    double pressure = 0.0;           // MPa
-    bool closed = false;             // its status
-    std::vector<double> increments;  // of the pressure, like those of the displacement
+    Vec2 place = Vec2::Zero();           // mm
+    double pressure = 0.0, shear = 0.0;  // MPa
+    std::int8_t status = 0;              // as in the digest
+    // Of pressure and shear, like those of the displacement.
+    std::vector<double> increments, shear_increments;
 };
 
 struct ZoneSnapshot {

@@ -67,7 +67,8 @@ public:
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         result.yielding_points =
             std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
-        result.closed = static_cast<int>(std::ranges::count(response.digest.status, std::int8_t{1}));
+        result.closed =
+            static_cast<int>(std::ranges::count_if(response.digest.status, [](auto status) { return status != 0; }));
         result.status_changes = response.digest.status_changes;
         result.contact_reach = response.digest.contact_reach;
         result.force_ahead = response.digest.force_ahead;
@@ -75,7 +76,7 @@ public:
     }
 
     double solve() override {
-        const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        const int n = scene_.enriched.unknowns, m = zone_.contact().tractions();
         Eigen::VectorXd right(n + m + 1);
         right << residual_, zone_.contact_right_hand_side(), off_target_;
         for (int i = 0; i < n; ++i)
@@ -92,7 +93,7 @@ public:
     }
 
     void apply() override {
-        const int n = scene_.enriched.unknowns, m = zone_.contact().multipliers();
+        const int n = scene_.enriched.unknowns, m = zone_.contact().tractions();
         correction_ *= zone_.step();
         trial_ += correction_.head(n);
         load_factor_ += correction_[n + m];
@@ -199,21 +200,30 @@ private:
     void add_contact(std::vector<Triplet>& entries) const {
         const int n = scene_.enriched.unknowns;
         const fine::ContactInterface& contact = zone_.contact();
-        const Eigen::VectorXd open = contact.open_diagonal();
+        const int own = static_cast<int>(whole_.size());  // unknowns of the zone
         for (int k = 0; k < contact.multipliers(); ++k) {
-            const bool closed = contact.statuses()[at(k)] != 0;
-            for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it) {
-                const int unknown = whole_[at(static_cast<int>(it.col()))];
-                add(entries, unknown, n + k, -it.value());
-                if (closed) add(entries, n + k, unknown, -it.value());
-            }
-            if (!closed) add(entries, n + k, n + k, open[k]);
+            std::vector<int> unknowns = contact.unknowns_of(k, own);
+            for (int& unknown : unknowns) unknown = unknown < own ? whole_[at(unknown)] : n + unknown - own;
+            const Eigen::MatrixXd matrix = contact.matrix_of(k);
+            for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+                for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+                    add(entries, unknowns[at(i)], unknowns[at(j)], matrix(i, j));
+            if (!fine::is_closed(contact.statuses()[at(k)])) add_push(entries, k);  // of what they lose
         }
+    }
+
+    void add_push(std::vector<Triplet>& entries, int k) const {
+        const fine::FaceOperators& contact = zone_.contact().operators();
+        const int n = scene_.enriched.unknowns;
+        for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it)
+            add(entries, whole_[at(it.col())], n + k, -it.value());
+        for (SparseRows::InnerIterator it(contact.operator_T(), k); it; ++it)
+            add(entries, whole_[at(it.col())], n + contact.shear_of(k), it.value());
     }
 
     // K du - f dlambda = R; a held unknown moves with the load factor; what is controlled goes to its target.
     void add_held_and_target(std::vector<Triplet>& entries) const {
-        const int n = scene_.enriched.unknowns, lambda = n + zone_.contact().multipliers();
+        const int n = scene_.enriched.unknowns, lambda = n + zone_.contact().tractions();
         for (int i = 0; i < n; ++i) {
             add(entries, i, lambda, -scene_.unit_force[i]);
             if (held_[at(i)] != 0) entries.emplace_back(i, i, 1.0);

@@ -91,7 +91,8 @@ Residual CondensedEquilibrium::linearise() {
     result.scale = std::max(result.scale, response_.interior_force);
     result.yielding_points =
         std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
-    result.closed = static_cast<int>(std::ranges::count(response_.digest.status, std::int8_t{1}));
+    result.closed =
+        static_cast<int>(std::ranges::count_if(response_.digest.status, [](auto status) { return status != 0; }));
     result.status_changes = response_.digest.status_changes;
     result.contact_reach = response_.digest.contact_reach;
     result.force_ahead = response_.digest.force_ahead;
@@ -106,7 +107,7 @@ Residual CondensedEquilibrium::linearise() {
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
     Eigen::VectorXd derivative = structure_.loads().unit().boundary + on_free(response_.unit_load);
     for (const auto& [place, value] : held_)
-        if (value != 0.0) derivative -= value * on_free(zone_tangent_.col(place));
+        if (value != 0.0) derivative -= value * on_free(zone_tangent_.matrix.col(place));
     return derivative;
 }
 
@@ -115,17 +116,18 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 // k = 1.)
 void CondensedEquilibrium::factor_tangent() {
     ++effort_.work.gamma_factored;
-    definite_ = factor_.factor(bordered_tangent());
-    if (!definite_) general_factor_.compute(bordered_tangent());
+    const Eigen::MatrixXd tangent = bordered_tangent();
+    definite_ = zone_tangent_.symmetry == Symmetry::Symmetric && factor_.factor(tangent);
+    if (!definite_) general_factor_.compute(tangent);
 }
 
 Eigen::MatrixXd CondensedEquilibrium::bordered_tangent() {
     const std::vector<int>& free = structure_.free_places();
     Eigen::MatrixXd bordered = structure_.tangent();
     if (held_.empty())
-        bordered += zone_tangent_;
+        bordered += zone_tangent_.matrix;
     else
-        bordered += zone_tangent_(free, free);
+        bordered += zone_tangent_.matrix(free, free);
     const Eigen::VectorXd& w = controlled_.weights;
     sigma_ = controlled_.is_load_factor() ? 0.0 : bordered.diagonal().mean() / w.squaredNorm();
     if (sigma_ != 0.0) bordered.noalias() += sigma_ * w * w.transpose();

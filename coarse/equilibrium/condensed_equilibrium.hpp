@@ -61,9 +61,10 @@ private:
     Eigen::VectorXd residual_, correction_;  // on the free places
     double load_correction_ = 0.0;
     coupling::PatchResponse response_;
-    Eigen::MatrixXd zone_tangent_;  // of the last response that brought one
-    double settled_below_ = 0.0;    // for the next request
-    // Of the bordered tangent, for as long as the zone's is the same; the second where that is not definite.
+    CondensedTangent zone_tangent_;  // of the last response that brought one
+    double settled_below_ = 0.0;     // for the next request
+    // Of the bordered tangent, for as long as the zone's is the same; the second where that is not symmetric or not
+    // definite.
     DenseCholesky factor_;
     Eigen::PartialPivLU<Eigen::MatrixXd> general_factor_;
     double sigma_ = 0.0;

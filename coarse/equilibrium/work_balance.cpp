@@ -24,7 +24,8 @@ void add_increment(WorkBalance& balance, const Structure& structure, const Eigen
     balance.released += zone.energy.released;
     balance.stored = structure.loads().stored_energy(structure.tangent(), on_free_places(structure, u), load_factor) +
                      zone.energy.stored;
-    balance.dissipated = zone.dissipation;
+    balance.by_friction += zone.energy.friction;
+    balance.dissipated = zone.dissipation + balance.by_friction;
     balance.load_factor = load_factor;
     balance.load_displacement = path;
     balance.imposed_force = imposed_force;

@@ -8,10 +8,11 @@ namespace stria::coarse {
 
 /// Of the whole body so far, N (per mm of thickness). All that must be kept to go on from a converged increment.
 struct WorkBalance {
-    double external = 0.0;    // done by loads and imposed displacements
-    double stored = 0.0;      // elastic energy and what hardening holds: of the present state
-    double dissipated = 0.0;  // by plastic flow
-    double released = 0.0;    // by faces that growth has opened; NaN where a crack grew without a zone to see it
+    double external = 0.0;     // done by loads and imposed displacements
+    double stored = 0.0;       // elastic energy and what hardening holds: of the present state
+    double dissipated = 0.0;   // by plastic flow and friction
+    double by_friction = 0.0;  // its share
+    double released = 0.0;     // by faces that growth has opened; NaN where a crack grew without a zone to see it
 
     // Where the last increment ended.
     double load_factor = 0.0;

@@ -160,10 +160,11 @@ void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
 }
 
 void members(auto& archive, Is<WorkBalance> auto& m) {
-    auto& [external, stored, dissipated, released, load_factor, load_displacement, imposed_force] = m;
+    auto& [external, stored, dissipated, by_friction, released, load_factor, load_displacement, imposed_force] = m;
     archive("external", external);
     archive("stored", stored);
     archive("dissipated", dissipated);
+    archive("by_friction", by_friction);
     archive("released", released);
     archive("load_factor", load_factor);
     archive("load_displacement", load_displacement);

@@ -18,6 +18,7 @@ HistoryRow row_of_body(const Increment& increment, double load, double displacem
     row.stored_energy = increment.work.stored;
     row.released_energy = increment.work.released;
     row.balance_error = increment.work.error();
+    row.frictional_dissipation = increment.work.by_friction;
     return row;
 }
 

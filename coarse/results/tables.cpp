@@ -39,6 +39,7 @@ constexpr std::array history_table{
     Column<HistoryRow>{"stored_energy", &HistoryRow::stored_energy},
     Column<HistoryRow>{"released_energy", &HistoryRow::released_energy},
     Column<HistoryRow>{"balance_error", &HistoryRow::balance_error},
+    Column<HistoryRow>{"frictional_dissipation", &HistoryRow::frictional_dissipation},
 };
 
 constexpr std::array cycle_table{

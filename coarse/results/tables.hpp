@@ -27,17 +27,18 @@ struct HistoryRow {
     double J = missing;                     // N/mm
     double CMOD = missing, CTOD = missing;  // mm
     std::int64_t newton_iterations = 0;
-    double contact_length = missing;     // mm
-    double plastic_zone = missing;       // mm
-    double dissipation = missing;        // N, per mm of thickness, total so far
-    double plastic_zone_axis = missing;  // mm
-    double T_stress = missing;           // MPa
-    double J_spread = missing;           // over the rings, relative
-    double K_spread = missing;           // likewise
-    double external_work = missing;      // N, per mm of thickness, total so far
-    double stored_energy = missing;      // N
-    double released_energy = missing;    // N, total so far
-    double balance_error = missing;      // N
+    double contact_length = missing;          // mm
+    double plastic_zone = missing;            // mm
+    double dissipation = missing;             // N, per mm of thickness, total so far
+    double plastic_zone_axis = missing;       // mm
+    double T_stress = missing;                // MPa
+    double J_spread = missing;                // over the rings, relative
+    double K_spread = missing;                // likewise
+    double external_work = missing;           // N, per mm of thickness, total so far
+    double stored_energy = missing;           // N
+    double released_energy = missing;         // N, total so far
+    double balance_error = missing;           // N
+    double frictional_dissipation = missing;  // N, its share of the dissipation
 };
 
 /// One cycle and tip.

@@ -63,7 +63,9 @@ public:
                              {"accumulated_plastic_strain", 1, std::move(accumulated_)},
                              {"zone", 1, std::move(zone_)},
                              {"crack_side", 1, std::move(side_)},
-                             {"contact_pressure", 1, std::move(contact_)}};
+                             {"contact_pressure", 1, std::move(pressure_)},
+                             {"contact_shear", 1, std::move(shear_)},
+                             {"contact_status", 1, std::move(status_)}};
         return std::move(data_);
     }
 
@@ -80,17 +82,19 @@ private:
         }
     }
 
-    // Mean pressure on the faces inside each element that the crack crosses or runs along.
+    // What the faces do inside each element that the crack crosses or runs along: mean tractions, largest status.
     void add_faces(const std::vector<coupling::FaceSample>& faces) {
         for (const CrackPiece& piece : mesh_.pieces) {
-            double sum = 0.0;
+            FacesOfElement all;
             int count = 0;
             for (const coupling::FaceSample& sample : faces) {
                 if (sample.crack != piece.crack || sample.s < piece.s.front() || sample.s > piece.s.back()) continue;
-                sum += sample.pressure;
+                all.pressure += sample.pressure;
+                all.shear += sample.shear;
+                all.status = std::max<double>(all.status, sample.status);
                 ++count;
             }
-            if (count > 0) pressure_of_[piece.element] = sum / count;
+            if (count > 0) faces_[piece.element] = {all.pressure / count, all.shear / count, all.status};
         }
     }
 
@@ -156,19 +160,27 @@ private:
         accumulated_.push_back(sum.accumulated / w);
         zone_.push_back(structure_.in_zone().contains(key.first) ? 1.0 : 0.0);
         side_.push_back(key.second);
-        const auto contact = pressure_of_.find(key.first);
-        contact_.push_back(contact != pressure_of_.end() ? contact->second : 0.0);
+        const auto found = faces_.find(key.first);
+        const FacesOfElement faces = found != faces_.end() ? found->second : FacesOfElement();
+        pressure_.push_back(faces.pressure);
+        shear_.push_back(faces.shear);
+        status_.push_back(faces.status);
     }
+
+    struct FacesOfElement {
+        double pressure = 0.0, shear = 0.0, status = 0.0;
+    };
 
     const Structure& structure_;
     const EnrichedMesh& mesh_;
     Eigen::VectorXd u_;
     std::vector<CellMean> whole_;  // of uncut elements
     std::map<CellKey, CellMean> sides_;
-    std::vector<std::int64_t> shared_;   // point of each node, -1: none yet
-    std::map<int, double> pressure_of_;  // by element
+    std::vector<std::int64_t> shared_;     // point of each node, -1: none yet
+    std::map<int, FacesOfElement> faces_;  // by element
     FieldData data_;
-    std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_, contact_;
+    std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_, pressure_, shear_,
+        status_;
 };
 
 }  // namespace

@@ -52,7 +52,6 @@ const std::vector<NotYet>& not_in_this_version() {
         above("material.kinematic.gamma", 0.0, "gamma is 0 (Prager)"),
         named_material("material.*", one_material),
         key("regions", one_material),
-        above("crack.contact.friction", 0.0, "contact is frictionless, friction = 0"),
     };
     return list;
 }

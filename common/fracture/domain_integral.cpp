@@ -63,20 +63,24 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
     });
 }
 
-// With the traction +-p n on the faces, -(t . u_,1) q of both adds up to -p d(opening)/dx_1 q (J), and likewise with
-// the auxiliary opening (interaction). That of the point force is constant: it adds nothing.
-void RingSums::add_pressure(const FaceStation& station, double pressure, double slope) {
+// With the tractions +-T on the faces, -(T . u_,1) q of both adds up to -T . d(jump)/dx_1 q (J), and likewise with the
+// auxiliary jump (interaction). That of the point force is constant: it adds nothing.
+void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {
     const double forward = station.tangent.dot(tip_.direction);
-    const auto auxiliary_slope = [&](int mode) {
+    const auto auxiliary_slopes = [&](int mode) {
         const Eigen::Matrix2d jump = williams_field(mode, tip_, station.x, 1, elastic_).gradient -
                                      williams_field(mode, tip_, station.x, -1, elastic_).gradient;
-        return station.normal.dot(jump * tip_.direction);
+        const Vec2 slope = jump * tip_.direction;
+        return std::pair(station.normal.dot(slope), station.tangent.dot(slope));
     };
-    const double own = slope * forward, I = auxiliary_slope(1), II = auxiliary_slope(2);
+    const double opening = load.opening_slope * forward, slip = load.slip_slope * forward;
+    const auto [opening_I, slip_I] = auxiliary_slopes(1);
+    const auto [opening_II, slip_II] = auxiliary_slopes(2);
     for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
         const double q = corner_weights(mesh_, station.element, tip_, rings_[ring]).dot(station.shape);
-        const double push = station.weight * pressure * q;
-        sums_[ring] += {-push * own, -push * I, -push * II, 0.0};
+        const double push = station.weight * load.pressure * q, drag = station.weight * load.shear * q;
+        sums_[ring] += {-push * opening + drag * slip, -push * opening_I + drag * slip_I,
+                        -push * opening_II + drag * slip_II, 0.0};
     }
 }
 

@@ -78,8 +78,13 @@ public:
     /// Calls visit(ring, grad q) for each ring in which q varies on the element entered.
     template <class Visit> void for_each_ring(const IntegrationPoint& point, Visit&& visit) const;
 
-    /// A station of the tip's crack with both faces under pressure, MPa. `slope`: d(opening)/ds along its tangent.
-    void add_pressure(const FaceStation& station, double pressure, double slope);
+    /// Tractions that the faces transmit at a station of the tip's crack: pressure p and shear tau, so that p n - tau t
+    /// acts on the plus face and its opposite on the minus face. Slopes: of opening and slip along its tangent.
+    struct FaceLoad {
+        double pressure, shear;  // MPa
+        double opening_slope, slip_slope;
+    };
+    void add_faces(const FaceStation& station, const FaceLoad& load);
 
     [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
 

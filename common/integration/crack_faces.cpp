@@ -69,9 +69,9 @@ Vec2 FaceStation::jump(const Eigen::VectorXd& u) const {
     return sum;
 }
 
-double FaceStation::opening_slope(const Eigen::VectorXd& u) const {
+double FaceStation::slope(const Eigen::VectorXd& u, const Vec2& direction) const {
     double sum = 0.0;
-    for (const Term& term : terms) sum += term.slope * u.segment<2>(term.unknown).dot(normal);
+    for (const Term& term : terms) sum += term.slope * u.segment<2>(term.unknown).dot(direction);
     return sum;
 }
 

@@ -29,7 +29,10 @@ struct FaceStation {
 
     [[nodiscard]] Vec2 jump(const Eigen::VectorXd& u) const;
     [[nodiscard]] double opening(const Eigen::VectorXd& u) const { return jump(u).dot(normal); }
-    [[nodiscard]] double opening_slope(const Eigen::VectorXd& u) const;
+    /// Derivative along the tangent of the jump's component in a direction, but for the fixed one's.
+    [[nodiscard]] double slope(const Eigen::VectorXd& u, const Vec2& direction) const;
+    [[nodiscard]] double opening_slope(const Eigen::VectorXd& u) const { return slope(u, normal); }
+    [[nodiscard]] double slip_slope(const Eigen::VectorXd& u) const { return slope(u, tangent); }
     [[nodiscard]] double slip(const Eigen::VectorXd& u) const { return jump(u).dot(tangent); }
 };
 

@@ -24,23 +24,18 @@ bool vanishes(double pivot, double scale, double tolerance) {
 
 }  // namespace
 
-Front::Front(int eliminated, int multipliers, int kept, Symmetry symmetry)
-    : symmetry_(symmetry), eliminated_(eliminated), multipliers_(multipliers), kept_(kept),
-      stride_(std::max(1, eliminated + kept)), panel_(eliminated + kept, eliminated), schur_(kept, kept),
-      scale_(eliminated) {
-    if (symmetric()) return;
-    upper_.resize(eliminated, kept);
-    row_scale_.resize(eliminated);
-    pivots_.resize(size_of(eliminated));
-}
+Front::Front(int eliminated, int multipliers, int kept)
+    : eliminated_(eliminated), multipliers_(multipliers), kept_(kept), stride_(std::max(1, eliminated + kept)),
+      panel_(eliminated + kept, eliminated), schur_(kept, kept), scale_(eliminated) {}
 
-void Front::clear() {
+void Front::clear(Symmetry symmetry) {
+    symmetry_ = symmetry;
     if (symmetric()) {
         for (int i = 0; i < eliminated_; ++i) panel_.col(i).tail(eliminated_ + kept_ - i).setZero();
         for (int i = 0; i < kept_; ++i) schur_.col(i).tail(kept_ - i).setZero();
     } else {
         panel_.setZero();
-        upper_.setZero();
+        upper_.setZero(eliminated_, kept_);
         schur_.setZero();
     }
 }
@@ -110,7 +105,7 @@ int Front::eliminate_multipliers(double tolerance) {
 }
 
 void Front::measure_scales() {
-    row_scale_.setZero();
+    row_scale_.setZero(eliminated_);
     for (int column = 0; column < eliminated_; ++column) {
         const auto entries = panel_.col(column).head(eliminated_).cwiseAbs();
         scale_[column] = std::max(entries.maxCoeff(), std::numeric_limits<double>::min());
@@ -119,6 +114,7 @@ void Front::measure_scales() {
 }
 
 int Front::eliminate_general(double tolerance) {
+    pivots_.resize(size_of(eliminated_));
     measure_scales();
     if (const int failed = lapack::lu(eliminated_, panel_.data(), stride_, pivots_.data()); failed > 0) {
         return failed - 1;

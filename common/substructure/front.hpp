@@ -26,11 +26,13 @@ struct Placement {
 class Front {
 public:
     /// `multipliers`: the last so many of the eliminated unknowns, whose pivots are negative.
-    Front(int eliminated, int multipliers, int kept, Symmetry symmetry);
+    Front(int eliminated, int multipliers, int kept);
 
-    void clear();
+    /// To be summed up anew, from contributions that are all symmetric, or not.
+    void clear(Symmetry symmetry);
+    [[nodiscard]] Symmetry symmetry() const { return symmetry_; }
 
-    /// Adds a square contribution, stored by columns. Symmetric: reads its entries of lower place only.
+    /// Adds a square contribution, stored by columns. To a symmetric front: reads its entries of lower place only.
     void add(const Eigen::MatrixXd& contribution, const Placement& placement);
 
     /// Factors the eliminated block (L D L^T if symmetric, D one, and minus one for multipliers) and leaves the Schur
@@ -69,7 +71,7 @@ private:
 
     [[nodiscard]] bool symmetric() const { return symmetry_ == Symmetry::Symmetric; }
 
-    Symmetry symmetry_;
+    Symmetry symmetry_ = Symmetry::Symmetric;
     int eliminated_;
     int multipliers_;
     int kept_;

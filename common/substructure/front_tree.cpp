@@ -11,11 +11,13 @@
 #include "common/substructure/front.hpp"
 
 namespace stria {
+
 struct FrontTree::Tree {
     enum class Rest : char { Awake, Leaf, Inside };
 
     explicit Tree(const Layout& layout);
 
+    [[nodiscard]] Symmetry symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const;
     void refactor(std::size_t index, const MatrixOfElement& matrix_of);
     /// Through the fronts that are awake, or those that are not; vectors by rank.
     void forward(Eigen::VectorXd& y, bool awake) const;
@@ -31,7 +33,7 @@ struct FrontTree::Tree {
     UnknownSet inside;
     Eigen::VectorXd carried;  // by rank
     bool factored = false;
-    long refactored = 0;
+    long refactored = 0, refactored_general = 0;
     int widest = 0;  // most unknowns that a front keeps
 };
 
@@ -42,17 +44,27 @@ FrontTree::Tree::Tree(const Layout& layout)
     fronts.reserve(plan.nodes.size());
     for (const AssemblyTree::Node& node : plan.nodes) {
         const int kept = static_cast<int>(node.kept.size());
-        fronts.emplace_back(node.eliminated, node.multipliers, kept, layout.symmetry);
+        fronts.emplace_back(node.eliminated, node.multipliers, kept);
         widest = std::max(widest, kept);
     }
+}
+
+Symmetry FrontTree::Tree::symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const {
+    const auto is_general = [&](int element) { return matrix_of(element).symmetry == Symmetry::General; };
+    const auto child_is_general = [&](int child) {
+        return child >= 0 && fronts[at(child)].symmetry() == Symmetry::General;
+    };
+    const bool general =
+        std::ranges::any_of(node.elements, is_general) || std::ranges::any_of(node.children, child_is_general);
+    return general ? Symmetry::General : Symmetry::Symmetric;
 }
 
 void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_of) {
     const AssemblyTree::Node& node = plan.nodes[index];
     Front& front = fronts[index];
-    front.clear();
+    front.clear(symmetry_below(node, matrix_of));
     for (std::size_t i = 0; i < node.elements.size(); ++i) {
-        const Eigen::MatrixXd& matrix = matrix_of(node.elements[i]);
+        const Eigen::MatrixXd& matrix = matrix_of(node.elements[i]).values;
         const int order = node.from_elements[i].order;
         require(matrix.rows() == order && matrix.cols() == order, "front tree: element matrix of the wrong order");
         // Where a number is not finite no pivot need tell: it may stand between boundary unknowns.
@@ -64,13 +76,16 @@ void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_
     }
     if (!node.leaf()) {
         for (std::size_t side = 0; side < 2; ++side) {
-            front.add(fronts[at(node.children[side])].schur(), node.from_children[side]);
+            Front& child = fronts[at(node.children[side])];
+            if (front.symmetry() == Symmetry::General) child.mirror();
+            front.add(child.schur(), node.from_children[side]);
         }
     }
     // What rounding leaves of a pivot that should be zero grows with the number of eliminations (see SparseLeaf).
     const double tolerance = static_cast<double>(plan.rank.size()) * std::numeric_limits<double>::epsilon();
     if (const int place = front.eliminate(tolerance); place >= 0) fail(node, place);
     ++refactored;
+    if (front.symmetry() == Symmetry::General) ++refactored_general;
 }
 
 void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
@@ -104,9 +119,9 @@ void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
 FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
 FrontTree::~FrontTree() = default;
 
-void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed) {
+void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed, Symmetry symmetry) {
     require(matrices.size() == tree_->elements, "front tree: one matrix an element");
-    factor([&](int element) -> const Eigen::MatrixXd& { return matrices[at(element)]; }, changed);
+    factor([&](int element) { return ElementMatrix{matrices[at(element)], symmetry}; }, changed);
 }
 
 void FrontTree::factor(const MatrixOfElement& matrix_of, std::span<const char> changed) {
@@ -131,6 +146,8 @@ const Eigen::MatrixXd& FrontTree::tangent() const {
     require(tree_->factored, "front tree: factor() before tangent()");
     return tree_->fronts.back().schur();
 }
+
+Symmetry FrontTree::symmetry() const { return tree_->fronts.back().symmetry(); }
 
 ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     const Tree& tree = *tree_;
@@ -221,5 +238,6 @@ Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
 
 int FrontTree::fronts() const { return static_cast<int>(tree_->fronts.size()); }
 long FrontTree::refactored() const { return tree_->refactored; }
+long FrontTree::refactored_general() const { return tree_->refactored_general; }
 
 }  // namespace stria

@@ -16,10 +16,15 @@ namespace stria {
 
 /// Multipliers enter by element matrices [0, -b; -b^T, 0] on (what they act on, themselves), or with a negative
 /// diagonal where they are idle. Each is eliminated in the front in which the last of the interior unknowns that it
-/// acts on is, after it: there its pivot, -b^T K^-1 b, is negative, and no search for pivots is needed.
+/// acts on is, after it: there its pivot, -b^T K^-1 b, is negative, and no search for pivots is needed. A front is
+/// symmetric where all that lies below it is, and general (LU with pivoting inside the eliminated block) elsewhere.
 class FrontTree : public Substructure {
 public:
-    using MatrixOfElement = std::function<const Eigen::MatrixXd&(int element)>;
+    struct ElementMatrix {
+        const Eigen::MatrixXd& values;  // of a symmetric one both triangles
+        Symmetry symmetry = Symmetry::Symmetric;
+    };
+    using MatrixOfElement = std::function<ElementMatrix(int element)>;
 
     using Layout = FrontLayout;
 
@@ -30,9 +35,12 @@ public:
     /// `changed[e]`: its matrix differs from that of the last call. Throws NumericalFailure on a singular pivot block.
     /// Same inputs give the same bits, whatever was factored before.
     void factor(const MatrixOfElement& matrix_of, std::span<const char> changed);
-    void factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed);
+    void factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed,
+                Symmetry symmetry = Symmetry::Symmetric);
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
+    /// Of the tangent.
+    [[nodiscard]] Symmetry symmetry() const;
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
 
@@ -50,9 +58,10 @@ public:
     /// `move` with the unknowns inside them following the others.
     [[nodiscard]] Eigen::VectorXd follow(const Eigen::VectorXd& move) const;
 
-    /// Fronts in the tree, and fronts refactored so far (docs/method.md, section 12).
+    /// Fronts in the tree, fronts refactored so far, and those of them that were general (docs/method.md, section 12).
     [[nodiscard]] int fronts() const;
     [[nodiscard]] long refactored() const;
+    [[nodiscard]] long refactored_general() const;
 
 private:
     struct Tree;

@@ -4,8 +4,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 
 namespace stria {
+
+/// Stated by who makes a matrix, not found by looking at its numbers: Armstrong-Frederick tangents and faces that slide
+/// make a general one, and so is all that has one of them below it.
+enum class Symmetry : std::uint8_t { Symmetric, General };
+
+/// A condensed tangent as it is handed on; both triangles are filled.
+struct CondensedTangent {
+    Eigen::MatrixXd matrix;
+    Symmetry symmetry = Symmetry::Symmetric;
+};
 
 /// A load b carried to the boundary: boundary = b_b - K_bi K_ii^-1 b_i; interior: what expand() needs again.
 struct ReducedLoad {

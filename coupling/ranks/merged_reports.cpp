@@ -66,6 +66,7 @@ void add_counters(StepReport& whole, const StepReport& part) {
     whole.dissipation += part.dissipation;
     whole.energy.stored += part.energy.stored;
     whole.energy.released += part.energy.released;
+    whole.energy.friction += part.energy.friction;
     whole.energy.load_path += part.energy.load_path;
     whole.points += part.points;
     whole.unknowns += part.unknowns;

@@ -30,14 +30,19 @@ SeamTree::SeamTree(const EnrichedMesh& zone, const std::vector<RankPart>& parts,
     tree_ = std::make_unique<FrontTree>(std::move(layout));
 }
 
-void SeamTree::set_tangent(std::size_t part, Eigen::MatrixXd tangent) {
+void SeamTree::set_tangent(std::size_t part, CondensedTangent tangent) {
     tangents_[part] = std::move(tangent);
     changed_[part] = 1;
 }
 
 bool SeamTree::factor() {
     if (std::ranges::none_of(changed_, [](char changed) { return changed != 0; })) return false;
-    tree_->factor(tangents_, changed_);
+    tree_->factor(
+        [&](int part) {
+            const auto& [matrix, symmetry] = tangents_[at(part)];
+            return FrontTree::ElementMatrix{matrix, symmetry};
+        },
+        changed_);
     std::ranges::fill(changed_, static_cast<char>(0));
     return true;
 }

@@ -17,13 +17,13 @@ public:
     SeamTree(const EnrichedMesh& zone, const std::vector<RankPart>& parts, const Seams& seams);
 
     /// `tangent`: of a part, on its shared unknowns, N/mm per mm.
-    void set_tangent(std::size_t part, Eigen::MatrixXd tangent);
+    void set_tangent(std::size_t part, CondensedTangent tangent);
 
     /// Factors anew what set_tangent has changed; false where there was nothing. Throws NumericalFailure.
     bool factor();
 
     /// The zone's tangent on Gamma.
-    [[nodiscard]] const Eigen::MatrixXd& tangent() const { return tree_->tangent(); }
+    [[nodiscard]] CondensedTangent tangent() const { return {tree_->tangent(), tree_->symmetry()}; }
 
     /// Condenses what is out of balance on the kept unknowns, and their load per unit load factor, N/mm.
     void reduce(const Eigen::VectorXd& load, const Eigen::VectorXd& unit_load);
@@ -37,8 +37,8 @@ public:
 
 private:
     std::unique_ptr<FrontTree> tree_;
-    std::vector<Eigen::MatrixXd> tangents_;  // per part
-    std::vector<char> changed_;              // per part: since the last factor
+    std::vector<CondensedTangent> tangents_;  // per part
+    std::vector<char> changed_;               // per part: since the last factor
     ReducedLoad load_, unit_load_;
 };
 

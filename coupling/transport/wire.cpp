@@ -11,6 +11,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "common/linear/dense_cholesky.hpp"
 #include "coupling/transport/wire_fields.hpp"
 
 namespace stria::coupling {
@@ -22,35 +23,14 @@ static_assert(std::endian::native == std::endian::little && std::numeric_limits<
 template <class T>
 concept Number = (std::is_arithmetic_v<T> || std::is_enum_v<T>)&&!std::is_same_v<T, bool>;
 
-/// Calls `pair` with all i > j, in square tiles so that a(i, j) and a(j, i) both stay in the cache, while it returns
-/// true.
-template <class Pair> bool all_below_diagonal(Eigen::Index n, const Pair& pair) {
-    constexpr Eigen::Index tile = 32;
-    for (Eigen::Index left = 0; left < n; left += tile)
-        for (Eigen::Index top = left; top < n; top += tile)
-            for (Eigen::Index j = left; j < std::min(left + tile, n); ++j)
-                for (Eigen::Index i = std::max(top, j + 1); i < std::min(top + tile, n); ++i)
-                    if (!pair(i, j)) return false;
-    return true;
-}
-
-/// Equal bits across the diagonal: only then may half of a matrix stand for the whole.
-bool symmetric(const Eigen::MatrixXd& a) {
-    return a.rows() == a.cols() && all_below_diagonal(a.rows(), [&a](Eigen::Index i, Eigen::Index j) {
-               return std::bit_cast<std::uint64_t>(a(i, j)) == std::bit_cast<std::uint64_t>(a(j, i));
-           });
-}
-
-void mirror_lower_half(Eigen::MatrixXd& a) {
-    all_below_diagonal(a.rows(), [&a](Eigen::Index i, Eigen::Index j) {
-        a(j, i) = a(i, j);
-        return true;
-    });
-}
-
 class Writer {
 public:
     void operator()(const auto&... values) { (put(values), ...); }
+
+    void lower_half(const Eigen::MatrixXd& a) {
+        put(static_cast<std::uint32_t>(a.cols()));
+        put_columns(a, true);
+    }
 
     [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
 
@@ -87,11 +67,14 @@ private:
     }
 
     void put(const Eigen::MatrixXd& a) {
-        const bool half = symmetric(a);
-        (*this)(half, static_cast<std::uint32_t>(a.rows()), static_cast<std::uint32_t>(a.cols()));
+        (*this)(static_cast<std::uint32_t>(a.rows()), static_cast<std::uint32_t>(a.cols()));
+        put_columns(a, false);
+    }
+
+    void put_columns(const Eigen::MatrixXd& a, bool from_diagonal) {
         bytes_.reserve(bytes_.size() + at(a.size()) * sizeof(double));  // by far the largest part
         for (Eigen::Index j = 0; j < a.cols(); ++j) {
-            const Eigen::Index first = half ? j : 0;
+            const Eigen::Index first = from_diagonal ? j : 0;
             put_raw(a.col(j).data() + first, at(a.rows() - first));
         }
     }
@@ -109,6 +92,14 @@ public:
     explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
     void operator()(auto&... values) { (get(values), ...); }
+
+    void lower_half(Eigen::MatrixXd& a) {
+        std::uint32_t order = 0;
+        get(order);
+        make_room(a, order, order, order * (order + std::uint64_t{1}) / 2);
+        get_columns(a, true);
+        mirror_lower(a);
+    }
 
     [[nodiscard]] bool finished() const { return bytes_.empty(); }
 
@@ -149,18 +140,22 @@ private:
     }
 
     void get(Eigen::MatrixXd& a) {
-        bool half = false;
-        get(half);
         std::uint32_t rows = 0, cols = 0;
         (*this)(rows, cols);
-        const std::uint64_t numbers = half ? cols * (cols + std::uint64_t{1}) / 2 : std::uint64_t{rows} * cols;
-        if ((half && rows != cols) || numbers > bytes_.size() / sizeof(double)) throw_truncated();
+        make_room(a, rows, cols, std::uint64_t{rows} * cols);
+        get_columns(a, false);
+    }
+
+    void make_room(Eigen::MatrixXd& a, std::uint32_t rows, std::uint32_t cols, std::uint64_t numbers) {
+        if (numbers > bytes_.size() / sizeof(double)) throw_truncated();
         a.resize(rows, cols);
+    }
+
+    void get_columns(Eigen::MatrixXd& a, bool from_diagonal) {
         for (Eigen::Index j = 0; j < a.cols(); ++j) {
-            const Eigen::Index first = half ? j : 0;
+            const Eigen::Index first = from_diagonal ? j : 0;
             get_raw(a.col(j).data() + first, at(a.rows() - first));
         }
-        if (half) mirror_lower_half(a);
     }
 
     /// A length that the rest of the message can hold: a broken one must not ask for all memory.

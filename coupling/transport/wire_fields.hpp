@@ -74,6 +74,16 @@ void fields(auto& wire, Is<Digest> auto& m) {
     wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead);
 }
 
+// Half of a symmetric tangent stands for the whole.
+void fields(auto& wire, Is<CondensedTangent> auto& m) {
+    auto& [matrix, symmetry] = m;
+    wire(symmetry);
+    if (symmetry == Symmetry::Symmetric)
+        wire.lower_half(matrix);
+    else
+        wire(matrix);
+}
+
 void fields(auto& wire, Is<PatchResponse> auto& m) {
     auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
            interior_correction, interior_displacement, digest] = m;
@@ -97,8 +107,8 @@ void fields(auto& wire, Is<TipReport> auto& m) {
 }
 
 void fields(auto& wire, Is<EnergyReport> auto& m) {
-    auto& [stored, released, load_path] = m;
-    wire(stored, released, load_path);
+    auto& [stored, released, friction, load_path] = m;
+    wire(stored, released, friction, load_path);
 }
 
 void fields(auto& wire, Is<WorkCounts> auto& m) {
@@ -118,8 +128,8 @@ void fields(auto& wire, Is<FrozenTip> auto& m) {
 }
 
 void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
-    auto& [crack, place, pressure, closed, increments] = m;
-    wire(crack, place, pressure, closed, increments);
+    auto& [crack, place, pressure, shear, status, increments, shear_increments] = m;
+    wire(crack, place, pressure, shear, status, increments, shear_increments);
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {

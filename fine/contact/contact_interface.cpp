@@ -2,135 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "common/index.hpp"
 
 namespace stria::fine {
-namespace {
-
-constexpr int points_of_element = 4;  // Gauss points of an interface element
-
-}  // namespace
 
 ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
                                    const std::vector<CrackSection>& cracks, int subcells, double stiffness,
-                                   const FrozenTips& frozen) {
-    int count = 0;
-    for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
-        const CrackSection& section = cracks[at(crack)];
-        if (!section.contact) continue;
-        spaces_.push_back({crack, section.notch, count, MultiplierSpace(mesh, boundary, crack, section.notch)});
-        const MultiplierSpace& space = spaces_.back().space;
-        count += space.size();
-        for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
-        for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
-            if (station.s < section.notch) continue;
-            station.fixed_jump = frozen.jump(crack, station.x);
-            stations_.push_back(std::move(station));
-        }
-    }
-    B_.resize(count, mesh.unknowns);
-    weight_ = augmentation_ = fixed_gap_ = Eigen::VectorXd::Zero(count);
-    status_.assign(at(count), 0);
+                                   const FrozenTips& frozen)
+    : operators_(mesh, boundary, cracks, subcells, frozen), augmentation_(multipliers()) {
+    for (int k = 0; k < multipliers(); ++k) augmentation_[k] = 0.1 * stiffness / operators_.weight(k);
+    status_.assign(at(multipliers()), FaceStatus::Open);
     committed_status_ = status_;
-    assemble(mesh, stiffness);
-    find_closing();
-}
-
-void ContactInterface::assemble(const EnrichedMesh& mesh, double stiffness) {
-    // A node's share of the crack, branch by branch: integral of N_i and its centroid.
-    struct Share {
-        double length = 0.0, moment = 0.0;
-    };
-    std::map<std::tuple<int, int, int>, Share> shares;  // (crack, branch, node)
-    const auto branch_of = [&](const FaceStation& station) { return space_of(station.crack)->space.branch(station.s); };
-    for (const FaceStation& station : stations_) {
-        for (int k = 0; k < 4; ++k) {
-            const int node = mesh.elements[at(station.element)][at(k)];
-            for (const auto& [holder, part] : mesh.holders_of_jump(node)) {
-                Share& share = shares[{station.crack, branch_of(station), holder}];
-                share.length += part * station.weight * station.shape[k];
-                share.moment += part * station.weight * station.shape[k] * station.s;
-            }
-        }
-    }
-    for (const auto& [key, share] : shares) {
-        if (share.length <= 0.0) continue;
-        for (const auto& [multiplier, value] : functions_at(std::get<0>(key), share.moment / share.length)) {
-            if (multiplier >= 0) weight_[multiplier] += value * share.length;
-        }
-    }
-    std::vector<int> node_of(at(mesh.unknowns));
-    for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[at(unknown)] = node;
-    std::vector<Triplet> entries;
-    for (const FaceStation& station : stations_) {
-        for (const FaceStation::Term& term : station.terms) {
-            const Share& share = shares.at({station.crack, branch_of(station), node_of[at(term.unknown)]});
-            for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
-                if (multiplier < 0) continue;
-                for (int c = 0; c < 2; ++c) {
-                    const double push = station.weight * value * term.value * station.normal[c];
-                    if (push != 0.0) entries.emplace_back(multiplier, term.unknown + c, push);
-                }
-            }
-        }
-    }
-    B_.setFromTriplets(entries.begin(), entries.end());
-    for (const FaceStation& station : stations_) {
-        for (const auto& [multiplier, value] : functions_at(station.crack, station.s))
-            if (multiplier >= 0)
-                fixed_gap_[multiplier] += station.weight * value * station.fixed_jump.dot(station.normal);
-    }
-    for (int k = 0; k < multipliers(); ++k) augmentation_[k] = 0.1 * stiffness / weight_[k];
-}
-
-const ContactInterface::CrackSpace* ContactInterface::space_of(int crack) const {
-    const auto found = std::ranges::find(spaces_, crack, &CrackSpace::crack);
-    return found != spaces_.end() ? &*found : nullptr;
-}
-
-std::array<MultiplierSpace::Value, 2> ContactInterface::functions_at(int crack, double s) const {
-    const CrackSpace* entry = space_of(crack);
-    auto values = entry->space.acting_at(s);
-    for (auto& value : values)
-        if (value.multiplier >= 0) value.multiplier += entry->first_multiplier;
-    return values;
-}
-
-void ContactInterface::find_closing() {
-    closing_ = (B_.cwiseAbs() * Eigen::VectorXd::Ones(B_.cols())).cwiseQuotient(weight_);
+    settled_slip_ = Eigen::VectorXd::Zero(multipliers());
+    const SparseRows& B = operators_.operator_B();
+    closing_ = (B.cwiseAbs() * Eigen::VectorXd::Ones(B.cols())).cwiseQuotient(operators_.weights());
     std::set<int> jumping;
-    for (Eigen::Index k = 0; k < B_.rows(); ++k)
-        for (SparseRows::InnerIterator it(B_, k); it; ++it) jumping.insert(static_cast<int>(it.col()));
+    for (Eigen::Index k = 0; k < B.rows(); ++k)
+        for (SparseRows::InnerIterator it(B, k); it; ++it) jumping.insert(static_cast<int>(it.col()));
     jump_unknowns_.assign(jumping.begin(), jumping.end());
 }
 
-double ContactInterface::gap_of(Eigen::Index k, const Eigen::VectorXd& u) const {
-    return (B_.row(k).dot(u) + fixed_gap_[k]) / weight_[k];
+ContactInterface::Jumps ContactInterface::jumps(const Eigen::VectorXd& u) const {
+    return {operators_.gaps(u), operators_.slips(u) - settled_slip_};
 }
 
-Eigen::VectorXd ContactInterface::gaps(const Eigen::VectorXd& u) const {
-    return (B_ * u + fixed_gap_).cwiseQuotient(weight_);
-}
-
-Eigen::VectorXd ContactInterface::gaps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& pressure,
-                                                   coupling::WorkCounts& work) const {
+ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
+                                                            coupling::WorkCounts& work) const {
     if (multipliers() == 0) return {};
     const double moved =
         (1.0 + 1e-9) * (gather(u, jump_unknowns_) - settled_jumps_).cwiseAbs().maxCoeff();  // rounding included
-    Eigen::VectorXd gap = settled_gap_ - moved * closing_;
-    for (Eigen::Index k = 0; k < gap.size(); ++k) {
-        const bool surely_open = status_[at(k)] == 0 && pressure[k] <= 0.0 && gap[k] > 0.0;
+    Jumps jumps{settled_gap_ - moved * closing_, Eigen::VectorXd::Zero(multipliers())};
+    for (int k = 0; k < multipliers(); ++k) {
+        const bool surely_open = !is_closed(status_[at(k)]) && traction[k] <= 0.0 && jumps.gap[k] > 0.0;
         ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
-        if (!surely_open) gap[k] = gap_of(k, u);
+        if (surely_open) continue;
+        jumps.gap[k] = operators_.gap(k, u);
+        if (shear_of(k) >= 0) jumps.slip[k] = operators_.slip(k, u) - settled_slip_[k];
     }
-    return gap;
-}
-
-void ContactInterface::add_force(const Eigen::VectorXd& pressure, Eigen::VectorXd& force) const {
-    force -= B_.transpose() * pressure;
+    return jumps;
 }
 
 void ContactInterface::begin_increment() {
@@ -146,24 +56,25 @@ void ContactInterface::commit(const Eigen::VectorXd& u) {
 
 void ContactInterface::settle(const Eigen::VectorXd& u) {
     settled_jumps_ = gather(u, jump_unknowns_);
-    settled_gap_ = gaps(u);
+    settled_gap_ = operators_.gaps(u);
+    settled_slip_ = operators_.slips(u);
 }
 
-std::int64_t ContactInterface::interface_elements() const {
-    return (std::ssize(stations_) + points_of_element - 1) / points_of_element;
+FaceState ContactInterface::state_of(int k, const Eigen::VectorXd& traction, const Jumps& jumps) const {
+    return {traction[k], shear_of(k) >= 0 ? traction[shear_of(k)] : 0.0, jumps.gap[k], jumps.slip[k]};
 }
 
-void ContactInterface::choose_statuses(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) {
-    std::vector<std::int8_t> next(status_.size());
+void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Jumps& jumps) {
+    std::vector<FaceStatus> next(status_.size());
     int worst = -1;
     double largest = 0.0;
     changes_ = 0;
     for (int k = 0; k < multipliers(); ++k) {
-        const auto i = at(k);
-        next[i] = UnilateralContact::closed(pressure[k], gap[k], augmentation_[k]) ? 1 : 0;
-        if (next[i] == status_[i]) continue;
+        const FaceState state = state_of(k, traction, jumps);
+        next[at(k)] = law(k).status(state);
+        if (next[at(k)] == status_[at(k)]) continue;
         ++changes_;
-        const double violation = std::abs(UnilateralContact::augmented(pressure[k], gap[k], augmentation_[k]));
+        const double violation = law(k).violation(state, status_[at(k)]);
         if (violation >= largest) {
             largest = violation;
             worst = k;
@@ -173,41 +84,115 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& pressure, const Ei
     one_at_a_time_ = one_at_a_time_ || visited_.contains(next);
     visited_.insert(next);
     if (one_at_a_time_) {
+        const FaceStatus wanted = next[at(worst)];
         next = status_;
-        next[at(worst)] = static_cast<std::int8_t>(1 - next[at(worst)]);
+        next[at(worst)] = wanted;
         changes_ = 1;
     }
     status_ = std::move(next);
 }
 
-double ContactInterface::residual(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
+double ContactInterface::residual(const Eigen::VectorXd& traction, const Jumps& jumps) const {
     double largest = 0.0;
     for (int k = 0; k < multipliers(); ++k) {
-        largest = std::max(largest,
-                           weight_[k] * std::abs(UnilateralContact::residual(pressure[k], gap[k], augmentation_[k])));
+        const FaceState state = state_of(k, traction, jumps);
+        const double off = std::max(std::abs(law(k).pressure_residual(state)), std::abs(law(k).shear_residual(state)));
+        largest = std::max(largest, operators_.weight(k) * off);
     }
     return largest;
 }
 
-Eigen::VectorXd ContactInterface::right_hand_side(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
-    Eigen::VectorXd right = weight_.cwiseProduct(pressure).cwiseQuotient(augmentation_);
-    for (Eigen::Index k = 0; k < right.size(); ++k)
-        if (status_[at(k)] != 0) right[k] = weight_[k] * gap[k];
+Eigen::VectorXd ContactInterface::right_hand_side(const Eigen::VectorXd& traction, const Jumps& jumps) const {
+    Eigen::VectorXd right(tractions());
+    for (int k = 0; k < multipliers(); ++k) {
+        const FaceStatus status = status_[at(k)];
+        right[k] = is_closed(status) ? operators_.weight(k) * jumps.gap[k]
+                                     : operators_.weight(k) * traction[k] / augmentation_[k];
+        const int shear = shear_of(k);
+        if (shear < 0) continue;
+        const double bound = fine::slides(status) ? signed_friction(status, operators_.friction(k)) * traction[k] : 0.0;
+        right[shear] = status == FaceStatus::Stick
+                           ? -operators_.weight(k) * jumps.slip[k]
+                           : operators_.weight(k) / augmentation_[k] * (traction[shear] - bound);
+    }
     return right;
+}
+
+std::vector<int> ContactInterface::unknowns_of(int k, int first_traction) const {
+    std::vector<int> unknowns = operators_.acts_on(k);
+    unknowns.push_back(first_traction + k);
+    if (shear_of(k) >= 0) unknowns.push_back(first_traction + shear_of(k));
+    return unknowns;
+}
+
+Eigen::MatrixXd ContactInterface::matrix_of(int k) const {
+    const std::vector<int> acts_on = operators_.acts_on(k);
+    const bool has_shear = shear_of(k) >= 0;
+    const Eigen::Index pressure = std::ssize(acts_on), shear = pressure + 1, size = pressure + (has_shear ? 2 : 1);
+    const FaceStatus status = status_[at(k)];
+    const double idle = -operators_.weight(k) / augmentation_[k];
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    if (status != FaceStatus::Stick && has_shear) matrix(shear, shear) = idle;
+    if (!is_closed(status)) {
+        matrix(pressure, pressure) = idle;
+        return matrix;
+    }
+    for (Eigen::Index i = 0; i < pressure; ++i) {
+        matrix(i, pressure) = matrix(pressure, i) = -operators_.operator_B().coeff(k, acts_on[at(i)]);
+        if (!has_shear) continue;
+        matrix(i, shear) = operators_.operator_T().coeff(k, acts_on[at(i)]);
+        if (status == FaceStatus::Stick) matrix(shear, i) = matrix(i, shear);
+    }
+    if (fine::slides(status)) matrix(shear, pressure) = -idle * signed_friction(status, operators_.friction(k));
+    return matrix;
+}
+
+void ContactInterface::clean(Eigen::VectorXd& traction) const {
+    for (int k = 0; k < multipliers(); ++k) {
+        const FaceStatus status = status_[at(k)];
+        if (!is_closed(status)) traction[k] = 0.0;
+        if (shear_of(k) >= 0 && status != FaceStatus::Stick)
+            traction[shear_of(k)] = signed_friction(status, operators_.friction(k)) * traction[k];
+    }
+}
+
+double ContactInterface::dissipated(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+                                    const Jumps& jumps) const {
+    double sum = 0.0;
+    for (const int k : operators_.with_shear()) {
+        if (!slides(k)) continue;
+        const double bound = 0.5 * operators_.friction(k) * (std::max(before[k], 0.0) + after[k]);
+        sum += operators_.weight(k) * bound * std::abs(jumps.slip[k]);
+    }
+    return sum;
 }
 
 double ContactInterface::reach_behind(const Tip& tip) const {
     double reach = -1.0;
-    for (std::size_t k = 0; k < keys_.size(); ++k)
-        if (status_[k] != 0 && keys_[k].crack == tip.crack) reach = std::max(reach, std::abs(tip.s - keys_[k].s));
+    const auto& keys = operators_.keys();
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        if (is_closed(status_[k]) && keys[k].crack == tip.crack) reach = std::max(reach, std::abs(tip.s - keys[k].s));
     return reach;
 }
 
-double ContactInterface::pressure_at(const FaceStation& station, const Eigen::VectorXd& pressure) const {
-    double sum = 0.0;
-    for (const auto& [multiplier, value] : functions_at(station.crack, station.s))
-        if (multiplier >= 0) sum += value * pressure[multiplier];
-    return std::max(sum, 0.0);
+// Beyond the last node of a branch a share may be negative: what it makes of pressure and shear is not.
+ContactInterface::FaceTraction ContactInterface::traction_at(const FaceStation& station,
+                                                             const Eigen::VectorXd& traction) const {
+    FaceTraction sum;
+    double largest = 0.0, friction = 0.0;
+    for (const auto& [multiplier, value] : operators_.functions_at(station)) {
+        if (multiplier < 0) continue;
+        sum.pressure += value * traction[multiplier];
+        if (shear_of(multiplier) < 0) continue;
+        sum.shear += value * traction[shear_of(multiplier)];
+        friction = operators_.friction(multiplier);
+        if (value > largest) sum.slides = slides(multiplier);
+        largest = std::max(largest, value);
+    }
+    sum.pressure = std::max(sum.pressure, 0.0);
+    const double bound = friction * sum.pressure;
+    sum.shear = std::clamp(sum.shear, -bound, bound);
+    return sum;
 }
 
 }  // namespace stria::fine

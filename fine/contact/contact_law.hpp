@@ -1,25 +1,69 @@
-// Unilateral contact without friction, per multiplier: p >= 0, g >= 0, p g = 0.
+// Unilateral contact with Coulomb's friction, per multiplier: p >= 0, g >= 0, p g = 0 and |tau| <= mu p, where slip
+// goes on along the shear that reaches the bound (Simo and Laursen, eq. (4)).
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 namespace stria::fine {
 
-/// The augmented Lagrangian of eq. (4) with its interface field w eliminated: p = max(0, p - c g), solved as a
-/// semismooth Newton step together with the bulk. c is the paper's alpha: it weighs pressures against gaps and changes
-/// no solution.
-struct UnilateralContact {
-    /// Augmented pressure p - c g, MPa: closed where it is positive.
-    [[nodiscard]] static double augmented(double pressure, double gap, double c) { return pressure - c * gap; }
+/// Which branch of the law a multiplier is on. Faces without friction that touch are on Stick: nothing of theirs slides
+/// against a traction.
+enum class FaceStatus : std::int8_t { Open = 0, Stick = 1, SlipForward = 2, SlipBack = 3 };
 
-    [[nodiscard]] static bool closed(double pressure, double gap, double c) {
-        return augmented(pressure, gap, c) > 0.0;
+inline bool is_closed(FaceStatus status) { return status != FaceStatus::Open; }
+inline bool slides(FaceStatus status) { return status == FaceStatus::SlipForward || status == FaceStatus::SlipBack; }
+
+/// What a multiplier transmits, MPa, and the weighted jumps beside it, mm. The shear is t . sigma n: it has the sign of
+/// the slip that it brakes. `slip`: since the last commit.
+struct FaceState {
+    double pressure = 0.0, shear = 0.0, gap = 0.0, slip = 0.0;
+};
+
+/// The augmented Lagrangian of eq. (4) with its interface field w eliminated, solved as a semismooth Newton step
+/// together with the bulk: p = max(0, p - c g), and tau is what tau + c slip leaves inside +-mu max(0, p - c g). c is
+/// the paper's alpha, MPa/mm: it weighs tractions against jumps and changes no solution.
+struct CoulombContact {
+    /// Where faces have slid and have not moved since they are on the bound to the last bit but one: they stick.
+    static constexpr double rounding = 1e-10;
+
+    double friction = 0.0;
+    double c = 1.0;
+
+    /// Augmented pressure, MPa: closed where it is positive.
+    [[nodiscard]] double augmented_pressure(const FaceState& s) const { return s.pressure - c * s.gap; }
+    [[nodiscard]] double augmented_shear(const FaceState& s) const { return s.shear + c * s.slip; }
+
+    /// What the shear may reach, MPa.
+    [[nodiscard]] double bound(const FaceState& s) const { return friction * std::max(0.0, augmented_pressure(s)); }
+
+    [[nodiscard]] FaceStatus status(const FaceState& s) const {
+        if (augmented_pressure(s) <= 0.0) return FaceStatus::Open;
+        if (friction == 0.0 || std::abs(augmented_shear(s)) <= (1.0 + rounding) * bound(s)) return FaceStatus::Stick;
+        return augmented_shear(s) > 0.0 ? FaceStatus::SlipForward : FaceStatus::SlipBack;
     }
 
-    /// p - max(0, p - c g), MPa: zero exactly where the three conditions hold.
-    [[nodiscard]] static double residual(double pressure, double gap, double c) {
-        return pressure - std::max(0.0, augmented(pressure, gap, c));
+    /// p - max(0, p - c g), MPa: zero exactly where the three conditions of contact hold.
+    [[nodiscard]] double pressure_residual(const FaceState& s) const {
+        return s.pressure - std::max(0.0, augmented_pressure(s));
+    }
+
+    /// tau - clamp(tau + c slip), MPa: zero exactly where those of friction hold. None without friction.
+    [[nodiscard]] double shear_residual(const FaceState& s) const {
+        return friction == 0.0 ? 0.0 : s.shear - std::clamp(augmented_shear(s), -bound(s), bound(s));
+    }
+
+    /// How far a state is beyond the branch that it is said to be on, MPa.
+    [[nodiscard]] double violation(const FaceState& s, FaceStatus said) const {
+        if (is_closed(said) != (augmented_pressure(s) > 0.0)) return std::abs(augmented_pressure(s));
+        return std::abs(std::abs(augmented_shear(s)) - bound(s));
     }
 };
+
+/// mu with the sign of the shear that brakes.
+inline double signed_friction(FaceStatus status, double friction) {
+    return status == FaceStatus::SlipBack ? -friction : friction;
+}
 
 }  // namespace stria::fine

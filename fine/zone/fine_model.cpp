@@ -31,19 +31,16 @@ void FineModel::plant_tree() {
     const coupling::Patch& patch = system_.patch();
     const ContactInterface& contact = system_.contact();
     FrontTree::Layout layout;
-    layout.unknowns = patch.mesh.unknowns + contact.multipliers();
-    layout.multipliers = contact.multipliers();
+    layout.unknowns = patch.mesh.unknowns + contact.tractions();
+    layout.multipliers = contact.tractions();
     layout.boundary = patch.boundary;
     for (const ElementOperator& op : system_.bulk().operators()) {
         layout.element_unknowns.push_back(op.unknowns);
         layout.centres.push_back(centre(patch.mesh, op.element));
     }
     for (int k = 0; k < contact.multipliers(); ++k) {
-        std::vector<int>& unknowns = layout.element_unknowns.emplace_back();
-        for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it)
-            unknowns.push_back(static_cast<int>(it.col()));
-        unknowns.push_back(patch.mesh.unknowns + k);
-        layout.centres.push_back(contact.keys()[at(k)].x);
+        layout.element_unknowns.push_back(contact.unknowns_of(k, patch.mesh.unknowns));
+        layout.centres.push_back(contact.operators().keys()[at(k)].x);
     }
     changed_ = ElementSet(layout.element_unknowns.size(), true);
     all_changed_ = true;
@@ -161,28 +158,13 @@ void FineModel::find_changes() {
     const ElementSet& changed = system_.bulk().changed();
     for (int e = 0; e < changed.size(); ++e)
         if (changed.contains(e)) changed_.insert(e);
-    const std::vector<std::int8_t>& statuses = system_.contact().statuses();
+    const std::vector<FaceStatus>& statuses = system_.contact().statuses();
     for (std::size_t k = 0; k < statuses.size(); ++k) {
         if (in_tree_[k] == statuses[k]) continue;
         in_tree_[k] = statuses[k];
-        multiplier_matrices_[k] = multiplier_matrix(static_cast<int>(k));
+        multiplier_matrices_[k] = system_.contact().matrix_of(static_cast<int>(k));
         changed_.insert(at(changed.size()) + k);
     }
-}
-
-// On what it acts on and itself. An open multiplier loses its pressure whatever else moves.
-Eigen::MatrixXd FineModel::multiplier_matrix(int k) const {
-    const ContactInterface& contact = system_.contact();
-    const Eigen::Index jumps = contact.operator_B().row(k).nonZeros();
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(jumps + 1, jumps + 1);
-    if (contact.statuses()[at(k)] == 0) {
-        matrix(jumps, jumps) = contact.open_diagonal()[k];
-        return matrix;
-    }
-    Eigen::Index place = 0;
-    for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it, ++place)
-        matrix(place, jumps) = matrix(jumps, place) = -it.value();
-    return matrix;
 }
 
 // Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
@@ -196,15 +178,19 @@ bool FineModel::last_factor_serves(const coupling::PatchResponse& response) cons
 void FineModel::factor() {
     if (all_changed_) changed_ = ElementSet(changed_.size(), true);
     const std::span<const Eigen::MatrixXd> tangents = system_.bulk().tangents();
-    const long before = tree_->refactored();
+    const long before = tree_->refactored(), general_before = tree_->refactored_general();
     tree_->factor(
-        [&](int element) -> const Eigen::MatrixXd& {
+        [&](int element) {
             const auto e = at(element);
-            return e < tangents.size() ? tangents[e] : multiplier_matrices_[e - tangents.size()];
+            if (e < tangents.size()) return FrontTree::ElementMatrix{tangents[e]};
+            const std::size_t k = e - tangents.size();
+            return FrontTree::ElementMatrix{multiplier_matrices_[k],
+                                            slides(in_tree_[k]) ? Symmetry::General : Symmetry::Symmetric};
         },
         changed_.flags());
     const long refactored = tree_->refactored() - before;
     work_.fronts_refactored += refactored;
+    work_.fronts_general += tree_->refactored_general() - general_before;
     work_.fronts_kept += tree_->fronts() - refactored;
     changed_ = ElementSet(changed_.size());
     all_changed_ = false;
@@ -217,7 +203,7 @@ void FineModel::condense(coupling::PatchResponse& response) {
         ++work_.factors_reused;
     } else {
         factor();
-        response.tangent = tree_->tangent();
+        response.tangent = {tree_->tangent(), tree_->symmetry()};
     }
     reduced_ = tree_->reduce(due());
     response.force = -reduced_.boundary;
@@ -233,10 +219,13 @@ void FineModel::condense(coupling::PatchResponse& response) {
 // What Newton has to remove: forces, and gaps or pressures of multipliers. An open one does not push any more.
 Eigen::VectorXd FineModel::due() const {
     const ContactInterface& contact = system_.contact();
-    Eigen::VectorXd open = system_.pressure(), forces = system_.load();
-    for (Eigen::Index k = 0; k < open.size(); ++k)
-        if (contact.statuses()[at(k)] != 0) open[k] = 0.0;
-    contact.add_force(open, forces);
+    Eigen::VectorXd open = system_.traction(), forces = system_.load();
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        if (!is_closed(contact.statuses()[at(k)])) continue;
+        open[k] = 0.0;
+        if (contact.shear_of(k) >= 0) open[contact.shear_of(k)] = 0.0;
+    }
+    contact.operators().add_force(open, forces);
     Eigen::VectorXd due(forces.size() + open.size());
     due << forces, system_.contact_right_hand_side();
     return due;
@@ -247,7 +236,7 @@ void FineModel::advance_interior() {
     const double load_step = asked_.load_factor - system_.load_factor();
     const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
     const Eigen::VectorXd move = system_.step() * tree_->expand(moving, step);
-    system_.move(move.head(system_.displacement().size()), move.tail(system_.pressure().size()));
+    system_.move(move.head(system_.displacement().size()), move.tail(system_.traction().size()));
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {

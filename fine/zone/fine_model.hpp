@@ -40,7 +40,6 @@ private:
     [[nodiscard]] bool wake_what_would_yield();
     void carry_rest_load();
     void find_changes();
-    [[nodiscard]] Eigen::MatrixXd multiplier_matrix(int k) const;
     [[nodiscard]] Eigen::VectorXd due() const;
     void advance_interior();
     [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
@@ -49,8 +48,8 @@ private:
 
     ZoneSystem system_;
     std::unique_ptr<FrontTree> tree_;
-    static constexpr std::int8_t none = -1;
-    std::vector<std::int8_t> in_tree_;  // status of each multiplier in the last factor, or to be in the next one
+    static constexpr FaceStatus none{-1};
+    std::vector<FaceStatus> in_tree_;  // status of each multiplier in the last factor, or to be in the next one
     std::vector<Eigen::MatrixXd> multiplier_matrices_;
     ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
     coupling::PatchDisplacement asked_;

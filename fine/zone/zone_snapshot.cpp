@@ -14,13 +14,18 @@ coupling::ZoneSnapshot ZoneSystem::snapshot() const {
     for (const Unknowns& increment : increments_.all()) out.increments.push_back(increment.displacement);
     out.held = opening_.held(patch_.mesh.unknowns);
     for (int k = 0; k < contact_->multipliers(); ++k) {
-        const ContactInterface::Key& key = contact_->keys()[at(k)];
+        const FaceOperators::Key& key = contact_->operators().keys()[at(k)];
         coupling::MultiplierSnapshot multiplier;
         multiplier.crack = key.crack;
         multiplier.place = key.x;
-        multiplier.pressure = committed_.pressure[k];
-        multiplier.closed = contact_->committed_statuses()[at(k)] != 0;
-        for (const Unknowns& increment : increments_.all()) multiplier.increments.push_back(increment.pressure[k]);
+        multiplier.pressure = committed_.traction[k];
+        multiplier.status = static_cast<std::int8_t>(contact_->committed_statuses()[at(k)]);
+        for (const Unknowns& increment : increments_.all()) multiplier.increments.push_back(increment.traction[k]);
+        if (const int shear = contact_->shear_of(k); shear >= 0) {
+            multiplier.shear = committed_.traction[shear];
+            for (const Unknowns& increment : increments_.all())
+                multiplier.shear_increments.push_back(increment.traction[shear]);
+        }
         out.multipliers.push_back(std::move(multiplier));
     }
     out.frozen_tips = frozen_.tips();
@@ -32,19 +37,24 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     make_contact(patch);
     const int multipliers = contact_->multipliers();
     require(std::ssize(snapshot.multipliers) == multipliers, "a snapshot has the multipliers of its zone");
-    std::vector<std::int8_t> statuses;
-    committed_ = {snapshot.displacement, Eigen::VectorXd(multipliers)};
+    std::vector<FaceStatus> statuses;
+    committed_ = {snapshot.displacement, Eigen::VectorXd(contact_->tractions())};
     std::vector<Unknowns> increments;
     for (const Eigen::VectorXd& displacement : snapshot.increments)
-        increments.push_back({displacement, Eigen::VectorXd(multipliers)});
+        increments.push_back({displacement, Eigen::VectorXd(contact_->tractions())});
     for (int k = 0; k < multipliers; ++k) {
         const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[at(k)];
-        require(contact_->keys()[at(k)].is_at(multiplier.crack, multiplier.place),
+        require(contact_->operators().keys()[at(k)].is_at(multiplier.crack, multiplier.place),
                 "multipliers of a snapshot are in the order of the cracks");
-        statuses.push_back(multiplier.closed ? 1 : 0);
-        committed_.pressure[k] = multiplier.pressure;
+        statuses.push_back(static_cast<FaceStatus>(multiplier.status));
+        committed_.traction[k] = multiplier.pressure;
         for (std::size_t back = 0; back < increments.size(); ++back)
-            increments[back].pressure[k] = multiplier.increments.at(back);
+            increments[back].traction[k] = multiplier.increments.at(back);
+        const int shear = contact_->shear_of(k);
+        if (shear < 0) continue;
+        committed_.traction[shear] = multiplier.shear;
+        for (std::size_t back = 0; back < increments.size(); ++back)
+            increments[back].traction[shear] = multiplier.shear_increments.at(back);
     }
     contact_->restore(std::move(statuses));
     increments_.clear();

@@ -57,7 +57,7 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
 void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
     bulk_->evaluate(committed_.displacement);
     Eigen::VectorXd force = bulk_->internal_force();
-    contact_->add_force(committed_.pressure, force);
+    contact_->operators().add_force(committed_.traction, force);
     opening_.open(before, patch_.mesh, -force);
 }
 
@@ -84,17 +84,20 @@ void ZoneSystem::find_tip_stations() {
 }
 
 void ZoneSystem::carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact) {
-    Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->multipliers())};
+    Unknowns next{patch.displacement, Eigen::VectorXd::Zero(contact_->tractions())};
     if (old_contact != nullptr) {
         next.displacement = carry_over(patch_.mesh, committed_.displacement, patch.mesh, next.displacement);
         for (int k = 0; k < contact_->multipliers(); ++k) {
-            const auto same = [&](const ContactInterface::Key& key) {
-                const auto& own = contact_->keys()[at(k)];
+            const auto same = [&](const FaceOperators::Key& key) {
+                const auto& own = contact_->operators().keys()[at(k)];
                 return key.is_at(own.crack, own.x);
             };
-            const auto found = std::ranges::find_if(old_contact->keys(), same);
-            if (found == old_contact->keys().end()) continue;
-            next.pressure[k] = committed_.pressure[found - old_contact->keys().begin()];
+            const auto found = std::ranges::find_if(old_contact->operators().keys(), same);
+            if (found == old_contact->operators().keys().end()) continue;
+            const int old = static_cast<int>(found - old_contact->operators().keys().begin());
+            next.traction[k] = committed_.traction[old];
+            if (contact_->shear_of(k) >= 0)
+                next.traction[contact_->shear_of(k)] = committed_.traction[old_contact->shear_of(old)];
         }
     }
     committed_ = std::move(next);
@@ -106,16 +109,16 @@ void ZoneSystem::predict(const Predictor& predictor) {
     if (const Unknowns* earlier = increments_.find(predictor)) {
         trial_.displacement += predictor.factor * earlier->displacement;
         // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.
-        trial_.pressure += predictor.factor * earlier->pressure;
+        trial_.traction += predictor.factor * earlier->traction;
     }
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
     damping_.begin();
 }
 
-void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure) {
+void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction) {
     trial_.displacement += displacement;
-    trial_.pressure += pressure;
+    trial_.traction += traction;
     largest_move_ = displacement.size() > 0 ? displacement.cwiseAbs().maxCoeff() : 0.0;
 }
 
@@ -130,10 +133,10 @@ void ZoneSystem::linearise() {
         bulk_->evaluate(trial_.displacement);
     }
     const Stopwatch watch(contact_s_);
-    gap_ = contact_->gaps_that_matter(trial_.displacement, trial_.pressure, contact_work_);
-    contact_->choose_statuses(trial_.pressure, gap_);
+    jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);
+    contact_->choose_statuses(trial_.traction, jumps_);
     Eigen::VectorXd force = bulk_->internal_force();
-    contact_->add_force(trial_.pressure, force);
+    contact_->operators().add_force(trial_.traction, force);
     load_ = load_factor_ * patch_.unit_load - force;
     response_.resize(0);
 }
@@ -191,13 +194,14 @@ coupling::PatchResponse ZoneSystem::measure() {
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
     step_ = damping_.factor(response.interior_residual);
-    response.contact_residual = contact_->residual(trial_.pressure, gap_);
+    response.contact_residual = contact_->residual(trial_.traction, jumps_);
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
     response.digest.yielding_points = bulk_->history().yielding_points();
     response.digest.largest_plastic_increment = bulk_->history().largest_plastic_increment();
-    response.digest.status = contact_->statuses();
-    response.digest.multiplier.assign(trial_.pressure.begin(), trial_.pressure.end());
+    for (const FaceStatus status : contact_->statuses())
+        response.digest.status.push_back(static_cast<std::int8_t>(status));
+    response.digest.multiplier.assign(trial_.traction.begin(), trial_.traction.begin() + contact_->multipliers());
     response.digest.status_changes = contact_->status_changes();
     for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
@@ -207,16 +211,16 @@ coupling::PatchResponse ZoneSystem::measure() {
 
 coupling::StepReport ZoneSystem::commit(bool reversal) {
     // Where a face is open the solver has left the rounding of a pressure: it would count as contact.
-    for (Eigen::Index k = 0; k < trial_.pressure.size(); ++k) {
-        if (contact_->statuses()[at(k)] == 0) trial_.pressure[k] = 0.0;
-    }
-    const Unknowns move{trial_.displacement - committed_.displacement, trial_.pressure - committed_.pressure};
+    contact_->clean(trial_.traction);
+    const Unknowns move{trial_.displacement - committed_.displacement, trial_.traction - committed_.traction};
+    const double friction = contact_->dissipated(committed_.traction, trial_.traction, jumps_);
     committed_ = trial_;
     bulk_->commit(reversal);
     contact_->commit(committed_.displacement);
     coupling::StepReport report;
     report.energy = {.stored = fine::stored_energy(*bulk_),
                      .released = opening_.release(move.displacement),
+                     .friction = friction,
                      .load_path = patch_.unit_load.dot(move.displacement)};
     increments_.push(move);
     report_tips(report);
@@ -224,12 +228,12 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     report_faces(report);
     report.dissipation = fine::dissipation(*bulk_);
     report.points = bulk_->history().points();
-    report.unknowns = patch_.mesh.unknowns + contact_->multipliers();
-    report.multipliers = contact_->multipliers();
+    report.unknowns = patch_.mesh.unknowns + contact_->tractions();
+    report.multipliers = contact_->tractions();
     report.work = bulk_->counts();
     report.work += contact_work_;
     report.work.history_values = bulk_->history().values_beyond_stress();
-    report.work.interface_elements = contact_->interface_elements();
+    report.work.interface_elements = contact_->operators().interface_elements();
     report.constitutive_s = constitutive_s_;
     report.contact_s = contact_s_;
     return report;
@@ -267,8 +271,10 @@ void ZoneSystem::report_rings(coupling::StepReport& report) const {
         RingSums sums(patch_.mesh, tip, elastic_, rings);
         add_to(sums, *bulk_);
         for (const FaceStation& station : tip_stations_[at(t)]) {
-            const double pressure = contact_->pressure_at(station, committed_.pressure);
-            if (pressure > 0.0) sums.add_pressure(station, pressure, station.opening_slope(committed_.displacement));
+            const auto [pressure, shear, slides] = contact_->traction_at(station, committed_.traction);
+            if (pressure <= 0.0) continue;
+            const Eigen::VectorXd& u = committed_.displacement;
+            sums.add_faces(station, {pressure, shear, station.opening_slope(u), station.slip_slope(u)});
         }
         for (std::size_t k = 0; k < rings.size(); ++k) {
             const DomainIntegral& sum = sums.values()[k];
@@ -281,7 +287,7 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
     const auto cracks = input_.cracks.size();
     report.contact_length.assign(cracks, 0.0);
     report.mouth_opening.assign(cracks, std::numeric_limits<double>::quiet_NaN());
-    for (const FaceStation& station : contact_->stations()) {
+    for (const FaceStation& station : contact_->operators().stations()) {
         coupling::FaceSample sample;
         sample.crack = station.crack;
         sample.s = station.s;
@@ -289,8 +295,10 @@ void ZoneSystem::report_faces(coupling::StepReport& report) const {
         sample.y = station.x.y();
         sample.opening = station.opening(committed_.displacement);
         sample.slip = station.slip(committed_.displacement);
-        sample.pressure = contact_->pressure_at(station, committed_.pressure);
-        sample.status = sample.pressure > 0.0 ? 1 : 0;
+        const auto [pressure, shear, slides] = contact_->traction_at(station, committed_.traction);
+        sample.pressure = pressure;
+        sample.shear = shear;
+        sample.status = pressure > 0.0 ? (slides ? 2 : 1) : 0;
         if (sample.status != 0) report.contact_length[at(station.crack)] += station.weight;
         report.faces.push_back(sample);
     }

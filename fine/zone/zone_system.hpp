@@ -15,7 +15,7 @@ namespace stria::fine {
 class ZoneSystem {
 public:
     struct Unknowns {
-        Eigen::VectorXd displacement, pressure;
+        Eigen::VectorXd displacement, traction;  // of the faces: ContactInterface
     };
 
     explicit ZoneSystem(const Case& input);
@@ -30,8 +30,8 @@ public:
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
     [[nodiscard]] double load_factor() const { return load_factor_; }
 
-    /// Moves the trial unknowns: displacements of the zone, pressures of the multipliers.
-    void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& pressure);
+    /// Moves the trial unknowns: displacements of the zone, tractions of the faces.
+    void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction);
     void set_boundary(const Eigen::VectorXd& displacement);
 
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
@@ -51,18 +51,18 @@ public:
     /// What the elements at rest do to the others, N/mm.
     void add_response(const Eigen::VectorXd& load);
 
-    /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p), N/mm.
+    /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p + T^T tau), N/mm.
     [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
 
     [[nodiscard]] const Bulk& bulk() const { return *bulk_; }
     [[nodiscard]] const ContactInterface& contact() const { return *contact_; }
     [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
-    [[nodiscard]] const Eigen::VectorXd& pressure() const { return trial_.pressure; }
+    [[nodiscard]] const Eigen::VectorXd& traction() const { return trial_.traction; }
     [[nodiscard]] const FrozenTips& frozen() const { return frozen_; }
     /// Of the multipliers' part of the semismooth system.
     [[nodiscard]] Eigen::VectorXd contact_right_hand_side() const {
-        return contact_->right_hand_side(trial_.pressure, gap_);
+        return contact_->right_hand_side(trial_.traction, jumps_);
     }
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
@@ -111,7 +111,8 @@ private:
     double step_ = 1.0;
     OpeningFaces opening_;
     IncrementMemory<Unknowns> increments_;
-    Eigen::VectorXd gap_, load_;
+    Eigen::VectorXd load_;
+    ContactInterface::Jumps jumps_;
     UnknownSet inside_;  // of what rests
     double force_scale_at_rest_ = 0.0;
     Eigen::VectorXd response_;  // of what rests, N/mm; empty: nothing does

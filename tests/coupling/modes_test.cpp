@@ -35,6 +35,15 @@ const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.siz
                                              "solver.tolerance=1e-12", "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
                                              "load.steps=20",          "growth.increment=0.25"};
 
+/// An inclined crack whose faces slide against friction while they are closed.
+const std::vector<std::string> sliding_scene{
+    "mesh.grading=[{at=[[20.0,100.0]], size=0.3, outer_size=0.6, radius=3.0, growth=0.25}]",
+    "mesh.size=10.0",
+    "solver.tolerance=1e-12",
+    "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]",
+    "crack.0.contact.friction=0.3",
+    "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
+
 struct Scenery {
     const char* name;
     std::vector<std::string> settings;
@@ -87,8 +96,12 @@ std::vector<double> numbers_of(const coarse::TipResult& tip) {
 }
 
 std::vector<double> numbers_of(const coupling::StepReport& report) {
-    std::vector<double> numbers{report.dissipation, report.energy.stored, report.energy.released,
-                                static_cast<double>(report.unknowns), static_cast<double>(report.multipliers)};
+    std::vector<double> numbers{report.dissipation,
+                                report.energy.stored,
+                                report.energy.released,
+                                report.energy.friction,
+                                static_cast<double>(report.unknowns),
+                                static_cast<double>(report.multipliers)};
     for (const coupling::TipReport& tip : report.tips) {
         numbers.insert(numbers.end(), {tip.CTOD, tip.plastic_zone, tip.plastic_zone_axis, tip.plastic_reach});
     }
@@ -108,6 +121,16 @@ TEST_P(Modes, SceneFlowsAndCloses) {
     EXPECT_GT(direct->at_minimum().zone.contact_length[0], 15.0);
     EXPECT_EQ(direct->at_maximum().zone.contact_length[0], 0.0);
     EXPECT_EQ(direct->cuts, 0);
+}
+
+TEST_P(Modes, FrontsAreGeneralWhereFacesSlide) {
+    const bool slides = GetParam().name == std::string("sliding");
+    const Followed& last = direct->increments.back();
+    EXPECT_EQ(last.zone.work.fronts_general > 0, slides);
+    EXPECT_EQ(last.work.by_friction > 0.0, slides);
+    EXPECT_LT(last.zone.work.fronts_general, last.zone.work.fronts_refactored);
+    const auto sliding = [](const coupling::FaceSample& face) { return face.status == 2; };
+    EXPECT_EQ(std::ranges::any_of(direct->at_minimum().zone.faces, sliding), slides);
 }
 
 TEST_P(Modes, OverATransportEveryBitIsTheSame) {
@@ -166,6 +189,7 @@ void expect_same_to_rounding(const RunHistory& one, const RunHistory& other) {
         EXPECT_NEAR(p.plastic_zone, q.plastic_zone, 1e-9 * 20.0);
         EXPECT_NEAR(a.zone.dissipation, b.zone.dissipation, 1e-9 * work);
         EXPECT_NEAR(a.zone.energy.released, b.zone.energy.released, 1e-9 * work);
+        EXPECT_NEAR(a.work.by_friction, b.work.by_friction, 1e-9 * work);
         EXPECT_NEAR(a.work.error(), b.work.error(), 1e-9 * one.increments.back().work.external);
         for (std::size_t t = 0; t < a.cycles.size(); ++t) {
             const double K = a.cycles[t].opening.K_op, L = b.cycles[t].opening.K_op;
@@ -194,12 +218,13 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
 
 INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
                          testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
-                                         Scenery{"growing", growing_scene}),
+                                         Scenery{"growing", growing_scene}, Scenery{"sliding", sliding_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Sceneries, SharedZone,
                          testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
-                                         Scenery{"extended", extended_scene}, Scenery{"growing", growing_scene}),
+                                         Scenery{"extended", extended_scene}, Scenery{"growing", growing_scene},
+                                         Scenery{"sliding", sliding_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {

@@ -61,6 +61,13 @@ const Scenery within{"Within",
                       "load.blocks=[{cycles=4, max=50.0, ratio=-1.0}]", "growth.increment=0.2"},
                      20};
 
+/// An inclined crack whose faces slide against friction; stopped while they do.
+const Scenery sliding{"Sliding",
+                      {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
+                       "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
+                       "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
+                      31};
+
 /// Half way of an increment that was halved.
 const Scenery halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
@@ -214,7 +221,8 @@ TEST_P(Resume, StopsWhereItMatters) {
 TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
-                         testing::Values(still, again, extended, growing, small, within, halved, displaced, elastic),
+                         testing::Values(still, again, sliding, extended, growing, small, within, halved, displaced,
+                                         elastic),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};

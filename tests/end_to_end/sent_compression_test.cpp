@@ -100,6 +100,26 @@ TEST_F(SentCompression, EnergyReleaseAndMouthOpeningAtMaximumLoad) {
     EXPECT_GT(tip.CTOD, 0.0);
 }
 
+// The faces meet as they parted: nothing slides, so friction changes nothing, and no front is general for it.
+TEST_F(SentCompression, FrictionChangesNothingOfASymmetricCrack) {
+    const Case rough = sent_case({"crack.0.contact.friction=0.3"});
+    const RunHistory with_friction = run_direct(rough);
+    ASSERT_EQ(with_friction.increments.size(), run->increments.size());
+    const double scale = run->at_maximum().tips[0].J;
+    int iterations = 0, more = 0;
+    for (std::size_t k = 0; k < run->increments.size(); ++k) {
+        const Followed &smooth = run->increments[k], &now = with_friction.increments[k];
+        EXPECT_NEAR(now.tips[0].J, smooth.tips[0].J, 1e-8 * scale) << k + 1;
+        iterations += smooth.newton.count();
+        more += now.newton.count() - smooth.newton.count();
+    }
+    EXPECT_LE(more, iterations / 50);
+    const Followed& last = with_friction.increments.back();
+    EXPECT_EQ(last.zone.work.fronts_general, 0);
+    EXPECT_EQ(last.work.by_friction, 0.0);
+    for (const coupling::FaceSample& face : with_friction.at_minimum().zone.faces) EXPECT_NE(face.status, 2);
+}
+
 TEST_F(SentCompression, AtMinimumLoadOpenAtTheTipAndClosedBehind) {
     const coarse::Increment& least = run->at_minimum();
     EXPECT_GT(least.zone.contact_length[0], 0.9 * crack_length);

@@ -39,7 +39,7 @@ public:
         fail_if_told();
         coupling::PatchResponse response;
         response.force = tangent_ * trial_;
-        response.tangent = tangent_;
+        response.tangent = {tangent_};
         response.interior_force = response.force.size() > 0 ? response.force.lpNorm<Eigen::Infinity>() : 0.0;
         response.interior_displacement = trial_.size() > 0 ? trial_.lpNorm<Eigen::Infinity>() : 0.0;
         response.digest.yielding_points = {iteration_, 0, 3};

@@ -38,7 +38,13 @@ Checkpoint some_checkpoint() {
     state.zone.element = {4, 9};
     state.zone.history = {0.1, 0.2};
     state.zone.increments = {Vec2(-1.0, 0.0)};
-    state.zone.multipliers = {{.crack = 1, .place = {1.0, 2.0}, .pressure = 3.0, .closed = true, .increments = {0.5}}};
+    state.zone.multipliers = {{.crack = 1,
+                               .place = {1.0, 2.0},
+                               .pressure = 3.0,
+                               .shear = -0.5,
+                               .status = 3,
+                               .increments = {0.5},
+                               .shear_increments = {0.25}}};
     state.zone.frozen_tips = {{.mesh = {}, .displacement = Vec2(1.0, 2.0), .crack = 1}};
     checkpoint.recorder.history_rows = 58;
     checkpoint.recorder.fields = {{10, 10.0}, {30, 30.0}};

@@ -63,15 +63,16 @@ TEST_P(PointForce, TheJumpAcrossTheFacesIsConstant) {
 INSTANTIATE_TEST_SUITE_P(Plane, PointForce, testing::Values(PlaneState::Strain, PlaneState::Stress),
                          [](const auto& plane) { return plane.param == PlaneState::Strain ? "strain" : "stress"; });
 
-/// K_I, K_II, T, and a pressure p on the faces: Williams fields, sigma_11 = T, and -p in all directions.
+/// K_I, K_II, T, and a pressure p and a shear tau on the faces: Williams fields, sigma_11 = T, -p in all directions,
+/// and sigma_12 = tau.
 struct ExactField {
-    double K_I, K_II, T, p;
+    double K_I, K_II, T, p, tau;
     Elasticity elastic;
 
     [[nodiscard]] TipField at(const Tip& tip, const Vec2& x, int side) const {
         const TipField I = williams_field(1, tip, x, side, elastic), II = williams_field(2, tip, x, side, elastic);
         const Eigen::Matrix2d axes = tip_axes(tip);
-        const Eigen::Matrix2d stress = axes * Vec2(T - p, -p).asDiagonal() * axes.transpose();
+        const Eigen::Matrix2d stress = axes * Eigen::Matrix2d{{T - p, tau}, {tau, -p}} * axes.transpose();
         TipField sum;
         sum.gradient = K_I * I.gradient + K_II * II.gradient + gradient_of(stress, elastic);
         sum.stress = elastic.stiffness() * strain_of(sum.gradient);
@@ -94,7 +95,8 @@ std::vector<DomainIntegral> ring_sums(const EnrichedMesh& mesh, const ExactField
     }
     for (const FaceStation& station : face_stations_about(mesh, tip, 2, 4)) {
         const Eigen::Matrix2d jump = field.at(tip, station.x, 1).gradient - field.at(tip, station.x, -1).gradient;
-        sums.add_pressure(station, field.p, station.normal.dot(jump * station.tangent));
+        const Vec2 slope = jump * station.tangent;
+        sums.add_faces(station, {field.p, field.tau, station.normal.dot(slope), station.tangent.dot(slope)});
     }
     return {sums.values().begin(), sums.values().end()};
 }
@@ -105,7 +107,7 @@ TEST(RingSums, GiveBackTheParametersOfExactFields) {
          {std::vector<Vec2>{{0.0, 0.41}, {0.52, 0.53}}, std::vector<Vec2>{{0.52, 0.53}, {0.0, 0.41}}}) {
         for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
             for (const double p : {0.0, 0.8}) {
-                const ExactField field{1.0, -0.4, 0.7, p, {1000.0, 0.3, plane}};
+                const ExactField field{1.0, -0.4, 0.7, p, -0.75 * p, {1000.0, 0.3, plane}};
                 const double E = field.elastic.plane_modulus();
                 for (const DomainIntegral& sum :
                      ring_sums(cracked(mesh, crack), field, {{0.2, 0.4}, {0.3, 0.4}, {0.14, 0.28}})) {

@@ -18,8 +18,7 @@ namespace {
 
 /// nx x ny squares of four nodes with two unknowns each. Without ground the body is free to translate.
 struct Grid {
-    Grid(int nx_, int ny_, Symmetry symmetry) : nx(nx_), ny(ny_) {
-        layout.symmetry = symmetry;
+    Grid(int nx_, int ny_, Symmetry symmetry_) : nx(nx_), ny(ny_), symmetry(symmetry_) {
         layout.unknowns = 2 * (nx + 1) * (ny + 1);
         for (int j = 0; j < ny; ++j) {
             for (int i = 0; i < nx; ++i) {
@@ -55,7 +54,7 @@ struct Grid {
         for (int a = 0; a < 4; ++a) {
             for (int b = 0; b < 4; ++b) project.block<2, 2>(2 * a, 2 * b).diagonal().setConstant(differences(a, b));
         }
-        const bool symmetric = layout.symmetry == Symmetry::Symmetric;
+        const bool symmetric = symmetry == Symmetry::Symmetric;
         const Eigen::MatrixXd core =
             any * any.transpose() + Eigen::MatrixXd::Identity(8, 8) + (symmetric ? 0.0 : 1.0) * (any - any.transpose());
         return project * core * project;
@@ -88,6 +87,7 @@ struct Grid {
     }
 
     int nx, ny;
+    Symmetry symmetry;
     std::mt19937 random{7};
     FrontTree::Layout layout;
     std::vector<Eigen::MatrixXd> matrices;
@@ -105,7 +105,7 @@ TEST_P(FrontTreeOfEither, TangentIsTheDenseSchurComplementAlsoOfAFloatingBody) {
     Grid grid(9, 7, GetParam());
     grid.keep_outline();
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const Eigen::MatrixXd& s = tree.tangent();
     EXPECT_LT((s - grid.dense_schur()).cwiseAbs().maxCoeff(), 1e-12 * s.cwiseAbs().maxCoeff());
     Eigen::VectorXd translation = Eigen::VectorXd::Zero(s.cols());
@@ -120,7 +120,7 @@ TEST_P(FrontTreeOfEither, ReducedProblemGivesTheWholeSolution) {
     grid.ground();
     grid.keep_outline();
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
     const ReducedLoad reduced = tree.reduce(load);
     const Eigen::VectorXd boundary = tree.tangent().partialPivLu().solve(reduced.boundary);
@@ -133,7 +133,7 @@ TEST_P(FrontTreeOfEither, BoundaryMayBeEmpty) {
     Grid grid(6, 5, GetParam());
     grid.ground();
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.tangent().size(), 0);
     const Eigen::VectorXd load = Eigen::VectorXd::Ones(grid.layout.unknowns);
     const Eigen::VectorXd x = tree.expand(tree.reduce(load), Eigen::VectorXd(0));
@@ -144,7 +144,7 @@ TEST_P(FrontTreeOfEither, BoundaryMayBeEverything) {
     Grid grid(5, 4, GetParam());
     for (int unknown = grid.layout.unknowns; unknown-- > 0;) grid.layout.boundary.push_back(unknown);
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const Eigen::MatrixXd whole = grid.dense()(grid.layout.boundary, grid.layout.boundary);
     EXPECT_LT((tree.tangent() - whole).cwiseAbs().maxCoeff(), 1e-13);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.0, 1.0);
@@ -155,14 +155,14 @@ TEST_P(FrontTreeOfEither, DirtyPathsGiveTheBitsOfAWholeRefactoring) {
     Grid grid(12, 10, GetParam());
     grid.keep_outline();
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 1.0);
     for (const std::size_t element : {0, 119, 60, 1}) {
         std::ranges::fill(grid.changed, 0);
         grid.change(element);
-        tree.factor(grid.matrices, grid.changed);
+        tree.factor(grid.matrices, grid.changed, grid.symmetry);
         FrontTree fresh(grid.layout);
-        fresh.factor(grid.matrices, grid.changed);
+        fresh.factor(grid.matrices, grid.changed, grid.symmetry);
         EXPECT_EQ(tree.tangent(), fresh.tangent());
         const ReducedLoad ours = tree.reduce(load), theirs = fresh.reduce(load);
         EXPECT_EQ(ours.boundary, theirs.boundary);
@@ -176,15 +176,15 @@ TEST_P(FrontTreeOfEither, OnlyDirtyPathsAreRefactored) {
     grid.keep_outline();
     FrontTree tree(grid.layout);
     ASSERT_EQ(tree.fronts(), 15);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.refactored(), 15);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.refactored(), 15);
     grid.change(0);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.refactored(), 15 + 4);
     grid.change(63);  // the other corner shares the root only
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.refactored(), 15 + 4 + 7);
 }
 
@@ -192,23 +192,23 @@ TEST_P(FrontTreeOfEither, FailureLeavesAUsableTree) {
     Grid grid(8, 8, GetParam());
     grid.keep_outline();
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const Eigen::MatrixXd before = tree.tangent();
     const Eigen::MatrixXd good =
         std::exchange(grid.matrices[27], Eigen::MatrixXd::Constant(8, 8, std::numeric_limits<double>::quiet_NaN()));
     grid.changed[27] = 1;
-    EXPECT_THROW(tree.factor(grid.matrices, grid.changed), NumericalFailure);
+    EXPECT_THROW(tree.factor(grid.matrices, grid.changed, grid.symmetry), NumericalFailure);
     EXPECT_THROW((void)tree.tangent(), std::logic_error);
     grid.matrices[27] = good;
     std::ranges::fill(grid.changed, 0);  // all is refactored, whatever the caller says
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.tangent(), before);
 }
 
 TEST_P(FrontTreeOfEither, AFloatingBodyWithoutBoundaryIsSingular) {
     Grid grid(20, 20, GetParam());
     FrontTree tree(grid.layout);
-    EXPECT_THROW(tree.factor(grid.matrices, grid.changed), NumericalFailure);
+    EXPECT_THROW(tree.factor(grid.matrices, grid.changed, grid.symmetry), NumericalFailure);
 }
 
 TEST(FrontTree, AMultiplierNeedsThePivotOfItsNeighbour) {
@@ -218,11 +218,10 @@ TEST(FrontTree, AMultiplierNeedsThePivotOfItsNeighbour) {
     layout.element_unknowns = {{1, 0, 2}, {0, 3}};
     layout.centres = {{0.0, 0.0}, {1.0, 0.0}};
     layout.boundary = {3, 2};
-    layout.symmetry = Symmetry::General;
     const std::vector<Eigen::MatrixXd> matrices{Eigen::Matrix3d{{2, 1, -2}, {1, 0, 0}, {-2, 0, 2}},
                                                 Eigen::Matrix2d{{0, 0}, {3, 0}}};
     FrontTree tree(layout);
-    tree.factor(matrices, std::vector<char>(2, 1));
+    tree.factor(matrices, std::vector<char>(2, 1), Symmetry::General);
     // u1 = 0 and p = 2 u2 - 2 u1, so that row 3 reads 3 p = 6 u2 and row 2 reads 2 u2 - 2 u1 = 2 u2.
     EXPECT_LT((tree.tangent() - Eigen::Matrix2d{{0, 6}, {0, 2}}).cwiseAbs().maxCoeff(), 1e-14);
 }
@@ -259,7 +258,7 @@ struct Constrained : Grid {
 TEST(FrontTree, MultipliersAreEliminatedWithWhatTheyActOn) {
     const Constrained grid;
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const Eigen::MatrixXd& s = tree.tangent();
     EXPECT_LT((s - grid.dense_schur()).cwiseAbs().maxCoeff(), 1e-11 * s.cwiseAbs().maxCoeff());
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
@@ -277,7 +276,7 @@ TEST_P(FrontTreeOfEither, SubtreesAtRestRespondAsTheirElementsDo) {
     grid.ground();
     grid.keep_outline();
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     ElementSet may_rest(grid.matrices.size());
     for (int e = 0; e < may_rest.size(); ++e)
         if (grid.layout.centres[at(e)].x() > 2.0) may_rest.insert(e);
@@ -309,8 +308,8 @@ TEST_P(FrontTreeOfEither, LoadsPassAroundWhatRests) {
     grid.ground();
     grid.keep_outline();
     FrontTree tree(grid.layout), whole(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
-    whole.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
+    whole.factor(grid.matrices, grid.changed, grid.symmetry);
     ElementSet may_rest(grid.matrices.size(), true);
     may_rest.erase(30);
     tree.rest(may_rest);
@@ -327,15 +326,63 @@ TEST_P(FrontTreeOfEither, LoadsPassAroundWhatRests) {
 TEST(FrontTree, AMultiplierThatBecomesIdleDirtiesItsPath) {
     Constrained grid;
     FrontTree tree(grid.layout);
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     const long before = tree.refactored();
     grid.matrices.back() = Constrained::matrix_of(true);
     grid.changed.back() = 1;
-    tree.factor(grid.matrices, grid.changed);
+    tree.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_LT(tree.refactored() - before, tree.fronts() / 2);
     FrontTree fresh(grid.layout);
-    fresh.factor(grid.matrices, grid.changed);
+    fresh.factor(grid.matrices, grid.changed, grid.symmetry);
     EXPECT_EQ(tree.tangent(), fresh.tangent());
+}
+
+// One element becomes unsymmetric and symmetric again: only the fronts above it are general, and only as long.
+TEST(FrontTree, OnlyPathsAboveAnUnsymmetricElementAreGeneral) {
+    Constrained grid;
+    grid.layout.leaf_elements = 8;
+    FrontTree tree(grid.layout);
+    Symmetry of_last = Symmetry::Symmetric;
+    const auto factor = [&] {
+        tree.factor(
+            [&](int e) {
+                const bool is_last = e + 1 == std::ssize(grid.matrices);
+                return FrontTree::ElementMatrix{grid.matrices[at(e)], is_last ? of_last : Symmetry::Symmetric};
+            },
+            grid.changed);
+    };
+    factor();
+    EXPECT_EQ(tree.refactored_general(), 0);
+    EXPECT_EQ(tree.symmetry(), Symmetry::Symmetric);
+    const Eigen::MatrixXd before = tree.tangent();
+
+    const Eigen::MatrixXd symmetric = grid.matrices.back();
+    grid.matrices.back()(0, 3) += 0.3;
+    grid.changed.back() = 1;
+    of_last = Symmetry::General;
+    const long refactored = tree.refactored();
+    factor();
+    EXPECT_EQ(tree.symmetry(), Symmetry::General);
+    EXPECT_EQ(tree.refactored_general(), tree.refactored() - refactored);
+    EXPECT_LT(tree.refactored_general(), tree.fronts() / 2);
+    const Eigen::MatrixXd& s = tree.tangent();
+    EXPECT_GT((s - s.transpose()).cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_LT((s - grid.dense_schur()).cwiseAbs().maxCoeff(), 1e-11 * s.cwiseAbs().maxCoeff());
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
+    const ReducedLoad reduced = tree.reduce(load);
+    const Eigen::VectorXd boundary = Eigen::VectorXd::LinSpaced(s.cols(), 0.5, -0.5);
+    Eigen::VectorXd left = grid.dense() * tree.expand(reduced, boundary) - load;
+    EXPECT_LT((left(grid.layout.boundary) - (s * boundary - reduced.boundary)).cwiseAbs().maxCoeff(), 1e-10);
+    left(grid.layout.boundary).setZero();
+    EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-10);
+
+    grid.matrices.back() = symmetric;
+    of_last = Symmetry::Symmetric;
+    const long general = tree.refactored_general();
+    factor();
+    EXPECT_EQ(tree.symmetry(), Symmetry::Symmetric);
+    EXPECT_EQ(tree.refactored_general(), general);
+    EXPECT_EQ(tree.tangent(), before);
 }
 
 TEST(FrontTree, MultipliersThatSayTheSameAreSingular) {
@@ -344,7 +391,7 @@ TEST(FrontTree, MultipliersThatSayTheSameAreSingular) {
     grid.matrices.back() = Constrained::matrix_of(false);
     ++grid.layout.multipliers;
     FrontTree tree(grid.layout);
-    EXPECT_THROW(tree.factor(grid.matrices, grid.changed), NumericalFailure);
+    EXPECT_THROW(tree.factor(grid.matrices, grid.changed, grid.symmetry), NumericalFailure);
 }
 
 TEST(FrontTree, AnUnknownWithoutElementIsAMistake) {

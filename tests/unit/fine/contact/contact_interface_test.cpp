@@ -13,14 +13,17 @@ namespace stria::test {
 namespace {
 
 using fine::ContactInterface;
+using fine::FaceStatus;
+using Jumps = ContactInterface::Jumps;
 
 constexpr double stiffness = 1000.0;
 
 /// A crack through the whole plate, horizontal unless `right` differs from `left`.
 struct Cut {
-    explicit Cut(double left = 2.4, double right = 2.4, double notch = 0.0)
+    explicit Cut(double left = 2.4, double right = 2.4, double notch = 0.0, double friction = 0.0)
         : from(0.0, left), to(8.0, right), input(plate_case({from, to})), mesh(plate_mesh(8, 5, input)) {
         input.cracks[0].notch = notch;
+        input.cracks[0].contact->friction = friction;
     }
     [[nodiscard]] ContactInterface contact() const { return {mesh, {}, input.cracks, 2, stiffness}; }
     [[nodiscard]] Eigen::VectorXd opened(const Field& above) const {
@@ -43,16 +46,48 @@ TEST(ContactInterface, ConstantPressureDoesTheWorkOfTheOpening) {
         const double work = 7.0 * above(0.5 * (cut.from + cut.to)).dot(normal);
         const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(contact.multipliers(), 7.0);
         Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
-        contact.add_force(pressure, force);
+        contact.operators().add_force(pressure, force);
         EXPECT_NEAR(-force.dot(u), work, 1e-12 * std::abs(work));
     }
+}
+
+TEST(ContactInterface, ConstantTractionsDoTheWorkOfTheJumps) {
+    for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}}) {
+        const Cut cut(left, right, 0.0, 0.5);
+        const ContactInterface contact = cut.contact();
+        ASSERT_EQ(contact.tractions(), 2 * contact.multipliers());
+        const auto above = [](const Vec2& x) { return Vec2(0.1 + 0.2 * x.x(), 0.3 - 0.05 * x.x() + 0.1 * x.y()); };
+        const Eigen::VectorXd u = cut.opened(above);
+        const Vec2 along = cut.to - cut.from, normal(-along.y(), along.x());
+        const Vec2 jump = above(0.5 * (cut.from + cut.to));
+        const double work = 7.0 * jump.dot(normal) - 3.0 * jump.dot(along);
+        Eigen::VectorXd traction(contact.tractions());
+        traction << Eigen::VectorXd::Constant(contact.multipliers(), 7.0),
+            Eigen::VectorXd::Constant(contact.multipliers(), 3.0);
+        Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
+        contact.operators().add_force(traction, force);
+        EXPECT_NEAR(-force.dot(u), work, 1e-12 * std::abs(work));
+    }
+}
+
+TEST(ContactInterface, AUniformSlipIsSeenByEveryMultiplierAndHeldOnceSettled) {
+    const Cut cut(1.3, 4.2, 0.0, 0.5);
+    ContactInterface contact = cut.contact();
+    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    const Vec2 tangent = Vec2(8.0, 4.2 - 1.3).normalized();
+    const Eigen::VectorXd u = cut.opened([&](const Vec2&) { return 0.25 * tangent; });
+    EXPECT_LT((contact.jumps(u).slip.array() - 0.25).abs().maxCoeff(), 1e-13);
+    EXPECT_LT(contact.jumps(u).gap.cwiseAbs().maxCoeff(), 1e-13);
+    contact.settle(u);
+    EXPECT_LT(contact.jumps(2.0 * u).slip.array().abs().maxCoeff() - 0.25, 1e-13);
+    EXPECT_EQ(contact.jumps(u).slip.cwiseAbs().maxCoeff(), 0.0);
 }
 
 TEST(ContactInterface, ANotchIsFree) {
     const Cut cut(2.4, 2.4, 3.0);
     const ContactInterface contact = cut.contact();
     Eigen::VectorXd force = Eigen::VectorXd::Zero(cut.mesh.unknowns);
-    contact.add_force(Eigen::VectorXd::Ones(contact.multipliers()), force);
+    contact.operators().add_force(Eigen::VectorXd::Ones(contact.multipliers()), force);
     const Eigen::VectorXd lifted = cut.opened([](const Vec2&) { return Vec2(0.0, 1.0); });
     EXPECT_LT(-force.dot(lifted), 5.5);  // mm: no interface element is split, so up to one is lost
     EXPECT_GT(-force.dot(lifted), 4.4);
@@ -61,7 +96,7 @@ TEST(ContactInterface, ANotchIsFree) {
 TEST(ContactInterface, AUniformGapIsSeenByEveryMultiplier) {
     const Cut cut(1.3, 4.2);
     const Vec2 normal = Vec2(1.3 - 4.2, 8.0).normalized();
-    const Eigen::VectorXd gaps = cut.contact().gaps(cut.opened([&](const Vec2&) { return 0.25 * normal; }));
+    const Eigen::VectorXd gaps = cut.contact().jumps(cut.opened([&](const Vec2&) { return 0.25 * normal; })).gap;
     EXPECT_LT((gaps.array() - 0.25).abs().maxCoeff(), 1e-13);
 }
 
@@ -78,7 +113,7 @@ TEST(ContactInterface, GapsThatCannotCloseAreNotLookedAt) {
     coupling::WorkCounts work;
     for (const double closed_by : {0.0, 0.005, 0.1, 0.3, 2.0}) {
         const Eigen::VectorXd u = wedge(closed_by);
-        const Eigen::VectorXd all = contact.gaps(u), some = contact.gaps_that_matter(u, no_pressure, work);
+        const Eigen::VectorXd all = contact.jumps(u).gap, some = contact.jumps_that_matter(u, no_pressure, work).gap;
         for (Eigen::Index k = 0; k < all.size(); ++k) {
             EXPECT_EQ(all[k] > 0.0, some[k] > 0.0) << closed_by << ' ' << k;
             EXPECT_LE(some[k], all[k] + 1e-15);
@@ -90,97 +125,154 @@ TEST(ContactInterface, GapsThatCannotCloseAreNotLookedAt) {
     EXPECT_GT(work.gaps_evaluated, contact.multipliers());
     EXPECT_EQ(work.gaps_proven_open + work.gaps_evaluated, 5 * contact.multipliers());
     const coupling::WorkCounts before = work;  // who bears or may pull is looked at, however wide
-    (void)contact.gaps_that_matter(wedge(0.0), Eigen::VectorXd::Ones(contact.multipliers()), work);
+    (void)contact.jumps_that_matter(wedge(0.0), Eigen::VectorXd::Ones(contact.multipliers()), work);
     EXPECT_EQ(work.gaps_evaluated - before.gaps_evaluated, contact.multipliers());
 }
 
-TEST(ContactInterface, EveryMultiplierHasAJumpOfItsOwn) {  // or a pressure would do no work
+TEST(ContactInterface, EveryTractionHasAJumpOfItsOwn) {  // or it would do no work
     for (const auto& [left, right] : {std::pair{2.4, 2.4}, {1.3, 4.2}, {4.1, 0.8}, {2.0, 2.0}, {2.001, 3.999}}) {
-        const Eigen::MatrixXd B = Cut(left, right).contact().operator_B();
+        const ContactInterface contact = Cut(left, right, 0.0, 0.5).contact();
+        Eigen::MatrixXd B(contact.tractions(), contact.operators().operator_B().cols());
+        B << Eigen::MatrixXd(contact.operators().operator_B()), Eigen::MatrixXd(contact.operators().operator_T());
         EXPECT_GT(Eigen::JacobiSVD<Eigen::MatrixXd>(B).singularValues().tail<1>()[0], 0.1) << left << ' ' << right;
     }
 }
 
-/// Random pressures and gaps with statuses chosen for them: about half are closed.
+/// Random tractions and jumps with statuses chosen for them: about half are closed.
 struct Iterate {
     explicit Iterate(const Cut& cut) : contact(cut.contact()) {
+        contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
         u = random_vector(cut.mesh.unknowns, 1e-3, 1);
-        pressure = random_vector(contact.multipliers(), 0.1, 2);
-        contact.choose_statuses(pressure, contact.gaps(u));
+        traction = random_vector(contact.tractions(), 0.1, 2);
+        contact.choose_statuses(traction, contact.jumps(u));
     }
-    [[nodiscard]] Eigen::VectorXd right_hand_side() const { return contact.right_hand_side(pressure, contact.gaps(u)); }
+    [[nodiscard]] Eigen::VectorXd right_hand_side() const {
+        return contact.right_hand_side(traction, contact.jumps(u));
+    }
+    [[nodiscard]] auto count(FaceStatus status) const { return std::ranges::count(contact.statuses(), status); }
 
     ContactInterface contact;
-    Eigen::VectorXd u, pressure;
+    Eigen::VectorXd u, traction;
 };
 
-TEST(ContactInterface, RowsAreTheDerivativeOfTheirRightHandSide) {
-    const Cut cut(1.3, 4.2);
+class EitherContact : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Friction, EitherContact, testing::Values(0.0, 0.4), [](const auto& test) {
+    return test.param > 0.0 ? std::string("rough") : std::string("smooth");
+});
+
+TEST_P(EitherContact, RowsAreTheDerivativeOfTheirRightHandSide) {
+    const Cut cut(1.3, 4.2, 0.0, GetParam());
     Iterate now(cut);
     const Eigen::VectorXd before = now.right_hand_side();
-    const Eigen::VectorXd du = random_vector(now.u.size(), 1e-4, 3), dp = random_vector(now.pressure.size(), 1e-2, 4);
-    Eigen::VectorXd predicted = now.contact.open_diagonal().cwiseProduct(dp);
-    const Eigen::VectorXd closing = -(now.contact.operator_B() * du);
-    for (Eigen::Index k = 0; k < dp.size(); ++k)
-        if (now.contact.statuses()[at(k)] != 0) predicted[k] = closing[k];
+    const Eigen::VectorXd du = random_vector(now.u.size(), 1e-4, 3), dt = random_vector(now.traction.size(), 1e-2, 4);
+    Eigen::VectorXd all(du.size() + dt.size()), predicted = Eigen::VectorXd::Zero(all.size());
+    all << du, dt;
+    for (int k = 0; k < now.contact.multipliers(); ++k) {
+        const std::vector<int> unknowns = now.contact.unknowns_of(k, static_cast<int>(du.size()));
+        const Eigen::MatrixXd matrix = now.contact.matrix_of(k);
+        EXPECT_EQ(now.contact.slides(k), matrix != matrix.transpose());
+        predicted(unknowns) += matrix * all(unknowns);
+    }
     now.u += du;
-    now.pressure += dp;
+    now.traction += dt;
     const Eigen::VectorXd difference = before - now.right_hand_side();  // the statuses stay
-    EXPECT_LT((predicted - difference).norm(), 1e-12 * difference.norm());
-    EXPECT_GT(std::ranges::count(now.contact.statuses(), 0), 0);
-    EXPECT_GT(std::ranges::count(now.contact.statuses(), 1), 0);
+    EXPECT_LT((predicted.tail(dt.size()) - difference).norm(), 1e-12 * difference.norm());
+    EXPECT_GT(now.count(FaceStatus::Open), 0);
+    EXPECT_GT(now.count(FaceStatus::Stick), 0);
+    EXPECT_EQ(now.count(FaceStatus::SlipForward) > 0, GetParam() > 0.0);
+    EXPECT_EQ(now.count(FaceStatus::SlipBack) > 0, GetParam() > 0.0);
 }
 
-TEST(ContactInterface, StatusesAreTheBranchesOfTheComplementarityEquation) {
-    const Cut cut;
+TEST_P(EitherContact, StatusesAreTheBranchesOfTheLaw) {
+    const Cut cut(2.4, 2.4, 0.0, GetParam());
     const Iterate now(cut);
-    const Eigen::VectorXd gap = now.contact.gaps(now.u);
+    const Jumps jumps = now.contact.jumps(now.u);
     const Eigen::VectorXd lifted = cut.opened([](const Vec2&) { return Vec2(0.0, 1.0); });
-    const Eigen::VectorXd weight = now.contact.operator_B() * lifted;  // mm
+    const Eigen::VectorXd weight = now.contact.operators().operator_B() * lifted;  // mm
     double largest = 0.0;
-    for (Eigen::Index k = 0; k < gap.size(); ++k) {
-        const double c = 0.1 * stiffness / weight[k];
-        const auto equation = [&](double p, double g) { return fine::UnilateralContact::residual(p, g, c); };
-        constexpr double h = 1e-7;
-        const double by_pressure =
-            (equation(now.pressure[k] + h, gap[k]) - equation(now.pressure[k] - h, gap[k])) / (2 * h);
-        const double by_gap = (equation(now.pressure[k], gap[k] + h) - equation(now.pressure[k], gap[k] - h)) / (2 * h);
-        const bool closed = now.contact.statuses()[at(k)] != 0;
-        EXPECT_NEAR(by_pressure, closed ? 0.0 : 1.0, 1e-6);
-        EXPECT_NEAR(by_gap, closed ? c : 0.0, 1e-4);
-        largest = std::max(largest, weight[k] * std::abs(equation(now.pressure[k], gap[k])));
-        EXPECT_NEAR(now.right_hand_side()[k], weight[k] / c * equation(now.pressure[k], gap[k]), 1e-14);
+    for (int k = 0; k < weight.size(); ++k) {
+        const fine::CoulombContact law{GetParam(), 0.1 * stiffness / weight[k]};
+        const int shear = now.contact.shear_of(k);
+        const fine::FaceState state{now.traction[k], shear < 0 ? 0.0 : now.traction[shear], jumps.gap[k],
+                                    jumps.slip[k]};
+        EXPECT_EQ(now.contact.statuses()[at(k)], law.status(state));
+        largest = std::max(
+            largest, weight[k] * std::max(std::abs(law.pressure_residual(state)), std::abs(law.shear_residual(state))));
     }
-    EXPECT_NEAR(now.contact.residual(now.pressure, gap), largest, 1e-12);
+    EXPECT_NEAR(now.contact.residual(now.traction, jumps), largest, 1e-12);
+}
+
+TEST(ContactInterface, CleanTractionsAreOnTheirBranches) {
+    const Cut cut(1.3, 4.2, 0.0, 0.4);
+    const Iterate now(cut);
+    Eigen::VectorXd traction = now.traction.cwiseAbs();
+    now.contact.clean(traction);
+    for (int k = 0; k < now.contact.multipliers(); ++k) {
+        const double p = traction[k], tau = traction[now.contact.shear_of(k)];
+        switch (now.contact.statuses()[at(k)]) {
+        case FaceStatus::Open:
+            EXPECT_EQ(p, 0.0);
+            EXPECT_EQ(tau, 0.0);
+            break;
+        case FaceStatus::Stick:
+            EXPECT_EQ(tau, std::abs(now.traction[now.contact.shear_of(k)]));
+            break;
+        case FaceStatus::SlipForward:
+            EXPECT_EQ(tau, 0.4 * p);
+            break;
+        case FaceStatus::SlipBack:
+            EXPECT_EQ(tau, -0.4 * p);
+            break;
+        }
+    }
+}
+
+// A block that slides under a pressure that grows from 2 to 6 MPa: the mean bound times the slip.
+TEST(ContactInterface, SlidingDissipatesTheMeanBoundTimesTheSlip) {
+    const Cut cut(2.4, 2.4, 0.0, 0.4);
+    ContactInterface contact = cut.contact();
+    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    const auto all = [&](double p, double tau) {
+        Eigen::VectorXd traction(contact.tractions());
+        traction << Eigen::VectorXd::Constant(contact.multipliers(), p),
+            Eigen::VectorXd::Constant(contact.multipliers(), tau);
+        return traction;
+    };
+    const Jumps slipped = contact.jumps(cut.opened([](const Vec2&) { return Vec2(-0.01, 0.0); }));
+    contact.choose_statuses(all(6.0, -2.4), slipped);
+    EXPECT_NEAR(contact.dissipated(all(2.0, -0.8), all(6.0, -2.4), slipped), 0.4 * 4.0 * 0.01 * 8.0, 1e-13);
+    contact.choose_statuses(all(6.0, 0.0), contact.jumps(Eigen::VectorXd::Zero(cut.mesh.unknowns)));
+    EXPECT_EQ(contact.dissipated(all(2.0, 0.0), all(6.0, 0.0), slipped), 0.0);
 }
 
 TEST(ContactInterface, ResidualVanishesExactlyWhereTheConditionsHold) {
     const Cut cut;
     const ContactInterface contact = cut.contact();
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(contact.multipliers()), one = Eigen::VectorXd::Ones(zero.size());
-    EXPECT_EQ(contact.residual(zero, one), 0.0);   // open
-    EXPECT_EQ(contact.residual(one, zero), 0.0);   // closed
-    EXPECT_EQ(contact.residual(zero, zero), 0.0);  // touching
-    EXPECT_GT(contact.residual(one, one), 0.0);    // pressure across a gap
-    EXPECT_GT(contact.residual(zero, -one), 0.0);  // penetration
-    EXPECT_GT(contact.residual(-one, zero), 0.0);  // suction
+    EXPECT_EQ(contact.residual(zero, {one, zero}), 0.0);   // open
+    EXPECT_EQ(contact.residual(one, {zero, zero}), 0.0);   // closed
+    EXPECT_EQ(contact.residual(zero, {zero, zero}), 0.0);  // touching
+    EXPECT_GT(contact.residual(one, {one, zero}), 0.0);    // pressure across a gap
+    EXPECT_GT(contact.residual(zero, {-one, zero}), 0.0);  // penetration
+    EXPECT_GT(contact.residual(-one, {zero, zero}), 0.0);  // suction
 }
 
 TEST(ContactInterface, WhereStatusesComeBackOneFlipsAtATime) {
     const Cut cut;
     ContactInterface contact = cut.contact();
     contact.begin_increment();
-    const Eigen::VectorXd gap = Eigen::VectorXd::Zero(contact.multipliers());
-    Eigen::VectorXd closed = Eigen::VectorXd::Ones(gap.size()), open = -closed;
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(contact.multipliers());
+    const Jumps none{zero, zero};
+    Eigen::VectorXd closed = Eigen::VectorXd::Ones(zero.size()), open = -closed;
     closed[2] = 3.0;  // the worst
     open[1] = -5.0;
-    for (const Eigen::VectorXd& pressure : {closed, open, closed}) contact.choose_statuses(pressure, gap);
+    for (const Eigen::VectorXd& pressure : {closed, open, closed}) contact.choose_statuses(pressure, none);
     EXPECT_EQ(contact.status_changes(), 1);
-    EXPECT_EQ(std::ranges::count(contact.statuses(), 1), 1);
-    EXPECT_EQ(contact.statuses()[2], 1);
+    EXPECT_EQ(std::ranges::count(contact.statuses(), FaceStatus::Stick), 1);
+    EXPECT_EQ(contact.statuses()[2], FaceStatus::Stick);
     contact.begin_increment();
-    contact.choose_statuses(closed, gap);
-    EXPECT_EQ(std::ranges::count(contact.statuses(), 1), gap.size());
+    contact.choose_statuses(closed, none);
+    EXPECT_EQ(std::ranges::count(contact.statuses(), FaceStatus::Stick), zero.size());
 }
 
 }  // namespace

@@ -15,22 +15,32 @@ namespace stria::test {
 namespace {
 
 using coupling::PatchResponse;
+using fine::FaceStatus;
 using fine::FineModel;
 using fine::ZoneSystem;
 
 const Vec2 mouth{0.0, 2.4}, tip{3.3, 2.6};
 const Case scene = plate_case({mouth, tip});
+const Case rough_scene = [] {
+    Case rough = scene;
+    rough.cracks[0].contact->friction = 0.3;
+    return rough;
+}();
 const EnrichedMesh plate = plate_mesh(6, 5, scene);
 const coupling::Patch patch = plate_patch(plate);
 
 /// Boundary displacements: stretched across the crack by a strain, with some noise.
-Eigen::VectorXd stretched(double strain, unsigned seed = 1, const coupling::Patch& zone = patch) {
+Eigen::VectorXd stretched(double strain, unsigned seed = 1, const coupling::Patch& zone = patch, double shear = 0.0) {
     const double middle = zone.mesh.nodes.back().y() / 2.0;
-    const auto pull = [&](const Vec2& x) { return Vec2(0.1 * strain * x.x(), strain * (x.y() - middle)); };
+    const auto pull = [&](const Vec2& x) {
+        const double y = x.y() - middle;
+        return Vec2(0.1 * strain * x.x() + shear * y, strain * y);
+    };
     const Eigen::VectorXd u =
         two_sided(zone.mesh, mouth, tip, pull, pull) + random_vector(zone.mesh.unknowns, 0.02 * std::abs(strain), seed);
     return gather(u, zone.boundary);
 }
+Eigen::VectorXd sheared(double strain, double shear) { return stretched(strain, 1, patch, shear); }
 
 /// The answer once the interior is in equilibrium. Every call is a new attempt at the same increment.
 PatchResponse settled(FineModel& model, const Eigen::VectorXd& boundary) {
@@ -78,7 +88,7 @@ TEST_P(Superelement, CondensedTangentIsTheDerivativeOfTheCondensedForce) {
     const Eigen::VectorXd v = random_vector(u.size(), 1.0, 3);
     constexpr double h = 1e-8;
     const Eigen::VectorXd difference = (settled(model, u + h * v).force - settled(model, u - h * v).force) / (2.0 * h);
-    EXPECT_LT((here.tangent * v - difference).norm(), 3e-6 * difference.norm());
+    EXPECT_LT((here.tangent.matrix * v - difference).norm(), 3e-6 * difference.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(States, Superelement,
@@ -92,7 +102,10 @@ INSTANTIATE_TEST_SUITE_P(States, Superelement,
 /// Newton's method on all interior unknowns and multipliers in one dense matrix, the boundary imposed.
 class FullNewton {
 public:
-    explicit FullNewton(const coupling::Patch& zone = patch) : system_(scene) { system_.set_patch(zone); }
+    explicit FullNewton(const coupling::Patch& zone = patch, const Case& input = scene)
+        : system_(input), modulus_(elasticity_of(input.material, input.model.plane).plane_modulus()) {
+        system_.set_patch(zone);
+    }
 
     PatchResponse begin(const Eigen::VectorXd& boundary, const Predictor& predictor) {
         system_.predict(predictor);
@@ -101,21 +114,13 @@ public:
 
     PatchResponse iterate(const Eigen::VectorXd& boundary) {
         const coupling::Patch& zone = system_.patch();
-        const Eigen::Index n = zone.mesh.unknowns, m = system_.contact().multipliers();
+        const Eigen::Index n = zone.mesh.unknowns, m = system_.contact().tractions();
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
         for (std::size_t e = 0; e < system_.bulk().operators().size(); ++e) {
             const std::vector<int>& unknowns = system_.bulk().operators()[e].unknowns;
             matrix(unknowns, unknowns) += system_.bulk().tangents()[e];
         }
-        const Eigen::MatrixXd B = system_.contact().operator_B();
-        const Eigen::VectorXd open = system_.contact().open_diagonal();
-        matrix.topRightCorner(n, m) = -B.transpose();
-        for (Eigen::Index k = 0; k < m; ++k) {
-            if (system_.contact().statuses()[at(k)] != 0)
-                matrix.row(n + k).head(n) = -B.row(k);
-            else
-                matrix(n + k, n + k) = open[k];
-        }
+        add_contact(matrix);
         Eigen::VectorXd right(n + m);
         right << system_.load(), system_.contact_right_hand_side();
         const Eigen::VectorXd step = boundary - gather(system_.displacement(), zone.boundary);
@@ -137,27 +142,54 @@ public:
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return system_.displacement(); }
 
 private:
+    void add_contact(Eigen::MatrixXd& matrix) const {
+        const fine::ContactInterface& contact = system_.contact();
+        const fine::FaceOperators& faces = contact.operators();
+        const Eigen::MatrixXd B = faces.operator_B(), T = faces.operator_T();
+        const Eigen::Index n = B.cols();
+        for (int k = 0; k < contact.multipliers(); ++k) {
+            const FaceStatus status = contact.statuses()[at(k)];
+            const double idle = -faces.weight(k) * faces.weight(k) / (0.1 * modulus_);
+            const Eigen::Index p = n + k, q = n + contact.shear_of(k);
+            matrix.col(p).head(n) = -B.row(k).transpose();
+            if (status == FaceStatus::Open)
+                matrix(p, p) = idle;
+            else
+                matrix.row(p).head(n) = -B.row(k);
+            if (q < n) continue;
+            matrix.col(q).head(n) = T.row(k).transpose();
+            if (status == FaceStatus::Stick)
+                matrix.row(q).head(n) = T.row(k);
+            else
+                matrix(q, q) = idle;
+            if (contact.slides(k)) matrix(q, p) = (status == FaceStatus::SlipBack ? idle : -idle) * faces.friction(k);
+        }
+    }
+
     PatchResponse evaluate(const Eigen::VectorXd& boundary) {
         system_.set_boundary(boundary);
         system_.linearise();
         return system_.measure();
     }
     ZoneSystem system_;
+    double modulus_;
     coupling::StepReport last_;
 };
 
-TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
-    FineModel model(scene);
+/// Strains that flow, unload, close and flow back, with a shear besides; faces of the condensed model that slid.
+long follow_both(const Case& input, double shear) {
+    FineModel model(input);
     model.set_patch(patch);
-    FullNewton full;
+    FullNewton full(patch, input);
     double last = 0.0;
-    for (const double strain :
-         {5e-4, 1e-3, 1.5e-3, 1e-3, 5e-4, 0.0, -5e-4, -1e-3}) {  // yields, unloads, closes, yields back
+    long sliding = 0;
+    for (const double strain : {5e-4, 1e-3, 1.5e-3, 1e-3, 5e-4, 0.0, -5e-4, -1e-3, -5e-4}) {
         const double predictor = strain * last > 0.0 && strain > last ? 0.5 : 0.0;
         last = strain;
         for (int iteration = 0; iteration < 8; ++iteration) {
             // The boundary moves between the iterations too, as it does in a run.
-            const Eigen::VectorXd boundary = stretched(strain * (1.0 + 0.1 * std::pow(0.1, iteration)));
+            const double now = strain * (1.0 + 0.1 * std::pow(0.1, iteration));
+            const Eigen::VectorXd boundary = sheared(now, shear * now);
             model.request({.iteration = iteration, .predictor = predictor, .boundary = boundary});
             const PatchResponse condensed = model.collect();
             const PatchResponse whole = iteration == 0 ? full.begin(boundary, predictor) : full.iterate(boundary);
@@ -166,11 +198,52 @@ TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) {
             EXPECT_EQ(condensed.digest.yielding_points, whole.digest.yielding_points);
             EXPECT_EQ(condensed.digest.status, whole.digest.status);
         }
-        model.commit(false);
+        for (const coupling::FaceSample& face : model.commit(false).faces) sliding += face.status == 2 ? 1 : 0;
         full.commit(false);
         EXPECT_LT((model.state().displacement - full.displacement()).lpNorm<Eigen::Infinity>(), 1e-12) << strain;
     }
+    return sliding;
 }
+
+TEST(FineModel, ItsIteratesAreThoseOfNewtonOnTheWholeSystem) { EXPECT_EQ(follow_both(scene, 0.0), 0); }
+
+TEST(FineModel, AlsoWhereItsFacesSlide) { EXPECT_GT(follow_both(rough_scene, 1.0), 0); }
+
+/// Shear under pressure, there, then here.
+struct Rubbing {
+    const char* name;
+    double there, here;
+    std::int8_t status;
+};
+
+class RoughSuperelement : public testing::TestWithParam<Rubbing> {};
+
+TEST_P(RoughSuperelement, CondensedTangentIsTheDerivativeOfTheCondensedForce) {
+    const Rubbing& rubbing = GetParam();
+    FineModel model(rough_scene);
+    model.set_patch(patch);
+    settled(model, sheared(-2e-4, 0.5 * rubbing.there));
+    model.commit(false);
+    settled(model, sheared(-4e-4, rubbing.there));
+    model.commit(false);
+    const Eigen::VectorXd u = sheared(-4.5e-4, rubbing.here);
+    const PatchResponse here = settled(model, u);
+    EXPECT_GT(std::ranges::count(here.digest.status, rubbing.status), 0);
+    const bool slides = std::ranges::any_of(here.digest.status, [](std::int8_t status) { return status > 1; });
+    EXPECT_EQ(here.tangent.symmetry, slides ? Symmetry::General : Symmetry::Symmetric);
+    const Eigen::VectorXd v = random_vector(u.size(), 1.0, 3);
+    constexpr double h = 1e-9;
+    const Eigen::VectorXd difference = (settled(model, u + h * v).force - settled(model, u - h * v).force) / (2.0 * h);
+    EXPECT_LT((here.tangent.matrix * v - difference).norm(), 1e-5 * difference.norm());
+    const Eigen::MatrixXd& s = here.tangent.matrix;
+    EXPECT_EQ((s - s.transpose()).cwiseAbs().maxCoeff() > 1e-6 * s.cwiseAbs().maxCoeff(), slides);
+}
+
+INSTANTIATE_TEST_SUITE_P(States, RoughSuperelement,
+                         testing::Values(Rubbing{"sticks", 1e-5, 1.1e-5, 1}, Rubbing{"slides_on", 6e-4, 8e-4, 2},
+                                         Rubbing{"slides_back", -6e-4, -8e-4, 3},
+                                         Rubbing{"turns_round", 8e-4, -4e-4, 3}, Rubbing{"locks", 8e-4, 7.5e-4, 1}),
+                         [](const auto& test) { return test.param.name; });
 
 /// A plate whose crack sees little of it: after a whole cycle most of it rests.
 class Resting : public testing::Test {

@@ -1,0 +1,156 @@
+#include "fine/contact/face_operators.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace stria::fine {
+namespace {
+
+constexpr int points_of_element = 4;  // Gauss points of an interface element
+
+}  // namespace
+
+FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& boundary,
+                             const std::vector<CrackSection>& cracks, int subcells, const FrozenTips& frozen) {
+    int count = 0;
+    for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
+        const CrackSection& section = cracks[at(crack)];
+        if (!section.contact) continue;
+        spaces_.push_back(
+            {crack, section.contact->friction, count, MultiplierSpace(mesh, boundary, crack, section.notch)});
+        const MultiplierSpace& space = spaces_.back().space;
+        count += space.size();
+        for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
+        for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
+            if (station.s < section.notch) continue;
+            station.fixed_jump = frozen.jump(crack, station.x);
+            stations_.push_back(std::move(station));
+        }
+    }
+    B_.resize(count, mesh.unknowns);
+    T_.resize(count, mesh.unknowns);
+    weight_ = friction_ = fixed_gap_ = fixed_slip_ = Eigen::VectorXd::Zero(count);
+    number_shears();
+    assemble(mesh);
+}
+
+void FaceOperators::number_shears() {
+    shear_of_.assign(at(multipliers()), -1);
+    for (const CrackSpace& entry : spaces_) {
+        if (entry.friction == 0.0) continue;
+        for (int k = entry.first_multiplier; k < entry.first_multiplier + entry.space.size(); ++k) {
+            friction_[k] = entry.friction;
+            shear_of_[at(k)] = tractions();
+            with_shear_.push_back(k);
+        }
+    }
+}
+
+void FaceOperators::assemble(const EnrichedMesh& mesh) {
+    // A node's share of the crack, branch by branch: integral of N_i and its centroid.
+    struct Share {
+        double length = 0.0, moment = 0.0;
+    };
+    std::map<std::tuple<int, int, int>, Share> shares;  // (crack, branch, node)
+    const auto branch_of = [&](const FaceStation& station) { return space_of(station.crack).space.branch(station.s); };
+    for (const FaceStation& station : stations_) {
+        for (int k = 0; k < 4; ++k) {
+            const int node = mesh.elements[at(station.element)][at(k)];
+            for (const auto& [holder, part] : mesh.holders_of_jump(node)) {
+                Share& share = shares[{station.crack, branch_of(station), holder}];
+                share.length += part * station.weight * station.shape[k];
+                share.moment += part * station.weight * station.shape[k] * station.s;
+            }
+        }
+    }
+    for (const auto& [key, share] : shares) {
+        if (share.length <= 0.0) continue;
+        for (const auto& [multiplier, value] : functions_at(std::get<0>(key), share.moment / share.length)) {
+            if (multiplier >= 0) weight_[multiplier] += value * share.length;
+        }
+    }
+    std::vector<int> node_of(at(mesh.unknowns));
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[at(unknown)] = node;
+    std::vector<Triplet> entries, entries_T;
+    for (const FaceStation& station : stations_) {
+        for (const FaceStation::Term& term : station.terms) {
+            const Share& share = shares.at({station.crack, branch_of(station), node_of[at(term.unknown)]});
+            for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
+                if (multiplier < 0) continue;
+                for (int c = 0; c < 2; ++c) {
+                    const double push = station.weight * value * term.value * station.normal[c];
+                    if (push != 0.0) entries.emplace_back(multiplier, term.unknown + c, push);
+                    const double pull = station.weight * value * term.value * station.tangent[c];
+                    if (pull != 0.0 && shear_of(multiplier) >= 0)
+                        entries_T.emplace_back(multiplier, term.unknown + c, pull);
+                }
+            }
+        }
+    }
+    B_.setFromTriplets(entries.begin(), entries.end());
+    T_.setFromTriplets(entries_T.begin(), entries_T.end());
+    for (const FaceStation& station : stations_) {
+        for (const auto& [multiplier, value] : functions_at(station.crack, station.s)) {
+            if (multiplier < 0) continue;
+            fixed_gap_[multiplier] += station.weight * value * station.fixed_jump.dot(station.normal);
+            fixed_slip_[multiplier] += station.weight * value * station.fixed_jump.dot(station.tangent);
+        }
+    }
+}
+
+const FaceOperators::CrackSpace& FaceOperators::space_of(int crack) const {
+    return *std::ranges::find(spaces_, crack, &CrackSpace::crack);
+}
+
+std::array<MultiplierSpace::Value, 2> FaceOperators::functions_at(int crack, double s) const {
+    const CrackSpace& entry = space_of(crack);
+    auto values = entry.space.acting_at(s);
+    for (auto& value : values)
+        if (value.multiplier >= 0) value.multiplier += entry.first_multiplier;
+    return values;
+}
+
+std::array<MultiplierSpace::Value, 2> FaceOperators::functions_at(const FaceStation& station) const {
+    return functions_at(station.crack, station.s);
+}
+
+Eigen::VectorXd FaceOperators::gaps(const Eigen::VectorXd& u) const {
+    return (B_ * u + fixed_gap_).cwiseQuotient(weight_);
+}
+
+Eigen::VectorXd FaceOperators::slips(const Eigen::VectorXd& u) const {
+    return (T_ * u + fixed_slip_).cwiseQuotient(weight_);
+}
+
+double FaceOperators::gap(int k, const Eigen::VectorXd& u) const {
+    return (B_.row(k).dot(u) + fixed_gap_[k]) / weight_[k];
+}
+
+double FaceOperators::slip(int k, const Eigen::VectorXd& u) const {
+    return (T_.row(k).dot(u) + fixed_slip_[k]) / weight_[k];
+}
+
+void FaceOperators::add_force(const Eigen::VectorXd& traction, Eigen::VectorXd& force) const {
+    force -= B_.transpose() * traction.head(multipliers());
+    for (std::size_t j = 0; j < with_shear_.size(); ++j) {
+        for (SparseRows::InnerIterator it(T_, with_shear_[j]); it; ++it)
+            force[it.col()] += it.value() * traction[multipliers() + static_cast<Eigen::Index>(j)];
+    }
+}
+
+std::vector<int> FaceOperators::acts_on(int k) const {
+    std::vector<int> unknowns;
+    for (SparseRows::InnerIterator it(B_, k); it; ++it) unknowns.push_back(static_cast<int>(it.col()));
+    const auto normal = std::ssize(unknowns);
+    for (SparseRows::InnerIterator it(T_, k); it; ++it)
+        if (!std::binary_search(unknowns.begin(), unknowns.begin() + normal, static_cast<int>(it.col())))
+            unknowns.push_back(static_cast<int>(it.col()));
+    return unknowns;
+}
+
+std::int64_t FaceOperators::interface_elements() const {
+    return (std::ssize(stations_) + points_of_element - 1) / points_of_element;
+}
+
+}  // namespace stria::fine

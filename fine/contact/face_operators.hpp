@@ -1,0 +1,100 @@
+// The jumps across all faces with contact in the zone, weighted by the multipliers: interface stations, and the
+// operators B of the gaps and T of the slips.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "common/case/case.hpp"
+#include "common/index.hpp"
+#include "common/integration/crack_faces.hpp"
+#include "common/linear/sparse.hpp"
+#include "fine/contact/multiplier_space.hpp"
+#include "fine/growth/frozen_tips.hpp"
+
+namespace stria::fine {
+
+class FaceOperators {
+public:
+    /// `boundary`: unknowns of the zone's boundary, ascending; every multiplier gets jumps that are not among them.
+    /// `subcells`: interface elements are the crack's pieces cut by the s x s sub-quadrangles. `frozen`: adds to the
+    /// jump.
+    FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& boundary, const std::vector<CrackSection>& cracks,
+                  int subcells, const FrozenTips& frozen);
+
+    /// Pressures, one per multiplier. Multipliers of cracks with friction transmit a shear besides; a vector of all
+    /// tractions, MPa, has the pressures first and then those shears, in the order of their multipliers.
+    [[nodiscard]] int multipliers() const { return static_cast<int>(weight_.size()); }
+    [[nodiscard]] int tractions() const { return multipliers() + static_cast<int>(with_shear_.size()); }
+    /// Place of a multiplier's shear among the tractions; -1: it has none.
+    [[nodiscard]] int shear_of(int k) const { return shear_of_[at(k)]; }
+
+    /// B, one row a multiplier, one column an unknown of the mesh: B_k = integral of Phi_k n . N, lumped: Phi_k is
+    /// taken at the centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the
+    /// crack follows the rows of the mesh each multiplier then holds the jump at its own node alone, and closed faces
+    /// do not overlap between nodes.
+    [[nodiscard]] const SparseRows& operator_B() const { return B_; }
+    /// The same of the slip, with the tangent in place of n; rows of multipliers without shear are empty.
+    [[nodiscard]] const SparseRows& operator_T() const { return T_; }
+
+    /// Of a multiplier: the integral of its Phi_k, mm, and Coulomb's coefficient.
+    [[nodiscard]] double weight(int k) const { return weight_[k]; }
+    [[nodiscard]] const Eigen::VectorXd& weights() const { return weight_; }
+    [[nodiscard]] double friction(int k) const { return friction_[k]; }
+    /// Multipliers with a shear, ascending.
+    [[nodiscard]] const std::vector<int>& with_shear() const { return with_shear_; }
+
+    /// Weighted gaps g = (B u + g_0) / w, mm, with g_0 of the fixed jumps, and slips likewise: of all multipliers, or
+    /// of one.
+    [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& u) const;
+    [[nodiscard]] Eigen::VectorXd slips(const Eigen::VectorXd& u) const;
+    [[nodiscard]] double gap(int k, const Eigen::VectorXd& u) const;
+    [[nodiscard]] double slip(int k, const Eigen::VectorXd& u) const;
+
+    /// Adds -B^T p + T^T tau to a vector over the zone's unknowns: the faces push each other apart and brake each
+    /// other.
+    void add_force(const Eigen::VectorXd& traction, Eigen::VectorXd& force) const;
+
+    /// The unknowns of the mesh that a multiplier acts on: those of its row of B, then the others of its row of T.
+    [[nodiscard]] std::vector<int> acts_on(int k) const;
+
+    /// The at most two multipliers that act at a station, with their shares; -1: none.
+    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(const FaceStation& station) const;
+
+    [[nodiscard]] const std::vector<FaceStation>& stations() const { return stations_; }
+    [[nodiscard]] std::int64_t interface_elements() const;
+
+    /// Identity of each multiplier across a change of zone: crack and place of its node.
+    struct Key {
+        int crack;
+        double s;
+        Vec2 x;
+        [[nodiscard]] bool is_at(int other_crack, const Vec2& place) const {
+            return crack == other_crack && (x - place).norm() < 1e-9 * (1.0 + place.norm());
+        }
+    };
+    [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+
+private:
+    struct CrackSpace {
+        int crack;
+        double friction;
+        int first_multiplier;
+        MultiplierSpace space;
+    };
+    [[nodiscard]] const CrackSpace& space_of(int crack) const;
+    [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
+    void number_shears();
+    void assemble(const EnrichedMesh& mesh);
+
+    std::vector<CrackSpace> spaces_;
+    std::vector<FaceStation> stations_;
+    std::vector<Key> keys_;
+    std::vector<int> with_shear_, shear_of_;  // multiplier of each shear, and back
+    SparseRows B_, T_;
+    Eigen::VectorXd weight_, friction_;
+    Eigen::VectorXd fixed_gap_, fixed_slip_;  // times the weight
+};
+
+}  // namespace stria::fine

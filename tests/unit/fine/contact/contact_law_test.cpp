@@ -1,0 +1,90 @@
+// The law of contact and friction at one multiplier: where its residuals vanish, their derivatives on each branch, and
+// at the kinks between them.
+#include "fine/contact/contact_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace stria::fine {
+namespace {
+
+constexpr double mu = 0.3, c = 40.0;
+constexpr CoulombContact law{mu, c};
+
+TEST(ContactLaw, ResidualsVanishExactlyWhereTheConditionsHold) {
+    const auto holds = [](const FaceState& s) {
+        return law.pressure_residual(s) == 0.0 && law.shear_residual(s) == 0.0;
+    };
+    EXPECT_TRUE(holds({0.0, 0.0, 0.5, 0.1}));    // open: slides without traction
+    EXPECT_TRUE(holds({2.0, 0.3, 0.0, 0.0}));    // sticks
+    EXPECT_TRUE(holds({2.0, 0.6, 0.0, 0.1}));    // slides on
+    EXPECT_TRUE(holds({2.0, -0.6, 0.0, -0.1}));  // slides back
+    EXPECT_FALSE(holds({2.0, 0.7, 0.0, 0.0}));   // beyond the cone
+    EXPECT_FALSE(holds({2.0, 0.6, 0.0, -0.1}));  // along a shear that drives it
+    EXPECT_FALSE(holds({2.0, 0.3, 0.0, 0.01}));  // slides inside the cone
+    EXPECT_FALSE(holds({0.0, 0.1, 0.5, 0.0}));   // shear across a gap
+}
+
+struct Branch {
+    const char* name;
+    FaceState state;
+    FaceStatus status;
+    // Of the residual of the shear, by pressure, shear, gap, slip.
+    std::array<double, 4> derivative;
+};
+
+class Branches : public testing::TestWithParam<Branch> {};
+
+double shear_residual_at(FaceState s, int variable, double step) {
+    double* const variables[] = {&s.pressure, &s.shear, &s.gap, &s.slip};
+    *variables[variable] += step;
+    return law.shear_residual(s);
+}
+
+TEST_P(Branches, DerivativesAreThoseOfTheBranch) {
+    const Branch& branch = GetParam();
+    EXPECT_EQ(law.status(branch.state), branch.status);
+    constexpr double h = 1e-7;
+    for (int variable = 0; variable < 4; ++variable) {
+        const double difference =
+            (shear_residual_at(branch.state, variable, h) - shear_residual_at(branch.state, variable, -h)) / (2.0 * h);
+        EXPECT_NEAR(difference, branch.derivative[static_cast<std::size_t>(variable)], 1e-6) << variable;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Branches,
+    testing::Values(Branch{"open", {0.5, 0.2, 0.1, 0.3}, FaceStatus::Open, {0.0, 1.0, 0.0, 0.0}},
+                    Branch{"stick", {2.0, 0.2, 0.001, 0.002}, FaceStatus::Stick, {0.0, 0.0, 0.0, -c}},
+                    Branch{"forward", {2.0, 0.5, 0.001, 0.02}, FaceStatus::SlipForward, {-mu, 1.0, mu* c, 0.0}},
+                    Branch{"back", {2.0, -0.5, 0.001, -0.02}, FaceStatus::SlipBack, {mu, 1.0, -mu* c, 0.0}}),
+    [](const auto& test) { return test.param.name; });
+
+// On either side of the edge of the cone, and where the cone opens, one-sided differences are those of the branches.
+TEST(ContactLaw, AtAKinkEitherSideIsABranch) {
+    const FaceState edge{2.0, 0.6, 0.0, 0.0};
+    constexpr double h = 1e-7;
+    EXPECT_NEAR((shear_residual_at(edge, 3, h) - law.shear_residual(edge)) / h, 0.0, 1e-6);
+    EXPECT_NEAR((law.shear_residual(edge) - shear_residual_at(edge, 3, -h)) / h, -c, 1e-6);
+    const FaceState touching{0.0, 0.0, 0.0, 0.01};
+    EXPECT_NEAR((shear_residual_at(touching, 0, h) - law.shear_residual(touching)) / h, -mu, 1e-6);
+    EXPECT_NEAR((law.shear_residual(touching) - shear_residual_at(touching, 0, -h)) / h, 0.0, 1e-6);
+    EXPECT_EQ(law.status(edge), FaceStatus::Stick);
+    EXPECT_EQ(law.status(touching), FaceStatus::Open);
+}
+
+TEST(ContactLaw, WithoutFrictionNothingSlides) {
+    constexpr CoulombContact smooth{0.0, c};
+    EXPECT_EQ(smooth.status({2.0, 0.0, 0.0, 5.0}), FaceStatus::Stick);
+    EXPECT_EQ(smooth.shear_residual({2.0, 0.0, 0.0, 5.0}), 0.0);
+}
+
+TEST(ContactLaw, ViolationIsWhatIsBeyondTheBranch) {
+    EXPECT_DOUBLE_EQ(law.violation({2.0, 0.5, 0.0, 0.02}, FaceStatus::Stick), 0.5 + c * 0.02 - mu * 2.0);
+    EXPECT_DOUBLE_EQ(law.violation({2.0, 0.5, 0.0, 0.0}, FaceStatus::Open), 2.0);
+    EXPECT_DOUBLE_EQ(law.violation({2.0, 0.5, 0.1, 0.0}, FaceStatus::Stick), 2.0);
+}
+
+}  // namespace
+}  // namespace stria::fine

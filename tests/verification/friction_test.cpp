@@ -1,0 +1,228 @@
+// Faces that slide against Coulomb's friction: an inclined crack in a wide plate under compression, once and in cycles
+// (docs/references.md 5.1 and 8.1), and interfaces that stick (5.3).
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "tests/support/one_equilibrium.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+using std::numbers::pi;
+
+/// Crack of half length 1 mm, `degrees` to the load, in the middle of a square plate that is compressed from 0 to
+/// `largest` MPa and back.
+struct Compressed {
+    double degrees = 45.0, friction = 0.3;
+    double width = 40.0, size = 0.1;
+    double largest = 100.0;
+    int cycles = 1, steps = 2;
+
+    [[nodiscard]] Case input() const {
+        const double beta = degrees * pi / 180.0;
+        const Vec2 centre(width / 2.0, width / 2.0), half(std::sin(beta), std::cos(beta));
+        Case input = specimen("plate", width, {centre - half, centre + half});
+        input.mesh.width = width;
+        input.mesh.size = 1.25 * width * size;
+        input.mesh.grading = {{.at = {centre}, .size = size, .outer_size = size, .radius = 0.8, .growth = 4.0 * size}};
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        input.cracks[0].contact = ContactSection{friction};
+        input.load.steps = steps;
+        input.load.blocks = {{.cycles = cycles, .max = 0.0, .min = -largest}};
+        return input;
+    }
+};
+
+/// The infinite plate: the faces slide together, driven by the shear less the friction.
+struct ClosedForm {
+    explicit ClosedForm(const Compressed& of)
+        : s(std::sin(of.degrees * pi / 180.0)), c(std::cos(of.degrees * pi / 180.0)), friction(of.friction),
+          largest(of.largest) {}
+
+    /// Shear that drives the slip, MPa: pushed by S; or, on the way back from the largest S, held until the shear that
+    /// the faces transmit has turned to its other bound, S_r, and then along that.
+    [[nodiscard]] double drive_loading(double S) const { return std::max(0.0, S * s * (c - friction * s)); }
+    [[nodiscard]] double drive_unloading(double S) const {
+        return std::min(drive_loading(largest), S * s * (c + friction * s));
+    }
+    [[nodiscard]] double returns_at() const { return largest * (c - friction * s) / (c + friction * s); }
+    [[nodiscard]] double K_II(double drive) const { return drive * std::sqrt(pi); }
+    [[nodiscard]] double middle_slip(double drive) const { return 4.0 * drive / plane_modulus; }
+    [[nodiscard]] double pressure(double S) const { return S * s * s; }
+    [[nodiscard]] double shear(double S, double drive) const { return S * s * c - drive; }
+    /// The integral of the slip over the crack is 2 pi drive / E'; the shear is mu p on the way in, the same on the way
+    /// back from S_r on. N per mm of thickness, per cycle.
+    [[nodiscard]] double dissipated() const {
+        const double in = s * (c - friction * s), back = s * (c + friction * s), r = returns_at();
+        return friction * s * s * pi / plane_modulus * (in * largest * largest + back * r * r);
+    }
+
+    double s, c, friction, largest;
+};
+
+/// Shear and pressure over the middle half of the crack, slip in the middle, and how many stations slide.
+struct Faces {
+    explicit Faces(const std::vector<coupling::FaceSample>& faces) {
+        double length = 0.0, nearest = 1e300;
+        for (const coupling::FaceSample& face : faces) {
+            sliding += face.status == 2 ? 1 : 0;
+            sticking += face.status == 1 ? 1 : 0;
+            const double from_middle = std::abs(face.s - 1.0);
+            if (from_middle < nearest) slip = face.slip;
+            nearest = std::min(nearest, from_middle);
+            if (from_middle > 0.5) continue;
+            pressure += face.pressure;
+            shear += face.shear;
+            length += 1.0;
+        }
+        pressure /= length;
+        shear /= length;
+    }
+    double pressure = 0.0, shear = 0.0, slip = 0.0;
+    int sliding = 0, sticking = 0;
+};
+
+// references 5.1: slides below mu = cot(45 degrees) = 1, all coefficients.
+TEST(SlidingCrack, DrivesAsTheInfinitePlateSaysWhateverTheFriction) {
+    for (const double friction : {0.0, 0.1, 0.3, 0.5, 0.8}) {
+        const Compressed scene{.friction = friction};
+        const ClosedForm exact(scene);
+        const RunHistory run = run_direct(scene.input());
+        const Followed& pushed = run.at_minimum();
+        const Faces faces(pushed.zone.faces);
+        const double drive = exact.drive_loading(100.0);
+        std::cout << fmt::format("friction {}: K_II {:+.3f} %, slip {:+.3f} %, K_I {:+.3f} % of K_II, p {:+.3f} %, tau "
+                                 "{:.4f}, {} iterations\n",
+                                 friction, 100.0 * (std::abs(pushed.tips[0].K_II) / exact.K_II(drive) - 1.0),
+                                 100.0 * (std::abs(faces.slip) / exact.middle_slip(drive) - 1.0),
+                                 100.0 * pushed.tips[0].K_I / exact.K_II(drive),
+                                 100.0 * (faces.pressure / exact.pressure(100.0) - 1.0), faces.shear,
+                                 pushed.newton.count());
+        EXPECT_NEAR(std::abs(pushed.tips[0].K_II), exact.K_II(drive), 0.01 * exact.K_II(drive));
+        EXPECT_NEAR(std::abs(pushed.tips[1].K_II), exact.K_II(drive), 0.01 * exact.K_II(drive));
+        EXPECT_NEAR(pushed.tips[0].K_I, 0.0, 0.005 * exact.K_II(drive));
+        EXPECT_NEAR(std::abs(faces.slip), exact.middle_slip(drive), 0.01 * exact.middle_slip(drive));
+        EXPECT_NEAR(faces.pressure, exact.pressure(100.0), 0.005 * exact.pressure(100.0));
+        EXPECT_NEAR(std::abs(faces.shear), friction * faces.pressure, 1e-9 * faces.pressure);
+        EXPECT_GT(faces.shear * faces.slip, friction > 0.0 ? 0.0 : -1e-300);
+    }
+}
+
+// Where they stick the plate is as if it had no crack: a state that the elements hold exactly.
+TEST(SlidingCrack, SticksFromTheLimitOn) {
+    for (const double degrees : {45.0, 60.0}) {
+        const double limit = 1.0 / std::tan(degrees * pi / 180.0);
+        const auto pushed = [&](double friction) {
+            return run_direct(Compressed{.degrees = degrees, .friction = friction}.input()).at_minimum();
+        };
+        const Followed stuck = pushed(limit * (1.0 + 1e-6)), slid = pushed(limit * (1.0 - 1e-6));
+        const ClosedForm exact({.degrees = degrees, .friction = limit});
+        EXPECT_EQ(Faces(stuck.zone.faces).sliding, 0);
+        EXPECT_GT(Faces(slid.zone.faces).sliding, 0);
+        for (const coupling::FaceSample& face : stuck.zone.faces) {
+            EXPECT_NEAR(face.pressure, exact.pressure(100.0), 1e-7 * exact.pressure(100.0));
+            EXPECT_NEAR(face.shear, exact.shear(100.0, 0.0), 1e-7 * exact.pressure(100.0));
+            EXPECT_NEAR(face.slip, 0.0, 1e-12);
+        }
+        EXPECT_NEAR(stuck.tips[0].K_II, 0.0, 1e-6 * 100.0);
+    }
+}
+
+// references 8.1: 20 degrees to the load, friction angle 30 degrees; nu and E of its K and G. Lengths in mm for its m.
+TEST(SlidingCrack, PhansInclinedCrack) {
+    const double friction = std::tan(pi / 6.0);
+    Case input = Compressed{.degrees = 20.0, .friction = friction}.input();
+    input.material.young = 25.0008e3;
+    input.material.poisson = 0.25004;
+    const Followed pushed = run_direct(input).at_minimum();
+    const Faces faces(pushed.zone.faces);
+    EXPECT_NEAR(faces.pressure, 11.69778, 0.01 * 11.69778);
+    EXPECT_NEAR(std::abs(faces.slip), 3.807638e-3, 0.01 * 3.807638e-3);
+    EXPECT_NEAR(std::abs(pushed.tips[0].K_II), 44.9949, 0.01 * 44.9949);
+    EXPECT_NEAR(pushed.tips[0].K_I, 0.0, 0.01 * 44.9949);
+}
+
+// Loading slides, unloading is locked down to S_r, then slides back to nothing: two cycles alike.
+TEST(SlidingCrack, FullCyclesFollowTheClosedForm) {
+    const Compressed scene{.cycles = 2, .steps = 20};
+    const ClosedForm exact(scene);
+    const RunHistory run = run_direct(scene.input());
+    EXPECT_EQ(run.cuts, 0);
+    const double whole = exact.K_II(exact.drive_loading(100.0));
+    double before = 0.0, worst_K = 0.0, worst_shear = 0.0;
+    std::vector<double> per_cycle;
+    int iterations = 0;
+    for (std::size_t k = 0; k < run.increments.size(); ++k) {
+        const Followed& now = run.increments[k];
+        const double S = -now.load_factor;
+        iterations += now.newton.count();
+        const bool loading = S > before;
+        const double drive = loading ? exact.drive_loading(S) : exact.drive_unloading(S);
+        before = S;
+        const Faces faces(now.zone.faces);
+        worst_K = std::max(worst_K, std::abs(std::abs(now.tips[0].K_II) - exact.K_II(drive)) / whole);
+        worst_shear =
+            std::max(worst_shear, std::abs(faces.shear * (faces.slip < 0.0 ? -1.0 : 1.0) - exact.shear(S, drive)) /
+                                      exact.pressure(100.0));
+        if (S > 0.0) {
+            EXPECT_EQ(faces.sliding == 0, !loading && S > exact.returns_at()) << S;
+        }
+        EXPECT_GE(now.zone.energy.friction, 0.0);
+        EXPECT_LT(std::abs(now.work.error()), 0.005 * std::max(run.increments.back().work.dissipated, 1e-300));
+        if (now.step.ends_cycle) per_cycle.push_back(now.work.by_friction);
+    }
+    std::cout << fmt::format(
+        "cycles: K_II within {:.3f} %, shear within {:.3f} % of the pressure, dissipated {:+.3f} % "
+        "and {:+.3f} %, {} iterations in {} increments\n",
+        100.0 * worst_K, 100.0 * worst_shear, 100.0 * (per_cycle[0] / exact.dissipated() - 1.0),
+        100.0 * ((per_cycle[1] - per_cycle[0]) / exact.dissipated() - 1.0), iterations, run.increments.size());
+    EXPECT_LT(worst_K, 0.01);
+    EXPECT_LT(worst_shear, 0.01);
+    EXPECT_NEAR(per_cycle[0], exact.dissipated(), 0.01 * exact.dissipated());
+    EXPECT_NEAR(per_cycle[1] - per_cycle[0], per_cycle[0], 1e-3 * per_cycle[0]);
+}
+
+// references 5.3: a square with an interface from side to side, pressed between clamped ends. nu = 0, so that the state
+// is uniform; units of 20 m, MPa for the Pa of the source.
+TEST(Interface, SticksWithTheTractionsOfAUniformState) {
+    const auto pressed = [](double degrees, double friction) {
+        const double rise = 0.5 * std::tan(degrees * pi / 180.0);
+        Case input = specimen("plate", 1.0, {{0.0, 0.503 - rise}, {1.0, 0.503 + rise}});
+        input.mesh.size = 1.0 / 11.0;
+        input.material.young = 100.0;
+        input.material.poisson = 0.0;
+        input.fine.enrichment = Enrichment::None;
+        input.cracks[0].contact = ContactSection{friction};
+        for (const char* on : {"top", "bottom"}) {
+            BoundarySection held;
+            held.on = on;
+            held.displacement = {0.0, on == std::string("top") ? -0.05 : 0.0};
+            input.boundaries.push_back(held);
+        }
+        return equilibrate(coarse::make_scene(input), 1.0);
+    };
+    const auto expect_uniform = [](const Equilibrated& result, double pressure, double shear) {
+        EXPECT_TRUE(result.newton.converged) << result.newton.table();
+        ASSERT_FALSE(result.zone.faces.empty());
+        for (const coupling::FaceSample& face : result.zone.faces) {
+            EXPECT_NEAR(face.pressure, pressure, 1e-6 * pressure);
+            EXPECT_NEAR(std::abs(face.shear), shear, 1e-6 * pressure);
+            EXPECT_EQ(face.status, 1);
+        }
+    };
+    expect_uniform(pressed(0.0, 0.1), 5.0, 0.0);
+    expect_uniform(pressed(22.5, 0.414214 + 1e-6), 4.267767, 1.767767);
+    const Equilibrated slid = pressed(22.5, 0.414);
+    const auto slides = [](const coupling::FaceSample& face) { return face.status == 2; };
+    EXPECT_TRUE(std::ranges::any_of(slid.zone.faces, slides));
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,85 @@
+// Whether pressures and shears are stable beside the jumps that they act on (docs/method.md, section 4): the numerical
+// inf-sup constant of both multipliers together, over random cuts of a square.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <random>
+
+#include "coarse/model/scene.hpp"
+#include "coarse/structure/structure.hpp"
+#include "fine/contact/contact_interface.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+/// A unit square of n x n elements, held at top and bottom, cut from side to side.
+coarse::Scene cut_square(int n, double left, double right) {
+    Case input = specimen("plate", 1.0, {{0.0, left}, {1.0, right}});
+    input.mesh.size = 1.0 / n;
+    input.fine.enrichment = Enrichment::None;
+    input.cracks[0].contact = ContactSection{0.3};
+    input.boundaries = {at_end("top", End::Clamped, 1.0), at_end("bottom", End::Clamped, -1.0)};
+    return coarse::make_scene(input);
+}
+
+/// Stiffness with the held unknowns taken out.
+Eigen::SparseMatrix<double> held_stiffness(const coarse::Scene& scene) {
+    Eigen::SparseMatrix<double> K = coarse::Structure(scene).elements().stiffness();
+    std::vector<char> held(at(K.rows()), 0);
+    for (const coarse::PrescribedUnknown& p : scene.prescribed) held[at(p.unknown)] = 1;
+    K.prune([&](Eigen::Index i, Eigen::Index j, double) { return held[at(i)] == 0 && held[at(j)] == 0; });
+    for (Eigen::Index i = 0; i < K.rows(); ++i)
+        if (held[at(i)] != 0 || K.coeff(i, i) == 0.0) K.coeffRef(i, i) = 1.0;
+    return K;
+}
+
+/// beta^2 = the smallest of (B K^-1 B^T) : (h / E') M over pressures and shears, M their mass along the crack.
+double inf_sup(int n, double left, double right) {
+    const coarse::Scene scene = cut_square(n, left, right);
+    const fine::ContactInterface contact(scene.enriched, {}, scene.input.cracks, 2, plane_modulus);
+    const fine::FaceOperators& faces = contact.operators();
+    const int m = faces.multipliers();
+    Eigen::MatrixXd B(2 * m, scene.enriched.unknowns);
+    B << Eigen::MatrixXd(faces.operator_B()), Eigen::MatrixXd(faces.operator_T());
+    for (const coarse::PrescribedUnknown& p : scene.prescribed) B.col(p.unknown).setZero();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(held_stiffness(scene));
+    const Eigen::MatrixXd compliance = B * factor.solve(Eigen::MatrixXd(B.transpose()));
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(2 * m, 2 * m);
+    for (const FaceStation& station : faces.stations()) {
+        const auto acting = faces.functions_at(station);
+        for (const auto& [i, of_i] : acting) {
+            for (const auto& [j, of_j] : acting) {
+                if (i < 0 || j < 0) continue;
+                mass(i, j) += station.weight * of_i * of_j;
+                mass(m + i, m + j) += station.weight * of_i * of_j;
+            }
+        }
+    }
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratios(compliance, mass / (n * plane_modulus));
+    return std::sqrt(ratios.eigenvalues().minCoeff());
+}
+
+TEST(InfSup, IsBoundedBelowForEveryCutAndMesh) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> offset(0.3, 0.7), rise(-0.25, 0.25);
+    for (const int n : {11, 21, 41}) {
+        double least = 1e300, most = 0.0;
+        for (int cut = 0; cut < 30; ++cut) {
+            const double middle = offset(random), half = rise(random);
+            const double beta = inf_sup(n, middle - half, middle + half);
+            least = std::min(least, beta);
+            most = std::max(most, beta);
+        }
+        std::cout << fmt::format("{} x {}: inf-sup constant {:.3f} to {:.3f} over 30 cuts\n", n, n, least, most);
+        EXPECT_GT(least, 0.3);
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
