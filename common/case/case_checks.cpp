@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "common/memory.hpp"
 
 namespace stria {
 
@@ -17,10 +21,19 @@ bool moves(const BoundarySection& boundary) {
     return boundary.displacement[0].value_or(0.0) != 0.0 || boundary.displacement[1].value_or(0.0) != 0.0;
 }
 
+/// Other than zero.
 bool carries_load(const BoundarySection& boundary) {
-    return moves(boundary) || boundary.traction || boundary.pressure || boundary.force ||
+    return moves(boundary) || !boundary.traction.value_or(Vec2::Zero()).isZero(0.0) ||
+           boundary.pressure.value_or(0.0) != 0.0 || !boundary.force.value_or(Vec2::Zero()).isZero(0.0) ||
            !boundary.traction_gradient.isZero(0.0);
 }
+
+bool says_something(const BoundarySection& boundary) {
+    return boundary.displacement[0] || boundary.displacement[1] || boundary.traction || boundary.pressure ||
+           boundary.force;
+}
+
+constexpr std::size_t most_points = 10'000;  // of a crack as it is given
 
 }  // namespace
 
@@ -47,6 +60,9 @@ void check_mesh(const MeshSection& mesh, const Value& table, const Place& place)
 void check_crack(const CrackSection& crack, const Value& table, const Place& place) {
     const Value& points = *find(table, "points");
     if (crack.points.size() < 2) reject(place.inside("points"), points, {}, "must have at least two points");
+    if (crack.points.size() > most_points)
+        reject(place.inside("points"), points.line,
+               fmt::format("has {} points, at most {} are allowed", crack.points.size(), most_points));
     for (std::size_t i = 1; i < crack.points.size(); ++i)
         if (crack.points[i] == crack.points[i - 1])
             reject(place.inside("points"), points, {}, "must not repeat a point: a segment has no length");
@@ -70,8 +86,7 @@ void check_boundary(const BoundarySection& boundary, const Value& table, const P
         for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
     if ((point || pin) && !boundary.traction_gradient.isZero(0.0))
         complain("traction_gradient", "needs an edge, not a point");
-    if (!boundary.displacement[0] && !boundary.displacement[1] && !carries_load(boundary) &&
-        find(table, "traction_gradient") == nullptr)
+    if (!says_something(boundary) && find(table, "traction_gradient") == nullptr)
         reject(place, table.line, "needs a displacement, traction, pressure or force");
 }
 
@@ -80,9 +95,10 @@ void check_block(const LoadBlock& block, const Value& table, const Place& place)
     const Value* least = find(table, "min");
     if (ratio != nullptr && least != nullptr) reject(place, table.line, "has both ratio and min; one of them says it");
     if (ratio == nullptr && least == nullptr) reject(place, table.line, "needs ratio or min");
-    if (block.min <= block.max) return;
+    if (block.min < block.max) return;
     const char* name = least != nullptr ? "min" : "ratio";
-    reject(place.inside(name), least != nullptr ? *least : *ratio, {}, "must keep the minimum <= max");
+    reject(place.inside(name), least != nullptr ? *least : *ratio, {},
+           "must keep the minimum < max: there is no cycle otherwise");
 }
 
 /// Functions gathered over a fixed radius belong to the elastic structure: the zone does not take them.
@@ -119,13 +135,49 @@ void check_control(const Case& whole, const Value& root, const Place& place) {
                    "\" has a displacement of its own, which control = \"load\" scales");
 }
 
+/// Their extremes as the run goes through them.
+void check_extremes(const LoadSection& load, const Value& root, const Place& place) {
+    const auto is_usual = [&](double value) {
+        const double size = std::abs(load.scale * value);
+        return value == 0.0 || (size > 1e-100 && size < 1e100);
+    };
+    const auto unusual = [&](const LoadBlock& block) { return !is_usual(block.max) || !is_usual(block.min); };
+    if (std::ranges::none_of(load.blocks, unusual)) return;
+    const Value& table = *find(root, "load");
+    const Value* scale = find(table, "scale");
+    reject(place.inside(scale != nullptr ? "load.scale" : "load.blocks"), scale != nullptr ? scale->line : table.line,
+           "makes a max or min beyond all use: its size must lie between 1e-100 and 1e100, or be zero");
+}
+
+/// All turns of the load are kept in memory, and increments are counted in int.
+void check_length(const LoadSection& load, const Value& root, const Place& place) {
+    constexpr double bytes_of_cycle = 200.0;
+    double cycles = 0.0;
+    for (const LoadBlock& block : load.blocks) cycles += static_cast<double>(load.repeat) * block.cycles;
+    if (cycles == 0.0) return;
+    const Value& table = *find(root, "load");
+    if (cycles * load.steps > std::numeric_limits<int>::max())
+        reject(place.inside("load"), table.line,
+               fmt::format("has {:.4g} cycles of {} increments, at most {} increments can be counted", cycles,
+                           load.steps, std::numeric_limits<int>::max()));
+    require_memory(fmt::format("{}:{}: load: {:.4g} cycles", place.file, table.line, cycles), cycles * bytes_of_cycle);
+}
+
 }  // namespace
+
+void check_load(const LoadSection& load, const Value& root, const Place& place) {
+    check_extremes(load, root, place);
+    check_length(load, root, place);
+}
 
 void check_case(const Case& whole, const Value& root, const Place& place) {
     check_enrichment(whole, root, place);
     if (whole.name.find('/') != std::string::npos || whole.name == "." || whole.name == "..")
         reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
     check_control(whole, root, place);
+    if (std::ranges::none_of(whole.boundaries, carries_load))
+        reject(place.inside("boundary"), root.line,
+               "carries no load: give one a displacement, traction, pressure or force other than zero");
     if (!whole.load.blocks.empty() || whole.load.spectrum) return;
     const Value* load = find(root, "load");
     for (const BoundarySection& boundary : whole.boundaries)

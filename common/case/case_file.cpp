@@ -1,5 +1,6 @@
 #include "common/case/case_file.hpp"
 
+#include "common/case/case_checks.hpp"
 #include "common/case/case_schema.hpp"
 #include "common/case/not_in_this_version.hpp"
 #include "common/case/spectrum.hpp"
@@ -22,6 +23,9 @@ using schema::List;
 using schema::Member;
 using schema::Table;
 using schema::Value;
+
+constexpr std::uintmax_t largest_file = 100'000'000;  // bytes
+constexpr int deepest_key = 50;
 
 Value from_toml(const toml::node& node, bool with_lines) {
     Value value;
@@ -56,8 +60,15 @@ std::string one_line(std::string_view text) {
 }
 
 std::string text_of_file(const std::string& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw CaseError(path + ": is a folder, not a case file");
+    std::error_code problem;
+    const std::filesystem::file_status status = std::filesystem::status(path, problem);
+    if (std::filesystem::is_directory(status)) throw CaseError(path + ": is a folder, not a case file");
+    // Two programs read the case, one after the other: a pipe gives it once, a device has no end.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw CaseError(path + ": is a pipe or a device, not a case file");
+    const std::uintmax_t size = std::filesystem::file_size(path, problem);
+    if (!problem && size > largest_file)
+        throw CaseError(fmt::format("{}: has {} bytes, a case file has at most {}", path, size, largest_file));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw CaseError(path + ": cannot be read, no such case file");
     std::ostringstream text;
@@ -65,9 +76,38 @@ std::string text_of_file(const std::string& path) {
     return text.str();
 }
 
+/// Of a key, a number or a word, joined by dots. What reads the case walks through its tables by recursion.
+void check_depth(std::string_view text, const std::string& path) {
+    int line = 1, parts = 0;
+    char quote = 0;
+    bool comment = false;
+    for (const char letter : text) {
+        if (letter == '\n') {
+            ++line;
+            parts = 0;
+            quote = 0;
+            comment = false;
+        } else if (comment) {
+            continue;
+        } else if (quote != 0) {
+            if (letter == quote) quote = 0;
+        } else if (letter == '"' || letter == '\'') {
+            quote = letter;
+        } else if (letter == '#') {
+            comment = true;
+        } else if (letter == '.') {
+            if (++parts > deepest_key)
+                throw CaseError(fmt::format("{}:{}: a key of more than {} parts", path, line, deepest_key));
+        } else if (std::string_view(",[]{}=").find(letter) != std::string_view::npos) {
+            parts = 0;
+        }
+    }
+}
+
 Value parse_file(const std::string& path) {
     try {
         const std::string text = text_of_file(path);
+        check_depth(text, path);
         Value root = from_toml(toml::parse(text, path), true);
         root.line = 1;
         return root;
@@ -112,6 +152,7 @@ void apply_override(Value& root, const std::string& whole) {
         const std::size_t first = text.find_first_not_of(' ');
         return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
     };
+    check_depth(whole.substr(0, equals), "--set");
     std::istringstream path(trimmed(whole.substr(0, equals)));
     Value* target = &root;
     for (std::string name; std::getline(path, name, '.');) target = &descend(*target, name, whole);
@@ -152,6 +193,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
         for (const LoadBlock& block : read_spectrum(file)) scene.load.blocks.push_back(block);
         scene.load.spectrum.reset();  // the resolved case stands alone
     }
+    check_load(scene.load, root, {path, ""});
     return scene;
 }
 

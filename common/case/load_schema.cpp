@@ -26,6 +26,7 @@ Section<LoadSection> load_section() {
     Section<LoadSection> s;
     s.value("steps", &LoadSection::steps)
         .at_least(2)
+        .at_most(100'000)
         .even()
         .says("Increments per cycle; the first ramp takes half as many more.");
     s.value("grading", &LoadSection::grading)

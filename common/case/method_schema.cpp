@@ -9,8 +9,9 @@ Section<SolverSection> solver_section() {
     s.value("tolerance", &SolverSection::tolerance).positive().below(1.0).says("Relative residual at equilibrium.");
     s.value("max_iterations", &SolverSection::max_iterations)
         .at_least(1)
+        .at_most(10'000)
         .says("Newton iterations before an increment is cut.");
-    s.value("max_cuts", &SolverSection::max_cuts).at_least(0).says("Successive halvings of an increment.");
+    s.value("max_cuts", &SolverSection::max_cuts).at_least(0).at_most(40).says("Successive halvings of an increment.");
     return s;
 }
 
@@ -27,7 +28,10 @@ Section<FineSection> fine_section() {
     Section<FineSection> s;
     s.value("beta", &FineSection::beta).positive().says("Zone radius R_sub = beta (pi/16) K_I^2 / sigma_y^2, eq. (3).");
     s.value("radius", &FineSection::radius).in("mm").positive().says("A fixed zone radius instead of eq. (3).");
-    s.value("refine", &FineSection::refine).power_of_two().says("Mesh size over element size at the tip.");
+    s.value("refine", &FineSection::refine)
+        .power_of_two()
+        .at_most(4096)
+        .says("Mesh size over element size at the tip.");
     s.value("growth", &FineSection::growth)
         .at_least(0.0)
         .below(0.3)
@@ -35,9 +39,11 @@ Section<FineSection> fine_section() {
             "With refine: elements within the zone's radius may be this times as large as they are far from the tip.");
     s.value("subcells", &FineSection::subcells)
         .at_least(1)
+        .at_most(256)
         .says("Sub-quadrangles per element edge, 2 x 2 Gauss points each.");
     s.value("substeps", &FineSection::substeps)
         .at_least(1)
+        .at_most(10'000)
         .says("Parts of a strain increment at points that flow: the return mapping is of first order in them.");
     s.choice<Enrichment>("enrichment", &FineSection::enrichment,
                          {{"auto", Enrichment::Auto},

@@ -45,12 +45,24 @@ std::vector<LoadBlock> from_cycles(const std::filesystem::path& path, const Numb
         const double max = table["max"][row], min = table["min"][row];
         const double cycles = counted ? table["cycles"][row] : 1.0;
         if (!std::isfinite(max) || !std::isfinite(min)) reject(path, row, "max and min must be numbers");
-        if (min > max) reject(path, row, "must keep min <= max");
+        if (min >= max) reject(path, row, "must keep min < max");
         if (!(cycles >= 1.0 && cycles <= 1e9 && cycles == std::floor(cycles)))
             reject(path, row, "cycles must be a whole number >= 1");
         blocks.push_back({.cycles = static_cast<int>(cycles), .max = max, .min = min});
     }
     return blocks;
+}
+
+/// Nothing that a table says is passed over.
+void check_columns(const std::filesystem::path& path, const NumberTable& table) {
+    const bool turning = table.columns.contains("turning_point");
+    for (const auto& [name, values] : table.columns) {
+        const bool known = turning ? name == "turning_point" : name == "max" || name == "min" || name == "cycles";
+        if (!known)
+            throw CaseError(fmt::format("{}:1: load.spectrum: column \"{}\" is not known, must be max, min and cycles, "
+                                        "or turning_point alone",
+                                        path.string(), name));
+    }
 }
 
 }  // namespace
@@ -59,6 +71,7 @@ std::vector<LoadBlock> read_spectrum(const std::filesystem::path& path) {
     const NumberTable table = read_table(path);
     if (table.columns.empty()) throw CaseError(fmt::format("{}: load.spectrum: cannot be read", path.string()));
     if (table.cut_off) reject(path, table.rows, "has not as many cells as the line of names");
+    check_columns(path, table);
     std::vector<LoadBlock> blocks;
     if (table.columns.contains("turning_point"))
         blocks = from_turning_points(path, table["turning_point"]);

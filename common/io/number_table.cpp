@@ -14,17 +14,24 @@ std::string_view trimmed(std::string_view cell) {
     return first == std::string_view::npos ? "" : cell.substr(first, cell.find_last_not_of(blank) - first + 1);
 }
 
+/// What spreadsheets and text editors put around a cell, RFC 4180.
+std::string_view without_quotes(std::string_view cell) {
+    const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+    return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
 std::vector<std::string_view> cells_of(std::string_view line) {
     std::vector<std::string_view> cells;
     for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
-        cells.push_back(trimmed(line.substr(0, comma)));
+        cells.push_back(without_quotes(trimmed(line.substr(0, comma))));
         line.remove_prefix(comma + 1);
     }
-    cells.push_back(trimmed(line));
+    cells.push_back(without_quotes(trimmed(line)));
     return cells;
 }
 
 double number_in(std::string_view cell) {
+    if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
     double number = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
     const bool whole = error == std::errc{} && end == cell.data() + cell.size();
@@ -38,6 +45,7 @@ NumberTable read_table(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::string line;
     if (!std::getline(file, line)) return table;
+    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // the byte order mark of UTF-8
     std::vector<std::vector<double>*> columns;
     for (const std::string_view name : cells_of(line)) columns.push_back(&table.columns[std::string(name)]);
     while (std::getline(file, line)) {

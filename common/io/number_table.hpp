@@ -8,7 +8,7 @@
 
 namespace stria {
 
-/// An empty cell is NaN, and so is a text.
+/// Cells may be quoted, numbers may have a sign +. An empty cell is NaN, and so is a text.
 struct NumberTable {
     std::map<std::string, std::vector<double>> columns;
     std::size_t rows = 0;

@@ -101,6 +101,11 @@ Key& Key::below(double bound) {
     return *this;
 }
 
+Key& Key::at_most(double bound) {
+    rules.push_back({[bound](double number) { return number <= bound; }, fmt::format("<= {}", bound)});
+    return *this;
+}
+
 Key& Key::even() {
     rules.push_back({[](double number) { return std::fmod(number, 2.0) == 0.0; }, "even"});
     return *this;

@@ -64,6 +64,7 @@ struct Key {
     Key& positive();
     Key& at_least(double bound);
     Key& below(double bound);
+    Key& at_most(double bound);
     Key& even();
     Key& power_of_two();
     Key& one_of(std::vector<std::string> allowed);

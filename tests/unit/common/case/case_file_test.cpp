@@ -1,12 +1,14 @@
 #include "common/case/case_file.hpp"
 
 #include "common/error.hpp"
+#include "common/memory.hpp"
 #include "tests/support/folders.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace stria {
@@ -192,13 +194,57 @@ TEST_F(CaseFile, RefusesWhatKeysSayTogether) {
               "case.toml:25: load.blocks.0 has both ratio and min; one of them says it");
     EXPECT_EQ(complaint_about(", ratio = -1.0", ""), "case.toml:25: load.blocks.0 needs ratio or min");
     EXPECT_EQ(complaint_about("ratio = -1.0", "min = 60.0"),
-              "case.toml:25: load.blocks.0.min = 60 must keep the minimum <= max");
+              "case.toml:25: load.blocks.0.min = 60 must keep the minimum < max: there is no cycle otherwise");
     EXPECT_EQ(
         complaint_about("[20.0, 100.0]]", "[0.0, 100.0]]"),
         "case.toml:15: crack.0.points = [[0.0, 100.0], [0.0, 100.0]] must not repeat a point: a segment has no length");
     EXPECT_EQ(complaint_about(", [20.0, 100.0]]", "]"),
               "case.toml:15: crack.0.points = [[0.0, 100.0]] must have at least two points");
     EXPECT_EQ(complaint_about("at = [25.0, 0.0]\n", ""), "case.toml:20: boundary.1 on = \"point\" needs at = [x, y]");
+}
+
+TEST_F(CaseFile, RefusesARunThatWouldDoNothing) {
+    EXPECT_EQ(complaint_about("ratio = -1.0", "ratio = 1.0"),
+              "case.toml:25: load.blocks.0.ratio = 1 must keep the minimum < max: there is no cycle otherwise");
+    EXPECT_EQ(complaint_about("traction = [0.0, 1.0]", "traction = [0.0, 0.0]"),
+              "case.toml:1: boundary carries no load: give one a displacement, traction, pressure or force other than "
+              "zero");
+    EXPECT_EQ(complaint_about("traction = [0.0, 1.0]", "displacement = [0.0, 0.0]").substr(0, 33),
+              "case.toml:1: boundary carries no ");
+}
+
+TEST_F(CaseFile, RefusesLoadsBeyondAllUse) {
+    EXPECT_EQ(complaint_about("[load]", "[load]\nscale = 5e-324"),
+              "case.toml:25: load.scale makes a max or min beyond all use: its size must lie between 1e-100 and 1e100, "
+              "or be zero");
+    EXPECT_NE(complaint(complete, {"load.blocks.0.max=1e300"}).find("beyond all use"), std::string::npos);
+    EXPECT_EQ(complaint_about("{ max", "{ cycles = 1000000000, max"),
+              "case.toml:24: load has 1e+09 cycles of 40 increments, at most 2147483647 increments can be counted");
+    if (available_memory() < 1e11)
+        EXPECT_EQ(complaint(complete, {"load.steps=2", "load.repeat=500000000"}).substr(0, 55),
+                  "case.toml:24: load: 5e+08 cycles would take about 100 G");
+    EXPECT_EQ(complaint(complete, {"fine.subcells=65536"}), "--set: fine.subcells = 65536 must be <= 256");
+}
+
+// Tables within tables are walked through by recursion.
+TEST_F(CaseFile, RefusesWhatIsNoCaseFile) {
+    std::string deep = "a";
+    for (int k = 0; k < 100'000; ++k) deep += ".a";
+    EXPECT_EQ(complaint(complete + deep + " = 1\n"), "case.toml:27: a key of more than 50 parts");
+    EXPECT_EQ(complaint(complete, {deep + "=1"}), "--set:1: a key of more than 50 parts");
+    EXPECT_EQ(complaint("title = \"" + std::string(1000, '.') + "\"\n" + complete.substr(complete.find("units"))),
+              "no complaint");
+    EXPECT_THROW(read_case("/dev/zero"), CaseError);
+    const std::string pipe = (folder_ / "pipe").string();
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(read_case(pipe), CaseError);
+}
+
+TEST_F(CaseFile, RefusesACrackOfTooManyPoints) {
+    std::string points = "[[0.0, 100.0]";
+    for (int k = 1; k <= 10'000; ++k) points += ", [" + std::to_string(0.002 * k) + ", 100.0]";
+    EXPECT_EQ(complaint_about("[[0.0, 100.0], [20.0, 100.0]]", points + "]"),
+              "case.toml:15: crack.0.points has 10001 points, at most 10000 are allowed");
 }
 
 TEST_F(CaseFile, DisplacementControlNeedsALoad) {

@@ -35,16 +35,24 @@ TEST_F(Spectrum, ListsCycles) {
     EXPECT_EQ(read("min, cycles, max\r\n1, 3, 4\r\n\r\n"), (std::vector<LoadBlock>{{3, 4.0, 1.0}}));
 }
 
+TEST_F(Spectrum, MayComeFromASpreadsheet) {
+    EXPECT_EQ(read("\xEF\xBB\xBF\"max\",\"min\"\r\n\"+0.8\",-0.1\r\n"), (std::vector<LoadBlock>{{1, 0.8, -0.1}}));
+}
+
 TEST_F(Spectrum, OrTurningPoints) {
     EXPECT_EQ(read("turning_point\n-1\n3\n5\n5\n2\n4\n1\n9\n"), (std::vector<LoadBlock>{{1, 5.0, 2.0}, {1, 4.0, 1.0}}));
 }
 
 TEST_F(Spectrum, SaysWhatIsWrongAndWhere) {
-    EXPECT_EQ(complaint("max,min\n10,-2\n1,2\n"), "s.csv:3: load.spectrum: must keep min <= max");
+    EXPECT_EQ(complaint("max,min\n10,-2\n1,2\n"), "s.csv:3: load.spectrum: must keep min < max");
     EXPECT_EQ(complaint("max,min\n10,x\n"), "s.csv:2: load.spectrum: max and min must be numbers");
     EXPECT_EQ(complaint("max,min\n10,2\n10\n"), "s.csv:3: load.spectrum: has not as many cells as the line of names");
     EXPECT_EQ(complaint("max,min,cycles\n10,2,1.5\n"), "s.csv:2: load.spectrum: cycles must be a whole number >= 1");
-    EXPECT_EQ(complaint("a,b\n1,2\n"), "s.csv:1: load.spectrum: must name columns max and min, or turning_point");
+    EXPECT_EQ(complaint("max\n1\n"), "s.csv:1: load.spectrum: must name columns max and min, or turning_point");
+    EXPECT_EQ(complaint("max,min,cycle\n2,1,9\n"),
+              "s.csv:1: load.spectrum: column \"cycle\" is not known, must be max, min and cycles, or turning_point "
+              "alone");
+    EXPECT_EQ(complaint("max,min\n1,1\n"), "s.csv:2: load.spectrum: must keep min < max");
     EXPECT_EQ(complaint("max,min\n"), "s.csv: load.spectrum: holds no cycle");
     EXPECT_EQ(complaint("turning_point\n1\n2\nx\n"), "s.csv:4: load.spectrum: must be a number");
     EXPECT_THROW(read_spectrum(folder / "none.csv"), CaseError);

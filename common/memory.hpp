@@ -1,0 +1,17 @@
+// What a case would take of this machine's memory, before it is taken.
+#pragma once
+
+#include <string>
+
+namespace stria {
+
+/// Measured: an element with its unknowns and their factor, a point of the zone with its history and gradients.
+constexpr double bytes_of_element = 4000.0, bytes_of_point = 1500.0;
+
+/// Bytes that this process may still take: what the machine has left, or less where a limit is set (ulimit -v).
+double available_memory();
+
+/// Throws CaseError, "<what> would take about 64 GB of memory, 23 GB are left", where they do not suffice.
+void require_memory(const std::string& what, double bytes);
+
+}  // namespace stria
