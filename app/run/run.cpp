@@ -23,6 +23,11 @@ namespace {
 /// mpirun puts a pipe or a terminal of its own between us and the user: the launcher knows what the user has.
 bool users_terminal() { return std::getenv("STRIA_TERMINAL") != nullptr; }
 
+/// Of a case without a fine component: mpirun wants every program to start MPI and to end it.
+void meet_and_part(coupling::Role role) {
+    if (coupling::under_mpirun()) const coupling::MpiSession session(role, coupling::Cast::Any);
+}
+
 /// Inside a catch block: says why, and ends all ranks.
 [[noreturn]] void abort(const coupling::MpiSession& session, const char* program) {
     const Ending ending = ending_of_exception();
@@ -38,6 +43,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
     use_one_thread();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
+        meet_and_part(coupling::Role::Coarse);
         coarse::CondensedFactory alone(nullptr);
         return CoarseRun(options, input, {"mpi", 1, users_terminal()}).perform(alone, nullptr);
     }
@@ -59,6 +65,10 @@ int run_fine_with_mpi(const RunOptions& options) {
     ignore_interruption();
     use_one_thread();
     const Case input = read_case(options.case_path, options.overrides);
+    if (!needs_fine(input)) {
+        meet_and_part(coupling::Role::Fine);
+        return Done;
+    }
     const coupling::MpiSession session(coupling::Role::Fine);
     try {
         const std::unique_ptr<coupling::Transport> transport = session.transport();

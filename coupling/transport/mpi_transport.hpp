@@ -11,12 +11,18 @@ namespace stria::coupling {
 /// What a program is: it knows this by itself, never from the order on the command line.
 enum class Role : int { Coarse = 0, Fine = 1 };
 
+/// Whether the case needs fine ranks; where it does not, whoever was started meets and parts.
+enum class Cast { CoarseAndFine, Any };
+
+/// mpirun has started this program, and expects it to start MPI.
+bool under_mpirun();
+
 /// MPI from its start to its end, and who is who in it. Make one, first thing in main; transports must die before it.
 class MpiSession {
 public:
     /// Starts MPI and agrees with all other ranks on the cast: one coarse and some fine. Otherwise every rank gets a
     /// CaseError that says what was started and what should have been, with MPI already ended.
-    explicit MpiSession(Role role);
+    explicit MpiSession(Role role, Cast cast = Cast::CoarseAndFine);
 
     [[nodiscard]] int peers() const { return static_cast<int>(peers_.size()); }
 
