@@ -98,7 +98,9 @@ private:
     void add_edge(const Vec2& a, const Vec2& b, int side, Gradients& sum) const {
         const Vec2 d = b - a;
         const double distance = basis_.singular() ? distance_to_tip(a, d) : 1e300;  // in lengths of the edge
-        if (distance < 0.5 && d.norm() > 1e-10 * size_) {
+        // Below some units in the last place of a coordinate an edge has no middle.
+        const double shortest = std::max(1e-10 * size_, 1e-15 * a.lpNorm<Eigen::Infinity>());
+        if (distance < 0.5 && d.norm() > shortest) {
             const Vec2 middle = a + 0.5 * d;
             add_edge(a, middle, side, sum);
             add_edge(middle, b, side, sum);

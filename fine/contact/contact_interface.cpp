@@ -31,7 +31,7 @@ ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorX
                                                             coupling::WorkCounts& work) const {
     if (multipliers() == 0) return {};
     const double moved =
-        (1.0 + 1e-9) * (gather(u, jump_unknowns_) - settled_jumps_).cwiseAbs().maxCoeff();  // rounding included
+        (1.0 + 1e-9) * (gather(u, jump_unknowns_) - settled_jumps_).lpNorm<Eigen::Infinity>();  // rounding included
     Jumps jumps{settled_gap_ - moved * closing_, Eigen::VectorXd::Zero(multipliers())};
     for (int k = 0; k < multipliers(); ++k) {
         const bool surely_open = !is_closed(status_[at(k)]) && traction[k] <= 0.0 && jumps.gap[k] > 0.0;

@@ -97,6 +97,15 @@ void FaceOperators::assemble(const EnrichedMesh& mesh) {
             fixed_slip_[multiplier] += station.weight * value * station.fixed_jump.dot(station.tangent);
         }
     }
+    keep_open_without_faces();
+}
+
+// Between a notch or a bend and the tip there may be less of the crack than from one point of integration to the next.
+void FaceOperators::keep_open_without_faces() {
+    for (Eigen::Index k = 0; k < weight_.size(); ++k) {
+        if (weight_[k] > 0.0) continue;
+        weight_[k] = fixed_gap_[k] = 1.0;
+    }
 }
 
 const FaceOperators::CrackSpace& FaceOperators::space_of(int crack) const {

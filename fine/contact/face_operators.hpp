@@ -87,6 +87,7 @@ private:
     [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
     void number_shears();
     void assemble(const EnrichedMesh& mesh);
+    void keep_open_without_faces();
 
     std::vector<CrackSpace> spaces_;
     std::vector<FaceStation> stations_;

@@ -93,6 +93,20 @@ TEST(ContactInterface, ANotchIsFree) {
     EXPECT_GT(-force.dot(lifted), 4.4);
 }
 
+TEST(ContactInterface, LessOfTheCrackThanBetweenTwoPointsStaysOpen) {
+    const Cut cut(2.4, 2.4, 8.0 - 1e-3);
+    ContactInterface contact = cut.contact();
+    ASSERT_EQ(contact.multipliers(), 1);
+    const Eigen::VectorXd closed = cut.opened([](const Vec2&) { return Vec2(0.0, -1.0).eval(); });
+    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    coupling::WorkCounts work;
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(1);
+    const Eigen::VectorXd gap = contact.gaps_that_matter(closed, none, work);
+    EXPECT_GT(gap[0], 0.0);
+    contact.choose_statuses(none, gap);
+    EXPECT_EQ(contact.status_changes(), 0);
+}
+
 TEST(ContactInterface, AUniformGapIsSeenByEveryMultiplier) {
     const Cut cut(1.3, 4.2);
     const Vec2 normal = Vec2(1.3 - 4.2, 8.0).normalized();
