@@ -1,6 +1,7 @@
 #include "coarse/model/mesh_refinement.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 
 #include "common/fem/centre.hpp"
@@ -8,6 +9,7 @@
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
 #include "common/index_set.hpp"
+#include "common/memory.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -67,6 +69,8 @@ public:
     bool split(const std::vector<RefinedDisk>& disks) {
         const ElementSet chosen = elements_to_split(mesh_, disks);
         if (chosen.none()) return false;
+        const double elements = static_cast<double>(mesh_.elements.size()) + 3.0 * chosen.count();
+        require_memory(fmt::format("fine.refine: a mesh of {} elements", elements), elements * bytes_of_element);
         Mesh next = mesh_;
         next.elements.clear();
         next.level.clear();

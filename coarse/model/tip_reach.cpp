@@ -10,17 +10,6 @@
 namespace stria::coarse {
 namespace {
 
-double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
-    double distance = 1e300;
-    for (const auto& [name, edges] : mesh.boundary) {
-        for (const BoundaryEdge& edge : edges) {
-            const EdgeGeometry ends = edge_geometry(mesh, edge);
-            distance = std::min(distance, distance_to_segment(x, ends.from, ends.to));
-        }
-    }
-    return distance;
-}
-
 /// Where the polyline, walked from the tip, leaves the band around the tip's line: its distance from the tip.
 double straight_length(std::vector<Vec2> points, const Tip& tip, double band) {
     if (tip.upper > 0) std::ranges::reverse(points);
@@ -38,6 +27,17 @@ double straight_length(std::vector<Vec2> points, const Tip& tip, double band) {
 }
 
 }  // namespace
+
+double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
+    double distance = 1e300;
+    for (const auto& [name, edges] : mesh.boundary) {
+        for (const BoundaryEdge& edge : edges) {
+            const EdgeGeometry ends = edge_geometry(mesh, edge);
+            distance = std::min(distance, distance_to_segment(x, ends.from, ends.to));
+        }
+    }
+    return distance;
+}
 
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
                  double band) {

@@ -18,6 +18,9 @@ constexpr double bend_to_element = 0.25;
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
                  double band);
 
+/// mm.
+double distance_to_boundary(const Mesh& mesh, const Vec2& x);
+
 /// Diagonal of the element that holds a tip, mm.
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
 

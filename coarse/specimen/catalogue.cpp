@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coarse/specimen/compact_tension.hpp"
+#include "coarse/specimen/crack_rows.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
@@ -41,6 +42,20 @@ bool crosses_interior(const Vec2& from, const Vec2& to, const Body& body) {
     return enter < leave && body.holds_inside(middle);
 }
 
+/// What no mesh can tell from nothing: a crack, or what of it lies in the body, shorter than rounding lets it be.
+void require_length(const CrackSection& crack, const std::string& key, const Body& body) {
+    const double least = 1e-6 * (body.high - body.low).maxCoeff();
+    double length = 0.0;
+    for (std::size_t k = 1; k < crack.points.size(); ++k) length += (crack.points[k] - crack.points[k - 1]).norm();
+    for (const Vec2& end : {crack.points.front(), crack.points.back()})
+        if (body.holds_inside(end))
+            length = std::min({length, (end - body.low).minCoeff(), (body.high - end).minCoeff()});
+    if (length < least)
+        throw CaseError(fmt::format("{}: the crack is {:.3g} mm long in the body, less than an element at its tip can "
+                                    "be, {:.3g} mm",
+                                    key, length, least));
+}
+
 void validate(const CrackSection& crack, const std::string& key, const Body& body) {
     if (crack.points.size() < 2) throw CaseError(key + ": a crack is a polyline of two points or more");
     bool meets_body = false;
@@ -59,6 +74,7 @@ void validate(const CrackSection& crack, const std::string& key, const Body& bod
             throw CaseError(fmt::format("{}: point {} repeats the one before", key, k + 1));
         meets_body = meets_body || crosses_interior(crack.points[k - 1], point, body);
     }
+    require_length(crack, key, body);
     if (!meets_body) {
         throw CaseError(fmt::format("{}: the crack does not run through the body {}", key, text_of(body)));
     }
@@ -100,6 +116,7 @@ Mesh make_mesh(const Case& scene) {
         validate(scene.cracks[k], key, body);
         spare_insert(scene.cracks[k], key, mesh);
     }
+    move_off_bends(mesh, scene.cracks);
     return mesh;
 }
 

@@ -7,11 +7,13 @@
 
 #include "coarse/specimen/graded_axis.hpp"
 #include "common/error.hpp"
+#include "common/memory.hpp"
 
 namespace stria::coarse {
 namespace {
 
 constexpr std::size_t max_elements = 4'000'000;
+constexpr double smallest_edge = 1e-6;  // of the body: beyond, rounding of the coordinates shows
 
 void require_positive(const std::string& key, double value) {
     if (!std::isfinite(value) || value <= 0.0) {
@@ -21,6 +23,11 @@ void require_positive(const std::string& key, double value) {
 
 void validate(const Grading& grading, const std::string& key, const Body& body) {
     require_positive(key + ".size", grading.size);
+    const double least = smallest_edge * (body.high - body.low).maxCoeff();
+    if (grading.size < least) {
+        throw CaseError(
+            fmt::format("{}.size: {} mm is too small beside the body, at least {:.3g} mm", key, grading.size, least));
+    }
     if (grading.outer_size && !(std::isfinite(*grading.outer_size) && *grading.outer_size >= grading.size)) {
         throw CaseError(
             fmt::format("{}.outer_size: {} mm must be at least size = {} mm", key, *grading.outer_size, grading.size));
@@ -114,6 +121,8 @@ Mesh structured_mesh(const MeshSection& section, const Body& body) {
         throw CaseError(fmt::format("mesh.size: the mesh would have {} elements, at most {} are allowed",
                                     (xs.size() - 1) * (ys.size() - 1), max_elements));
     }
+    const auto elements = static_cast<double>((xs.size() - 1) * (ys.size() - 1));
+    require_memory(fmt::format("mesh.size: a mesh of {} elements", elements), elements * bytes_of_element);
     return grid_mesh(xs, ys);
 }
 

@@ -5,6 +5,7 @@
 
 #include "coarse/fracture/load_scale.hpp"
 #include "coarse/load/growth_schedule.hpp"
+#include "coarse/model/crack_room.hpp"
 #include "coarse/model/mesh_refinement.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/specimen.hpp"
@@ -32,6 +33,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& unrefined, const std::vec
 
 Scene refined_scene(const Case& input) {
     Scene scene = make_scene(input, make_mesh(input));
+    require_room(scene.mesh, scene.enriched, input.fine.refine);
     if (input.fine.refine == 1) return scene;
     const double way = input.growth ? planned_growth(*input.growth, input.load) : 0.0;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);

@@ -1,0 +1,67 @@
+#include "coarse/model/crack_room.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "coarse/model/tip_reach.hpp"
+#include "common/error.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr double smallest_edge = 1e-6;  // of the body
+constexpr const char* advice = "smaller elements there (mesh.grading) give it room";
+
+/// Of the part in the body, mm.
+double length_of(const EnrichedMesh& mesh, int crack) {
+    double first = 1e300, last = 0.0;
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (piece.crack != crack) continue;
+        first = std::min(first, piece.s.front());
+        last = std::max(last, piece.s.back());
+    }
+    return last - first;
+}
+
+/// Largest size of a coordinate, mm.
+double extent_of(const Mesh& mesh) {
+    double extent = 0.0;
+    for (const Vec2& node : mesh.nodes) extent = std::max(extent, node.lpNorm<Eigen::Infinity>());
+    return extent;
+}
+
+}  // namespace
+
+void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
+    const double least = smallest_edge * extent_of(mesh);
+    for (const Tip& tip : enriched.tips) {
+        const double edge = tip_element_size(enriched, tip) / (std::numbers::sqrt2 * refined);
+        const double length = length_of(enriched, tip.crack);
+        const double distance = distance_to_boundary(mesh, tip.position);
+        if (edge < least)
+            throw CaseError(fmt::format("fine.refine = {}: elements of {:.3g} mm at a tip are too small beside the "
+                                        "body, at least {:.3g} mm",
+                                        refined, edge, least));
+        if (length < edge)
+            throw CaseError(fmt::format("crack[{}].points: the crack is {:.4g} mm long in the body, less than an "
+                                        "element at its tip, {:.4g} mm; {}",
+                                        tip.crack + 1, length, edge, advice));
+        if (distance < edge)
+            throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
+                                        "less than an element, {:.4g} mm; {}",
+                                        tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
+    }
+}
+
+void require_tips(const EnrichedMesh& enriched, int cracks) {
+    for (int crack = 0; crack < cracks; ++crack) {
+        if (std::ranges::count(enriched.tips, crack, &Tip::crack) > 0) continue;
+        throw CaseError(fmt::format("crack[{}].points: the crack cuts the body in two; one of its ends must lie "
+                                    "strictly inside",
+                                    crack + 1));
+    }
+}
+
+}  // namespace stria::coarse
