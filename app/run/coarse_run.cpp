@@ -6,6 +6,7 @@
 #include "app/process/exit_code.hpp"
 #include "app/process/interruption.hpp"
 #include "app/process/version.hpp"
+#include "coarse/model/crack_room.hpp"
 #include "coarse/results/summary.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
@@ -30,18 +31,22 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
 
 coarse::Scene scene_of(const RunOptions& options, const Case& input) {
     try {
-        return coarse::refined_scene(input);
+        coarse::Scene scene = coarse::refined_scene(input);
+        coarse::require_tips(scene.enriched, static_cast<int>(input.cracks.size()));
+        return scene;
     } catch (const CaseError& error) {
         throw CaseError(fmt::format("{}: {}", options.case_path, error.what()));
     }
 }
 
 CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner)
-    : options_(options), directory_(options.output_directory), manner_(std::move(manner)),
+    : options_(options), directory_(options.output_directory), lock_(directory_), manner_(std::move(manner)),
       scene_(scene_of(options, input)), mesh_s_(seconds()),
       progress_(input.load, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
     if (options.resume) read_last_checkpoint();
-    if (!from_) std::filesystem::remove(checkpoint_path());
+    if (!from_)
+        for (const std::filesystem::path& old : {checkpoint_path(), coarse::previous_checkpoint(checkpoint_path())})
+            std::filesystem::remove(old);
     write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
 }
 
@@ -50,16 +55,25 @@ double CoarseRun::seconds() const {
 }
 
 void CoarseRun::read_last_checkpoint() {
-    if (!std::filesystem::exists(checkpoint_path())) {
+    const std::filesystem::path newest = checkpoint_path(), previous = coarse::previous_checkpoint(newest);
+    if (!std::filesystem::exists(newest) && !std::filesystem::exists(previous)) {
         progress_.note(fmt::format("{}: no checkpoint yet, the run starts from the beginning", directory_.string()));
         return;
     }
-    from_ = coarse::read_checkpoint(checkpoint_path());
+    try {
+        from_ = coarse::read_checkpoint(newest);
+    } catch (const CaseError& damage) {
+        if (!std::filesystem::exists(previous)) throw;
+        progress_.note(fmt::format("{}; the one before it serves", damage.what()));
+        from_ = coarse::read_checkpoint(previous);
+        std::filesystem::rename(previous, newest);
+    }
     coarse::check_same_case(from_->mark, mark_, from_->analysis.load);
+    coarse::forget_former_end(*from_, mark_, scene_.input.output);
     saved_ = from_->analysis.counts.increments;
     progress_.resumed(*saved_);
-    progress_.note(fmt::format("resumed from {} after increment {}, load factor {:.6g}", checkpoint_path().string(),
-                               *saved_, from_->analysis.load_factor));
+    progress_.note(fmt::format("resumed from {} after increment {}, load factor {:.6g}", newest.string(), *saved_,
+                               from_->analysis.load_factor));
 }
 
 int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine) {

@@ -9,6 +9,7 @@
 
 #include "app/run/fine_side.hpp"
 #include "app/run/progress.hpp"
+#include "app/run/run_lock.hpp"
 #include "app/run/run_options.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/checkpoint.hpp"
@@ -49,6 +50,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     const RunOptions& options_;
     std::filesystem::path directory_;
+    RunLock lock_;
     Manner manner_;
     coarse::Scene scene_;
     double mesh_s_;  // time of mesh and enrichment, s

@@ -155,7 +155,8 @@ void claim_output_directory(RunOptions& options) {
     const std::filesystem::path folder = options.output_directory;
     std::error_code problem;
     const auto exists = [&](const char* result) { return std::filesystem::exists(folder / result, problem); };
-    if (options.resume && !exists("checkpoint.h5") && read_json(folder / "summary.json").words["status"] == "done")
+    if (options.resume && !exists("checkpoint.h5") && !exists("checkpoint.previous.h5") &&
+        read_json(folder / "summary.json").words["status"] == "done")
         throw CaseError(fmt::format("{} holds a run that left no checkpoint to go on from", folder.string()));
     if (!options.force && !options.resume && (exists("summary.json") || exists("history.csv")))
         throw CaseError(fmt::format("{} holds results; --resume goes on from its checkpoint, --force overwrites them, "

@@ -57,17 +57,17 @@ void compare_texts(const std::string& then, const std::string& now) {
     }
 }
 
-std::vector<Leg> legs_of(const CaseMark& mark) {
+LoadSection load_of(const CaseMark& mark) {
     LoadSection load;
     load.blocks = mark.blocks;
     load.scale = mark.scale;
     load.repeat = mark.repeat;
-    return legs(load);
+    return load;
 }
 
 /// Up to and with the leg that the load is on.
 void compare_histories(const CaseMark& then, const CaseMark& now, std::size_t leg) {
-    const std::vector<Leg> before = legs_of(then), after = legs_of(now);
+    const std::vector<Leg> before = legs(load_of(then)), after = legs(load_of(now));
     for (std::size_t k = 0; k < std::min(leg + 1, before.size()); ++k) {
         const bool same = k < after.size() && after[k].cycle == before[k].cycle && after[k].from == before[k].from &&
                           after[k].to == before[k].to && after[k].ends_cycle == before[k].ends_cycle;
@@ -79,6 +79,8 @@ void compare_histories(const CaseMark& then, const CaseMark& now, std::size_t le
 }
 
 }  // namespace
+
+int cycles_of(const CaseMark& mark) { return cycle_count(load_of(mark)); }
 
 CaseMark mark_of(const Scene& scene) {
     const LoadSection& load = scene.input.load;

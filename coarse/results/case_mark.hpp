@@ -20,6 +20,9 @@ struct CaseMark {
 
 CaseMark mark_of(const Scene& scene);
 
+/// Of the load history of the case.
+int cycles_of(const CaseMark& mark);
+
 /// Throws CaseError, naming the first difference, where a run of the case `now` cannot go on from a checkpoint of the
 /// case `then` that was written when the load had come as far as `reached`.
 void check_same_case(const CaseMark& then, const CaseMark& now, const LoadPosition& reached);

@@ -6,6 +6,8 @@
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/archive.hpp"
+#include "common/io/sealed_file.hpp"
+#include "common/io/whole_file.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -14,19 +16,31 @@ constexpr int format = 1;  // grows with any change of the members below
 
 }  // namespace
 
+void forget_former_end(Checkpoint& checkpoint, const CaseMark& now, const OutputSection& output) {
+    if (cycles_of(checkpoint.mark) == cycles_of(now)) return;
+    if (output.faces == Written::Extremes) checkpoint.recorder.face_rows = 0;
+    if (output.fields == Written::Extremes) checkpoint.recorder.fields.clear();
+}
+
+std::filesystem::path previous_checkpoint(std::filesystem::path path) {
+    return path.replace_filename(path.stem().string() + ".previous" + path.extension().string());
+}
+
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-    hdf5::write_file(path, [&](hdf5::Group& root) {
+    const std::string image = hdf5::image_of([&](hdf5::Group& root) {
         hdf5::Saver save(root);
         save("format", format);
         save("case", checkpoint.mark);
         save("analysis", checkpoint.analysis);
         save("recorder", checkpoint.recorder);
     });
+    write_whole_text(path, sealed(image), previous_checkpoint(path));
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
     Checkpoint checkpoint;
     try {
+        check_seal(path);
         hdf5::Loader load(hdf5::read_file(path));
         int found = 0;
         load("format", found);

@@ -15,6 +15,14 @@ struct Checkpoint {
     RecorderState recorder;
 };
 
+/// Where the run ends at another cycle than when the checkpoint was written, the rows and fields of the former last one
+/// are no extremes of the last: an undisturbed run would not have written them.
+void forget_former_end(Checkpoint& checkpoint, const CaseMark& now, const OutputSection& output);
+
+/// Beside `path`: the checkpoint before the last one.
+std::filesystem::path previous_checkpoint(std::filesystem::path path);
+
+/// With a checksum. An earlier one at `path` becomes the previous one.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Throws CaseError where the file is damaged or of another version.

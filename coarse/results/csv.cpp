@@ -39,10 +39,13 @@ std::string kept_part(const std::filesystem::path& path, const std::string& head
     std::string kept, line;
     for (std::size_t lines = 0; lines <= rows; ++lines) {
         if (!std::getline(file, line) || file.eof()) {
-            throw CaseError(fmt::format("{}: cannot continue after {} rows, it has fewer", path.string(), rows));
+            throw CaseError(fmt::format("{}: cannot go on after {} rows, it has fewer; put the table back that the "
+                                        "run has left, or start anew with --force",
+                                        path.string(), rows));
         }
         kept += line + '\n';
-        if (lines == 0 && kept != header) throw CaseError(path.string() + ": cannot continue, other columns");
+        if (lines == 0 && kept != header)
+            throw CaseError(path.string() + ": cannot go on, it has other columns; start anew with --force");
     }
     return kept;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "coarse/results/json.hpp"
 #include "common/error.hpp"
@@ -34,7 +35,21 @@ FieldFormat field_format(const std::string& name) {
 }
 
 FieldWriter::FieldWriter(std::filesystem::path directory, FieldFormat format, std::vector<Step> written)
-    : directory_(std::move(directory)), format_(format), steps_(std::move(written)) {}
+    : directory_(std::move(directory)), format_(format), steps_(std::move(written)) {
+    remove_others();
+}
+
+void FieldWriter::remove_others() const {
+    std::set<std::string> known;
+    for (const Step& step : steps_) known.insert(std::filesystem::path(file_name(step.increment)).stem());
+    std::error_code no_folder;
+    std::vector<std::filesystem::path> others;
+    for (const auto& entry : std::filesystem::directory_iterator(directory_ / "fields", no_folder))
+        if (entry.path().filename().string().starts_with("step_") && !known.contains(entry.path().stem()))
+            others.push_back(entry.path());
+    for (const std::filesystem::path& file : others) std::filesystem::remove(file);
+    if (!others.empty()) write_index();
+}
 
 std::string FieldWriter::file_name(std::int64_t increment) const {
     return fmt::format("fields/step_{:05}.{}", increment, format_ == FieldFormat::VtkHdf ? "hdf" : "vtu");

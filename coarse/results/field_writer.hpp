@@ -24,7 +24,7 @@ public:
         double time;
     };
 
-    /// `written`: the steps of a run that is resumed (its files are there already).
+    /// `written`: the steps of a run that is resumed (its files are there already). Files of other steps go.
     FieldWriter(std::filesystem::path directory, FieldFormat format, std::vector<Step> written = {});
 
     /// Writes fields/step_00040.hdf (.vtu) and then fields.hdf.series (fields.pvd). Time: the increment unless told.
@@ -36,6 +36,7 @@ public:
 private:
     [[nodiscard]] std::string file_name(std::int64_t increment) const;
     void write_index() const;
+    void remove_others() const;
 
     std::filesystem::path directory_;
     FieldFormat format_;

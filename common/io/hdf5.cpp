@@ -169,18 +169,19 @@ std::string Group::read_text(const std::string& name) const {
     return text.substr(0, text.find('\0'));
 }
 
-void write_file(const std::filesystem::path& path, const std::function<void(Group&)>& fill) {
+std::string image_of(const std::function<void(Group&)>& fill) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are exceptions here, not text on stderr
-    const Group::Handle in_memory = Group::Handle::in_memory(path.string());
-    std::string image;
-    {
-        Group root(std::make_shared<const Group::Handle>(
-            H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id), H5Fclose, "create", path.string()));
-        fill(root);
-        check(H5Fflush(root.handle_->id, H5F_SCOPE_GLOBAL), "write", path.string());
-        image = root.handle_->image(path.string());
-    }
-    write_whole_text(path, image);
+    const std::string name = "image";
+    const Group::Handle in_memory = Group::Handle::in_memory(name);
+    Group root(std::make_shared<const Group::Handle>(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.id),
+                                                     H5Fclose, "create", name));
+    fill(root);
+    check(H5Fflush(root.handle_->id, H5F_SCOPE_GLOBAL), "write", name);
+    return root.handle_->image(name);
+}
+
+void write_file(const std::filesystem::path& path, const std::function<void(Group&)>& fill) {
+    write_whole_text(path, image_of(fill));
 }
 
 Group read_file(const std::filesystem::path& path) {

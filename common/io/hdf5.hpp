@@ -43,12 +43,15 @@ private:
     explicit Group(std::shared_ptr<const Handle> handle) : handle_(std::move(handle)) {}
     std::shared_ptr<const Handle> handle_;
 
-    friend void write_file(const std::filesystem::path& path, const std::function<void(Group&)>& fill);
+    friend std::string image_of(const std::function<void(Group&)>& fill);
     friend Group read_file(const std::filesystem::path& path);
 };
 
-/// Makes a file by filling its root group; it is there whole or not at all. It is made in memory: the library cannot
-/// let go of a file that a full disk refuses. Throws FileFailure.
+/// The bytes of a file, made in memory by filling its root group: the library cannot let go of a file of its own that a
+/// full disk refuses.
+std::string image_of(const std::function<void(Group&)>& fill);
+
+/// The file is there whole or not at all. Throws FileFailure.
 void write_file(const std::filesystem::path& path, const std::function<void(Group&)>& fill);
 
 /// Root group of an existing file, for reading.

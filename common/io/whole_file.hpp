@@ -14,6 +14,8 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
 /// Waits until the disk holds what a file has. Throws FileFailure.
 void sync_file(const std::filesystem::path& path);
 
-void write_whole_text(const std::filesystem::path& path, std::string_view text);
+/// `earlier`: where to keep the file that was there; nowhere unless told.
+void write_whole_text(const std::filesystem::path& path, std::string_view text,
+                      const std::filesystem::path& earlier = {});
 
 }  // namespace stria

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "app/run/run_files.hpp"
 #include "common/index.hpp"
@@ -147,6 +148,55 @@ TEST_F(Resumed, WithMoreCycles) {
     ASSERT_EQ(run_program("stria", command(output, {"--mode", "inprocess"}, fewer), folder / "log"), 0);
     EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 0) << text_of(folder / "log");
     expect_same_tables(output, undisturbed);
+}
+
+// Extremes of what was the last cycle are none of the longer run.
+TEST(ResumedLonger, HasTheFilesOfTheUndisturbedRun) {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& output, const char* cycles, const Words& more) {
+        const std::string blocks = std::string("load.blocks=[{cycles=") + cycles + ", max=50.0, ratio=-1.0}]";
+        return run_program("stria",
+                           command(folder / output, more, {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", blocks}),
+                           folder / "log");
+    };
+    const auto files = [&](const std::string& output) {
+        std::set<std::string> names;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / output))
+            names.insert(std::filesystem::relative(entry.path(), folder / output).string());
+        names.erase("checkpoint.previous.h5");
+        return names;
+    };
+    ASSERT_EQ(run("whole", "3", {"--mode", "inprocess"}), 0);
+    ASSERT_EQ(run("longer", "2", {"--mode", "inprocess"}), 0);
+    ASSERT_NE(files("longer"), files("whole"));
+    ASSERT_EQ(run("longer", "3", {"--mode", "inprocess", "--resume"}), 0) << text_of(folder / "log");
+    EXPECT_EQ(files("longer"), files("whole"));
+    expect_same_tables(folder / "longer", folder / "whole");
+    EXPECT_EQ(text_of(folder / "longer/fields.hdf.series"), text_of(folder / "whole/fields.hdf.series"));
+}
+
+TEST_F(Resumed, FromTheCheckpointBeforeADamagedOne) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 55, {"--mode", "inprocess"}), 130);
+    const std::string newest = output + "/checkpoint.h5", previous = output + "/checkpoint.previous.h5";
+    ASSERT_TRUE(std::filesystem::exists(previous));
+    {
+        std::fstream file(newest, std::ios::binary | std::ios::in | std::ios::out);
+        file.seekp(static_cast<std::streamoff>(std::filesystem::file_size(newest) / 2));
+        const char bit = static_cast<char>(file.peek() ^ 1);
+        file.put(bit);
+    }
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 0) << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("is damaged, its checksum is another one; the one before it serves"),
+              std::string::npos)
+        << text_of(folder / "log");
+    expect_same_tables(output, undisturbed);
+}
+
+TEST_F(Resumed, NamesTheRemedyWhereATableIsShorter) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 33, {"--mode", "inprocess"}), 130);
+    std::filesystem::resize_file(output + "/history.csv", 1000);
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 2);
+    EXPECT_NE(text_of(folder / "log").find("start anew with --force"), std::string::npos) << text_of(folder / "log");
 }
 
 TEST_F(Resumed, AfterTheNumbersFailed) {

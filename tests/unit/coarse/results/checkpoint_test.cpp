@@ -118,6 +118,48 @@ TEST(Checkpoint, IsRefusedWhereItIsDamaged) {
     EXPECT_THROW((void)read_checkpoint(folder / "nothing"), CaseError);
 }
 
+TEST(Checkpoint, IsRefusedWithOneBitThatIsAnother) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "checkpoint.h5";
+    write_checkpoint(path, some_checkpoint());
+    const std::string whole = test::text_of(path);
+    for (std::size_t k = 0; k < 160; ++k) {
+        std::string damaged = whole;
+        damaged[k * whole.size() / 160] ^= static_cast<char>(1 << (k % 8));
+        std::ofstream(path, std::ios::binary) << damaged;
+        EXPECT_NE(complaint([&] { (void)read_checkpoint(path); }).find("is damaged"), std::string::npos) << k;
+    }
+}
+
+TEST(Checkpoint, LeavesTheOneBefore) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "checkpoint.h5";
+    Checkpoint checkpoint = some_checkpoint();
+    write_checkpoint(path, checkpoint);
+    EXPECT_FALSE(std::filesystem::exists(previous_checkpoint(path)));
+    checkpoint.analysis.increment = 58;
+    write_checkpoint(path, checkpoint);
+    EXPECT_EQ(read_checkpoint(path).analysis.increment, 58);
+    EXPECT_EQ(previous_checkpoint(path), folder / "checkpoint.previous.h5");
+    EXPECT_EQ(read_checkpoint(previous_checkpoint(path)).analysis.increment, 57);
+}
+
+TEST(Checkpoint, ForgetsExtremesOfACycleThatIsNoLongerTheLast) {
+    OutputSection output{.faces = Written::Extremes, .fields = Written::Cycles};
+    Checkpoint checkpoint = some_checkpoint();
+    checkpoint.recorder.face_rows = 9;
+    CaseMark longer = checkpoint.mark;
+    forget_former_end(checkpoint, longer, output);
+    EXPECT_EQ(checkpoint.recorder.face_rows, 9U);
+    longer.repeat += 1;
+    forget_former_end(checkpoint, longer, output);
+    EXPECT_EQ(checkpoint.recorder.face_rows, 0U);
+    EXPECT_EQ(checkpoint.recorder.fields.size(), 2U);
+    output.fields = Written::Extremes;
+    forget_former_end(checkpoint, longer, output);
+    EXPECT_TRUE(checkpoint.recorder.fields.empty());
+}
+
 class SameCase : public testing::Test {
 protected:
     static CaseMark mark(std::vector<std::string> settings = {}) {

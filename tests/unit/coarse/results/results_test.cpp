@@ -231,6 +231,13 @@ TEST_F(Fields, ContinueAResumedSeries) {
     EXPECT_EQ(writer.steps().back().increment, 20);
 }
 
+TEST_F(Fields, OfStepsThatAreNoneOfTheSeriesGo) {
+    FieldWriter(folder, FieldFormat::VtkHdf).write(10, two_cells());
+    FieldWriter writer(folder, FieldFormat::VtkHdf, {{20, 20.0}});
+    EXPECT_FALSE(std::filesystem::exists(folder / "fields/step_00010.hdf"));
+    EXPECT_EQ(text_of("fields.hdf.series").find("step_00010"), std::string::npos);
+}
+
 TEST_F(Fields, AreVtuFilesInACollection) {
     FieldWriter writer(folder, FieldFormat::Vtu);
     writer.write(5, two_cells());

@@ -1,0 +1,42 @@
+#include "common/io/sealed_file.hpp"
+
+#include <cstdint>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+#include "common/io/file_failure.hpp"
+
+namespace stria {
+namespace {
+
+constexpr std::size_t block_size = 512;  // the smallest user block
+
+/// FNV-1a. No change of a single byte keeps it: each step is one to one in the state and in the byte.
+std::uint64_t checksum(std::string_view bytes) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
+    return hash;
+}
+
+std::string block_of(std::string_view content) {
+    std::string block =
+        fmt::format("FNV-1a of the {} bytes behind this block: {:016x}\n", content.size(), checksum(content));
+    block.resize(block_size, '\0');
+    return block;
+}
+
+}  // namespace
+
+std::string sealed(std::string_view content) { return block_of(content).append(content); }
+
+void check_seal(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw FileFailure(path.string() + ": cannot be read");
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string_view whole = bytes;
+    if (whole.size() <= block_size || whole.substr(0, block_size) != block_of(whole.substr(block_size)))
+        throw FileFailure(path.string() + ": is damaged, its checksum is another one");
+}
+
+}  // namespace stria
