@@ -8,7 +8,7 @@
 namespace stria::coarse {
 
 double hoop_stress_angle(double K_I, double K_II) {
-    if (std::abs(K_II) < 0.005 * std::abs(K_I)) return 0.0;
+    if (std::abs(K_II) <= 0.005 * std::abs(K_I)) return 0.0;  // no field at all has no direction either
     const double ratio = K_I / K_II;
     return 2.0 * std::atan(0.25 * (ratio - std::copysign(std::sqrt(ratio * ratio + 8.0), K_II)));
 }

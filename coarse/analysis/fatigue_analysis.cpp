@@ -8,6 +8,16 @@
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// Where forces drive a body that yields, its limit load may be what is in the way.
+std::string limit_load_hint(const Scene& scene) {
+    const bool may_have = scene.input.material.yield_stress && !scene.unit_force.isZero(0.0);
+    if (!may_have || scene.input.load.control != Control::Load) return "";
+    return "; if the body bears no more, load.control = \"displacement\" goes past its limit load";
+}
+
+}  // namespace
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
@@ -82,13 +92,19 @@ NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
     if (!controller_.cut()) {
-        throw NumericalFailure(fmt::format(
-            "increment {} (cycle {}) towards {}: {} after {} halvings; the last converged "
-            "one is {}, load factor {:.6g}",
-            effort_.counts.increments + 1, step.cycle, to_text(step.target), report.failure, controller_.max_cuts(),
-            to_text({step.target.control, controller_.reached()}), model_.load_factor()));
+        throw NumericalFailure(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}{}",
+                                           effort_.counts.increments + 1, step.cycle, to_text(step.target),
+                                           report.failure, controller_.max_cuts(), last_converged(step.target),
+                                           limit_load_hint(body_.scene())));
     }
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
+}
+
+std::string FatigueAnalysis::last_converged(const Target& target) const {
+    if (effort_.counts.increments == 0) return "no increment has converged before it";
+    const std::string reached = to_text({target.control, controller_.reached()});
+    if (target.control == Control::Load) return "the last converged one reached " + reached;
+    return fmt::format("the last converged one reached {} at load factor {:.6g}", reached, model_.load_factor());
 }
 
 // The proof that "elastic outside the zone" held (docs/method.md, section 8).

@@ -42,6 +42,7 @@ private:
     [[nodiscard]] std::optional<NewtonReport> solve_equilibrium(const LoadStep& step);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
+    [[nodiscard]] std::string last_converged(const Target& target) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
