@@ -1,6 +1,8 @@
 // How runs end that cannot go well: the exit code of the README and one line that says why.
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/small_disk.hpp"
@@ -45,6 +47,71 @@ TEST_F(ExitCode, NamesAFolderThatCannotBeMade) {
     EXPECT_EQ(run({"--mode", "inprocess", "-o", folder / "file/out"}), 5);
     EXPECT_TRUE(says("file/out: the folder of results cannot be made or written to")) << said();
 }
+
+TEST_F(ExitCode, OfASecondRunInTheFolder) {
+    Words longer = quick;
+    longer[3] = "load.steps=400";
+    Words words{"run", shipped_sent, "-o", output, "--mode", "inprocess"};
+    for (const std::string& setting : longer) words.insert(words.end(), {"--set", setting});
+    Program first("stria", words, folder / "first");
+    for (int k = 0; k < 2000 && !std::filesystem::exists(output + "/history.csv"); ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (const char* mode : {"inprocess", "mpi"}) {
+        EXPECT_EQ(run({"--force", "--mode", mode}), 2);
+        EXPECT_TRUE(says("another run is writing into this folder")) << said();
+    }
+    kill(first.pid(), SIGTERM);
+    EXPECT_EQ(first.wait(std::chrono::seconds(60)), 130);
+}
+
+TEST_F(ExitCode, OfATooLargeCase) {
+    rlimit before{};
+    getrlimit(RLIMIT_AS, &before);
+    const rlimit small{rlim_t{1} << 29U, before.rlim_max};
+    setrlimit(RLIMIT_AS, &small);
+    EXPECT_EQ(run({"--mode", "inprocess", "--set", "fine.subcells=64"}), 2) << said();
+    setrlimit(RLIMIT_AS, &before);
+    EXPECT_TRUE(says("fine.subcells: a zone of")) << said();
+}
+
+// The notch ends where the crack's last element has no point of integration behind it.
+TEST_F(ExitCode, IsZeroWithANotchUpToTheTip) {
+    const double tip = 20.0;
+    for (const double gap : {0.0, 1e-3, 1e-2})
+        EXPECT_EQ(run({"--mode", "inprocess", "--force", "--set", "crack.0.notch=" + std::to_string(tip - gap)}), 0)
+            << said();
+}
+
+// The row of elements that the crack would lie on moves.
+TEST_F(ExitCode, IsZeroForACrackThatBendsBesideARow) {
+    const Words words{
+        "check", shipped_sent,      "--set", "mesh.size=5.0",
+        "--set", "mesh.grading=[]", "--set", "crack.0.points=[[0.0, 100.0], [12.0, 100.0], [22.0, 107.0]]"};
+    EXPECT_EQ(run_program("stria", words, folder / "log"), 0) << said();
+}
+
+class Refused : public ExitCode, public testing::WithParamInterface<std::pair<const char*, const char*>> {};
+
+TEST_P(Refused, WithOneSentence) {
+    const auto [setting, sentence] = GetParam();
+    for (const char* command : {"run", "check"}) {
+        Words words{command, shipped_sent, "--set", mesh_at_tip(0.3), "--set", "mesh.size=10.0", "--set", setting};
+        if (std::string_view(command) == "run") words.insert(words.end(), {"-o", output, "--mode", "inprocess"});
+        EXPECT_EQ(run_program("stria", words, folder / "log"), 2) << said();
+        EXPECT_TRUE(says(sentence)) << said();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Input, Refused,
+    testing::Values(
+        std::pair{"crack.0.points=[[0.0, 100.0], [50.0, 100.0]]", "crack[1].points: the crack cuts the body in two"},
+        std::pair{"crack.0.points=[[0.0, 100.0], [0.1, 100.0]]", "less than an element at its tip"},
+        std::pair{"crack.0.points=[[0.0, 100.0], [1e-308, 100.0]]", "less than an element at its tip"},
+        std::pair{"crack.0.points=[[0.0, 100.0], [49.0, 100.0]]", "mm from the boundary, less than an element"},
+        std::pair{"mesh.grading.0.size=1e-9", "is too small beside the body"},
+        std::pair{"fine.refine=4096", "fine.refine = 4096: elements of"},
+        std::pair{"load.scale=5e-324", "beyond all use"}));
 
 }  // namespace
 }  // namespace stria::test
