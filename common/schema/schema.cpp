@@ -9,9 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
-
 namespace stria::schema {
-
 namespace {
 
 constexpr std::size_t longest_excerpt = 60;  // characters of a value in an error text

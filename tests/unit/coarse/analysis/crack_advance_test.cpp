@@ -37,6 +37,7 @@ TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
     }
     EXPECT_NEAR(hoop_stress_angle(0.0, 1.0) / degree, -70.5288, 1e-4);
     EXPECT_EQ(hoop_stress_angle(1.0, 0.004), 0.0);
+    EXPECT_EQ(hoop_stress_angle(0.0, 0.0), 0.0);  // no ring has seen a field
 }
 
 }  // namespace
