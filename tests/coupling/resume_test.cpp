@@ -198,8 +198,8 @@ private:
 
 TEST_P(Resume, StopsWhereItMatters) {
     const coarse::AnalysisState& state = left(1);
-    EXPECT_GE(state.increment, GetParam().stop);
-    EXPECT_LT(state.increment, whole(1).increments.back().number);
+    EXPECT_GE(state.counts.increments, GetParam().stop);
+    EXPECT_LT(state.counts.increments, whole(1).increments.back().number);
     const std::string name = GetParam().name;
     EXPECT_EQ(state.zone.points.empty(), name == "Elastic");
     if (name == "Halved") {
