@@ -210,7 +210,7 @@ TEST_P(Resume, StopsWhereItMatters) {
         EXPECT_TRUE(std::ranges::any_of(state.zone.multipliers, &coupling::MultiplierSnapshot::closed));
     }
     if (name == "Extended") {
-        EXPECT_GT(state.extensions, 0);
+        EXPECT_GT(state.counts.zone_extensions, 0);
         EXPECT_NE(whole(1).increments.back().zone.points, whole(1).increments.at(14).zone.points);
     }
     if (name == "Growing") {
