@@ -191,8 +191,8 @@ private:
 
 TEST_P(Resume, StopsWhereItMatters) {
     const coarse::AnalysisState& state = left(1);
-    EXPECT_GE(state.increment, GetParam().stop);
-    EXPECT_LT(state.increment, whole(1).increments.back().number);
+    EXPECT_GE(state.counts.increments, GetParam().stop);
+    EXPECT_LT(state.counts.increments, whole(1).increments.back().number);
     const std::string name = GetParam().name;
     EXPECT_EQ(state.zone.points.empty(), name == "Elastic");
     if (name == "Halved") {
@@ -203,7 +203,7 @@ TEST_P(Resume, StopsWhereItMatters) {
         EXPECT_TRUE(std::ranges::any_of(state.zone.multipliers, &coupling::MultiplierSnapshot::closed));
     }
     if (name == "Extended") {
-        EXPECT_GT(state.extensions, 0);
+        EXPECT_GT(state.counts.zone_extensions, 0);
         EXPECT_NE(whole(1).increments.back().zone.points, whole(1).increments.at(14).zone.points);
     }
     if (name == "Growing") {
