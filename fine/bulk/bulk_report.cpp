@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stria::fine {
 namespace {
@@ -13,6 +14,8 @@ template <class Visit> void for_each_point(const Bulk& bulk, const Visit& visit)
         for (std::size_t q = 0; q < points.size(); ++q) visit(e, q, points[q]);
     }
 }
+
+void raise(double& largest, double value) { largest = std::max(largest, value); }
 
 }  // namespace
 
@@ -43,22 +46,22 @@ void add_to(RingSums& rings, const Bulk& bulk) {
     }
 }
 
-double plastic_reach(const Bulk& bulk, const Tip& tip) {
-    double largest = 0.0;
+std::vector<PlasticExtent> plastic_extents(const Bulk& bulk) {
+    const std::vector<Tip>& tips = bulk.elements().mesh().tips;
+    std::vector<PlasticExtent> extents(tips.size());
+    if (tips.empty()) return extents;
     for_each_point(bulk, [&](int e, std::size_t q, const IntegrationPoint& point) {
-        if (bulk.history().accumulated(e, q) > 0.0) largest = std::max(largest, (point.x - tip.position).norm());
-    });
-    return largest;
-}
-
-double plastic_extent(const Bulk& bulk, const Tip& tip, double half_angle) {
-    double largest = 0.0;
-    for_each_point(bulk, [&](int e, std::size_t q, const IntegrationPoint& point) {
+        if (bulk.history().accumulated(e, q) == 0.0) return;
+        const auto distance = [&](const Tip& tip) { return (point.x - tip.position).norm(); };
+        const auto own = at(std::ranges::min_element(tips, {}, distance) - tips.begin());
+        PlasticExtent& extent = extents[own];
+        const TipPolar polar = tip_polar(tips[own], point.x, 0);
+        raise(extent.ever, polar.r);
         if (!bulk.history().is_plastic(e, q)) return;
-        const TipPolar polar = tip_polar(tip, point.x, 0);
-        if (std::abs(polar.theta) <= half_angle) largest = std::max(largest, polar.r);
+        raise(extent.zone, polar.r);
+        if (std::abs(polar.theta) <= std::numbers::pi / 12.0) raise(extent.axis, polar.r);
     });
-    return largest;
+    return extents;
 }
 
 double force_ahead(const Bulk& bulk, const Tip& tip, double radius) {

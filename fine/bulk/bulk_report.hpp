@@ -14,12 +14,15 @@ namespace stria::fine {
 /// Adds the committed bulk's share to the domain integrals of a tip.
 void add_to(RingSums& rings, const Bulk& bulk);
 
-/// Largest distance from the tip to a point that has ever yielded, mm.
-[[nodiscard]] double plastic_reach(const Bulk& bulk, const Tip& tip);
+/// How far plasticity reaches from a tip. A point belongs to the tip that is nearest to it, and to no other one.
+struct PlasticExtent {
+    double ever = 0.0;  // largest distance of a point that has ever yielded, mm
+    double zone = 0.0;  // of one that has yielded in this half cycle, mm
+    double axis = 0.0;  // of these, within 15 degrees of the line ahead, mm
+};
 
-/// Largest distance from the tip to a point that has yielded in this half cycle, mm; among those whose angle to the
-/// line ahead is at most `half_angle`.
-[[nodiscard]] double plastic_extent(const Bulk& bulk, const Tip& tip, double half_angle);
+/// Of the committed state, one per tip of the mesh.
+[[nodiscard]] std::vector<PlasticExtent> plastic_extents(const Bulk& bulk);
 
 /// Integral of the normal stress, across the line ahead, over the sector of 45 degrees to either side within a radius
 /// (mm) of the tip, N; of the trial state.

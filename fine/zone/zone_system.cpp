@@ -243,13 +243,14 @@ Vec2 ZoneSystem::jump(const FaceStation& station) const {
 void ZoneSystem::report_tips(coupling::StepReport& report) const {
     const auto tips = patch_.mesh.tips.size();
     report.tips.resize(tips);
+    const std::vector<PlasticExtent> extents = plastic_extents(*bulk_);
     for (std::size_t t = 0; t < tips; ++t) {
         const Tip& tip = patch_.mesh.tips[t];
         report.tips[t].CTOD = opening_at_intercept(
             patch_.mesh, tip, [&](const FaceStation& station) { return jump(station).dot(station.normal); });
-        report.tips[t].plastic_zone = plastic_extent(*bulk_, tip, std::numbers::pi);
-        report.tips[t].plastic_zone_axis = plastic_extent(*bulk_, tip, std::numbers::pi / 12.0);
-        report.tips[t].plastic_reach = plastic_reach(*bulk_, tip);
+        report.tips[t].plastic_zone = extents[t].zone;
+        report.tips[t].plastic_zone_axis = extents[t].axis;
+        report.tips[t].plastic_reach = extents[t].ever;
     }
 }
 

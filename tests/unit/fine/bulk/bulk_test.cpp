@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "common/index.hpp"
@@ -98,6 +99,24 @@ TEST(Bulk, TangentIsTheDerivativeOfTheForce) {
         EXPECT_GT(yielding(bulk), bulk.history().points() / 4);
         EXPECT_LT((times_tangent(bulk, v) - difference).norm(), 1e-6 * difference.norm()) << seed;
         bulk.commit(false);
+    }
+}
+
+// An inner crack from tip to tip in a plate of 9 x 5 that has yielded everywhere: to the left of the middle a tip sees
+// no point farther off than the corner, to the right the other one.
+TEST(Bulk, PlasticPointsBelongToTheNearestTip) {
+    const Case inner = plate_case({{2.3, 2.4}, {6.7, 2.6}});
+    const EnrichedMesh mesh = plate_mesh(9, 5, inner);
+    ASSERT_EQ(mesh.tips.size(), 2U);
+    Bulk bulk = make_bulk(mesh, inner);
+    bulk.evaluate(random_vector(mesh.unknowns, 4e-2, 1));
+    bulk.commit(false);
+    for (const fine::PlasticExtent& extent : plastic_extents(bulk)) {
+        EXPECT_GT(extent.zone, 3.0);
+        EXPECT_LT(extent.zone, std::hypot(2.3, 2.6));
+        EXPECT_DOUBLE_EQ(extent.ever, extent.zone);
+        EXPECT_LT(extent.axis, 2.4);
+        EXPECT_GT(extent.axis, 1.8);
     }
 }
 
