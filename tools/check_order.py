@@ -24,6 +24,10 @@ ORDER = {
         "substructure",
     ],
     "coupling": [".", "transport", "ranks"],
+    "coarse": [
+        "load", "specimen", "model", "structure", "fracture", "equilibrium", "zone", "analysis", "results",
+    ],
+    "fine": ["material", "growth", "bulk", "contact", "zone"],
     "app": ["process", "run", "charts", "study", "."],
 }
 
