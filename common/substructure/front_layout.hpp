@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "common/geometry/vec2.hpp"
+#include "common/substructure/substructure.hpp"
 
 namespace stria {
 
-enum class Symmetry { Symmetric, General };
 
 struct FrontLayout {
     int unknowns = 0;                                // numbered 0..unknowns-1
