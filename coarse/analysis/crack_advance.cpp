@@ -1,6 +1,7 @@
 #include "coarse/analysis/crack_advance.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "common/index.hpp"
@@ -23,13 +24,24 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
         (at_end ? crack.points.back() : crack.points.front()) = next;
 }
 
-std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
-                                        const std::vector<Tip>& tips, const std::vector<TipResult>& nominal,
-                                        const std::vector<double>& advance_by) {
+std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
+                                 std::vector<TipResult> nominal, const std::vector<TipResult>& reached) {
     for (std::size_t t = 0; t < nominal.size(); ++t) {
+        const std::optional<ContactSection>& contact = cracks[at(tips[t].crack)].contact;
+        if (!contact || contact->friction == 0.0) continue;
+        nominal[t].K_I = std::max(reached[t].K_I, 0.0);  // closed faces leave the rounding of one
+        nominal[t].K_II = reached[t].K_II;
+    }
+    return nominal;
+}
+
+std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
+                                        const std::vector<Tip>& tips, const std::vector<TipResult>& directing,
+                                        const std::vector<double>& advance_by) {
+    for (std::size_t t = 0; t < directing.size(); ++t) {
         if (advance_by[t] == 0.0) continue;
         const bool straight = direction == GrowthDirection::Straight;
-        const double angle = straight ? 0.0 : hoop_stress_angle(nominal[t].K_I, nominal[t].K_II);
+        const double angle = straight ? 0.0 : hoop_stress_angle(directing[t].K_I, directing[t].K_II);
         advance(cracks[at(tips[t].crack)], tips[t], Eigen::Rotation2Dd(angle) * tips[t].direction, advance_by[t]);
     }
     return cracks;

@@ -16,11 +16,16 @@ namespace stria::coarse {
 /// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
 
-/// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `nominal` and `advance_by`:
-/// one per tip.
+/// What tells each tip its direction: the nominal K, of faces without tractions; where faces have friction, the K of
+/// the solution that has been reached, which knows the shear that they transmit. One per tip each.
+[[nodiscard]] std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
+                                               std::vector<TipResult> nominal, const std::vector<TipResult>& reached);
+
+/// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `directing` and
+/// `advance_by`: one per tip.
 [[nodiscard]] std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
                                                       const std::vector<Tip>& tips,
-                                                      const std::vector<TipResult>& nominal,
+                                                      const std::vector<TipResult>& directing,
                                                       const std::vector<double>& advance_by);
 
 }  // namespace stria::coarse

@@ -13,13 +13,15 @@ namespace stria::coarse {
 bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
 
 std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_factor,
-                                         const std::vector<CycleResult>& last) {
+                                         const std::vector<TipResult>& reached, const std::vector<CycleResult>& last) {
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     std::unique_ptr<Scene> longer;
     if (!is_over(nominal, load_factor, last))
-        longer = scene_of(present, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
-                                                 nominal, advances(growth_, last, nominal.size())));
+        longer =
+            scene_of(present, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
+                                            directing(present.input.cracks, present.enriched.tips, nominal, reached),
+                                            advances(growth_, last, nominal.size())));
     ended_ = !longer;
     return longer;
 }

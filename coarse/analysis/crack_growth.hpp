@@ -20,10 +20,11 @@ public:
 
     [[nodiscard]] bool is_due(const LoadStep& reached) const;
 
-    /// The scene with each tip advanced by the law, from what it went through in the `last` cycle (one per tip). Null
-    /// where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack would leave the body or
-    /// meet another one.
+    /// The scene with each tip advanced by the law, from what it went through in the `last` cycle, in the direction
+    /// that the tips `reached` give (one per tip each). Null where growth ends the run: no tip is driven, a limit of
+    /// [growth] is reached, or a crack would leave the body or meet another one.
     [[nodiscard]] std::unique_ptr<Scene> next(const CrackedBody& body, double load_factor,
+                                              const std::vector<TipResult>& reached,
                                               const std::vector<CycleResult>& last);
 
     /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before.

@@ -150,6 +150,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     increment.opening_changes = std::move(changes);
     increment.closed = closure_.commit(report);
     for (const TipResult& tip : body_.nominal()) increment.nominal_K.push_back(tip.K_I);
+    reached_tips_ = increment.tips;
     note_flowing_rings(increment);
     cycle_meter_.add(increment);
     if (step.ends_cycle) end_cycle(increment);
@@ -175,7 +176,7 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 
 // Figure 3: (a) the cracks are longer; (b) at constant load the body finds equilibrium with them.
 void FatigueAnalysis::grow(const LoadStep& reached) {
-    std::unique_ptr<Scene> longer = growth_->next(body_, model_.load_factor(), last_cycle_);
+    std::unique_ptr<Scene> longer = growth_->next(body_, model_.load_factor(), reached_tips_, last_cycle_);
     if (!longer) return;
     model_.lengthen_cracks(std::move(longer));
     controller_.set_scale(body_.load_scale());

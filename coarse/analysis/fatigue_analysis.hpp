@@ -57,6 +57,7 @@ private:
     LoadController controller_;
     ClosureMeasurement closure_;
     CycleMeter cycle_meter_;
+    std::vector<TipResult> reached_tips_;  // of the last increment
     std::vector<CycleResult> last_cycle_;  // one per tip, of the last cycle that ended
     std::optional<CrackGrowth> growth_;
     TwoScaleModel model_;
