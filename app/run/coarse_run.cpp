@@ -12,6 +12,7 @@
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/whole_file.hpp"
+#include "common/memory.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria {
@@ -31,6 +32,8 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
 
 coarse::Scene scene_of(const RunOptions& options, const Case& input) {
     try {
+        // OpenBLAS tries without end to get its buffer of 128 MB.
+        require_memory("linear algebra", 2e8);
         coarse::Scene scene = coarse::refined_scene(input);
         coarse::require_tips(scene.enriched, static_cast<int>(input.cracks.size()));
         return scene;

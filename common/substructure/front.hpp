@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "common/substructure/front_layout.hpp"
+#include "common/substructure/substructure.hpp"
 
 namespace stria {
 

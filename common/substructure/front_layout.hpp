@@ -4,10 +4,8 @@
 #include <vector>
 
 #include "common/geometry/vec2.hpp"
-#include "common/substructure/substructure.hpp"
 
 namespace stria {
-
 
 struct FrontLayout {
     int unknowns = 0;                                // numbered 0..unknowns-1
@@ -16,7 +14,6 @@ struct FrontLayout {
     std::vector<Vec2> centres;                       // per element, mm: what is bisected
     std::vector<int> boundary;                       // unknowns kept to the root, in this order
     int leaf_elements = 12;
-    Symmetry symmetry = Symmetry::Symmetric;  // General: partial LU with pivoting inside the eliminated block
 };
 
 }  // namespace stria

@@ -37,12 +37,11 @@ void SeamTree::set_tangent(std::size_t part, CondensedTangent tangent) {
 
 bool SeamTree::factor() {
     if (std::ranges::none_of(changed_, [](char changed) { return changed != 0; })) return false;
-    tree_->factor(
-        [&](int part) {
-            const auto& [matrix, symmetry] = tangents_[at(part)];
-            return FrontTree::ElementMatrix{matrix, symmetry};
-        },
-        changed_);
+    const auto tangent_of = [&](int part) {
+        const auto& [matrix, symmetry] = tangents_[at(part)];
+        return FrontTree::ElementMatrix{matrix, symmetry};
+    };
+    tree_->factor(tangent_of, changed_);
     std::ranges::fill(changed_, static_cast<char>(0));
     return true;
 }

@@ -61,14 +61,17 @@ TEST_F(ExitCode, OfASecondRunInTheFolder) {
     EXPECT_EQ(first.wait(std::chrono::seconds(60)), 130);
 }
 
-TEST_F(ExitCode, OfATooLargeCase) {
+TEST_F(ExitCode, OfTooLittleMemory) {
     rlimit before{};
     getrlimit(RLIMIT_AS, &before);
-    const rlimit small{rlim_t{1} << 29U, before.rlim_max};
-    setrlimit(RLIMIT_AS, &small);
-    EXPECT_EQ(run({"--mode", "inprocess", "--set", "fine.subcells=64"}), 2) << said();
-    setrlimit(RLIMIT_AS, &before);
-    EXPECT_TRUE(says("fine.subcells: a zone of")) << said();
+    for (const auto& [bytes, what] : {std::pair{rlim_t{1} << 29U, "fine.subcells: a zone of"},
+                                      std::pair{rlim_t{150'000'000}, "linear algebra would take"}}) {
+        const rlimit small{bytes, before.rlim_max};
+        setrlimit(RLIMIT_AS, &small);
+        EXPECT_EQ(run({"--mode", "inprocess", "--force", "--set", "fine.subcells=64"}), 2) << said();
+        setrlimit(RLIMIT_AS, &before);
+        EXPECT_TRUE(says(what)) << said();
+    }
 }
 
 // The notch ends where the crack's last element has no point of integration behind it.
