@@ -178,8 +178,7 @@ private:
         const auto& nodes = mesh_.elements[at(piece.element)];
         const double diagonal = (mesh_.nodes[at(nodes[2])] - mesh_.nodes[at(nodes[0])]).norm();
         const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * diagonal);
-        // Beyond some twenty elements a larger disk costs more than it gains.
-        if (!tip_enrichment_.radius) return std::min(0.75 * reach, 20.0 * diagonal);
+        if (!tip_enrichment_.radius) return std::min(0.75 * reach, tip_enrichment_.most_diagonals * diagonal);
         if (*tip_enrichment_.radius <= reach) return *tip_enrichment_.radius;
         throw CaseError(fmt::format(
             "fine.enrichment_radius: {} mm is too large for the tip at ({}, {}): the boundary, "
@@ -202,6 +201,7 @@ TipEnrichment choose_enrichment(const Case& input) {
     const TipEnrichment topological{6, 1.0 / (input.fine.enrichment_n.value_or(1.0) + 1.0)};
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, input.fine.enrichment_radius};
+    const TipEnrichment near_sliding{4, 0.5, TipSupport::Nodal, {}, 1.6};
     switch (input.fine.enrichment) {
     case Enrichment::None:
         return none;
@@ -215,6 +215,7 @@ TipEnrichment choose_enrichment(const Case& input) {
         break;
     }
     if (input.material.yield_stress) return single;
+    if (has_friction(input)) return near_sliding;
     return needs_fine(input) ? topological : geometrical;
 }
 

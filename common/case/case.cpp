@@ -10,4 +10,9 @@ bool needs_fine(const Case& scene) {
     return scene.material.yield_stress || contact || scene.fine.refine > 1 || scene.fine.radius;
 }
 
+bool has_friction(const Case& scene) {
+    return std::ranges::any_of(
+        scene.cracks, [](const CrackSection& crack) { return crack.contact && crack.contact->friction > 0.0; });
+}
+
 }  // namespace stria

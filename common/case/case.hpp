@@ -203,4 +203,7 @@ struct Case {
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);
 
+/// The faces of some crack have friction.
+bool has_friction(const Case& scene);
+
 }  // namespace stria

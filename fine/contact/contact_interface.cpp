@@ -160,9 +160,16 @@ double ContactInterface::dissipated(const Eigen::VectorXd& before, const Eigen::
                                     const Jumps& jumps) const {
     double sum = 0.0;
     for (const int k : operators_.with_shear()) {
-        if (!slides(k)) continue;
-        const double bound = 0.5 * operators_.friction(k) * (std::max(before[k], 0.0) + after[k]);
-        sum += operators_.weight(k) * bound * std::abs(jumps.slip[k]);
+        const double pressure = std::max(before[k], 0.0), slip = std::abs(jumps.slip[k]);
+        double pressure_times_slip = 0.0;
+        if (slides(k)) {
+            pressure_times_slip = 0.5 * (pressure + after[k]) * slip;
+        } else if (!is_closed(status_[at(k)]) && fine::slides(committed_status_[at(k)]) && pressure > 0.0) {
+            // They slid on until they lost touch: over that share of the way at whose end p - c g, linear, is none.
+            const double touching = pressure / (pressure + augmentation_[k] * jumps.gap[k]);
+            pressure_times_slip = 0.5 * pressure * touching * slip * touching;
+        }
+        sum += operators_.weight(k) * operators_.friction(k) * pressure_times_slip;
     }
     return sum;
 }

@@ -72,7 +72,8 @@ public:
     /// Tractions as the statuses want them, to the last digit: none where faces are open, the bound where they slide.
     void clean(Eigen::VectorXd& traction) const;
 
-    /// What sliding has dissipated on the way from one state to the next, N per mm of thickness: mean bound times slip.
+    /// What sliding has dissipated on the way from one state to the next, N per mm of thickness: mean bound times slip,
+    /// as far as the faces touched.
     [[nodiscard]] double dissipated(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                                     const Jumps& jumps) const;
 

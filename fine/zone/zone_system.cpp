@@ -34,9 +34,11 @@ std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {
 }
 
 IntegrationRule ZoneSystem::rule() const {
+    // Of elastic elements around a tip that slides: points without a history, so that there may be many.
+    const bool dense = !input_.material.yield_stress && has_friction(input_);
     return {.subcells = input_.fine.subcells,
-            .gauss = 2,
-            .tip_points = 4,
+            .gauss = dense ? 6 : 2,
+            .tip_points = dense ? 10 : 4,
             .mean_dilatation = mean_dilatation(input_.material, elastic_)};
 }
 

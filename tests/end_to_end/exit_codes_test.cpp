@@ -47,7 +47,7 @@ TEST_F(ExitCode, NamesAFolderThatCannotBeMade) {
 
 TEST_F(ExitCode, OfASecondRunInTheFolder) {
     Words longer = quick;
-    longer[3] = "load.steps=400";
+    longer[3] = "load.steps=4000";
     Words words{"run", shipped_sent, "-o", output, "--mode", "inprocess"};
     for (const std::string& setting : longer) words.insert(words.end(), {"--set", setting});
     Program first("stria", words, folder / "first");

@@ -42,7 +42,7 @@ struct Snapshot {
                 gradient.push_back(point.gradient);
         }
         first_point.push_back(points);
-        for (const FaceStation& station : system.contact().stations()) faces.push_back(station.x);
+        for (const FaceStation& station : system.contact().operators().stations()) faces.push_back(station.x);
     }
 
     [[nodiscard]] Vec2 jump(const Vec2& x) const {

@@ -10,8 +10,8 @@
 #include <iostream>
 #include <random>
 
-#include "coarse/model/scene.hpp"
 #include "coarse/structure/structure.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "fine/contact/contact_interface.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -25,7 +25,7 @@ coarse::Scene cut_square(int n, double left, double right) {
     input.fine.enrichment = Enrichment::None;
     input.cracks[0].contact = ContactSection{0.3};
     input.boundaries = {at_end("top", End::Clamped, 1.0), at_end("bottom", End::Clamped, -1.0)};
-    return coarse::make_scene(input);
+    return coarse::refined_scene(input);
 }
 
 /// Stiffness with the held unknowns taken out.

@@ -43,7 +43,9 @@ TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
 TEST(CrackAdvance, CracksWithFrictionGoWhereTheSolutionReachedSays) {
     const std::vector<CrackSection> cracks{{.points = {}, .contact = ContactSection{0.0}},
                                            {.points = {}, .contact = ContactSection{0.3}}};
-    const std::vector<Tip> tips{{.crack = 0}, {.crack = 1}};
+    std::vector<Tip> tips(2);
+    tips[0].crack = 0;
+    tips[1].crack = 1;
     const std::vector<TipResult> nominal{{.K_I = 1.0, .K_II = 2.0}, {.K_I = 1.0, .K_II = 2.0}};
     const std::vector<TipResult> reached{{.K_I = 5.0, .K_II = 6.0}, {.K_I = -1e-9, .K_II = 0.5}};
     const std::vector<TipResult> chosen = directing(cracks, tips, nominal, reached);

@@ -101,9 +101,9 @@ TEST(ContactInterface, LessOfTheCrackThanBetweenTwoPointsStaysOpen) {
     contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
     coupling::WorkCounts work;
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(1);
-    const Eigen::VectorXd gap = contact.gaps_that_matter(closed, none, work);
-    EXPECT_GT(gap[0], 0.0);
-    contact.choose_statuses(none, gap);
+    const ContactInterface::Jumps jumps = contact.jumps_that_matter(closed, none, work);
+    EXPECT_GT(jumps.gap[0], 0.0);
+    contact.choose_statuses(none, jumps);
     EXPECT_EQ(contact.status_changes(), 0);
 }
 
