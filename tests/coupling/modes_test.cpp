@@ -279,6 +279,10 @@ TEST_F(Programs, ThreeProgramsGrowACrackAsOneDoes) {
     expect_same_tables(run("mpi", "2", growing_scene), run("inprocess", "2", growing_scene));
 }
 
+TEST_F(Programs, ThreeProgramsSlideAsOneDoes) {
+    expect_same_tables(run("mpi", "2", sliding_scene), run("inprocess", "2", sliding_scene));
+}
+
 TEST_F(Programs, MonolithicLeavesTheSameColumnsToRounding) {
     const auto one = columns_of(text_of(run("inprocess") + "/history.csv"));
     const auto whole = columns_of(text_of(run("monolithic") + "/history.csv"));

@@ -68,6 +68,13 @@ const Scenery sliding{"Sliding",
                        "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
                       31};
 
+/// The same crack while it grows: what has slid is on functions that the next tip freezes.
+const Scenery sliding_growing{"SlidingGrowing",
+                              {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+                               "crack.0.points=[[0.0, 80.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
+                               "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
+                              27};
+
 /// Half way of an increment that was halved.
 const Scenery halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
@@ -221,8 +228,8 @@ TEST_P(Resume, StopsWhereItMatters) {
 TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
-                         testing::Values(still, again, sliding, extended, growing, small, within, halved, displaced,
-                                         elastic),
+                         testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,
+                                         halved, displaced, elastic),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -245,7 +252,7 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
     expect_same_to_rounding(2, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing),
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, sliding_growing),
                          testing::PrintToStringParamName());
 
 }  // namespace
