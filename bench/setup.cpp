@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "bench/sizes.hpp"
+#include "coarse/fields/field_writer.hpp"
+#include "coarse/fields/zone_fields.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/model/enrichment.hpp"
 #include "coarse/model/scene.hpp"
-#include "coarse/results/field_writer.hpp"
-#include "coarse/results/zone_fields.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/structure/structure.hpp"
 #include "common/linear/sparse_lu.hpp"

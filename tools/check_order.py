@@ -25,7 +25,7 @@ ORDER = {
     ],
     "coupling": [".", "transport", "ranks"],
     "coarse": [
-        "load", "specimen", "model", "structure", "fracture", "equilibrium", "zone", "analysis", "results",
+        "load", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
     "app": ["process", "run", "charts", "study", "."],

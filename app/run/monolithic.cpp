@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "coarse/elements/support_forces.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
-#include "coarse/structure/support_forces.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/index.hpp"
 #include "common/linear/sparse_lu.hpp"

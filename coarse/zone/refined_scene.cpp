@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "coarse/fracture/load_scale.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/mesh_refinement.hpp"
@@ -37,7 +37,7 @@ Scene refined_scene(const Case& input) {
     if (input.fine.refine == 1) return scene;
     const double way = input.growth ? planned_growth(*input.growth, input.load) : 0.0;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
-    if (!input.fine.radius) K_I = largest_K_I(input.load, solve_nominal(scene), way);
+    if (!input.fine.radius) K_I = largest_K_I(input.load, unit_response(solve_nominal(scene)), way);
     return make_scene(input, refine(scene.mesh, disks_about_tips(scene, K_I, way)));
 }
 

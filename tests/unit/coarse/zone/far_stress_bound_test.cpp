@@ -1,12 +1,12 @@
 // The bound of the far stresses: never below them, close where it has learnt, and of use where the guard asks for it.
-#include "coarse/structure/far_stress_bound.hpp"
+#include "coarse/zone/far_stress_bound.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "coarse/structure/structure_stresses.hpp"
 #include "coarse/zone/refined_scene.hpp"
+#include "coarse/zone/structure_stresses.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/pulled_plate.hpp"
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace stria::coarse {
+namespace stria {
 
 /// A JSON value to be written; objects keep the order of their members. Numbers that are not finite become null.
 class Json {
@@ -44,4 +44,4 @@ struct Json::Member {
 /// The file is written whole or not at all.
 void write_json(const std::filesystem::path& path, const Json& value);
 
-}  // namespace stria::coarse
+}  // namespace stria

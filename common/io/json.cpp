@@ -1,11 +1,11 @@
-#include "coarse/results/json.hpp"
+#include "common/io/json.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 
 #include "common/io/whole_file.hpp"
 
-namespace stria::coarse {
+namespace stria {
 namespace {
 
 std::string escaped(const std::string& text) {
@@ -77,4 +77,4 @@ std::string Json::text() const {
 
 void write_json(const std::filesystem::path& path, const Json& value) { write_whole_text(path, value.text()); }
 
-}  // namespace stria::coarse
+}  // namespace stria

@@ -1,10 +1,10 @@
-#include "coarse/structure/far_stress_bound.hpp"
+#include "coarse/zone/far_stress_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "coarse/structure/structure_stresses.hpp"
+#include "coarse/zone/structure_stresses.hpp"
 
 namespace stria::coarse {
 namespace {

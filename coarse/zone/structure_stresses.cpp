@@ -1,4 +1,4 @@
-#include "coarse/structure/structure_stresses.hpp"
+#include "coarse/zone/structure_stresses.hpp"
 
 #include <algorithm>
 #include <limits>

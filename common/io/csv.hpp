@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace stria::coarse {
+namespace stria {
 
 /// A value of a table. Nothing, and a number that is not finite, leave the cell empty.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
@@ -42,4 +42,4 @@ private:
     std::ofstream file_;
 };
 
-}  // namespace stria::coarse
+}  // namespace stria

@@ -1,4 +1,4 @@
-#include "coarse/results/csv.hpp"
+#include "common/io/csv.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 
-namespace stria::coarse {
+namespace stria {
 namespace {
 
 /// Quoted where a comma, a quote or a line break would end the cell (RFC 4180).
@@ -84,4 +84,4 @@ void CsvWriter::write_line(const std::string& line) {
     bytes_ += line.size();
 }
 
-}  // namespace stria::coarse
+}  // namespace stria

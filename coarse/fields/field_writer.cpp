@@ -1,12 +1,12 @@
-#include "coarse/results/field_writer.hpp"
+#include "coarse/fields/field_writer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "coarse/results/json.hpp"
 #include "common/error.hpp"
+#include "common/io/json.hpp"
 #include "common/io/whole_file.hpp"
 
 namespace stria::coarse {

@@ -1,4 +1,4 @@
-#include "coarse/results/vtk_files.hpp"
+#include "coarse/fields/vtk_files.hpp"
 
 #include <bit>
 #include <fmt/format.h>

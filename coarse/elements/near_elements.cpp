@@ -1,4 +1,4 @@
-#include "coarse/structure/near_elements.hpp"
+#include "coarse/elements/near_elements.hpp"
 
 #include <algorithm>
 #include <cmath>

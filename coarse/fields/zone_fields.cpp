@@ -1,4 +1,4 @@
-#include "coarse/results/zone_fields.hpp"
+#include "coarse/fields/zone_fields.hpp"
 
 #include <algorithm>
 #include <map>

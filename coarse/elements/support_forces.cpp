@@ -1,6 +1,6 @@
-#include "coarse/structure/support_forces.hpp"
+#include "coarse/elements/support_forces.hpp"
 
-#include "coarse/structure/elastic_force.hpp"
+#include "coarse/elements/elastic_force.hpp"
 
 namespace stria::coarse {
 

@@ -1,7 +1,7 @@
 // Forces of the coarse elements at the supports. Supports are the prescribed unknowns of a scene.
 #pragma once
 
-#include "coarse/structure/coarse_elements.hpp"
+#include "coarse/elements/coarse_elements.hpp"
 
 namespace stria::coarse {
 

@@ -1,6 +1,6 @@
-#include "coarse/structure/coarse_elements.hpp"
+#include "coarse/elements/coarse_elements.hpp"
 
-#include "coarse/structure/elastic_force.hpp"
+#include "coarse/elements/elastic_force.hpp"
 #include "common/index_lists.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/results/vtk_files.hpp"
+#include "coarse/fields/vtk_files.hpp"
 
 namespace stria::coarse {
 

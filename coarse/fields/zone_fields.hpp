@@ -1,7 +1,7 @@
 // Structure and zone as one grid for ParaView: the crack visibly open, cut elements split along it.
 #pragma once
 
-#include "coarse/results/vtk_files.hpp"
+#include "coarse/fields/vtk_files.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
 
