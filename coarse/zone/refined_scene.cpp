@@ -32,7 +32,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& unrefined, const std::vec
 }  // namespace
 
 Scene refined_scene(const Case& input) {
-    Scene scene = make_scene(input, make_mesh(input));
+    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks));
     require_room(scene.mesh, scene.enriched, input.fine.refine);
     if (input.fine.refine == 1) return scene;
     const double way = input.growth ? planned_growth(*input.growth, input.load) : 0.0;

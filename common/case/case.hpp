@@ -202,8 +202,9 @@ struct Case {
 
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);
+bool needs_fine(const FineSection& fine, const MaterialSection& material, const std::vector<CrackSection>& cracks);
 
-/// The faces of some crack have friction.
-bool has_friction(const Case& scene);
+/// Some faces have friction.
+bool has_friction(const std::vector<CrackSection>& cracks);
 
 }  // namespace stria

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 #include "common/io/hdf5.hpp"
 #include "tests/support/small_disk.hpp"

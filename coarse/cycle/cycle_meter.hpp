@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coarse/analysis/increment.hpp"
+#include "coarse/cycle/increment.hpp"
 
 namespace stria::coarse {
 

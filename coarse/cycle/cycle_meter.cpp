@@ -1,9 +1,9 @@
-#include "coarse/analysis/cycle_meter.hpp"
+#include "coarse/cycle/cycle_meter.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "coarse/analysis/compliance_offset.hpp"
+#include "coarse/cycle/compliance_offset.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "coarse/analysis/closure_meter.hpp"
-#include "coarse/analysis/cycle_result.hpp"
+#include "coarse/cycle/closure_meter.hpp"
+#include "coarse/cycle/cycle_result.hpp"
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"

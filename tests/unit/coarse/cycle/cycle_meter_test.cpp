@@ -1,5 +1,5 @@
 // Cycles from the increments that make them.
-#include "coarse/analysis/cycle_meter.hpp"
+#include "coarse/cycle/cycle_meter.hpp"
 
 #include <gtest/gtest.h>
 

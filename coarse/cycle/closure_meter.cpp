@@ -1,4 +1,4 @@
-#include "coarse/analysis/closure_meter.hpp"
+#include "coarse/cycle/closure_meter.hpp"
 
 #include <algorithm>
 #include <cmath>

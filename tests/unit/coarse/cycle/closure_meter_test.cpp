@@ -1,5 +1,5 @@
 // Where contact comes and goes between two states, found by trying.
-#include "coarse/analysis/closure_meter.hpp"
+#include "coarse/cycle/closure_meter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coarse/analysis/compliance_offset.hpp"
+#include "coarse/cycle/compliance_offset.hpp"
 
 #include <cmath>
 #include <cstddef>
