@@ -66,7 +66,7 @@ TEST_F(WholeFile, KeepsTheOldOneWhenWritingFails) {
                  NumericalFailure);
     EXPECT_EQ(test::text_of(folder / "f"), "old");
     EXPECT_FALSE(std::filesystem::exists(folder / "f.part"));
-    EXPECT_THROW(write_whole_text(folder / "no" / "f", "x"), FileFailure);
+    EXPECT_THROW(write_whole_text(folder / "no/f", "x"), FileFailure);
 }
 
 }  // namespace
