@@ -1,4 +1,4 @@
-// The table of a study: one row a variant.
+// The table of a study: one row per variant.
 #pragma once
 
 #include <string>

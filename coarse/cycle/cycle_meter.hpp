@@ -37,7 +37,7 @@ public:
     /// Every increment, the one that ends a cycle included.
     void add(const Increment& increment);
 
-    /// The cycle that the last increment has ended, one result a tip.
+    /// The cycle that the last increment has ended, one result per tip.
     std::vector<CycleResult> finish();
 
     [[nodiscard]] const CycleMemory& memory() const { return now_; }

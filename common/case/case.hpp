@@ -1,4 +1,4 @@
-// A case as the user writes it (docs/case-reference.md), one struct a section. Units N, mm, MPa throughout.
+// A case as the user writes it (docs/case-reference.md), one struct per section. Units N, mm, MPa throughout.
 // Keys, units, ranges and sentences are declared once, in body_schema, load_schema and method_schema.
 #pragma once
 

@@ -1,5 +1,5 @@
-// A pack of neighbouring points as one small array, a row a point and a column a component: laws are written once, as
-// for one point, and the compiler gives each row a lane of its vector registers.
+// A pack of neighbouring points as one small array, a row per point and a column per component: laws are written once,
+// as for one point, and the compiler gives each row a lane of its vector registers.
 #pragma once
 
 #include <Eigen/Core>
