@@ -9,7 +9,7 @@ namespace stria::coarse {
 
 /// What a load history asks of the nominal body (nominal_solution.hpp), at the load factor 1.
 struct UnitResponse {
-    std::vector<double> K_I;            // MPa sqrt(mm), one per tip
+    std::vector<double> K_I = {};       // MPa sqrt(mm), one per tip
     double mean_displacement = 0.0;     // of the loaded boundary along its direction, mm
     double largest_displacement = 0.0;  // largest magnitude of a component, mm
 };
