@@ -16,11 +16,11 @@
 #include <vector>
 
 #include "bench/sizes.hpp"
+#include "coarse/fields/field_writer.hpp"
+#include "coarse/fields/zone_fields.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/model/enrichment.hpp"
 #include "coarse/model/scene.hpp"
-#include "coarse/results/field_writer.hpp"
-#include "coarse/results/zone_fields.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/structure/structure.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -83,11 +83,13 @@ Measurement measure(int elements) {
     coarse::Scene scene;
     scene.input = plate(elements);
     scene.elastic = elasticity_of(scene.input.material, scene.input.model.plane);
-    scene.mesh = coarse::make_mesh(scene.input);
+    scene.mesh = coarse::make_mesh(scene.input.mesh, scene.input.cracks);
     scene.loads = coarse::resolve_boundaries(scene.mesh, scene.input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
     lap();
-    scene.enriched = coarse::enrich(scene.mesh, scene.input.cracks, coarse::choose_enrichment(scene.input));
+    scene.enriched =
+        coarse::enrich(scene.mesh, scene.input.cracks,
+                       coarse::choose_enrichment(scene.input.fine, scene.input.material, scene.input.cracks));
     coarse::put_loads_on_unknowns(scene);
     lap();
     const coarse::Structure structure(scene);

@@ -103,7 +103,7 @@ struct EnergyReport {
 /// After commit.
 struct StepReport {
     std::vector<TipReport> tips;
-    std::vector<RingReport> rings;       // one a ring of the patch
+    std::vector<RingReport> rings;       // one per ring of the patch
     std::vector<FaceSample> faces;       // ordered by crack and s
     std::vector<double> contact_length;  // per crack, mm
     std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN

@@ -14,8 +14,8 @@ LINES = 300
 FILES = 20
 
 # Folders in which rooms include one another one way, and folders without a source or a sub-folder that is too large.
-ROOMS_ONE_WAY = ["app", "coupling", "common"]
-SMALL = ["app", "coupling", "common"]
+ROOMS_ONE_WAY = ["app", "coarse", "fine", "coupling", "common"]
+SMALL = ["app", "coarse", "fine", "coupling", "common"]
 
 # Sub-folders from the ground up: each includes only those left of it. "." holds the loose files.
 ORDER = {
@@ -25,7 +25,7 @@ ORDER = {
     ],
     "coupling": [".", "transport", "ranks"],
     "coarse": [
-        "load", "specimen", "model", "structure", "fracture", "equilibrium", "zone", "analysis", "results",
+        "load", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "cycle", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
     "app": ["process", "run", "charts", "study", "."],

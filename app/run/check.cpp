@@ -5,7 +5,6 @@
 
 #include "app/run/coarse_run.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
-#include "coarse/fracture/load_scale.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
 
@@ -22,7 +21,7 @@ void print_handbook(const coarse::NominalSolution& nominal) {
 }
 
 void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
-    const double largest = coarse::largest_load_factor(scene.input.load, nominal);
+    const double largest = coarse::largest_load_factor(scene.input.load, coarse::unit_response(nominal));
     std::vector<double> K_I;
     for (const coarse::TipResult& tip : nominal.tips) {
         K_I.push_back(tip.K_I * largest);

@@ -174,7 +174,7 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
                       .checkpoint = checkpoint_s_,
                       .total = seconds()};
     summary.last = recorder.last_rows();
-    coarse::write_json(directory_ / "summary.json", coarse::to_json(summary));
+    write_json(directory_ / "summary.json", coarse::to_json(summary));
 }
 
 }  // namespace stria

@@ -13,7 +13,7 @@ namespace stria {
 
 class FineSide {
 public:
-    /// All ranks live in this process. `input` must outlive this.
+    /// All ranks live in this process.
     FineSide(const Case& input, int ranks);
 
     /// Each peer of the session is one rank.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "coarse/elements/support_forces.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
-#include "coarse/structure/support_forces.hpp"
+#include "coarse/equilibrium/zone_residual.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/index.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -61,17 +61,9 @@ public:
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
             if (held_[at(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
         }
-        result.interior = response.interior_residual;
-        result.contact = response.contact_residual;
-        result.scale = std::max((load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff(), response.interior_force);
+        result.scale = (load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff();
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
-        result.yielding_points =
-            std::reduce(response.digest.yielding_points.begin(), response.digest.yielding_points.end());
-        result.closed =
-            static_cast<int>(std::ranges::count_if(response.digest.status, [](auto status) { return status != 0; }));
-        result.status_changes = response.digest.status_changes;
-        result.contact_reach = response.digest.contact_reach;
-        result.force_ahead = response.digest.force_ahead;
+        coarse::add_zone(result, response);
         return result;
     }
 

@@ -57,7 +57,7 @@ Outcome reference_of(const Plan& plan, const Row& variant) {
 }
 
 void write_table(const Plan& plan, const std::filesystem::path& folder) {
-    coarse::CsvWriter table(folder / "study.csv", columns(plan.axes, plan.with_errors));
+    CsvWriter table(folder / "study.csv", columns(plan.axes, plan.with_errors));
     for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
 }
 

@@ -25,8 +25,8 @@ std::vector<std::string> columns(const std::vector<Axis>& axes, bool with_errors
     return names;
 }
 
-std::vector<coarse::Cell> cells(const Row& row, bool with_errors) {
-    std::vector<coarse::Cell> line = {std::int64_t{row.number}};
+std::vector<Cell> cells(const Row& row, bool with_errors) {
+    std::vector<Cell> line = {std::int64_t{row.number}};
     for (const Setting& setting : row.settings) line.emplace_back(setting.value);
     line.emplace_back(row.outcome.status);
     line.emplace_back(std::int64_t{row.outcome.exit_code});

@@ -1,4 +1,4 @@
-// The table of a study: one row a variant.
+// The table of a study: one row per variant.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 #include "app/study/grid.hpp"
 #include "app/study/outcome.hpp"
-#include "coarse/results/csv.hpp"
+#include "common/io/csv.hpp"
 
 namespace stria::study {
 
@@ -24,6 +24,6 @@ struct Row {
 
 /// Header and cells of study.csv; the columns of errors only if there is a reference.
 std::vector<std::string> columns(const std::vector<Axis>& axes, bool with_errors);
-std::vector<coarse::Cell> cells(const Row& row, bool with_errors);
+std::vector<Cell> cells(const Row& row, bool with_errors);
 
 }  // namespace stria::study

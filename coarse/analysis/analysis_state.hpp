@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "coarse/analysis/cycle_meter.hpp"
+#include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"

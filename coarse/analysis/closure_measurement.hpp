@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "coarse/analysis/closure_meter.hpp"
+#include "coarse/cycle/closure_meter.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "coarse/fracture/load_scale.hpp"
+#include "coarse/load/load_scale.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -73,7 +73,9 @@ bool CrackedBody::has_zone() const { return !structure_->in_zone().none(); }
 // Of the first tip.
 double CrackedBody::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
 
-double CrackedBody::load_scale() const { return target_of_unit(scene_->input.load, nominal_, grown()); }
+double CrackedBody::load_scale() const {
+    return target_of_unit(scene_->input.load, stress_intensities(nominal_), grown());
+}
 
 bool CrackedBody::knows_far_body() const { return factors_.far && factors_.far->far() == far_; }
 
@@ -113,7 +115,7 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     // A far body that was there before: the guard knows how it answers.
     NominalSolution nominal = known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
     nominal_ = nominal.tips;
-    largest_K_I_ = stria::coarse::largest_K_I(scene.input.load, nominal, grown());
+    largest_K_I_ = stria::coarse::largest_K_I(scene.input.load, unit_response(nominal), grown());
     nominal_displacement_ = known ? Eigen::VectorXd() : std::move(nominal.displacement);
     return std::move(nominal.structure);
 }

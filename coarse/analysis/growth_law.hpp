@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coarse/analysis/cycle_result.hpp"
+#include "coarse/cycle/cycle_result.hpp"
 #include "common/case/case.hpp"
 
 namespace stria::coarse {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "coarse/analysis/increment.hpp"
+#include "coarse/cycle/increment.hpp"
 #include "coarse/structure/structure.hpp"
 
 namespace stria::coarse {

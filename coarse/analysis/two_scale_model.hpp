@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "coarse/analysis/closure_meter.hpp"
 #include "coarse/analysis/cracked_body.hpp"
+#include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"
 #include "coarse/zone/yield_guard.hpp"

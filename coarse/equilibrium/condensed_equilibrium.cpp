@@ -1,8 +1,8 @@
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "coarse/equilibrium/zone_residual.hpp"
 #include "common/error.hpp"
 #include "common/linear/dense_cholesky.hpp"
 #include "common/stopwatch.hpp"
@@ -86,16 +86,7 @@ Residual CondensedEquilibrium::linearise() {
     if (!response_.same_tangent) zone_tangent_ = std::move(response_.tangent);
     residual_ -= on_free(response_.force);
     result.boundary = largest(residual_);
-    result.interior = response_.interior_residual;
-    result.contact = response_.contact_residual;
-    result.scale = std::max(result.scale, response_.interior_force);
-    result.yielding_points =
-        std::reduce(response_.digest.yielding_points.begin(), response_.digest.yielding_points.end());
-    result.closed =
-        static_cast<int>(std::ranges::count_if(response_.digest.status, [](auto status) { return status != 0; }));
-    result.status_changes = response_.digest.status_changes;
-    result.contact_reach = response_.digest.contact_reach;
-    result.force_ahead = response_.digest.force_ahead;
+    add_zone(result, response_);
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
     const double tolerance = scene_.input.solver.tolerance, left = result.largest() / result.scale;
     settled_below_ = response_.same_tangent ? 0.0 : tolerance * result.scale;

@@ -17,4 +17,16 @@ NominalSolution solve_nominal_near(std::unique_ptr<Structure> body) {
 
 NominalSolution solve_nominal(const Scene& scene) { return solve_nominal(std::make_unique<Structure>(scene)); }
 
+std::vector<double> stress_intensities(const std::vector<TipResult>& tips) {
+    std::vector<double> K_I;
+    for (const TipResult& tip : tips) K_I.push_back(tip.K_I);
+    return K_I;
+}
+
+UnitResponse unit_response(const NominalSolution& nominal) {
+    return {.K_I = stress_intensities(nominal.tips),
+            .mean_displacement = nominal.structure->loads().mean_displacement().per_load_factor,
+            .largest_displacement = nominal.displacement.lpNorm<Eigen::Infinity>()};
+}
+
 }  // namespace stria::coarse

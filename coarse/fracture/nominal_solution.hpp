@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/load/load_scale.hpp"
 #include "coarse/structure/structure.hpp"
 
 namespace stria::coarse {
@@ -23,5 +24,10 @@ struct NominalSolution {
 
 /// Condenses the whole body for it. `scene` must outlive the solution.
 [[nodiscard]] NominalSolution solve_nominal(const Scene& scene);
+
+[[nodiscard]] std::vector<double> stress_intensities(const std::vector<TipResult>& tips);  // K_I, one per tip
+
+/// What scales a load history.
+[[nodiscard]] UnitResponse unit_response(const NominalSolution& nominal);
 
 }  // namespace stria::coarse

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "coarse/structure/coarse_elements.hpp"
+#include "coarse/elements/coarse_elements.hpp"
 #include "common/fracture/domain_integral.hpp"
 #include "common/index_lists.hpp"
 

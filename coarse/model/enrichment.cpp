@@ -196,13 +196,14 @@ private:
 
 }  // namespace
 
-TipEnrichment choose_enrichment(const Case& input) {
+TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& material,
+                                const std::vector<CrackSection>& cracks) {
     const TipEnrichment none{0, 0.5}, single{1, 0.5};
-    const TipEnrichment topological{6, 1.0 / (input.fine.enrichment_n.value_or(1.0) + 1.0)};
+    const TipEnrichment topological{6, 1.0 / (fine.enrichment_n.value_or(1.0) + 1.0)};
     // Four of the six span the singular fields of elasticity.
-    const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, input.fine.enrichment_radius};
+    const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, fine.enrichment_radius};
     const TipEnrichment near_sliding{4, 0.5, TipSupport::Nodal, {}, 1.6};
-    switch (input.fine.enrichment) {
+    switch (fine.enrichment) {
     case Enrichment::None:
         return none;
     case Enrichment::Single:
@@ -214,9 +215,9 @@ TipEnrichment choose_enrichment(const Case& input) {
     case Enrichment::Auto:
         break;
     }
-    if (input.material.yield_stress) return single;
-    if (has_friction(input)) return near_sliding;
-    return needs_fine(input) ? topological : geometrical;
+    if (material.yield_stress) return single;
+    if (has_friction(cracks)) return near_sliding;
+    return needs_fine(fine, material, cracks) ? topological : geometrical;
 }
 
 EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {

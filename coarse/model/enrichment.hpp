@@ -25,7 +25,8 @@ struct TipEnrichment {
 /// `auto`: within a fixed radius where nothing yields or touches; six functions with n = 1 of the tip's element where
 /// faces may touch; two elements around it where they have friction, which turns errors of the pressure at the tip into
 /// errors of K_II; the single function with plasticity (docs/method.md, section 2).
-TipEnrichment choose_enrichment(const Case& input);
+TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& material,
+                                const std::vector<CrackSection>& cracks);
 
 /// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError
 /// for cracks that the mesh cannot hold.

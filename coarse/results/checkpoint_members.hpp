@@ -6,7 +6,6 @@
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/results/case_mark.hpp"
-#include "coarse/results/checkpoint.hpp"
 #include "coarse/results/run_recorder.hpp"
 #include "coupling/transport/zone_snapshot_members.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "coarse/analysis/closure_meter.hpp"
-#include "coarse/analysis/increment.hpp"
+#include "coarse/cycle/closure_meter.hpp"
+#include "coarse/cycle/increment.hpp"
 #include "coarse/results/tables.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "coarse/fields/zone_fields.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/results/rows.hpp"
-#include "coarse/results/zone_fields.hpp"
 #include "common/io/whole_file.hpp"
 #include "common/stopwatch.hpp"
 

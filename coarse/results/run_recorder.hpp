@@ -6,12 +6,12 @@
 #include <functional>
 #include <optional>
 
-#include "coarse/analysis/closure_meter.hpp"
-#include "coarse/analysis/increment.hpp"
+#include "coarse/cycle/closure_meter.hpp"
+#include "coarse/cycle/increment.hpp"
+#include "coarse/fields/field_writer.hpp"
 #include "coarse/model/boundary_conditions.hpp"
-#include "coarse/results/csv.hpp"
-#include "coarse/results/field_writer.hpp"
 #include "coarse/results/tables.hpp"
+#include "common/io/csv.hpp"
 
 namespace stria::coarse {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "coarse/results/json.hpp"
 #include "coarse/results/tables.hpp"
 #include "coarse/structure/coarse_effort.hpp"
+#include "common/io/json.hpp"
 
 namespace stria::coarse {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/results/csv.hpp"
+#include "common/io/csv.hpp"
 
 namespace stria::coarse {
 

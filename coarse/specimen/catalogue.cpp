@@ -107,16 +107,16 @@ const Specimen& find_specimen(std::string_view name) {
         fmt::format("mesh.specimen: \"{}\" is not in the catalogue, available: {}", name, fmt::join(names, ", ")));
 }
 
-Mesh make_mesh(const Case& scene) {
-    const Specimen& specimen = find_specimen(scene.mesh.specimen);
-    Mesh mesh = specimen.mesh(scene.mesh);
-    const Body body = specimen.body(scene.mesh);
-    for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
+Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks) {
+    const Specimen& specimen = find_specimen(section.specimen);
+    Mesh mesh = specimen.mesh(section);
+    const Body body = specimen.body(section);
+    for (std::size_t k = 0; k < cracks.size(); ++k) {
         const std::string key = fmt::format("crack[{}].points", k + 1);
-        validate(scene.cracks[k], key, body);
-        spare_insert(scene.cracks[k], key, mesh);
+        validate(cracks[k], key, body);
+        spare_insert(cracks[k], key, mesh);
     }
-    move_off_bends(mesh, scene.cracks);
+    move_off_bends(mesh, cracks);
     return mesh;
 }
 

@@ -39,6 +39,6 @@ const Specimen& find_specimen(std::string_view name);
 
 /// Mesh of the case's specimen. Validates the mesh section and that every crack meets the body and spares the inserts
 /// around pins; throws CaseError.
-Mesh make_mesh(const Case& scene);
+Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks);
 
 }  // namespace stria::coarse

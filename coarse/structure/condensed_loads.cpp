@@ -1,6 +1,6 @@
 #include "coarse/structure/condensed_loads.hpp"
 
-#include "coarse/structure/support_forces.hpp"
+#include "coarse/elements/support_forces.hpp"
 
 namespace stria::coarse {
 namespace {

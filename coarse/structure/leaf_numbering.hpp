@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "coarse/structure/coarse_elements.hpp"
+#include "coarse/elements/coarse_elements.hpp"
 #include "coarse/structure/far_body.hpp"
 #include "common/index_lists.hpp"
 

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "coarse/structure/coarse_elements.hpp"
+#include "coarse/elements/coarse_elements.hpp"
+#include "coarse/elements/near_elements.hpp"
 #include "coarse/structure/condensed_loads.hpp"
 #include "coarse/structure/far_body.hpp"
 #include "coarse/structure/leaf_numbering.hpp"
-#include "coarse/structure/near_elements.hpp"
 #include "coarse/structure/near_factor.hpp"
 #include "common/substructure/stacked_leaf.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "coarse/fracture/load_scale.hpp"
+#include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/mesh_refinement.hpp"
@@ -32,12 +32,12 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& unrefined, const std::vec
 }  // namespace
 
 Scene refined_scene(const Case& input) {
-    Scene scene = make_scene(input, make_mesh(input));
+    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks));
     require_room(scene.mesh, scene.enriched, input.fine.refine);
     if (input.fine.refine == 1) return scene;
     const double way = input.growth ? planned_growth(*input.growth, input.load) : 0.0;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
-    if (!input.fine.radius) K_I = largest_K_I(input.load, solve_nominal(scene), way);
+    if (!input.fine.radius) K_I = largest_K_I(input.load, unit_response(solve_nominal(scene)), way);
     return make_scene(input, refine(scene.mesh, disks_about_tips(scene, K_I, way)));
 }
 

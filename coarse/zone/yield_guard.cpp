@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "coarse/structure/structure_stresses.hpp"
+#include "coarse/zone/structure_stresses.hpp"
 
 namespace stria::coarse {
 namespace {

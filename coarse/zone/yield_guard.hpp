@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "coarse/equilibrium/equilibrium.hpp"
-#include "coarse/structure/far_stress_bound.hpp"
+#include "coarse/zone/far_stress_bound.hpp"
 
 namespace stria::coarse {
 

@@ -4,15 +4,17 @@
 
 namespace stria {
 
-bool needs_fine(const Case& scene) {
+bool needs_fine(const Case& scene) { return needs_fine(scene.fine, scene.material, scene.cracks); }
+
+bool needs_fine(const FineSection& fine, const MaterialSection& material, const std::vector<CrackSection>& cracks) {
     const bool contact =
-        std::ranges::any_of(scene.cracks, [](const CrackSection& crack) { return crack.contact.has_value(); });
-    return scene.material.yield_stress || contact || scene.fine.refine > 1 || scene.fine.radius;
+        std::ranges::any_of(cracks, [](const CrackSection& crack) { return crack.contact.has_value(); });
+    return material.yield_stress || contact || fine.refine > 1 || fine.radius;
 }
 
-bool has_friction(const Case& scene) {
+bool has_friction(const std::vector<CrackSection>& cracks) {
     return std::ranges::any_of(
-        scene.cracks, [](const CrackSection& crack) { return crack.contact && crack.contact->friction > 0.0; });
+        cracks, [](const CrackSection& crack) { return crack.contact && crack.contact->friction > 0.0; });
 }
 
 }  // namespace stria

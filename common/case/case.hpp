@@ -1,4 +1,4 @@
-// A case as the user writes it (docs/case-reference.md), one struct a section. Units N, mm, MPa throughout.
+// A case as the user writes it (docs/case-reference.md), one struct per section. Units N, mm, MPa throughout.
 // Keys, units, ranges and sentences are declared once, in body_schema, load_schema and method_schema.
 #pragma once
 
@@ -202,8 +202,9 @@ struct Case {
 
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);
+bool needs_fine(const FineSection& fine, const MaterialSection& material, const std::vector<CrackSection>& cracks);
 
-/// The faces of some crack have friction.
-bool has_friction(const Case& scene);
+/// Some faces have friction.
+bool has_friction(const std::vector<CrackSection>& cracks);
 
 }  // namespace stria

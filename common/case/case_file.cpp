@@ -165,7 +165,7 @@ std::string name_from(const std::string& path) {
     return (standard ? absolute.parent_path().filename() : absolute.stem()).string();
 }
 
-/// One line a key: its value with the unit, or a comment that it is absent.
+/// One line per key: its value with the unit, or a comment that it is absent.
 std::string lines_of(const Value& table, const std::vector<Key>& keys) {
     std::string text;
     for (const Key& key : keys) {

@@ -9,7 +9,7 @@
 
 namespace stria {
 
-/// Values and gradients of an element's functions at a point: one row a function.
+/// Values and gradients of an element's functions at a point: one row per function.
 struct BasisValues {
     Eigen::VectorXd value;
     Eigen::Matrix<double, Eigen::Dynamic, 2> gradient;  // 1/mm

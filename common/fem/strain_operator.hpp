@@ -1,5 +1,5 @@
 // B and B^T at an integration point with its mean dilatation, whatever the number of functions (docs/method.md, section
-// 3). g, mean: one row a function, 1/mm; nodal: one column a function. `mean` null: nothing keeps a volume.
+// 3). g, mean: one row per function, 1/mm; nodal: one column per function. `mean` null: nothing keeps a volume.
 #pragma once
 
 #include <Eigen/LU>

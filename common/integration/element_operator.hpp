@@ -23,7 +23,7 @@ struct ElementOperator {
     int element = 0;
     std::vector<int> unknowns;  // 2 a function
     std::vector<IntegrationPoint> points;
-    std::vector<Gradients> gradients;  // per point, one row a function
+    std::vector<Gradients> gradients;  // per point, one row per function
     std::vector<Gradients> mean;       // per region; empty: without mean dilatation
     double area = 0.0;
 

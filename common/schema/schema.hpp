@@ -1,4 +1,4 @@
-// Declares what a case file may say, one statement a key: reading, checks, error texts and the reference follow from
+// Declares what a case file may say, one statement per key: reading, checks, error texts and the reference follow from
 // it.
 #pragma once
 

@@ -30,7 +30,7 @@ public:
     /// Place of a multiplier's shear among the tractions; -1: it has none.
     [[nodiscard]] int shear_of(int k) const { return shear_of_[at(k)]; }
 
-    /// B, one row a multiplier, one column an unknown of the mesh: B_k = integral of Phi_k n . N, lumped: Phi_k is
+    /// B, one row per multiplier, one column per unknown of the mesh: B_k = integral of Phi_k n . N, lumped: Phi_k is
     /// taken at the centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the
     /// crack follows the rows of the mesh each multiplier then holds the jump at its own node alone, and closed faces
     /// do not overlap between nodes.

@@ -1,8 +1,6 @@
 #include "fine/material/j2.hpp"
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 
 #include "common/index.hpp"
@@ -102,15 +100,9 @@ void write_tangent(const Block& block, PackPlace<rows> at, const Tensors<rows>& 
         }
 }
 
-template <int rows> void return_to_surface(const Block& block, PackPlace<rows> at) {
-    const Tensors<rows> strain_increment = at.tensors(block.update.strain_increment, 0);
-    const Prediction<rows> prediction =
-        predict<rows>(block.update, at, elastic_stress<rows>(block.bulk, block.shear, strain_increment));
-    for (int q = 0; q < rows; ++q) block.update.yielding[at.first + q] = prediction.flows[q];
-    if (!prediction.flows.any()) {
-        write_elastic<rows>(block.update, at, strain_increment, prediction.stress);
-        return;
-    }
+template <int rows>
+void return_to_surface(const Block& block, PackPlace<rows> at, const Tensors<rows>& strain_increment,
+                       const Prediction<rows>& prediction) {
     if (block.update.law.substeps > 1) {
         const Flow<rows> flow = flow_in_parts<rows>(block, prediction, strain_increment);
         const Tensors<rows> stress = prediction.stress - 2.0 * block.shear * flow.plastic;
@@ -128,29 +120,6 @@ template <int rows> void return_to_surface(const Block& block, PackPlace<rows> a
 }
 
 }  // namespace
-
-double J2Parameters::elastic_margin(int points, int stride, const double* committed) const {
-    double margin = std::numeric_limits<double>::infinity();
-    for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
-        Tensors<rows> relative = deviators<rows>(at.tensors(committed, state::stress));
-        for (std::size_t k = 0; k < kinematic.size(); ++k)
-            relative -= at.tensors(committed, state::back_stress + 4 * static_cast<int>(k));
-        const Scalars<rows> equivalent = (1.5 * contraction<rows>(relative, relative)).sqrt();
-        const Scalars<rows> left = yield_stress + isotropic * at.scalars(committed, state::accumulated) - equivalent;
-        margin = std::min(margin, left.minCoeff());
-    });
-    return std::max(margin, 0.0);
-}
-
-double J2Parameters::stored_energy(const double* state, int stride) const {
-    const double p = state[static_cast<std::ptrdiff_t>(state::accumulated) * stride];
-    double energy = elasticity.energy(tensor_at(state, stride, state::stress)) + 0.5 * isotropic * p * p;
-    for (std::size_t k = 0; k < kinematic.size(); ++k) {
-        const Mandel X = tensor_at(state, stride, state::back_stress + 4 * static_cast<int>(k));
-        if (kinematic[k] > 0.0) energy += 0.75 * X.squaredNorm() / kinematic[k];
-    }
-    return energy;
-}
 
 J2::J2(const J2Parameters& parameters)
     : parameters_(parameters), bulk_(parameters.elasticity.bulk_modulus()),
@@ -171,7 +140,14 @@ void J2::update(int points, int stride, const double* strain_increment, const do
                       .shear = shear_,
                       .kinematic = kinematic_,
                       .uniaxial = uniaxial_};
-    for_each_pack<pack_size>(points, stride, [&block]<int rows>(PackPlace<rows> at) { return_to_surface(block, at); });
+    update_packs(
+        block.update, points, stride,
+        [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) {
+            return elastic_stress<rows>(block.bulk, block.shear, strain);
+        },
+        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction) {
+            return_to_surface<rows>(block, at, strain, prediction);
+        });
 }
 
 }  // namespace stria::fine

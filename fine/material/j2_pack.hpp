@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/error.hpp"
-#include "fine/material/j2.hpp"
+#include "fine/material/j2_parameters.hpp"
 #include "fine/material/point_pack.hpp"
 
 namespace stria::fine {
@@ -13,9 +13,6 @@ namespace stria::fine {
 /// point flows where its overstress exceeds this fraction of the yield stress, far above rounding and below any
 /// tolerance.
 inline constexpr double overstress_tolerance = 1e-10;
-
-/// Points handled together: 4 is fastest with the registers of plain x86-64 (bench/return_mapping.cpp; 2 and 8 tried).
-inline constexpr int pack_size = 4;
 
 /// One update: what all its packs have in common.
 struct J2Update {
@@ -81,6 +78,21 @@ void write_elastic(const J2Update& update, PackPlace<rows> at, const Tensors<row
     write_state<rows>(update, at, strain_increment, stress, Tensors<rows>::Zero(), Scalars<rows>::Zero());
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) at.scalars(update.tangent, 4 * i + j).setConstant(update.stiffness(i, j));
+}
+
+/// Pack by pack: `elastic` tells what the stress changes by without flow, `flow` returns a pack to the yield surface
+/// and writes its state and tangent. A pack in which nothing flows is written here.
+template <class Elastic, class Flow>
+void update_packs(const J2Update& update, int points, int stride, const Elastic& elastic, const Flow& flow) {
+    for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
+        const Tensors<rows> strain_increment = at.tensors(update.strain_increment, 0);
+        const Prediction<rows> prediction = predict<rows>(update, at, elastic(at, strain_increment));
+        for (int q = 0; q < rows; ++q) update.yielding[at.first + q] = prediction.flows[q];
+        if (prediction.flows.any())
+            flow(at, strain_increment, prediction);
+        else
+            write_elastic<rows>(update, at, strain_increment, prediction.stress);
+    });
 }
 
 }  // namespace stria::fine

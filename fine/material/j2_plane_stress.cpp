@@ -126,15 +126,9 @@ void write_tangent(const PlaneBlock& block, PackPlace<rows> at, const Return<row
     for (int i = 0; i < 4; ++i) put(2, i, Scalars<rows>::Zero());  // C and v have no zz
 }
 
-template <int rows> void return_to_surface(const PlaneBlock& block, PackPlace<rows> at) {
-    const J2Update& update = block.update;
-    const Tensors<rows> strain_increment = at.tensors(update.strain_increment, 0);
-    const Prediction<rows> prediction = predict<rows>(update, at, in_plane_stress<rows>(block, strain_increment));
-    for (int q = 0; q < rows; ++q) update.yielding[at.first + q] = prediction.flows[q];
-    if (!prediction.flows.any()) {
-        write_elastic<rows>(update, at, strain_increment, prediction.stress);
-        return;
-    }
+template <int rows>
+void return_to_surface(const PlaneBlock& block, PackPlace<rows> at, const Tensors<rows>& strain_increment,
+                       const Prediction<rows>& prediction) {
     const Parts<rows> parts(prediction.relative);
     const Scalars<rows> gamma = plastic_multiplier<rows>(block, prediction, parts);
     const Return<rows> returned = return_at<rows>(block, parts, gamma);
@@ -149,7 +143,7 @@ template <int rows> void return_to_surface(const PlaneBlock& block, PackPlace<ro
     plastic.col(2) = zz;
     plastic.col(3) = gamma * returned.per_shear * relative.col(3);
     const Tensors<rows> stress = prediction.stress - in_plane_stress<rows>(block, plastic);
-    write_state<rows>(update, at, strain_increment, stress, plastic, dp);
+    write_state<rows>(block.update, at, strain_increment, stress, plastic, dp);
     write_tangent<rows>(block, at, returned, plastic, gamma, prediction);
 }
 
@@ -172,7 +166,12 @@ void J2PlaneStress::update(int points, int stride, const double* strain_incremen
                            .two_shear = two_shear,
                            .biaxial_rate = biaxial / 3.0 + back,
                            .shear_rate = two_shear + back};
-    for_each_pack<pack_size>(points, stride, [&block]<int rows>(PackPlace<rows> at) { return_to_surface(block, at); });
+    update_packs(
+        block.update, points, stride,
+        [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) { return in_plane_stress<rows>(block, strain); },
+        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction) {
+            return_to_surface<rows>(block, at, strain, prediction);
+        });
 }
 
 }  // namespace stria::fine

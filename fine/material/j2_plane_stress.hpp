@@ -2,7 +2,7 @@
 // sigma_zz = 0 (Simo and Taylor, IJNME 22 (1986) 649; Simo and Hughes, Computational Inelasticity, section 3.4).
 #pragma once
 
-#include "fine/material/j2.hpp"
+#include "fine/material/j2_parameters.hpp"
 
 namespace stria::fine {
 

@@ -1,5 +1,5 @@
-// A pack of neighbouring points as one small array, a row a point and a column a component: laws are written once, as
-// for one point, and the compiler gives each row a lane of its vector registers.
+// A pack of neighbouring points as one small array, a row per point and a column per component: laws are written once,
+// as for one point, and the compiler gives each row a lane of its vector registers.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +7,9 @@
 #include <type_traits>
 
 namespace stria::fine {
+
+/// Points handled together: 4 is fastest with the registers of plain x86-64 (bench/return_mapping.cpp; 2 and 8 tried).
+inline constexpr int pack_size = 4;
 
 template <int rows> using Scalars = Eigen::Array<double, rows, 1>;
 

@@ -19,7 +19,7 @@ template <class Set> Set first_of(const Set& set, int count) {
 
 }  // namespace
 
-FineModel::FineModel(const Case& input) : system_(input) {}
+FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
 void FineModel::set_patch(const coupling::Patch& patch) {
     system_.set_patch(patch);

@@ -15,7 +15,7 @@ namespace stria::fine {
 /// iterates are those of Newton's method on the whole system.
 class FineModel : public coupling::FineScale {
 public:
-    explicit FineModel(const Case& input);
+    explicit FineModel(const ZoneSections& input);
 
     void set_patch(const coupling::Patch& patch) override;
     void request(const coupling::PatchDisplacement& displacement) override;

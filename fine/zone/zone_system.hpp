@@ -3,22 +3,18 @@
 
 #include <memory>
 
-#include "common/case/case.hpp"
 #include "common/damping.hpp"
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
-#include "fine/growth/opening_faces.hpp"
+#include "fine/zone/zone_memory.hpp"
+#include "fine/zone/zone_sections.hpp"
 
 namespace stria::fine {
 
 class ZoneSystem {
 public:
-    struct Unknowns {
-        Eigen::VectorXd displacement, traction;  // of the faces: ContactInterface
-    };
-
-    explicit ZoneSystem(const Case& input);
+    explicit ZoneSystem(const ZoneSections& input);
 
     /// A new zone; elements and multipliers that the old one had keep their history.
     void set_patch(const coupling::Patch& patch);
@@ -59,7 +55,7 @@ public:
     [[nodiscard]] const coupling::Patch& patch() const { return patch_; }
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return trial_.displacement; }
     [[nodiscard]] const Eigen::VectorXd& traction() const { return trial_.traction; }
-    [[nodiscard]] const FrozenTips& frozen() const { return frozen_; }
+    [[nodiscard]] const FrozenTips& frozen() const { return memory_.frozen; }
     /// Of the multipliers' part of the semismooth system.
     [[nodiscard]] Eigen::VectorXd contact_right_hand_side() const {
         return contact_->right_hand_side(trial_.traction, jumps_);
@@ -69,7 +65,7 @@ public:
     [[nodiscard]] coupling::PatchResponse measure();
     /// What of the correction that follows is to be taken.
     [[nodiscard]] double step() const { return step_; }
-    [[nodiscard]] double tolerance() const { return input_.solver.tolerance; }
+    [[nodiscard]] double tolerance() const { return input_.tolerance; }
 
     coupling::StepReport commit(bool reversal);
     [[nodiscard]] coupling::ZoneState state() const;
@@ -79,7 +75,7 @@ public:
     void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot);
 
     /// The last ones, for predictors; the last of all first.
-    [[nodiscard]] const std::deque<Unknowns>& increments() const { return increments_.all(); }
+    [[nodiscard]] const std::deque<ZoneUnknowns>& increments() const { return memory_.increments.all(); }
 
     [[nodiscard]] double constitutive_seconds() const { return constitutive_s_; }
     [[nodiscard]] double contact_seconds() const { return contact_s_; }
@@ -91,31 +87,29 @@ private:
     void begin_with(const coupling::Patch& patch);
     void find_tip_stations();
     void set_inside(const UnknownSet& inside);
-    void keep_displacement(const coupling::Patch& next);
-    void carry_unknowns(const coupling::Patch& patch, const ContactInterface* old_contact);
     void open_new_faces(const EnrichedMesh& before);
-    [[nodiscard]] Vec2 jump(const FaceStation& station) const;  // committed
-    void report_tips(coupling::StepReport& report) const;
-    void report_faces(coupling::StepReport& report) const;
-    void report_rings(coupling::StepReport& report) const;
+    void report_on(coupling::StepReport& report) const;
 
-    const Case& input_;
+    /// What rests, as this sees it.
+    struct AtRest {
+        UnknownSet inside;
+        double force_scale = 0.0;  // of the state in which it came to rest, N/mm
+        Eigen::VectorXd response;  // N/mm; empty: nothing rests
+    };
+
+    ZoneSections input_;
     Elasticity elastic_;
     coupling::Patch patch_;
     std::unique_ptr<Bulk> bulk_;
     std::unique_ptr<ContactInterface> contact_;
-    FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
-    Unknowns committed_, trial_;
+    ZoneMemory memory_;
+    ZoneUnknowns trial_;
     Damping damping_;
     double step_ = 1.0;
-    OpeningFaces opening_;
-    IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd load_;
     ContactInterface::Jumps jumps_;
-    UnknownSet inside_;  // of what rests
-    double force_scale_at_rest_ = 0.0;
-    Eigen::VectorXd response_;  // of what rests, N/mm; empty: nothing does
+    AtRest at_rest_;
     double largest_move_ = 0.0, load_factor_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;

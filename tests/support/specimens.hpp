@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "coarse/elements/support_forces.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/fracture/nominal_solution.hpp"
-#include "coarse/structure/support_forces.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/index.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/specimen/handbook.hpp"
-#include "coarse/structure/structure_stresses.hpp"
+#include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/index.hpp"
 #include "tests/support/specimens.hpp"

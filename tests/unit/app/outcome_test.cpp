@@ -110,7 +110,7 @@ TEST(StudyTable, HasACellForEachColumn) {
     row.errors["J"] = 0.25;
     for (const bool with_errors : {false, true}) {
         const std::vector<std::string> names = columns(axes, with_errors);
-        const std::vector<coarse::Cell> line = cells(row, with_errors);
+        const std::vector<Cell> line = cells(row, with_errors);
         ASSERT_EQ(line.size(), names.size());
         const auto cell = [&](const std::string& name) {
             return line.at(at(std::ranges::find(names, name) - names.begin()));

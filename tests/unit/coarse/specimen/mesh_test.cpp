@@ -43,7 +43,7 @@ double largest_ratio(const std::vector<double>& positions) {
 
 std::string refusal(const Case& scene) {
     try {
-        static_cast<void>(make_mesh(scene));
+        static_cast<void>(make_mesh(scene.mesh, scene.cracks));
     } catch (const CaseError& error) {
         return error.what();
     }
@@ -118,7 +118,7 @@ TEST(GradedAxis, RefusesMoreCellsThanMemoryHolds) {
 TEST(RectangleMesh, HasPositiveElementsThatFillTheBodyAndNamedEdges) {
     Case scene = plain_case();
     scene.mesh.grading = {Grading{.at = {{20.0, 100.0}}, .size = 0.2, .outer_size = 0.4, .radius = 2.0}};
-    const Mesh mesh = make_mesh(scene);
+    const Mesh mesh = make_mesh(scene.mesh, scene.cracks);
     double area = 0.0;
     for (const auto& element : mesh.elements) {
         const auto node = [&](std::size_t k) { return mesh.nodes[at(element[k])]; };

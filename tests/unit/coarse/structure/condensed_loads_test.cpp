@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "coarse/elements/support_forces.hpp"
 #include "coarse/structure/structure.hpp"
-#include "coarse/structure/support_forces.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/pulled_plate.hpp"

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
+#include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 #include "common/io/hdf5.hpp"
 #include "tests/support/small_disk.hpp"
@@ -47,6 +49,24 @@ TEST_F(FullDisk, LeavesTheHdf5FileBefore) {
     write(3);
     EXPECT_EQ(complaint([&] { write(3000); }), file + ": cannot be written: File too large");
     EXPECT_EQ(hdf5::read_file(file).read<double>("numbers").size(), 3U);
+}
+
+class WholeFile : public testing::Test {
+protected:
+    const test::TemporaryFolder folder;
+};
+
+TEST_F(WholeFile, KeepsTheOldOneWhenWritingFails) {
+    write_whole_text(folder / "f", "old");
+    EXPECT_THROW(write_whole(folder / "f",
+                             [](const auto& temporary) {
+                                 std::ofstream(temporary) << "half";
+                                 throw NumericalFailure("stop");
+                             }),
+                 NumericalFailure);
+    EXPECT_EQ(test::text_of(folder / "f"), "old");
+    EXPECT_FALSE(std::filesystem::exists(folder / "f.part"));
+    EXPECT_THROW(write_whole_text(folder / "no/f", "x"), FileFailure);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "coarse/cycle/closure_meter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/model/tip_reach.hpp"
+#include "coarse/zone/zone_selection.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr double share_of_radius = 0.1;
+
+}  // namespace
+
+ClosureMeter::ClosureMeter(const ClosureSection& closure, const MaterialSection& material,
+                           const std::vector<double>& largest_K_I)
+    : tension_(closure.tension || closure.definition == OpeningDefinition::Tension) {
+    for (const double K_I : largest_K_I) {
+        const double yield_stress = material.yield_stress.value_or(INFINITY);
+        std::vector<double> distances{
+            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K_I, yield_stress))};
+        distances.insert(distances.end(), closure.profile.begin(), closure.profile.end());
+        distance_.push_back(std::move(distances));
+    }
+}
+
+std::vector<double> ClosureMeter::ahead(const EnrichedMesh& mesh) const {
+    std::vector<double> ahead;
+    for (std::size_t t = 0; tension_ && t < distance_.size(); ++t)
+        ahead.push_back(std::max(distance_[t].front(), tip_element_size(mesh, mesh.tips[t])));
+    return ahead;
+}
+
+std::vector<char> ClosureMeter::closed(const NewtonReport& report) const {
+    const Residual& last = report.iterations.back().residual;
+    std::vector<char> closed;
+    for (std::size_t t = 0; t < distance_.size(); ++t) {
+        for (const double distance : distance_[t])
+            closed.push_back(t < last.contact_reach.size() && last.contact_reach[t] >= distance);
+        if (tension_) closed.push_back(t < last.force_ahead.size() && last.force_ahead[t] < 0.0);
+    }
+    return closed;
+}
+
+std::vector<OpeningChange> ClosureMeter::locate(const std::vector<char>& before, const std::vector<char>& after,
+                                                double from, double to, double precision, const Solve& solve) const {
+    std::vector<OpeningChange> changes;
+    bisect({from, before}, {to, after}, NAN, precision, solve, changes);
+    return changes;
+}
+
+// `load_factor`: that of the last trial, which is one of the two ends; none yet: not a number.
+void ClosureMeter::bisect(const End& before, const End& after, double load_factor, double precision, const Solve& solve,
+                          std::vector<OpeningChange>& changes) const {
+    if (before.closed == after.closed) return;
+    if (std::abs(after.target - before.target) > precision || std::isnan(load_factor)) {
+        const double middle = (before.target + after.target) / 2.0;
+        const Trial trial = solve(middle);
+        if (trial.report.converged) {
+            const End between{middle, closed(trial.report)};
+            bisect(before, between, trial.load_factor, precision, solve, changes);
+            bisect(between, after, trial.load_factor, precision, solve, changes);
+            return;
+        }
+        if (std::isnan(load_factor)) return;
+    }
+    for (std::size_t k = 0; k < before.closed.size(); ++k) {
+        if (before.closed[k] == after.closed[k]) continue;
+        const int signal = static_cast<int>(k);
+        changes.push_back({signal / signals(), signal % signals(), after.closed[k] != 0, load_factor});
+    }
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,111 @@
+#include "coarse/cycle/cycle_meter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/cycle/compliance_offset.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+
+CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips)
+    : definition_(definition), signals_(at(closure.signals())), contact_signals_(at(closure.contact_signals())) {
+    now_.tips.resize(tips);
+}
+
+// A cycle runs from maximum to maximum: the one that it starts from counts, with the crack as long as it then is.
+void CycleMeter::begin(int cycle) {
+    now_.cycle = cycle;
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        Tip& tip = now_.tips[t];
+        tip = {};
+        tip.changed.assign(signals_, 0);
+        tip.was_open.assign(signals_, 0);
+        tip.signal.assign(signals_, {});
+        if (now_.last.empty()) continue;  // full compression: no ramp
+        const CycleMemory::Station& start = now_.last[t];
+        tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor;
+        tip.cycle.J_max = start.J;
+        if (std::isfinite(start.CTOD)) tip.cycle.CTOD_max = tip.cycle.CTOD_min = start.CTOD;
+        tip.cycle.forward = start.forward;
+        tip.cycle.forward_axis = start.forward_axis;
+        tip.down = {{start.load_factor}, {start.CMOD}};
+    }
+}
+
+void CycleMeter::add(const Increment& increment) {
+    if (now_.tips.empty()) return;
+    if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_) begin(increment.step.cycle);
+    const bool loading = increment.step.target.value > now_.last_target;
+    const bool growing = increment.step.target.value == now_.last_target;
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        Tip& tip = now_.tips[t];
+        measure(tip, increment, t);
+        CycleMemory::Path& path = loading ? tip.up : tip.down;
+        if (loading && path.load.empty() && !tip.down.load.empty())
+            path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
+        path.load.push_back(increment.load_factor);
+        path.mouth.push_back(increment.tips[t].CMOD);
+        double& extent = loading ? tip.cycle.forward : tip.cycle.cyclic;
+        double& axis = loading ? tip.cycle.forward_axis : tip.cycle.cyclic_axis;
+        extent = std::max(extent, increment.tips[t].plastic_zone);
+        axis = std::max(axis, increment.tips[t].plastic_zone_axis);
+    }
+    now_.last_target = increment.step.target.value;
+    now_.last.clear();
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        const TipResult& tip = increment.tips[t];
+        now_.last.push_back({increment.nominal_K[t], tip.J, tip.CTOD, tip.CMOD, increment.load_factor,
+                             growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
+        if (now_.length.size() <= t) now_.length.push_back(tip.a);
+    }
+}
+
+void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t) const {
+    CycleResult& cycle = tip.cycle;
+    const TipResult& result = increment.tips[t];
+    const double K = increment.nominal_K[t] * increment.load_factor;
+    for (const OpeningChange& change : increment.opening_changes) {
+        if (change.tip != static_cast<int>(t)) continue;
+        const auto s = at(change.signal);
+        (change.closes ? tip.signal[s].K_cl : tip.signal[s].K_op) = increment.nominal_K[t] * change.load_factor;
+        tip.changed[s] = 1;
+    }
+    for (std::size_t s = 0; s < signals_; ++s)
+        if (increment.closed.empty() || increment.closed[t * signals_ + s] == 0) tip.was_open[s] = 1;
+    cycle.a = result.a;
+    cycle.K_max = std::max(cycle.K_max, K);
+    cycle.K_min = std::min(cycle.K_min, K);
+    cycle.J_max = std::max(cycle.J_max, result.J);
+    if (std::isfinite(result.CTOD)) {
+        cycle.CTOD_max = std::max(cycle.CTOD_max, result.CTOD);
+        cycle.CTOD_min = std::min(cycle.CTOD_min, result.CTOD);
+    }
+}
+
+// A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.
+OpeningLoads CycleMeter::of_signal(const Tip& tip, std::size_t signal) const {
+    const bool open_all_cycle = tip.changed[signal] == 0 && tip.was_open[signal] != 0;
+    return open_all_cycle ? OpeningLoads{tip.cycle.K_min, tip.cycle.K_min} : tip.signal[signal];
+}
+
+std::vector<CycleResult> CycleMeter::finish() {
+    std::vector<CycleResult> results;
+    for (std::size_t t = 0; t < now_.tips.size(); ++t) {
+        Tip& tip = now_.tips[t];
+        CycleResult& cycle = tip.cycle;
+        cycle.da = cycle.a - now_.length[t];
+        now_.length[t] = cycle.a;
+        for (std::size_t s = 0; s < contact_signals_; ++s) cycle.contact.push_back(of_signal(tip, s));
+        if (signals_ > contact_signals_) cycle.tension = of_signal(tip, contact_signals_);
+        cycle.offset.K_op = now_.last[t].nominal_K *
+                            compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
+        cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
+                        : definition_ == OpeningDefinition::Offset ? cycle.offset
+                                                                   : cycle.tension;
+        results.push_back(cycle);
+    }
+    return results;
+}
+
+}  // namespace stria::coarse

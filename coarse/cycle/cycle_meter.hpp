@@ -1,0 +1,57 @@
+// Measures a cycle while it passes.
+#pragma once
+
+#include <vector>
+
+#include "coarse/cycle/increment.hpp"
+
+namespace stria::coarse {
+
+/// What a meter has seen of the present cycle, and of what it starts from.
+struct CycleMemory {
+    struct Path {  // of the load, one way
+        std::vector<double> load, mouth;
+    };
+    struct Tip {
+        CycleResult cycle;
+        std::vector<char> changed, was_open;  // per signal
+        std::vector<OpeningLoads> signal;
+        Path down, up;
+    };
+    struct Station {  // what the next cycle starts from
+        double nominal_K = 0.0, J = 0.0, CTOD = 0.0, CMOD = 0.0, load_factor = 0.0;
+        double forward = 0.0, forward_axis = 0.0;  // of flow while the crack grew at its load
+    };
+    int cycle = 0;
+    double last_target = 0.0;
+    std::vector<Tip> tips;
+    std::vector<Station> last;
+    std::vector<double> length;  // when the last cycle, or the ramp, ended
+};
+
+class CycleMeter {
+public:
+    CycleMeter() = default;
+    CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips);
+
+    /// Every increment, the one that ends a cycle included.
+    void add(const Increment& increment);
+
+    /// The cycle that the last increment has ended, one result per tip.
+    std::vector<CycleResult> finish();
+
+    [[nodiscard]] const CycleMemory& memory() const { return now_; }
+    void resume(const CycleMemory& memory) { now_ = memory; }
+
+private:
+    using Tip = CycleMemory::Tip;
+    void begin(int cycle);
+    void measure(Tip& tip, const Increment& increment, std::size_t t) const;
+    [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
+
+    OpeningDefinition definition_ = OpeningDefinition::Contact;
+    std::size_t signals_ = 0, contact_signals_ = 0;
+    CycleMemory now_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,79 @@
+#include "coarse/elements/coarse_elements.hpp"
+
+#include "coarse/elements/elastic_force.hpp"
+#include "common/index_lists.hpp"
+#include "common/linear/symmetric_assembly.hpp"
+
+namespace stria::coarse {
+namespace {
+
+IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
+    IntegrationRule rule = elastic_rule(scene.enriched, element, cut);
+    rule.mean_dilatation = mean_dilatation(scene.input.material, scene.elastic);
+    return rule;
+}
+
+}  // namespace
+
+CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const ElementSet& far)
+    : scene_(&scene), in_zone_(std::move(in_zone)),
+      mean_dilatation_(mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere) {
+    for (int e = 0; e < in_zone_.size(); ++e)
+        if (!in_zone_.contains(e) && !far.contains(e)) near_.push_back(e);
+    make_enriched_operators();
+    keep_plain_operators();
+    find_supported();
+}
+
+void CoarseElements::make_enriched_operators() {
+    const EnrichedMesh& mesh = scene_->enriched;
+    const std::vector<int> piece = piece_of_elements(mesh);
+    for (int e = 0; e < in_zone_.size(); ++e) {
+        if (in_zone_.contains(e) || is_plain(mesh, e)) continue;
+        const CrackPiece* cut = piece[at(e)] >= 0 ? &mesh.pieces[at(piece[at(e)])] : nullptr;
+        enriched_.push_back(make_operator(mesh, e, cut, rule_for(*scene_, e, cut != nullptr)));
+    }
+}
+
+// The stresses and ring integrals of each increment visit them: kept they save a tenth of a cycle, as long as they
+// stay in the cache.
+void CoarseElements::keep_plain_operators() {
+    constexpr int most = 20'000;  // elements: 12 MB
+    if (std::ssize(near_) > most) return;
+    plain_place_.assign(at(in_zone_.size()), -1);
+    for (const int e : near_) {
+        if (!is_plain(scene_->enriched, e)) continue;
+        plain_place_[at(e)] = static_cast<int>(plain_.size());
+        plain_.push_back(plain_operator(scene_->enriched, e, mean_dilatation_));
+    }
+}
+
+void CoarseElements::find_supported() {
+    UnknownSet prescribed(scene_->enriched.unknowns);
+    for (const PrescribedUnknown& p : scene_->prescribed) prescribed.insert(p.unknown);
+    for_each_unknowns([&](int element, std::span<const int> unknowns) {
+        if (std::ranges::any_of(unknowns, [&](int unknown) { return prescribed.contains(unknown); }))
+            supported_.push_back(element);
+    });
+}
+
+Eigen::VectorXd CoarseElements::internal_force(const Eigen::VectorXd& u) const {
+    const MandelMatrix elastic = scene_->elastic.stiffness();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(scene_->enriched.unknowns);
+    for_each([&](const auto& op) {
+        const auto force = elastic_force(op, gather(u, op.unknowns), elastic);
+        for (std::size_t k = 0; k < op.unknowns.size(); ++k) sum[op.unknowns[k]] += force[static_cast<Eigen::Index>(k)];
+    });
+    return sum;
+}
+
+SparseMatrix CoarseElements::stiffness() const {
+    const MandelMatrix elastic = scene_->elastic.stiffness();
+    IndexLists of_elements;
+    for_each_unknowns([&](int, std::span<const int> unknowns) { of_elements.append(unknowns); });
+    SparseMatrix lower = lower_pattern(of_elements, scene_->enriched.unknowns);
+    for_each([&](const auto& op) { add_to_lower(lower, op.unknowns, op.stiffness(elastic)); });
+    return lower.selfadjointView<Eigen::Lower>();
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,99 @@
+#include "coarse/elements/near_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/model/rings.hpp"
+#include "common/index.hpp"
+#include "common/integration/plain_operator.hpp"
+
+namespace stria::coarse {
+namespace {
+
+NodeSet nodes_of_zone(const EnrichedMesh& mesh, const ElementSet& in_zone) {
+    NodeSet nodes(mesh.nodes.size());
+    for (const int element : in_zone.members())
+        for (const int node : mesh.elements[at(element)]) nodes.insert(node);
+    return nodes;
+}
+
+/// What is near a tip: within `radius` of the way that it has ahead.
+struct Neighbourhood {
+    double radius = 0.0, way = 0.0;  // mm
+
+    [[nodiscard]] bool holds(const Tip& tip, const Vec2& x) const {
+        const Vec2 from_tip = x - tip.position;
+        const double along = std::clamp(from_tip.dot(tip.direction), 0.0, way);
+        return (from_tip - along * tip.direction).squaredNorm() <= radius * radius;
+    }
+};
+
+void add_neighbourhood(const EnrichedMesh& mesh, int tip, const Neighbourhood& about, NodeSet& nodes) {
+    for (int n = 0; n < nodes.size(); ++n)
+        if (about.holds(mesh.tips[at(tip)], mesh.nodes[at(n)])) nodes.insert(n);
+}
+
+/// How far from a tip, ahead of it, the zone reaches that is about no other tip, mm.
+double reach_of_zone(const EnrichedMesh& mesh, int tip, const NodeSet& nodes_of_zone) {
+    const Tip& own = mesh.tips[at(tip)];
+    double reach = 0.0;
+    for (const int n : nodes_of_zone.members()) {
+        const Vec2& x = mesh.nodes[at(n)];
+        if ((x - own.position).dot(own.direction) < 0.0) continue;
+        const double distance = (x - own.position).norm();
+        const auto closer = [&](const Tip& other) { return (x - other.position).norm() < distance; };
+        if (std::ranges::none_of(mesh.tips, closer)) reach = std::max(reach, distance);
+    }
+    return reach;
+}
+
+/// A ring grows no faster than its tip advances; a zone goes with its tip. How long the run will be must not show: it
+/// may be resumed with more cycles.
+Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zone) {
+    constexpr double most = 0.25;  // of the largest ring's radius: what is near is paid for in each increment
+    constexpr int steps = 20;
+    const double radius = largest_ring(scene, tip);
+    if (!scene.input.growth) return {radius, 0.0};
+    const double room = std::min(steps * scene.input.growth->increment, most * radius);
+    return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
+}
+
+/// Coarse elements that see one of the nodes, and those that are not plain.
+ElementSet near_about(const EnrichedMesh& mesh, const ElementSet& in_zone, const NodeSet& nodes) {
+    ElementSet near(in_zone.size());
+    for (int e = 0; e < in_zone.size(); ++e) {
+        if (in_zone.contains(e)) continue;
+        const bool close = std::ranges::any_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); });
+        if (close || !is_plain(mesh, e)) near.insert(e);
+    }
+    return near;
+}
+
+bool disjoint(const ElementSet& a, const ElementSet& b) {
+    for (int e = 0; e < a.size(); ++e)
+        if (a.contains(e) && b.contains(e)) return false;
+    return true;
+}
+
+}  // namespace
+
+ElementSet near_elements(const Scene& scene, const ElementSet& in_zone) {
+    const EnrichedMesh& mesh = scene.enriched;
+    NodeSet nodes = nodes_of_zone(mesh, in_zone);
+    for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, {largest_ring(scene, t), 0.0}, nodes);
+    return near_about(mesh, in_zone, nodes);
+}
+
+ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known) {
+    const EnrichedMesh& mesh = scene.enriched;
+    if (known.size() == in_zone.size() && disjoint(known, in_zone) && disjoint(known, near_elements(scene, in_zone)))
+        return known;
+    const NodeSet of_zone = nodes_of_zone(mesh, in_zone);
+    NodeSet nodes = of_zone;
+    for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, with_room(scene, t, of_zone), nodes);
+    ElementSet close = near_about(mesh, in_zone, nodes);
+    if (close.none()) return ElementSet(in_zone.size());
+    return (close |= in_zone).complement();
+}
+
+}  // namespace stria::coarse

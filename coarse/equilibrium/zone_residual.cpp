@@ -1,0 +1,20 @@
+#include "coarse/equilibrium/zone_residual.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace stria::coarse {
+
+void add_zone(Residual& residual, const coupling::PatchResponse& response) {
+    const coupling::Digest& digest = response.digest;
+    residual.interior = response.interior_residual;
+    residual.contact = response.contact_residual;
+    residual.scale = std::max(residual.scale, response.interior_force);
+    residual.yielding_points = std::reduce(digest.yielding_points.begin(), digest.yielding_points.end());
+    residual.closed = static_cast<int>(std::ranges::count_if(digest.status, [](auto status) { return status != 0; }));
+    residual.status_changes = digest.status_changes;
+    residual.contact_reach = digest.contact_reach;
+    residual.force_ahead = digest.force_ahead;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,81 @@
+#include "coarse/fields/field_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "common/error.hpp"
+#include "common/io/json.hpp"
+#include "common/io/whole_file.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::string series_text(const std::vector<std::pair<std::string, double>>& files) {
+    Json::Array entries;
+    for (const auto& [name, time] : files) entries.push_back(Json::Object{{"name", name}, {"time", time}});
+    return Json(Json::Object{{"file-series-version", "1.0"}, {"files", entries}}).text();
+}
+
+std::string collection_text(const std::vector<std::pair<std::string, double>>& files) {
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+    for (const auto& [name, time] : files) {
+        text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time, name);
+    }
+    return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+FieldFormat field_format(const std::string& name) {
+    if (name == "vtkhdf") return FieldFormat::VtkHdf;
+    if (name == "vtu") return FieldFormat::Vtu;
+    throw CaseError(fmt::format("output.format: \"{}\" is not known, must be \"vtkhdf\" or \"vtu\"", name));
+}
+
+FieldWriter::FieldWriter(std::filesystem::path directory, FieldFormat format, std::vector<Step> written)
+    : directory_(std::move(directory)), format_(format), steps_(std::move(written)) {
+    remove_others();
+}
+
+void FieldWriter::remove_others() const {
+    std::set<std::string> known;
+    for (const Step& step : steps_) known.insert(std::filesystem::path(file_name(step.increment)).stem());
+    std::error_code no_folder;
+    std::vector<std::filesystem::path> others;
+    for (const auto& entry : std::filesystem::directory_iterator(directory_ / "fields", no_folder))
+        if (entry.path().filename().string().starts_with("step_") && !known.contains(entry.path().stem()))
+            others.push_back(entry.path());
+    for (const std::filesystem::path& file : others) std::filesystem::remove(file);
+    if (!others.empty()) write_index();
+}
+
+std::string FieldWriter::file_name(std::int64_t increment) const {
+    return fmt::format("fields/step_{:05}.{}", increment, format_ == FieldFormat::VtkHdf ? "hdf" : "vtu");
+}
+
+void FieldWriter::write(std::int64_t increment, const FieldData& data, std::optional<double> time) {
+    std::filesystem::create_directories(directory_ / "fields");
+    const std::filesystem::path path = directory_ / file_name(increment);
+    if (format_ == FieldFormat::VtkHdf) {
+        write_vtkhdf(path, data);
+    } else {
+        write_vtu(path, data);
+    }
+    std::erase_if(steps_, [&](const Step& step) { return step.increment == increment; });
+    steps_.push_back({increment, time.value_or(static_cast<double>(increment))});
+    write_index();
+}
+
+void FieldWriter::write_index() const {
+    std::vector<std::pair<std::string, double>> files;
+    for (const Step& step : steps_) files.emplace_back(file_name(step.increment), step.time);
+    if (format_ == FieldFormat::VtkHdf) {
+        write_whole_text(directory_ / "fields.hdf.series", series_text(files));
+    } else {
+        write_whole_text(directory_ / "fields.pvd", collection_text(files));
+    }
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,46 @@
+// Fields for ParaView: one file per written increment (VTKHDF 1.0, or VTU) and an index of them all that makes them a
+// series.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coarse/fields/vtk_files.hpp"
+
+namespace stria::coarse {
+
+enum class FieldFormat { VtkHdf, Vtu };
+
+/// output.format of the case; throws CaseError for another name.
+FieldFormat field_format(const std::string& name);
+
+class FieldWriter {
+public:
+    struct Step {
+        std::int64_t increment;
+        double time;
+    };
+
+    /// `written`: the steps of a run that is resumed (its files are there already). Files of other steps go.
+    FieldWriter(std::filesystem::path directory, FieldFormat format, std::vector<Step> written = {});
+
+    /// Writes fields/step_00040.hdf (.vtu) and then fields.hdf.series (fields.pvd). Time: the increment unless told.
+    void write(std::int64_t increment, const FieldData& data, std::optional<double> time = {});
+
+    /// What a checkpoint remembers.
+    [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+
+private:
+    [[nodiscard]] std::string file_name(std::int64_t increment) const;
+    void write_index() const;
+    void remove_others() const;
+
+    std::filesystem::path directory_;
+    FieldFormat format_;
+    std::vector<Step> steps_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,34 @@
+#include "coarse/load/load_scale.hpp"
+
+#include <cmath>
+
+#include "coarse/load/load_history.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+
+double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown) {
+    if (load.control != Control::StressIntensity) return 1.0;
+    if (K_I.empty() || !(K_I.front() > 0.0))
+        throw CaseError("load.control: \"K\" needs a crack tip with K_I > 0 under the unit load");
+    return std::exp(load.K_gradient * grown) / K_I.front();
+}
+
+double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown) {
+    double per_load_factor = 1.0 / target_of_unit(load, nominal.K_I, grown);
+    if (load.control == Control::Displacement) {
+        per_load_factor = nominal.mean_displacement;
+        if (std::abs(per_load_factor) <= 1e-9 * nominal.largest_displacement)
+            throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
+    }
+    return largest_value(load) / per_load_factor;
+}
+
+std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown) {
+    const double largest = largest_load_factor(load, nominal, grown);
+    std::vector<double> K_I;
+    for (const double unit : nominal.K_I) K_I.push_back(unit * largest);
+    return K_I;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,29 @@
+// From the values of a load history to load factors.
+#pragma once
+
+#include <vector>
+
+#include "common/case/case.hpp"
+
+namespace stria::coarse {
+
+/// What a load history asks of the nominal body (nominal_solution.hpp), at the load factor 1.
+struct UnitResponse {
+    std::vector<double> K_I = {};       // MPa sqrt(mm), one per tip
+    double mean_displacement = 0.0;     // of the loaded boundary along its direction, mm
+    double largest_displacement = 0.0;  // largest magnitude of a component, mm
+};
+
+/// The target that a unit of the load history stands for. It is 1 unless K is controlled. Then it is a load factor:
+/// 1 / K_1(a) of the first tip, times what the gradient of K makes of `grown`, the growth so far, mm. `K_I`: of the
+/// nominal body, one per tip. Throws CaseError where the load does not open the first tip.
+double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown);
+
+/// Largest load factor of a history. Where displacements are controlled it is that of the nominal body; a body that
+/// yields bears less. Throws CaseError where the loads do not move what is controlled.
+double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
+
+/// The K_I of eq. (3), MPa sqrt(mm), one per tip: the largest nominal one of a history.
+std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
+
+}  // namespace stria::coarse

@@ -1,0 +1,33 @@
+#include "fine/material/j2_parameters.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "fine/material/point_pack.hpp"
+
+namespace stria::fine {
+
+double J2Parameters::elastic_margin(int points, int stride, const double* committed) const {
+    double margin = std::numeric_limits<double>::infinity();
+    for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
+        Tensors<rows> relative = deviators<rows>(at.tensors(committed, state::stress));
+        for (std::size_t k = 0; k < kinematic.size(); ++k)
+            relative -= at.tensors(committed, state::back_stress + 4 * static_cast<int>(k));
+        const Scalars<rows> equivalent = (1.5 * contraction<rows>(relative, relative)).sqrt();
+        const Scalars<rows> left = yield_stress + isotropic * at.scalars(committed, state::accumulated) - equivalent;
+        margin = std::min(margin, left.minCoeff());
+    });
+    return std::max(margin, 0.0);
+}
+
+double J2Parameters::stored_energy(const double* state, int stride) const {
+    const double p = state[static_cast<std::ptrdiff_t>(state::accumulated) * stride];
+    double energy = elasticity.energy(tensor_at(state, stride, state::stress)) + 0.5 * isotropic * p * p;
+    for (std::size_t k = 0; k < kinematic.size(); ++k) {
+        const Mandel X = tensor_at(state, stride, state::back_stress + 4 * static_cast<int>(k));
+        if (kinematic[k] > 0.0) energy += 0.75 * X.squaredNorm() / kinematic[k];
+    }
+    return energy;
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,98 @@
+#include "fine/zone/zone_memory.hpp"
+
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+#include "common/error.hpp"
+#include "common/index.hpp"
+
+namespace stria::fine {
+
+void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next) {
+    const Eigen::VectorXd& u = memory.committed.displacement;
+    for (int t = 0; t < std::ssize(before.tips); ++t) {
+        const Tip& tip = before.tips[at(t)];
+        const auto same = [&](const Tip& other) { return same_place(tip, other); };
+        if (std::ranges::none_of(next.mesh.tips, same) && std::ranges::none_of(next.mesh.left_tips, same))
+            memory.frozen.freeze(before, t, u);
+    }
+    memory.frozen.keep_closed(before, next.mesh, carry_over(before, u, next.mesh, next.displacement));
+}
+
+void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
+                    const coupling::Patch& next, const ContactInterface& contact) {
+    ZoneUnknowns carried{next.displacement, Eigen::VectorXd::Zero(contact.tractions())};
+    if (old_contact != nullptr) {
+        const ZoneUnknowns& committed = memory.committed;
+        carried.displacement = carry_over(before, committed.displacement, next.mesh, next.displacement);
+        for (int k = 0; k < contact.multipliers(); ++k) {
+            const FaceOperators::Key& own = contact.operators().keys()[at(k)];
+            const auto same = [&](const FaceOperators::Key& key) { return key.is_at(own.crack, own.x); };
+            const auto found = std::ranges::find_if(old_contact->operators().keys(), same);
+            if (found == old_contact->operators().keys().end()) continue;
+            const int old = static_cast<int>(found - old_contact->operators().keys().begin());
+            carried.traction[k] = committed.traction[old];
+            if (contact.shear_of(k) >= 0)
+                carried.traction[contact.shear_of(k)] = committed.traction[old_contact->shear_of(old)];
+        }
+    }
+    memory.committed = std::move(carried);
+    memory.increments.clear();
+}
+
+void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out) {
+    const auto& increments = memory.increments.all();
+    out.displacement = memory.committed.displacement;
+    for (const ZoneUnknowns& increment : increments) out.increments.push_back(increment.displacement);
+    out.held = memory.opening.held(static_cast<int>(memory.committed.displacement.size()));
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        const FaceOperators::Key& key = contact.operators().keys()[at(k)];
+        coupling::MultiplierSnapshot multiplier;
+        multiplier.crack = key.crack;
+        multiplier.place = key.x;
+        multiplier.pressure = memory.committed.traction[k];
+        multiplier.status = static_cast<std::int8_t>(contact.committed_statuses()[at(k)]);
+        for (const ZoneUnknowns& increment : increments) multiplier.increments.push_back(increment.traction[k]);
+        if (const int shear = contact.shear_of(k); shear >= 0) {
+            multiplier.shear = memory.committed.traction[shear];
+            for (const ZoneUnknowns& increment : increments)
+                multiplier.shear_increments.push_back(increment.traction[shear]);
+        }
+        out.multipliers.push_back(std::move(multiplier));
+    }
+    out.frozen_tips = memory.frozen.tips();
+}
+
+void take_up(ZoneMemory& memory, const ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
+    require(std::ssize(snapshot.multipliers) == contact.multipliers(), "a snapshot has the multipliers of its zone");
+    memory.committed = {snapshot.displacement, Eigen::VectorXd(contact.tractions())};
+    std::vector<ZoneUnknowns> increments;
+    for (const Eigen::VectorXd& displacement : snapshot.increments)
+        increments.push_back({displacement, Eigen::VectorXd(contact.tractions())});
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[at(k)];
+        require(contact.operators().keys()[at(k)].is_at(multiplier.crack, multiplier.place),
+                "multipliers of a snapshot are in the order of the cracks");
+        memory.committed.traction[k] = multiplier.pressure;
+        for (std::size_t back = 0; back < increments.size(); ++back)
+            increments[back].traction[k] = multiplier.increments.at(back);
+        const int shear = contact.shear_of(k);
+        if (shear < 0) continue;
+        memory.committed.traction[shear] = multiplier.shear;
+        for (std::size_t back = 0; back < increments.size(); ++back)
+            increments[back].traction[shear] = multiplier.shear_increments.at(back);
+    }
+    memory.increments.clear();
+    for (ZoneUnknowns& increment : increments | std::views::reverse) memory.increments.push(std::move(increment));
+    memory.opening = OpeningFaces(snapshot.held);
+}
+
+std::vector<FaceStatus> statuses_of(const coupling::ZoneSnapshot& snapshot) {
+    std::vector<FaceStatus> statuses;
+    for (const coupling::MultiplierSnapshot& multiplier : snapshot.multipliers)
+        statuses.push_back(static_cast<FaceStatus>(multiplier.status));
+    return statuses;
+}
+
+}  // namespace stria::fine

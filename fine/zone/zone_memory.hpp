@@ -1,0 +1,44 @@
+// What a zone remembers besides the history of its points and the statuses of its faces: committed unknowns, the
+// increments that led there, and what the growth of its cracks has left behind.
+#pragma once
+
+#include "common/predictor.hpp"
+#include "coupling/messages.hpp"
+#include "coupling/zone_snapshot.hpp"
+#include "fine/contact/contact_interface.hpp"
+#include "fine/growth/frozen_tips.hpp"
+#include "fine/growth/opening_faces.hpp"
+
+namespace stria::fine {
+
+struct ZoneUnknowns {
+    Eigen::VectorXd displacement;  // of all unknowns of the mesh, mm
+    Eigen::VectorXd traction;      // of all multipliers, MPa: ContactInterface
+};
+
+struct ZoneMemory {
+    ZoneUnknowns committed = {};
+    IncrementMemory<ZoneUnknowns> increments;  // for predictors
+    FrozenTips frozen = {};
+    OpeningFaces opening = {};
+};
+
+/// `next` is to follow `before`: functions that it lacks leave their displacement behind (docs/method.md, section 7).
+void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next);
+
+/// Turns to the unknowns of a new mesh and of its faces. No increment is known any more. `old_contact`: null at the
+/// start, when nothing is carried.
+void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
+                    const coupling::Patch& next, const ContactInterface& contact);
+
+/// Writes all of it, and per multiplier its place and its committed status.
+void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out);
+
+/// Takes up all but the frozen tips, which the faces have to know before. Throws std::logic_error where the multipliers
+/// of a snapshot are not those of `contact`.
+void take_up(ZoneMemory& memory, const ContactInterface& contact, const coupling::ZoneSnapshot& snapshot);
+
+/// Per multiplier.
+[[nodiscard]] std::vector<FaceStatus> statuses_of(const coupling::ZoneSnapshot& snapshot);
+
+}  // namespace stria::fine

@@ -1,0 +1,106 @@
+#include "fine/zone/zone_report.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "common/index.hpp"
+#include "fine/bulk/bulk_report.hpp"
+
+namespace stria::fine {
+namespace {
+
+// At a station that is not one of the contact's own, which hold what is fixed themselves.
+double opening(const CommittedZone& zone, const FaceStation& station) {
+    const Vec2 jump = station.jump(zone.displacement) + zone.frozen.jump(station.crack, station.x);
+    return jump.dot(station.normal);
+}
+
+coupling::FaceSample sample_at(const CommittedZone& zone, const FaceStation& station) {
+    const auto [pressure, shear, slides] = zone.contact.traction_at(station, zone.traction);
+    coupling::FaceSample sample;
+    sample.crack = station.crack;
+    sample.s = station.s;
+    sample.x = station.x.x();
+    sample.y = station.x.y();
+    sample.opening = station.opening(zone.displacement);
+    sample.slip = station.slip(zone.displacement);
+    sample.pressure = pressure;
+    sample.shear = shear;
+    sample.status = pressure > 0.0 ? (slides ? 2 : 1) : 0;
+    return sample;
+}
+
+void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<FaceStation>& stations) {
+    const Eigen::VectorXd& u = zone.displacement;
+    for (const FaceStation& station : stations) {
+        const auto [pressure, shear, slides] = zone.contact.traction_at(station, zone.traction);
+        if (pressure > 0.0) sums.add_faces(station, {pressure, shear, station.opening_slope(u), station.slip_slope(u)});
+    }
+}
+
+}  // namespace
+
+std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
+    const EnrichedMesh& mesh = zone.patch.mesh;
+    std::vector<coupling::TipReport> reports(mesh.tips.size());
+    const std::vector<PlasticExtent> extents = plastic_extents(zone.bulk);
+    for (std::size_t t = 0; t < reports.size(); ++t) {
+        reports[t].CTOD = opening_at_intercept(mesh, mesh.tips[t],
+                                               [&](const FaceStation& station) { return opening(zone, station); });
+        reports[t].plastic_zone = extents[t].zone;
+        reports[t].plastic_zone_axis = extents[t].axis;
+        reports[t].plastic_reach = extents[t].ever;
+    }
+    return reports;
+}
+
+std::vector<coupling::RingReport> report_rings(const CommittedZone& zone,
+                                               const std::vector<std::vector<FaceStation>>& tip_stations) {
+    const EnrichedMesh& mesh = zone.patch.mesh;
+    std::vector<coupling::RingReport> reports;
+    for (int t = 0; t < std::ssize(mesh.tips); ++t) {
+        std::vector<Annulus> annuli;
+        std::vector<int> numbers;
+        for (const coupling::Ring& ring : zone.patch.rings) {
+            if (ring.tip != t) continue;
+            annuli.push_back({ring.inner_radius, ring.outer_radius});
+            numbers.push_back(ring.number);
+        }
+        if (annuli.empty()) continue;
+        RingSums sums(mesh, mesh.tips[at(t)], zone.bulk.elements().elastic(), annuli);
+        add_to(sums, zone.bulk);
+        add_tractions(sums, zone, tip_stations[at(t)]);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            const DomainIntegral& sum = sums.values()[k];
+            reports.push_back({t, numbers[k], sum.J, sum.interaction_I, sum.interaction_II, sum.interaction_T});
+        }
+    }
+    return reports;
+}
+
+std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone) {
+    std::vector<coupling::FaceSample> samples;
+    for (const FaceStation& station : zone.contact.operators().stations()) samples.push_back(sample_at(zone, station));
+    return samples;
+}
+
+std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t cracks) {
+    std::vector<double> lengths(cracks, 0.0);
+    for (const FaceStation& station : zone.contact.operators().stations())
+        if (zone.contact.traction_at(station, zone.traction).pressure > 0.0)
+            lengths[at(station.crack)] += station.weight;
+    return lengths;
+}
+
+std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks) {
+    const EnrichedMesh& mesh = zone.patch.mesh;
+    std::vector<double> openings(cracks, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t crack = 0; crack < cracks; ++crack) {
+        const auto first = std::ranges::find(mesh.pieces, static_cast<int>(crack), &CrackPiece::crack);
+        if (first == mesh.pieces.end() || first->entry < 0.0) continue;
+        openings[crack] = opening(zone, face_station_at(mesh, first->crack, first->s.front()));
+    }
+    return openings;
+}
+
+}  // namespace stria::fine

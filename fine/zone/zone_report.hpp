@@ -1,0 +1,38 @@
+// What the committed zone reports to the coarse side: its tips, its share of the rings, and its faces.
+#pragma once
+
+#include <vector>
+
+#include "coupling/messages.hpp"
+#include "fine/bulk/bulk.hpp"
+#include "fine/contact/contact_interface.hpp"
+
+namespace stria::fine {
+
+/// What a report looks at, in equilibrium and committed.
+struct CommittedZone {
+    const coupling::Patch& patch;
+    const Bulk& bulk;
+    const ContactInterface& contact;
+    const FrozenTips& frozen;
+    const Eigen::VectorXd& displacement;  // of all unknowns of the mesh, mm
+    const Eigen::VectorXd& traction;      // of all multipliers, MPa: ContactInterface
+};
+
+/// One per tip of the mesh.
+[[nodiscard]] std::vector<coupling::TipReport> report_tips(const CommittedZone& zone);
+
+/// One per ring of the patch, tip by tip. `tip_stations`: per tip, those of its crack's faces near it that may touch.
+[[nodiscard]] std::vector<coupling::RingReport> report_rings(const CommittedZone& zone,
+                                                             const std::vector<std::vector<FaceStation>>& tip_stations);
+
+/// One per station that may touch, by crack and arc length.
+[[nodiscard]] std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone);
+
+/// Length in contact, mm, one per crack. `cracks`: of the case.
+[[nodiscard]] std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t cracks);
+
+/// Opening at the first point of each crack, mm: NaN where that is not on the outline, or not in the zone.
+[[nodiscard]] std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks);
+
+}  // namespace stria::fine

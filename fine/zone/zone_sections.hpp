@@ -1,0 +1,23 @@
+// The sections of a case that the zone reads.
+#pragma once
+
+#include <vector>
+
+#include "common/case/case.hpp"
+
+namespace stria::fine {
+
+struct ZoneSections {
+    ZoneSections(const Case& input)
+        : model(input.model), material(input.material), cracks(input.cracks), fine(input.fine),
+          steps_per_cycle(input.load.steps), tolerance(input.solver.tolerance) {}
+
+    ModelSection model;
+    MaterialSection material;
+    std::vector<CrackSection> cracks;
+    FineSection fine;
+    int steps_per_cycle;  // increments: how many predictors are remembered
+    double tolerance;     // relative residual
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,96 @@
+// Where contact comes and goes between two states, found by trying.
+#include "coarse/cycle/closure_meter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+Case loaded() {
+    Case input;
+    input.material.yield_stress = 300.0;
+    return input;
+}
+
+NewtonReport with_reach(double reach, double ahead = 1.0) {
+    NewtonReport report{.converged = true, .iterations = {{}}, .failure = {}};
+    report.iterations.back().residual.contact_reach = {reach};
+    report.iterations.back().residual.force_ahead = {ahead};
+    return report;
+}
+
+TEST(ClosureMeter, CountsOnlyContactBeyondItsDistances) {
+    Case input = loaded();
+    input.closure.distance = 0.2;
+    input.closure.profile = {0.05, 0.4};
+    const ClosureMeter meter(input.closure, input.material, {500.0});
+    EXPECT_EQ(meter.signals(), 3);
+    EXPECT_EQ(meter.closed(with_reach(0.3)), (std::vector<char>{1, 1, 0}));
+    EXPECT_EQ(meter.closed(with_reach(0.1)), (std::vector<char>{0, 1, 0}));
+    EXPECT_EQ(meter.closed(with_reach(-1.0)), (std::vector<char>{0, 0, 0}));
+    EXPECT_NEAR(ClosureMeter({}, loaded().material, {500.0}).distances(0)[0], 0.1 * 3.14159265 / 16.0 * 25.0 / 9.0,
+                1e-6);
+}
+
+TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
+    Case input = loaded();
+    input.closure.definition = OpeningDefinition::Tension;
+    const ClosureMeter meter(input.closure, input.material, {500.0});
+    EXPECT_EQ(meter.signals(), 2);
+    EXPECT_EQ(meter.closed(with_reach(-1.0, -2.0)), (std::vector<char>{0, 1}));
+    EXPECT_EQ(meter.closed(with_reach(-1.0, 2.0)), (std::vector<char>{0, 0}));
+}
+
+TEST(ClosureMeter, FindsTheLoadAsPreciselyAsAsked) {
+    Case input = loaded();
+    input.closure.distance = 0.2;
+    const ClosureMeter meter(input.closure, input.material, {500.0});
+    int trials = 0;
+    const auto solve = [&](double target) {
+        ++trials;
+        return ClosureMeter::Trial{with_reach(target < 37.3 ? 1.0 : -1.0), target};
+    };
+    const auto opening = meter.locate({1}, {0}, 30.0, 40.0, 0.2, solve);
+    ASSERT_EQ(opening.size(), 1U);
+    EXPECT_FALSE(opening[0].closes);
+    EXPECT_NEAR(opening[0].load_factor, 37.3, 0.2);
+    EXPECT_LE(trials, 7);
+    const auto closing = meter.locate({0}, {1}, 40.0, 30.0, 0.2, solve);
+    ASSERT_EQ(closing.size(), 1U);
+    EXPECT_TRUE(closing[0].closes);
+    EXPECT_NEAR(closing[0].load_factor, 37.3, 0.2);
+    EXPECT_TRUE(meter.locate({1}, {1}, 30.0, 40.0, 0.2, solve).empty());
+}
+
+// A crack that unzips from its mouth: farther distances open earlier, and one trial serves all of them.
+TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
+    Case input = loaded();
+    input.closure.distance = 0.1;
+    input.closure.profile = {0.2, 0.4};
+    const ClosureMeter meter(input.closure, input.material, {500.0});
+    int trials = 0;
+    const auto solve = [&](double target) {
+        ++trials;
+        return ClosureMeter::Trial{with_reach((40.0 - target) / 10.0 * 0.5), target};
+    };
+    const auto changes = meter.locate({1, 1, 1}, {0, 0, 0}, 30.0, 40.0, 0.1, solve);
+    ASSERT_EQ(changes.size(), 3U);
+    for (const OpeningChange& change : changes) {
+        const double distance = meter.distances(0)[at(change.signal)];
+        EXPECT_NEAR(change.load_factor, 40.0 - 20.0 * distance, 0.1);
+    }
+    EXPECT_LT(trials, 20);
+}
+
+TEST(ClosureMeter, StopsWhereATrialFails) {
+    const ClosureMeter meter({}, loaded().material, {500.0});
+    const auto fails = [](double) { return ClosureMeter::Trial{}; };
+    EXPECT_TRUE(meter.locate({1}, {0}, 30.0, 40.0, 0.1, fails).empty());
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,34 @@
+#include "coarse/cycle/compliance_offset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stria::coarse {
+namespace {
+
+// Compliance 1 above the load 40, .8 below: two straight lines that meet there.
+TEST(ComplianceOffset, FindsWhereTheCrackIsOpen) {
+    std::vector<double> down, up, v_down, v_up;
+    const auto opening = [](double load) { return load > 40.0 ? load : 40.0 - 0.8 * (40.0 - load); };
+    for (int k = 0; k <= 50; ++k) {
+        up.push_back(2.0 * k);
+        down.push_back(100.0 - 2.0 * k);
+        v_up.push_back(opening(up.back()));
+        v_down.push_back(opening(down.back()));
+    }
+    EXPECT_NEAR(compliance_offset_opening(down, v_down, up, v_up), 40.0, 2.0);
+    for (std::size_t k = 0; k < up.size(); ++k) {
+        v_up[k] = up[k];
+        v_down[k] = down[k];
+    }
+    EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // never closed
+    std::ranges::fill(v_up, 0.0);
+    std::ranges::fill(v_down, 0.0);
+    EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // no mouth
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,74 @@
+// Cycles from the increments that make them.
+#include "coarse/cycle/cycle_meter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stria::coarse {
+namespace {
+
+class CycleMeterTest : public testing::Test {
+protected:
+    CycleMeterTest() {
+        Case input;
+        input.material.yield_stress = 300.0;
+        closure = ClosureMeter(input.closure, input.material, {500.0});
+        meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+    }
+
+    /// At a load of the crack `a` long, whose K is ten times the load.
+    void go(int cycle, double load, double a, bool is_closed, std::vector<OpeningChange> changes = {}) {
+        Increment increment;
+        increment.step.cycle = cycle;
+        increment.step.target.value = increment.load_factor = load;
+        increment.nominal_K = {10.0 * a};
+        increment.closed = {static_cast<char>(is_closed)};
+        increment.opening_changes = std::move(changes);
+        increment.tips.push_back({.a = a, .J = load, .CTOD = 1e-3 * load, .CMOD = load, .plastic_zone = 0.01 * load});
+        meter.add(increment);
+    }
+
+    ClosureMeter closure;
+    CycleMeter meter;
+};
+
+TEST_F(CycleMeterTest, MeasuresFromMaximumToMaximum) {
+    go(0, 20.0, 1.0, false);
+    go(1, 0.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 6.0}});
+    go(1, 10.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 8.0}});
+    go(1, 20.0, 1.0, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_max, 200.0);
+    EXPECT_EQ(cycle.K_min, 0.0);
+    EXPECT_EQ(cycle.opening.K_cl, 60.0);
+    EXPECT_EQ(cycle.opening.K_op, 80.0);
+    EXPECT_EQ(cycle.da, 0.0);
+    EXPECT_NEAR(cycle.CTOD_range(), 0.02, 1e-15);
+    EXPECT_NEAR(cycle.forward, 0.2, 1e-15);
+}
+
+TEST_F(CycleMeterTest, StartsWithTheCrackAsItHasGrown) {
+    go(0, 20.0, 1.0, false);
+    go(1, 0.0, 1.0, false);
+    go(1, 20.0, 1.0, false);
+    EXPECT_EQ(meter.finish().at(0).opening.K_op, 0.0);  // open all cycle
+    go(1, 20.0, 1.5, false);                            // grows
+    go(2, 0.0, 1.5, false);
+    go(2, 20.0, 1.5, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.da, 0.5);
+    EXPECT_EQ(cycle.K_max, 300.0);
+    EXPECT_NEAR(cycle.forward, 0.2, 1e-15);  // the flow of growing is of loading
+    EXPECT_EQ(cycle.cyclic, 0.0);
+}
+
+TEST_F(CycleMeterTest, SaysNothingOfACrackThatStaysClosed) {
+    go(0, 20.0, 1.0, true);
+    go(1, 0.0, 1.0, true);
+    go(1, 20.0, 1.0, true);
+    EXPECT_TRUE(std::isnan(meter.finish().at(0).opening.K_op));
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,63 @@
+// Rows and columns of the tables a run leaves, and its summary.
+#include "coarse/results/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coarse/results/rows.hpp"
+#include "coarse/results/summary.hpp"
+
+namespace stria::coarse {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+    return text;
+}
+
+TEST(Tables, HaveTheColumnsUsersKnow) {
+    EXPECT_EQ(joined(history_columns()),
+              "increment,cycle,load_factor,load,displacement,tip,x,y,a,K_I,K_II,J,CMOD,CTOD,newton_iterations,"
+              "contact_length,plastic_zone,dissipation,plastic_zone_axis,T_stress,J_spread,K_spread,external_work,"
+              "stored_energy,released_energy,balance_error,frictional_dissipation");
+    EXPECT_EQ(joined(cycle_columns()),
+              "cycle,tip,a,da,dN,K_max,K_min,K_op,K_cl,U,dK_eff,J_max,CTOD_range,forward_zone,cyclic_zone,"
+              "newton_iterations,fine_points,fine_unknowns,wall_s,forward_zone_axis,cyclic_zone_axis,K_op_contact,"
+              "K_op_offset,K_op_tension");
+    EXPECT_EQ(joined(closure_columns()), "cycle,tip,distance,K_op,K_cl");
+    EXPECT_EQ(joined(face_columns()), "increment,crack,s,x,y,opening,slip,pressure,shear,status");
+}
+
+TEST(Tables, PutValuesUnderTheirColumns) {
+    HistoryRow row;
+    row.K_I = 42.0;
+    EXPECT_EQ(std::get<double>(cells_of(row)[9]), 42.0);
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(cells_of(row)[5]));  // no tip
+    row.tip = 1;
+    EXPECT_EQ(std::get<std::int64_t>(cells_of(row)[5]), 1);
+
+    coupling::FaceSample sample;
+    sample.pressure = 8.0;
+    sample.status = 2;
+    const std::vector<Cell> cells = cells_of(face_row(40, sample));
+    EXPECT_EQ(std::get<std::int64_t>(cells[0]), 40);
+    EXPECT_EQ(std::get<double>(cells[7]), 8.0);
+    EXPECT_EQ(std::get<std::int64_t>(cells[9]), 2);
+}
+
+TEST(SummaryJson, HoldsItsKeys) {
+    Summary summary;
+    summary.status = "done";
+    summary.last.resize(2);
+    summary.last[0].tip = 0;
+    const std::string text = to_json(summary).text();
+    for (const char* key :
+         {"status", "version", "mode", "ranks", "coarse_unknowns", "interface_unknowns", "fine_unknowns", "fine_points",
+          "timing", "setup", "coarse_factor", "fine_constitutive", "fine_contact", "fine_factor", "exchange", "output",
+          "total", "newton_iterations", "tips"}) {
+        EXPECT_NE(text.find('"' + std::string(key) + "\":"), std::string::npos) << key;
+    }
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,121 @@
+// The bound of the far stresses: never below them, close where it has learnt, and of use where the guard asks for it.
+#include "coarse/zone/far_stress_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "coarse/zone/refined_scene.hpp"
+#include "coarse/zone/structure_stresses.hpp"
+#include "common/fem/centre.hpp"
+#include "tests/support/pulled_plate.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// The zone is the tip's neighbourhood; near elements reach half across the plate.
+class FarStress : public testing::TestWithParam<PlaneState> {
+protected:
+    static Case input() {
+        Case plate = test::pulled_plate(0.5, true, false);
+        plate.mesh.width = plate.mesh.height = 40.0;
+        plate.cracks[0].points = {{0.0, 20.2}, {7.3, 20.2}};
+        plate.model.plane = GetParam();
+        return plate;
+    }
+
+    static ElementSet zone_of(const Scene& scene) {
+        ElementSet zone(scene.mesh.elements.size());
+        for (int e = 0; e < zone.size(); ++e)
+            if ((centre(scene.mesh, e) - Vec2(7.3, 20.2)).norm() < 1.5) zone.insert(e);
+        return zone;
+    }
+
+    struct State {
+        Eigen::VectorXd whole, rim;
+        double load_factor, largest_far;
+    };
+
+    [[nodiscard]] State state(const Eigen::VectorXd& gamma, double load_factor) const {
+        State s;
+        s.whole = structure.expand(gamma, load_factor);
+        s.rim = gather(s.whole, structure.rim());
+        s.load_factor = load_factor;
+        s.largest_far = largest_far_stress(structure, s.whole);
+        return s;
+    }
+
+    /// Smooth: a linear field of the size of the elastic strains; rough: any displacement of Gamma.
+    [[nodiscard]] Eigen::VectorXd random_gamma(double rough) {
+        std::uniform_real_distribution<double> any(-1.0, 1.0);
+        const Eigen::Matrix2d gradient = Eigen::Matrix2d::NullaryExpr([&] { return 1e-3 * any(generator); });
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+        for (std::size_t n = 0; n < scene.mesh.nodes.size(); ++n)
+            u.segment<2>(scene.enriched.unknown(static_cast<int>(n), 0, 0)) =
+                gradient * (scene.mesh.nodes[n] - Vec2(7.3, 20.2));
+        Eigen::VectorXd gamma = gather(u, structure.gamma());
+        for (double& value : gamma) value += rough * any(generator);
+        return gamma;
+    }
+
+    std::mt19937 generator{7};
+    const Scene scene = refined_scene(input());
+    const Structure structure{scene, zone_of(scene)};
+};
+
+TEST_P(FarStress, NearUnknownsAreThoseOfTheWhole) {
+    EXPECT_GT(structure.near_unknowns().size(), 100U);
+    EXPECT_LT(std::ssize(structure.near_unknowns()), structure.unknowns() / 2);
+    for (const double load_factor : {0.0, 40.0}) {
+        const Eigen::VectorXd gamma = random_gamma(1e-4);
+        const Eigen::VectorXd whole = structure.expand(gamma, load_factor);
+        Eigen::VectorXd near = Eigen::VectorXd::Zero(whole.size());
+        structure.expand_near(gamma, load_factor, near);
+        structure.elements().for_each(structure.elements().near(), [&](const auto& op) {
+            const Eigen::VectorXd error = gather(near, op.unknowns) - gather(whole, op.unknowns);
+            EXPECT_LE(error.lpNorm<Eigen::Infinity>(), 1e-12 * whole.lpNorm<Eigen::Infinity>());
+        });
+    }
+}
+
+TEST_P(FarStress, FarForceIsThatOfTheFarElements) {
+    const State s = state(random_gamma(1e-4), 0.0);
+    double energy = 0.0;
+    const MandelMatrix elastic = scene.elastic.stiffness();
+    structure.elements().for_each([&](const auto& op) {
+        if (!structure.is_far(op.element)) return;
+        const auto local = gather(s.whole, op.unknowns);
+        energy += 0.5 * local.dot((op.stiffness(elastic) * local).eval());
+    });
+    EXPECT_NEAR(0.5 * s.rim.dot(structure.far_force(s.rim)), energy, 1e-9 * energy);
+}
+
+TEST_P(FarStress, BoundIsNeverBelowTheStress) {
+    FarStressBound bound(structure);
+    EXPECT_EQ(bound.at(state(random_gamma(0.0), 10.0).rim, 10.0), std::numeric_limits<double>::infinity());
+    std::uniform_real_distribution<double> any(-50.0, 50.0);
+    for (int k = 0; k < 40; ++k) {
+        const State s = state(random_gamma(k % 3 == 0 ? 1e-3 : 1e-5), k % 5 == 0 ? 0.0 : any(generator));
+        EXPECT_GE(bound.at(s.rim, s.load_factor), s.largest_far * (1.0 - 1e-9)) << k;
+        if (k % 4 != 1) continue;
+        bound.learn(s.rim, s.load_factor, s.largest_far);
+        EXPECT_LE(bound.at(s.rim, s.load_factor), 1.03 * s.largest_far) << k;  // but for what is not worth a mode
+    }
+}
+
+TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
+    FarStressBound bound(structure);
+    for (const double load_factor : {40.0, -30.0, 20.0}) {
+        const State s = state(random_gamma(1e-5), load_factor);
+        bound.learn(s.rim, load_factor, s.largest_far);
+        for (const double scale : {1.0, 0.3, -0.7})
+            EXPECT_NEAR(bound.at(scale * s.rim, scale * load_factor), std::abs(scale) * s.largest_far,
+                        1e-6 * s.largest_far);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Planes, FarStress, testing::Values(PlaneState::Strain, PlaneState::Stress),
+                         [](const auto& test) { return test.param == PlaneState::Strain ? "strain" : "stress"; });
+
+}  // namespace
+}  // namespace stria::coarse

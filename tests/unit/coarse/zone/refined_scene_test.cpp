@@ -1,0 +1,80 @@
+// Meshes refined about the tips: how small, how far, and along the planned growth.
+#include "coarse/zone/refined_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coarse/specimen/specimen.hpp"
+#include "common/error.hpp"
+#include "common/fem/centre.hpp"
+#include "common/index.hpp"
+#include "tests/support/pulled_plate.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// Of unit elements, pulled in four cycles up to `traction`, MPa.
+Case plate(int refine, double traction = 10.0) {
+    Case input = test::pulled_plate(1.0, true, false);
+    input.fine.refine = refine;
+    input.load.blocks = {{.cycles = 4, .max = traction, .min = 0.0}};
+    return input;
+}
+
+/// Edge of the element at a place, mm.
+double size_at(const Scene& scene, const Vec2& place) {
+    double size = std::nan(""), nearest = INFINITY;
+    for (int e = 0; e < std::ssize(scene.mesh.elements); ++e) {
+        const double distance = (centre(scene.enriched, e) - place).norm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        const auto& nodes = scene.mesh.elements[at(e)];
+        size = (scene.mesh.nodes[at(nodes[1])] - scene.mesh.nodes[at(nodes[0])]).norm();
+    }
+    return size;
+}
+
+TEST(RefinedScene, IsThatOfTheSpecimensMeshWithoutRefinement) {
+    const Case input = plate(1);
+    const Scene scene = refined_scene(input);
+    EXPECT_EQ(scene.mesh.nodes.size(), make_mesh(input.mesh, input.cracks).nodes.size());
+    EXPECT_TRUE(scene.enriched.tied.empty());
+}
+
+TEST(RefinedScene, HasElementsAsSmallAsAskedForAboutTheTip) {
+    const Scene scene = refined_scene(plate(4));
+    const Tip& tip = scene.enriched.tips.at(0);
+    EXPECT_NEAR(size_at(scene, tip.position), 0.25, 1e-12);
+    EXPECT_NEAR(size_at(scene, {19.5, 0.5}), 1.0, 1e-12);
+}
+
+TEST(RefinedScene, RefinesAsFarAsTheRadiusSays) {
+    Case input = plate(2);
+    input.fine.radius = 4.0;
+    const Scene scene = refined_scene(input);
+    const Vec2 tip = scene.enriched.tips.at(0).position;
+    EXPECT_NEAR(size_at(scene, tip + Vec2(3.5, 0.0)), 0.5, 1e-12);
+    EXPECT_NEAR(size_at(scene, tip + Vec2(8.0, 0.0)), 1.0, 1e-12);
+}
+
+TEST(RefinedScene, TakesItsRadiusFromTheLoadHistory) {
+    EXPECT_GT(refined_scene(plate(2, 70.0)).mesh.elements.size(), refined_scene(plate(2)).mesh.elements.size() + 20);
+}
+
+TEST(RefinedScene, GoesWithThePlannedGrowth) {
+    Case input = plate(2);
+    const Vec2 tip = refined_scene(input).enriched.tips.at(0).position, ahead = tip + Vec2(5.0, 0.0);
+    EXPECT_NEAR(size_at(refined_scene(input), ahead), 1.0, 1e-12);
+    input.growth = GrowthSection{.increment = 1.25};  // in each of four cycles
+    EXPECT_NEAR(size_at(refined_scene(input), ahead), 0.5, 1e-12);
+}
+
+TEST(RefinedScene, RefusesACrackShorterThanTheElementAtItsTip) {
+    Case input = plate(2);
+    input.cracks[0].points.back() = {0.4, 10.4};
+    EXPECT_THROW(static_cast<void>(refined_scene(input)), CaseError);
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,106 @@
+// What points remember: each its own numbers, trial apart from committed, plastic for a half cycle.
+#include "fine/bulk/point_history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "tests/support/point_histories.hpp"
+
+namespace stria::test {
+namespace {
+
+using fine::PointHistory;
+
+class PointHistories : public testing::Test {
+protected:
+    void update(const Eigen::VectorXd& increment) {
+        history.update(plate.elements.operators(), 0, plate.elements.count(), increment);
+    }
+    [[nodiscard]] int count() const { return plate.elements.count(); }
+
+    PlatePoints plate;
+    PointHistory history = plate.history();
+};
+
+TEST_F(PointHistories, KeepEachPointsOwnNumbers) {
+    const auto strain_of = [](int e, std::size_t q) {
+        return Mandel(1e-6 * e, 1e-8 * static_cast<double>(q), 0, 1e-6);
+    };
+    for (int e = 0; e < count(); ++e)
+        for (std::size_t q = 0; q < at(history.points(e)); ++q) history.begin(e, q, strain_of(e, q));
+    for (int e = 0; e < count(); ++e) {
+        for (std::size_t q = 0; q < at(history.points(e)); ++q) {
+            const Mandel stress = plate.elastic.stiffness() * strain_of(e, q);
+            EXPECT_EQ(history.stress(e, q), stress);
+            EXPECT_EQ(history.trial_stress(e, q), Mandel(Mandel::Zero()));  // until rollback()
+            for (int c = 0; c < 4; ++c)
+                EXPECT_EQ(history.stresses(e)[c * history.points() + static_cast<int>(q)], stress[c]);
+        }
+    }
+    history.rollback();
+    EXPECT_EQ(history.trial_stress(count() - 1, 0), history.stress(count() - 1, 0));
+}
+
+TEST_F(PointHistories, CommitOneElementAlone) {
+    update(plate.stretched(1e-4));
+    history.commit(1);
+    EXPECT_EQ(history.stress(1, 0), history.trial_stress(1, 0));
+    EXPECT_GT(history.stress(1, 0).norm(), 1.0);
+    EXPECT_EQ(history.stress(0, 0), Mandel(Mandel::Zero()));
+    history.rollback(0);
+    EXPECT_EQ(history.trial_stress(0, 0), Mandel(Mandel::Zero()));
+    EXPECT_NE(history.trial_stress(2, 0), Mandel(Mandel::Zero()));
+}
+
+TEST_F(PointHistories, CountWhoYieldsPerElement) {
+    update(plate.stretched(5e-3));
+    std::vector<std::int32_t> yielding = history.yielding_points();
+    for (int e = 0; e < count(); ++e) EXPECT_EQ(yielding[at(e)], history.points(e)) << e;
+    EXPECT_GT(history.largest_plastic_increment(), 1e-3);
+    EXPECT_EQ(history.accumulated(0, 0), 0.0);  // committed
+    history.set_elastic(3);
+    yielding = history.yielding_points();
+    EXPECT_EQ(yielding[3], 0);
+    EXPECT_EQ(std::reduce(yielding.begin(), yielding.end()), history.points() - history.points(3));
+}
+
+TEST_F(PointHistories, ArePlasticUntilTheHalfCycleAfter) {
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(plate.mesh.unknowns);
+    update(plate.stretched(5e-3));
+    EXPECT_FALSE(history.is_plastic(0));
+    history.commit(true);
+    EXPECT_TRUE(history.is_plastic(0));
+    EXPECT_TRUE(history.half_cycle_ended());
+    update(nothing);
+    history.commit(false);
+    EXPECT_FALSE(history.is_plastic(0));
+    EXPECT_GT(history.accumulated(0, 0), 1e-3);
+}
+
+TEST_F(PointHistories, AddSharesOfAnother) {
+    PointHistory other = plate.history();
+    other.begin(0, 0, {1e-4, 0, 0, 0});
+    other.begin(0, 1, {0, 2e-4, 0, 0});
+    other.set_plastic(0, 1, true);
+    history.add_share(5, 2, 0.25, other, 0, 0);
+    EXPECT_FALSE(history.is_plastic(5, 2));
+    history.add_share(5, 2, 0.75, other, 0, 1);
+    EXPECT_TRUE(history.is_plastic(5, 2));
+    const Mandel mean = plate.elastic.stiffness() * Mandel(0.25e-4, 1.5e-4, 0, 0);
+    EXPECT_LT((history.stress(5, 2) - mean).norm(), 1e-12 * mean.norm());
+    EXPECT_EQ(history.stress(5, 1), Mandel(Mandel::Zero()));
+}
+
+TEST_F(PointHistories, HaveNoFrozenGradientUntilOneIsKept) {
+    EXPECT_FALSE(history.has_frozen_gradients());
+    EXPECT_TRUE(history.frozen_gradient(4, 1).isZero(0.0));
+    const Eigen::Matrix2d gradient = (Eigen::Matrix2d() << 1, 2, 3, 4).finished();
+    history.freeze_gradient(4, 1, gradient);
+    EXPECT_TRUE(history.has_frozen_gradients());
+    EXPECT_EQ(history.frozen_gradient(4, 1), gradient);
+    EXPECT_TRUE(history.frozen_gradient(4, 0).isZero(0.0));
+}
+
+}  // namespace
+}  // namespace stria::test
