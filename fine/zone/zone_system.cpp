@@ -115,7 +115,6 @@ void ZoneSystem::predict(const Predictor& predictor) {
     }
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
-    damping_.begin();
 }
 
 void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction) {
@@ -140,6 +139,7 @@ void ZoneSystem::linearise() {
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(trial_.traction, force);
     load_ = load_factor_ * patch_.unit_load - force;
+    opening_.hold(held_, load_);
     response_.resize(0);
 }
 
@@ -195,7 +195,6 @@ coupling::PatchResponse ZoneSystem::measure() {
         if (!followed.contains(i))
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
-    step_ = damping_.factor(response.interior_residual);
     response.contact_residual = contact_->residual(trial_.traction, jumps_);
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
@@ -221,7 +220,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     contact_->commit(committed_.displacement);
     coupling::StepReport report;
     report.energy = {.stored = fine::stored_energy(*bulk_),
-                     .released = opening_.release(move.displacement),
+                     .released = opening_.release(move.displacement, held_),
                      .friction = friction,
                      .load_path = patch_.unit_load.dot(move.displacement)};
     increments_.push(move);

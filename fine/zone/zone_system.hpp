@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "common/case/case.hpp"
-#include "common/damping.hpp"
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
@@ -29,6 +28,9 @@ public:
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
     [[nodiscard]] double load_factor() const { return load_factor_; }
+
+    /// Share of the forces on faces that growth has opened that still holds them, until it is set again.
+    void set_held(double share) { held_ = share; }
 
     /// Moves the trial unknowns: displacements of the zone, tractions of the faces.
     void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction);
@@ -67,8 +69,6 @@ public:
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
     [[nodiscard]] coupling::PatchResponse measure();
-    /// What of the correction that follows is to be taken.
-    [[nodiscard]] double step() const { return step_; }
     [[nodiscard]] double tolerance() const { return input_.solver.tolerance; }
 
     coupling::StepReport commit(bool reversal);
@@ -107,8 +107,6 @@ private:
     FrozenTips frozen_;
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
     Unknowns committed_, trial_;
-    Damping damping_;
-    double step_ = 1.0;
     OpeningFaces opening_;
     IncrementMemory<Unknowns> increments_;
     Eigen::VectorXd load_;
@@ -116,7 +114,7 @@ private:
     UnknownSet inside_;  // of what rests
     double force_scale_at_rest_ = 0.0;
     Eigen::VectorXd response_;  // of what rests, N/mm; empty: nothing does
-    double largest_move_ = 0.0, load_factor_ = 0.0;
+    double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;
 };
