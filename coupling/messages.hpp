@@ -42,7 +42,10 @@ struct PatchDisplacement {
     int iteration = 0;         // 0: first of an increment
     Predictor predictor = {};  // of the zone's interior, in that first iteration
     double load_factor = 0.0;
+    double step = 1.0;           // part of Newton's correction that Gamma has moved by: the interior takes the same
+    double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
     double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more
+    bool check_rest = false;     // look at the elements at rest: this state may be the last
     Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
 };
 
@@ -68,6 +71,7 @@ struct PatchResponse {
     double contact_residual = 0;       // largest complementarity residual, as a force
     double interior_correction = 0;    // largest change of an interior displacement since the last call, mm
     double interior_displacement = 0;  // largest interior displacement, mm
+    bool provisional = false;          // elements at rest have not been looked at: one of them may yield
     Digest digest;
 };
 

@@ -5,6 +5,7 @@
 
 #include "app/run/coarse_run.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
+#include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
 
@@ -53,6 +54,8 @@ int check(const RunOptions& options) {
         return 0;
     }
     print_zone_estimate(scene, nominal);
+    for (const std::string& warning : coarse::mesh_warnings(scene, coarse::largest_K_I(input.load, nominal)))
+        fmt::print("# warning: {}\n", warning);
     return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "app/process/version.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/results/summary.hpp"
+#include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
@@ -99,6 +100,8 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     };
     coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
     running = &analysis;
+    warnings_ = coarse::mesh_warnings(scene_, analysis.largest_K_I());
+    for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
     if (analysis.finished()) {
         progress_.note(fmt::format("nothing is left to do: results in {}", directory_.string()));
         return Done;
@@ -127,7 +130,8 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
 
 bool CoarseRun::is_due(const coarse::LoadStep& step) const {
     const int every = scene_.input.output.checkpoint_every;
-    return every > 0 && step.ends_cycle && step.cycle % every == 0;
+    const bool first = !saved_ && step.reversal;  // what fails in the first cycle is not lost
+    return every > 0 && (first || (step.ends_cycle && step.cycle % every == 0));
 }
 
 void CoarseRun::write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder) {
@@ -174,6 +178,7 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
                       .checkpoint = checkpoint_s_,
                       .total = seconds()};
     summary.last = recorder.last_rows();
+    summary.warnings = warnings_;
     write_json(directory_ / "summary.json", coarse::to_json(summary));
 }
 

@@ -58,6 +58,7 @@ private:
     Progress progress_;
     coarse::CaseMark mark_;
     std::optional<coarse::Checkpoint> from_;  // where the run resumes
+    std::vector<std::string> warnings_;       // of the mesh
     std::optional<int> saved_;                // increment of the last checkpoint
 };
 

@@ -47,6 +47,7 @@ public:
         if (by_load) load_factor_ = target_;
         impose_held();
         zone_.predict(predictor);
+        zone_.set_held(target.held);
         zone_.set_load_factor(load_factor_);
         zone_.set_boundary(on_boundary());
     }
@@ -84,9 +85,9 @@ public:
         return move / std::max({trial_.cwiseAbs().maxCoeff(), move, 1e-300});
     }
 
-    void apply() override {
+    void apply(double step) override {
         const int n = scene_.enriched.unknowns, m = zone_.contact().tractions();
-        correction_ *= zone_.step();
+        correction_ *= step;
         trial_ += correction_.head(n);
         load_factor_ += correction_[n + m];
         impose_held();

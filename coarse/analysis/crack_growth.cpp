@@ -6,6 +6,7 @@
 #include "coarse/analysis/crack_advance.hpp"
 #include "coarse/analysis/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
+#include "coarse/model/crack_room.hpp"
 #include "common/error.hpp"
 
 namespace stria::coarse {
@@ -14,6 +15,8 @@ bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth
 
 std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_factor,
                                          const std::vector<TipResult>& reached, const std::vector<CycleResult>& last) {
+    if (growth_.law != GrowthLaw::Prescribed && last.empty()) return nullptr;  // no cycle has told a rate yet
+    require_opening_loads(last);
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     std::unique_ptr<Scene> longer;
@@ -24,6 +27,16 @@ std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_fa
                                             advances(growth_, last, nominal.size())));
     ended_ = !longer;
     return longer;
+}
+
+void CrackGrowth::require_opening_loads(const std::vector<CycleResult>& last) const {
+    if (growth_.law != GrowthLaw::Paris || growth_.driving != GrowthDriving::EffectiveRange) return;
+    const auto lost = std::ranges::find(last, true, [](const CycleResult& cycle) { return cycle.opening.lost; });
+    if (lost == last.end()) return;
+    throw NumericalFailure(fmt::format(
+        "K_op drives the growth, and no equilibrium of the last cycle tells it for tip {}; finer increments "
+        "(load.steps) may",
+        lost - last.begin()));
 }
 
 bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, double load_factor,
@@ -51,6 +64,8 @@ std::unique_ptr<Scene> CrackGrowth::scene_of(const Scene& present, std::vector<C
         Case input = present.input;
         input.cracks = std::move(cracks);
         auto next = std::make_unique<Scene>(make_scene(input, present.mesh));
+        constexpr int as_fine_as_it_is = 1;
+        require_room(next->mesh, next->enriched, as_fine_as_it_is);
         if (next->enriched.tips.size() == present.enriched.tips.size()) return next;
         note_("the next advance takes a crack out of the body: growth ends here");
     } catch (const CaseError& error) {

@@ -21,8 +21,9 @@ public:
     [[nodiscard]] bool is_due(const LoadStep& reached) const;
 
     /// The scene with each tip advanced by the law, from what it went through in the `last` cycle, in the direction
-    /// that the tips `reached` give (one per tip each). Null where growth ends the run: no tip is driven, a limit of
-    /// [growth] is reached, or a crack would leave the body or meet another one.
+    /// that the tips `reached` give (one per tip each). Null before the first cycle of a law of da/dN has ended, and
+    /// where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack would leave the body or
+    /// meet another one. Throws NumericalFailure where K_op drives the growth and was lost.
     [[nodiscard]] std::unique_ptr<Scene> next(const CrackedBody& body, double load_factor,
                                               const std::vector<TipResult>& reached,
                                               const std::vector<CycleResult>& last);
@@ -31,6 +32,7 @@ public:
     void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const;
 
 private:
+    void require_opening_loads(const std::vector<CycleResult>& last) const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, double load_factor,
                                const std::vector<CycleResult>& last) const;
     [[nodiscard]] std::unique_ptr<Scene> scene_of(const Scene& present, std::vector<CrackSection> cracks) const;

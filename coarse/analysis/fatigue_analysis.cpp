@@ -1,6 +1,7 @@
 #include "coarse/analysis/fatigue_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -141,7 +142,17 @@ std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step
     if (!report.converged)
         throw NumericalFailure(
             fmt::format("an increment that had converged, to {}, did not again", to_text(step.target)));
+    note_lost(step, changes);
     return changes;
+}
+
+void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const {
+    const auto lost = std::ranges::find_if(changes, [](const auto& change) { return std::isnan(change.load_factor); });
+    if (lost == changes.end()) return;
+    listener_.note(
+        fmt::format("cycle {}: no equilibrium between {} and {} tells where tip {} {}: its load is left empty",
+                    step.cycle, to_text({step.target.control, controller_.reached()}), to_text(step.target), lost->tip,
+                    lost->closes ? "closes" : "opens"));
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {
@@ -174,7 +185,8 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
     }
 }
 
-// Figure 3: (a) the cracks are longer; (b) at constant load the body finds equilibrium with them.
+// Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
+// without them.
 void FatigueAnalysis::grow(const LoadStep& reached) {
     std::unique_ptr<Scene> longer = growth_->next(body_, model_.load_factor(), reached_tips_, last_cycle_);
     if (!longer) return;
@@ -185,13 +197,32 @@ void FatigueAnalysis::grow(const LoadStep& reached) {
     step.cycle = reached.cycle;
     step.target = reached.target;
     step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
-    NewtonReport report = attempt(step);
-    while (report.converged && zone_must_grow(step)) report = attempt(step);
-    if (!report.converged) {
-        throw NumericalFailure(fmt::format("after the crack has grown in cycle {}: {} at {}", step.cycle,
-                                           report.failure, to_text(step.target)));
+    release_new_faces(step);
+}
+
+// At once where Newton's method gets there; else in parts, halved like any increment.
+void FatigueAnalysis::release_new_faces(LoadStep step) {
+    double held = 1.0, part = 1.0;
+    int cuts = 0;
+    while (held > 0.0) {
+        const double left = std::max(held - part, 0.0);
+        step.target.held = left / held;
+        const NewtonReport report = attempt(step);
+        if (!report.converged) {
+            model_.rollback();
+            if (cuts++ == controller_.max_cuts())
+                throw NumericalFailure(fmt::format("after the crack has grown in cycle {}: {} at {} after {} halvings",
+                                                   step.cycle, report.failure, to_text(step.target), cuts - 1));
+            listener_.note(fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target),
+                                       report.failure));
+            part /= 2.0;
+            continue;
+        }
+        if (zone_must_grow(step)) continue;
+        accept(step, report, {});
+        held = left;
+        if (cuts > 0) --cuts, part *= 2.0;
     }
-    accept(step, report, {});
 }
 
 }  // namespace stria::coarse

@@ -32,6 +32,8 @@ public:
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip: nominal K of docs/method.md,
     /// section 9.
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return body_.nominal(); }
+    /// Of the load history, one per tip, MPa sqrt(mm).
+    [[nodiscard]] const std::vector<double>& largest_K_I() const { return body_.largest_K_I(); }
     [[nodiscard]] const ClosureMeter& closure() const { return closure_.meter(); }
     /// Increments that were halved.
     [[nodiscard]] int cuts() const { return controller_.cuts(); }
@@ -48,7 +50,9 @@ private:
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
     void end_cycle(Increment& increment);
     void note_flowing_rings(const Increment& increment);
+    void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
     void grow(const LoadStep& reached);
+    void release_new_faces(LoadStep step);
 
     Listener listener_;
     CoarseEffort effort_;

@@ -5,17 +5,31 @@
 
 namespace stria::coarse {
 
+namespace {
+
+double driving_range(GrowthDriving driving, const CycleResult& cycle) {
+    switch (driving) {
+    case GrowthDriving::Range:
+        return std::max(cycle.K_max, 0.0) - std::max(cycle.K_min, 0.0);
+    case GrowthDriving::FullRange:
+        return cycle.K_max - cycle.K_min;
+    case GrowthDriving::EffectiveRange:
+        break;
+    }
+    return cycle.K_max - cycle.opening.K_op;
+}
+
+}  // namespace
+
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment;
-    double range = cycle.CTOD_range();
-    if (growth.law == GrowthLaw::Paris)
-        range = cycle.K_max - (growth.driving == GrowthDriving::Range ? cycle.K_min : cycle.opening.K_op);
+    const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.CTOD_range();
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
 }
 
 std::vector<double> advances(const GrowthSection& growth, const std::vector<CycleResult>& last, std::size_t tips) {
     std::vector<double> advance(tips, growth.increment);
-    if (last.empty()) return advance;
+    if (growth.law == GrowthLaw::Prescribed) return advance;
     const double fastest = fastest_rate(growth, last);
     for (std::size_t t = 0; t < tips; ++t)
         advance[t] = fastest > 0.0 ? growth.increment * (growth_rate(growth, last[t]) / fastest) : 0.0;

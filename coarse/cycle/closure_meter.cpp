@@ -55,15 +55,16 @@ void ClosureMeter::bisect(const End& before, const End& after, double load_facto
                           std::vector<OpeningChange>& changes) const {
     if (before.closed == after.closed) return;
     if (std::abs(after.target - before.target) > precision || std::isnan(load_factor)) {
-        const double middle = (before.target + after.target) / 2.0;
-        const Trial trial = solve(middle);
-        if (trial.report.converged) {
-            const End between{middle, closed(trial.report)};
-            bisect(before, between, trial.load_factor, precision, solve, changes);
-            bisect(between, after, trial.load_factor, precision, solve, changes);
+        for (const double way : {0.5, 0.375, 0.625, 0.25, 0.75}) {
+            const double between = (1.0 - way) * before.target + way * after.target;
+            const Trial trial = solve(between);
+            if (!trial.report.converged) continue;
+            const End middle{between, closed(trial.report)};
+            bisect(before, middle, trial.load_factor, precision, solve, changes);
+            bisect(middle, after, trial.load_factor, precision, solve, changes);
             return;
         }
-        if (std::isnan(load_factor)) return;
+        load_factor = NAN;
     }
     for (std::size_t k = 0; k < before.closed.size(); ++k) {
         if (before.closed[k] == after.closed[k]) continue;

@@ -17,7 +17,7 @@ struct OpeningChange {
     int tip;
     int signal;          // ClosureMeter::signals()
     bool closes;         // or opens
-    double load_factor;  // to the precision asked for
+    double load_factor;  // to the precision asked for; NaN where no trial between two states came to equilibrium
 };
 
 /// Reads signals of closure and finds where they change. Contact nearer to the tip than a fixed distance does not
@@ -51,7 +51,8 @@ public:
     /// Finds the trial equilibrium at a target, starting from the state `from`.
     using Solve = std::function<Trial(double)>;
 
-    /// Tries targets between two states until each change lies between two that are no more than `precision` apart.
+    /// Tries targets between two states until each change lies between two that are no more than `precision` apart. A
+    /// trial that fails is made again elsewhere between them.
     [[nodiscard]] std::vector<OpeningChange> locate(const std::vector<char>& before, const std::vector<char>& after,
                                                     double from, double to, double precision, const Solve& solve) const;
 

@@ -7,6 +7,20 @@
 #include "common/index.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// K_op: of the last contact that is lost. K_cl: of the first that is made on the way down.
+void note_change(OpeningLoads& loads, const OpeningChange& change, double nominal_K, bool unloading) {
+    const double K = nominal_K * change.load_factor;
+    if (!change.closes) {
+        loads.K_op = K;
+        loads.lost = std::isnan(K);
+    } else if (unloading && std::isnan(loads.K_cl)) {
+        loads.K_cl = K;
+    }
+}
+
+}  // namespace
 
 CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips)
     : definition_(definition), signals_(at(closure.signals())), contact_signals_(at(closure.contact_signals())) {
@@ -40,7 +54,7 @@ void CycleMeter::add(const Increment& increment) {
     const bool growing = increment.step.target.value == now_.last_target;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         Tip& tip = now_.tips[t];
-        measure(tip, increment, t);
+        measure(tip, increment, t, !loading && !growing);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())
             path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
@@ -61,14 +75,14 @@ void CycleMeter::add(const Increment& increment) {
     }
 }
 
-void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t) const {
+void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const {
     CycleResult& cycle = tip.cycle;
     const TipResult& result = increment.tips[t];
     const double K = increment.nominal_K[t] * increment.load_factor;
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
-        (change.closes ? tip.signal[s].K_cl : tip.signal[s].K_op) = increment.nominal_K[t] * change.load_factor;
+        note_change(tip.signal[s], change, increment.nominal_K[t], unloading);
         tip.changed[s] = 1;
     }
     for (std::size_t s = 0; s < signals_; ++s)

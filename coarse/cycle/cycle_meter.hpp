@@ -46,7 +46,7 @@ public:
 private:
     using Tip = CycleMemory::Tip;
     void begin(int cycle);
-    void measure(Tip& tip, const Increment& increment, std::size_t t) const;
+    void measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const;
     [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;

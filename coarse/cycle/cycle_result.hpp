@@ -9,6 +9,7 @@ namespace stria::coarse {
 /// Nominal stress intensities, MPa sqrt(mm); NaN where there is none: closed, or open, all cycle.
 struct OpeningLoads {
     double K_op = std::numeric_limits<double>::quiet_NaN(), K_cl = std::numeric_limits<double>::quiet_NaN();
+    bool lost = false;  // it opens, but no equilibrium was found that tells where: K_op is missing
 };
 
 /// From maximum to maximum.

@@ -53,6 +53,9 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
     target_ = target.value;
     predictor_ = predictor;
     iteration_ = 0;
+    step_ = 1.0;
+    held_faces_ = target.held;
+    check_rest_ = false;
     near_wanted_ = false;
     settled_below_ = 0.0;
     trial_ = committed_;
@@ -75,7 +78,14 @@ Residual CondensedEquilibrium::linearise() {
     if (fine_ == nullptr) return result;
     {
         const Stopwatch watch(effort_.exchange_s);
-        fine_->request({iteration_, predictor_, load_factor_, settled_below_, trial_});
+        fine_->request({.iteration = iteration_,
+                        .predictor = predictor_,
+                        .load_factor = load_factor_,
+                        .step = step_,
+                        .held = held_faces_,
+                        .settled_below = settled_below_,
+                        .check_rest = check_rest_,
+                        .boundary = trial_});
         // Meanwhile the structure's part, which needs no answer.
         residual_ -= structure_.tangent() * u;
         if (near_wanted_) (void)near_displacement();
@@ -89,6 +99,7 @@ Residual CondensedEquilibrium::linearise() {
     add_zone(result, response_);
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
     const double tolerance = scene_.input.solver.tolerance, left = result.largest() / result.scale;
+    check_rest_ = result.provisional && result.within(tolerance);
     settled_below_ = response_.same_tangent ? 0.0 : tolerance * result.scale;
     near_wanted_ = left * left <= 0.1 * tolerance;  // Newton's method squares what is left
     return result;
@@ -144,11 +155,12 @@ double CondensedEquilibrium::solve() {
            std::max({largest(trial_), largest(correction_), response_.interior_displacement, 1e-300});
 }
 
-void CondensedEquilibrium::apply() {
+void CondensedEquilibrium::apply(double step) {
     if (fine_ == nullptr) return;
     for (std::size_t k = 0; k < structure_.free_places().size(); ++k)
-        trial_[structure_.free_places()[k]] += correction_[static_cast<Eigen::Index>(k)];
-    load_factor_ += load_correction_;
+        trial_[structure_.free_places()[k]] += step * correction_[static_cast<Eigen::Index>(k)];
+    load_factor_ += step * load_correction_;
+    step_ = step;
     impose_held();
     ++iteration_;
 }

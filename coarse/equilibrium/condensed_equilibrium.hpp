@@ -21,7 +21,7 @@ public:
     void begin(const Target& target, const Predictor& predictor) override;
     Residual linearise() override;
     double solve() override;
-    void apply() override;
+    void apply(double step) override;
     void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
@@ -62,7 +62,9 @@ private:
     double load_correction_ = 0.0;
     coupling::PatchResponse response_;
     CondensedTangent zone_tangent_;  // of the last response that brought one
-    double settled_below_ = 0.0;     // for the next request
+    // For the next request.
+    double settled_below_ = 0.0, step_ = 1.0, held_faces_ = 0.0;
+    bool check_rest_ = false;
     // Of the bordered tangent, for as long as the zone's is the same; the second where that is not symmetric or not
     // definite.
     DenseCholesky factor_;

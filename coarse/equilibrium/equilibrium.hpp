@@ -22,6 +22,7 @@ struct Residual {
     int yielding_points = 0;
     int closed = 0;                          // multipliers
     int status_changes = 0;                  // since the iteration before
+    bool provisional = false;                // elements at rest have not been looked at: no state to stay in
     std::vector<double> contact_reach = {};  // per tip: how far behind it the farthest contact lies, mm; < 0: none
     std::vector<double> force_ahead = {};    // per tip, where it is measured: normal stress over the sector ahead, N
 
@@ -64,8 +65,8 @@ public:
     /// is (1 at the start of a run).
     virtual double solve() = 0;
 
-    /// Takes the correction.
-    virtual void apply() = 0;
+    /// Takes a part of the correction, everywhere the same.
+    virtual void apply(double step) = 0;
 
     /// Lets the commit() that must follow begin, where somebody else has a part in it.
     virtual void begin_commit(bool /*reversal*/) {}

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "coarse/equilibrium/damping.hpp"
 #include "common/error.hpp"
 
 namespace stria::coarse {
@@ -23,6 +24,7 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
                               const SolverSection& solver, double largest_force) {
     NewtonReport report;
     try {
+        Damping damping;
         equilibrium.begin(target, predictor);
         for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
             const Residual residual = equilibrium.linearise();
@@ -31,11 +33,11 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
             report.iterations.push_back({residual, correction});
             const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
             const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
-            if (settled || rounding) {
+            if ((settled || rounding) && !residual.provisional) {
                 report.converged = true;
                 return report;
             }
-            equilibrium.apply();
+            equilibrium.apply(damping.factor(residual.interior));
         }
         report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
     } catch (const NumericalFailure& failure) {

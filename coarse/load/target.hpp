@@ -11,6 +11,7 @@ namespace stria::coarse {
 struct Target {
     Control control = Control::Load;
     double value = 0.0;  // load factor, or mean displacement of the loaded boundary along its direction, mm
+    double held = 0.0;   // share of the forces on faces that growth has opened that still holds them (Fig. 3b)
 };
 
 /// "load factor 0.5", "displacement 0.02 mm".

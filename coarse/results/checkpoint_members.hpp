@@ -43,9 +43,10 @@ void members(auto& archive, Is<RecorderState> auto& m) {
 }
 
 void members(auto& archive, Is<OpeningLoads> auto& m) {
-    auto& [K_op, K_cl] = m;
+    auto& [K_op, K_cl, lost] = m;
     archive("K_op", K_op);
     archive("K_cl", K_cl);
+    archive("lost", lost);
 }
 
 void members(auto& archive, Is<CycleResult> auto& m) {

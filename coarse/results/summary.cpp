@@ -63,6 +63,7 @@ Json to_json(const Summary& summary) {
     object.push_back({"points_of_ranks", list_of(summary.points_of_ranks)});
     object.push_back({"multipliers_of_ranks", list_of(summary.multipliers_of_ranks)});
     object.push_back({"tips", tips});
+    object.push_back({"warnings", Json::Array(summary.warnings.begin(), summary.warnings.end())});
     return object;
 }
 

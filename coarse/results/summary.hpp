@@ -29,7 +29,8 @@ struct Summary {
     coupling::WorkCounts work;                                        // of both components
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;  // of each fine rank
     Timing timing;
-    std::vector<HistoryRow> last;  // last row of each tip
+    std::vector<HistoryRow> last;       // last row of each tip
+    std::vector<std::string> warnings;  // of the mesh
 };
 
 Json to_json(const Summary& summary);

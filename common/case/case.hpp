@@ -112,7 +112,8 @@ struct LoadSection {
 enum class GrowthAt { Maximum, Minimum };
 
 enum class GrowthLaw { Prescribed, Paris, Ctod };
-enum class GrowthDriving { Range, EffectiveRange };  // K_max - K_min, K_max - K_op
+/// max(K_max, 0) - max(K_min, 0) (ASTM E647), K_max - K_min, K_max - K_op.
+enum class GrowthDriving { Range, FullRange, EffectiveRange };
 /// What becomes of a tip's functions where it has left: a fixed displacement, or unknowns still.
 enum class Retain { Frozen, All };
 enum class GrowthDirection { HoopStress, Straight };

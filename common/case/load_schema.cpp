@@ -75,8 +75,12 @@ Section<GrowthSection> growth_section() {
         .says("Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
               "comparison.");
     s.choice<GrowthDriving>("driving", &GrowthSection::driving,
-                            {{"dK", GrowthDriving::Range}, {"dK_eff", GrowthDriving::EffectiveRange}})
-        .says("What drives Paris' law: K_max - K_min, or K_max - K_op.");
+                            {{"dK", GrowthDriving::Range},
+                             {"dK_full", GrowthDriving::FullRange},
+                             {"dK_eff", GrowthDriving::EffectiveRange}})
+        .says("What drives Paris' law. dK: max(K_max, 0) - max(K_min, 0), as in E647. dK_full: K_max - K_min, "
+              "compression "
+              "too. dK_eff: K_max - K_op.");
     s.choice<GrowthDirection>("direction", &GrowthSection::direction,
                               {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
         .says("hoop: of the largest hoop stress; below K_II = 0.005 K_I straight on.");

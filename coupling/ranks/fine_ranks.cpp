@@ -97,8 +97,9 @@ void FineRanks::request(const PatchDisplacement& displacement) {
         if (const Eigen::VectorXd* earlier = increments_.find(displacement.predictor))
             trial_ += displacement.predictor.factor * *earlier;
     } else {
-        const Eigen::VectorXd step = displacement.boundary - gather(trial_, seams_.gamma);
-        trial_ += tree_->follow(step, displacement.load_factor - load_factor_);
+        const double part = displacement.step;
+        const Eigen::VectorXd step = (displacement.boundary - gather(trial_, seams_.gamma)) / part;
+        trial_ += part * tree_->follow(step, (displacement.load_factor - load_factor_) / part);
     }
     trial_(seams_.gamma) = displacement.boundary;
     load_factor_ = displacement.load_factor;

@@ -64,8 +64,8 @@ void fields(auto& wire, Is<Patch> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, load_factor, settled_below, boundary] = m;
-    wire(iteration, predictor.factor, predictor.back, load_factor, settled_below, boundary);
+    auto& [iteration, predictor, load_factor, step, held, settled_below, check_rest, boundary] = m;
+    wire(iteration, predictor.factor, predictor.back, load_factor, step, held, settled_below, check_rest, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
@@ -86,9 +86,9 @@ void fields(auto& wire, Is<CondensedTangent> auto& m) {
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {
     auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-           interior_correction, interior_displacement, digest] = m;
+           interior_correction, interior_displacement, provisional, digest] = m;
     wire(force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-         interior_correction, interior_displacement, digest);
+         interior_correction, interior_displacement, provisional, digest);
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {

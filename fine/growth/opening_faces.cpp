@@ -20,9 +20,15 @@ void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, co
     held_ = gather(held, jumps_);
 }
 
-double OpeningFaces::release(const Eigen::VectorXd& move) {
-    const double released = jumps_.empty() ? 0.0 : 0.5 * held_.dot(gather(move, jumps_));
-    jumps_.clear();
+void OpeningFaces::hold(double share, Eigen::VectorXd& load) const {
+    if (!jumps_.empty() && share != 0.0) load(jumps_) -= share * held_;
+}
+
+double OpeningFaces::release(const Eigen::VectorXd& move, double share) {
+    if (jumps_.empty()) return 0.0;
+    const double released = 0.5 * (1.0 + share) * held_.dot(gather(move, jumps_));
+    held_ *= share;
+    if (share == 0.0) jumps_.clear();
     return released;
 }
 

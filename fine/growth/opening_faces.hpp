@@ -11,7 +11,8 @@ namespace stria::fine {
 
 /// Until a crack grows the metal ahead of it transmits tractions. On the unknowns of the new jumps they are nodal
 /// forces F = - integral of B^T sigma of the stresses that stay as they are (Fig. 3a). Finding equilibrium takes them
-/// away while the jumps open by du (Fig. 3b): along a path on which they fade in proportion, F . du / 2 is released.
+/// away while the jumps open by du (Fig. 3b), at once or in parts: along a path on which they fade in proportion to a
+/// share h of what they were, (1 + h) F . du / 2 is released.
 class OpeningFaces {
 public:
     OpeningFaces() = default;
@@ -24,8 +25,11 @@ public:
     /// counts.
     void open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held);
 
-    /// N per mm of thickness: released by a move to equilibrium. Nothing is left to be released then.
-    double release(const Eigen::VectorXd& move);
+    /// Takes the share of the forces that still holds the faces from what is in need of balance, N/mm.
+    void hold(double share, Eigen::VectorXd& load) const;
+
+    /// N per mm of thickness: released by a move to equilibrium with that share, which is all that is left then.
+    double release(const Eigen::VectorXd& move, double share);
 
     /// What is yet to be released: on all unknowns of a mesh the forces that held its new jumps, zero elsewhere, N/mm.
     [[nodiscard]] Eigen::VectorXd held(int unknowns) const;

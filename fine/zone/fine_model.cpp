@@ -58,11 +58,13 @@ coupling::PatchResponse FineModel::collect() {
     } else {
         advance_interior();
     }
+    system_.set_held(asked_.held);
     system_.set_load_factor(asked_.load_factor);
     system_.set_boundary(asked_.boundary);
     linearise();
     coupling::PatchResponse response = system_.measure();
-    if (is_time_to_check_rest(response) && wake_what_would_yield()) {
+    response.provisional = some_rest_ && !is_time_to_check_rest(response);
+    if (some_rest_ && !response.provisional && wake_what_would_yield()) {
         linearise();
         response = system_.measure();
     }
@@ -74,7 +76,6 @@ void FineModel::linearise() {
     system_.linearise();
     if (some_rest_) system_.add_response(tree_->response(moved_since_rest()).head(system_.load().size()));
     find_changes();
-    rest_is_checked_ = false;
 }
 
 // Subtrees of elements that may rest become leaves: their points and fronts are not looked at any more, until one
@@ -127,18 +128,20 @@ Eigen::VectorXd FineModel::moved_since_rest() const {
 }
 
 // Once as soon as the state is roughly known, so that what is woken has iterations to come; and where this may be the
-// last one: generously, for the structure, which decides, knows larger forces too.
+// last one: generously, for the structure, which decides, knows larger forces too. It asks where it is taken by
+// surprise.
 bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) const {
-    if (!some_rest_ || response.digest.status_changes != 0) return false;
     constexpr double roughly = 1e-2, margin = 10.0;
     const double residual = std::max(response.interior_residual, response.contact_residual);
-    return residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.settled_below) ||
-           (!rest_was_checked_ && asked_.iteration > 0 && residual <= roughly * response.interior_force);
+    const bool last =
+        residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.settled_below);
+    const bool early = !rest_was_checked_ && asked_.iteration > 0 && response.digest.status_changes == 0 &&
+                       residual <= roughly * response.interior_force;
+    return asked_.check_rest || last || early;
 }
 
 // True where something has been woken: then the trial state is to be evaluated again.
 bool FineModel::wake_what_would_yield() {
-    if (std::exchange(rest_is_checked_, true)) return false;
     rest_was_checked_ = true;
     const Eigen::VectorXd& start = system_.bulk().resting().displacement();
     const std::vector<int> yielding = system_.would_yield(start + tree_->follow(moved_since_rest()).head(start.size()));
@@ -232,15 +235,15 @@ Eigen::VectorXd FineModel::due() const {
 }
 
 void FineModel::advance_interior() {
-    const Eigen::VectorXd step = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
-    const double load_step = asked_.load_factor - system_.load_factor();
+    const Eigen::VectorXd part = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
+    const Eigen::VectorXd step = part / asked_.step;
+    const double load_step = (asked_.load_factor - system_.load_factor()) / asked_.step;
     const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
-    const Eigen::VectorXd move = system_.step() * tree_->expand(moving, step);
+    const Eigen::VectorXd move = asked_.step * tree_->expand(moving, step);
     system_.move(move.head(system_.displacement().size()), move.tail(system_.traction().size()));
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {
-    if (some_rest_ && wake_what_would_yield()) linearise();
     coupling::StepReport report = system_.commit(reversal);
     if (reversal) {
         system_.wake_all();

@@ -56,7 +56,7 @@ private:
     double factor_s_ = 0.0;
     bool all_changed_ = true;
     // Something rests; it was looked at: at the present trial state, in this increment.
-    bool some_rest_ = false, rest_is_checked_ = false, rest_was_checked_ = false;
+    bool some_rest_ = false, rest_was_checked_ = false;
     ElementSet changed_;  // of the tree, whose elements are those of the bulk, then the multipliers: its matrix is
                           // not that of the last factor
     coupling::WorkCounts work_;  // of condensing

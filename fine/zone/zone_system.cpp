@@ -83,7 +83,6 @@ void ZoneSystem::predict(const Predictor& predictor) {
     }
     largest_move_ = std::numeric_limits<double>::infinity();
     contact_->begin_increment();
-    damping_.begin();
 }
 
 void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction) {
@@ -108,6 +107,7 @@ void ZoneSystem::linearise() {
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(trial_.traction, force);
     load_ = load_factor_ * patch_.unit_load - force;
+    memory_.opening.hold(held_, load_);
     at_rest_.response.resize(0);
 }
 
@@ -163,7 +163,6 @@ coupling::PatchResponse ZoneSystem::measure() {
         if (!followed.contains(i))
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
-    step_ = damping_.factor(response.interior_residual);
     response.contact_residual = contact_->residual(trial_.traction, jumps_);
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
@@ -190,7 +189,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     contact_->commit(memory_.committed.displacement);
     coupling::StepReport report;
     report.energy = {.stored = fine::stored_energy(*bulk_),
-                     .released = memory_.opening.release(move.displacement),
+                     .released = memory_.opening.release(move.displacement, held_),
                      .friction = friction,
                      .load_path = patch_.unit_load.dot(move.displacement)};
     memory_.increments.push(move);

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "common/damping.hpp"
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
@@ -25,6 +24,9 @@ public:
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
     [[nodiscard]] double load_factor() const { return load_factor_; }
+
+    /// Share of the forces on faces that growth has opened that still holds them, until it is set again.
+    void set_held(double share) { held_ = share; }
 
     /// Moves the trial unknowns: displacements of the zone, tractions of the faces.
     void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction);
@@ -63,8 +65,6 @@ public:
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
     [[nodiscard]] coupling::PatchResponse measure();
-    /// What of the correction that follows is to be taken.
-    [[nodiscard]] double step() const { return step_; }
     [[nodiscard]] double tolerance() const { return input_.tolerance; }
 
     coupling::StepReport commit(bool reversal);
@@ -105,12 +105,10 @@ private:
     std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
     ZoneMemory memory_;
     ZoneUnknowns trial_;
-    Damping damping_;
-    double step_ = 1.0;
     Eigen::VectorXd load_;
     ContactInterface::Jumps jumps_;
     AtRest at_rest_;
-    double largest_move_ = 0.0, load_factor_ = 0.0;
+    double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;
 };

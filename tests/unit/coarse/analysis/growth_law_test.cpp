@@ -22,6 +22,10 @@ TEST(GrowthLaw, IsAsFastAsItsLawSays) {
     GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
     const CycleResult cycle = cycle_with(600.0, 100.0, 300.0);
     EXPECT_NEAR(growth_rate(growth, cycle), 1.25e-4, 1e-18);
+    EXPECT_NEAR(growth_rate(growth, cycle_with(600.0, -600.0, 300.0)), 2.16e-4, 1e-18);  // E647: what opens it
+    EXPECT_EQ(growth_rate(growth, cycle_with(-100.0, -600.0, 0.0)), 0.0);
+    growth.driving = GrowthDriving::FullRange;
+    EXPECT_NEAR(growth_rate(growth, cycle_with(600.0, -600.0, 300.0)), 1.728e-3, 1e-17);
     growth.driving = GrowthDriving::EffectiveRange;
     EXPECT_NEAR(growth_rate(growth, cycle), 2.7e-5, 1e-18);
     EXPECT_EQ(growth_rate(growth, cycle_with(600.0, 100.0, std::nan(""))), 0.0);  // it never opens
@@ -35,8 +39,8 @@ TEST(GrowthLaw, LeadsWithTheFastestTip) {
     const std::vector<double> found = advances(growth, last, 2);
     EXPECT_NEAR(found[0], 0.025, 1e-15);
     EXPECT_EQ(found[1], 0.1);
-    EXPECT_EQ(advances(growth, {}, 2), (std::vector<double>{0.1, 0.1}));
     growth.law = GrowthLaw::Prescribed;
+    EXPECT_EQ(advances(growth, {}, 2), (std::vector<double>{0.1, 0.1}));
     EXPECT_EQ(advances(growth, last, 2), (std::vector<double>{0.1, 0.1}));
 }
 

@@ -86,10 +86,33 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     EXPECT_LT(trials, 20);
 }
 
-TEST(ClosureMeter, StopsWhereATrialFails) {
+TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
+    Case input = loaded();
+    input.closure.distance = 0.2;
+    const ClosureMeter meter(input.closure, input.material, {500.0});
+    const auto fails_about_35 = [](double target) {
+        if (std::abs(target - 35.0) < 0.5) return ClosureMeter::Trial{};
+        return ClosureMeter::Trial{with_reach(target < 37.3 ? 1.0 : -1.0), target};
+    };
+    const auto changes = meter.locate({1}, {0}, 30.0, 40.0, 0.2, fails_about_35);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_NEAR(changes[0].load_factor, 37.3, 0.2);
+}
+
+// A load that is as far off as the increment is long is none.
+TEST(ClosureMeter, GivesNoLoadWhereNoTrialSucceeds) {
     const ClosureMeter meter({}, loaded().material, {500.0});
     const auto fails = [](double) { return ClosureMeter::Trial{}; };
-    EXPECT_TRUE(meter.locate({1}, {0}, 30.0, 40.0, 0.1, fails).empty());
+    const auto changes = meter.locate({1}, {0}, 30.0, 40.0, 0.1, fails);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_TRUE(std::isnan(changes[0].load_factor));
+    const auto fails_near = [](double target) {
+        if (target > 36.0 && target < 39.0) return ClosureMeter::Trial{};
+        return ClosureMeter::Trial{with_reach(target < 37.3 ? 1.0 : -1.0), target};
+    };
+    const auto near = meter.locate({1}, {0}, 30.0, 40.0, 0.1, fails_near);
+    ASSERT_EQ(near.size(), 1U);
+    EXPECT_TRUE(std::isnan(near[0].load_factor));
 }
 
 }  // namespace

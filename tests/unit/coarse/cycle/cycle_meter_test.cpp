@@ -63,6 +63,30 @@ TEST_F(CycleMeterTest, StartsWithTheCrackAsItHasGrown) {
     EXPECT_EQ(cycle.cyclic, 0.0);
 }
 
+TEST_F(CycleMeterTest, ClosesWithTheFirstContactAndOpensWithTheLast) {
+    const auto change = [](bool closes, double load) { return OpeningChange{0, 0, closes, load}; };
+    go(0, 20.0, 1.0, false);
+    go(1, 10.0, 1.0, true, {change(true, 12.0)});
+    go(1, 5.0, 1.0, true, {change(false, 8.0), change(true, 6.0)});
+    go(1, 0.0, 1.0, true);
+    go(1, 10.0, 1.0, true, {change(false, 3.0), change(true, 4.0)});
+    go(1, 20.0, 1.0, false, {change(false, 14.0)});
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.opening.K_cl, 120.0);
+    EXPECT_EQ(cycle.opening.K_op, 140.0);
+    EXPECT_FALSE(cycle.opening.lost);
+}
+
+TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
+    go(0, 20.0, 1.0, false);
+    go(1, 0.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 6.0}});
+    go(1, 20.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = std::nan("")}});
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_TRUE(std::isnan(cycle.opening.K_op));
+    EXPECT_TRUE(cycle.opening.lost);
+    EXPECT_EQ(cycle.opening.K_cl, 60.0);
+}
+
 TEST_F(CycleMeterTest, SaysNothingOfACrackThatStaysClosed) {
     go(0, 20.0, 1.0, true);
     go(1, 0.0, 1.0, true);

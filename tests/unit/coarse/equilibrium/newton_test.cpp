@@ -17,7 +17,8 @@ public:
     std::function<double(double)> stiffness = [](double x) { return 1.0 + 3.0 * x * x; };
     double scale = 1.0, interior = 0.0, contact = 0.0;
     double u = 0.0, start = 0.0;
-    int applied = 0;
+    int applied = 0, provisional = 0;  // states that are
+    bool inside = false;               // its residual is one of the zone's
 
     void begin(const Target& target, const Predictor& predictor) override {
         load_ = target.value;
@@ -25,14 +26,18 @@ public:
     }
     Residual linearise() override {
         residual_ = load_ - force(u);
-        return {.boundary = std::abs(residual_), .interior = interior, .contact = contact, .scale = scale};
+        return {.boundary = std::abs(residual_),
+                .interior = inside ? std::abs(residual_) : interior,
+                .contact = contact,
+                .scale = scale,
+                .provisional = provisional-- > 0};
     }
     double solve() override {
         correction_ = residual_ / stiffness(u);
         return std::abs(correction_) / std::max(std::abs(u), 1e-300);
     }
-    void apply() override {
-        u += correction_;
+    void apply(double step) override {
+        u += step * correction_;
         ++applied;
     }
     coupling::StepReport commit(bool) override { return {}; }
@@ -98,6 +103,24 @@ TEST(Newton, AsksForAllThreeResiduals) {
         spring.contact = contact;
         EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 0.0, solver).converged);
     }
+}
+
+TEST(Newton, GoesOnFromAStateThatIsProvisional) {
+    Spring spring, sure;
+    spring.provisional = 7;
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver);
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.iterations.size(), 8U);
+    EXPECT_LT(find_equilibrium(sure, {Control::Load, 2.0}, 0.6, solver).iterations.size(), 8U);
+}
+
+TEST(Newton, TakesPartsOfStepsThatGoToAndFro) {
+    Spring spring;  // full steps jump from one side of the root to the other for ever
+    spring.force = [](double u) { return 2.0 + 10.0 * (u - 1.0); };
+    spring.stiffness = [](double) { return 5.0; };
+    spring.inside = true;
+    EXPECT_TRUE(find_equilibrium(spring, {Control::Load, 2.0}, 0.0, solver).converged);
+    EXPECT_NEAR(spring.u, 1.0, 1e-8);
 }
 
 TEST(Newton, MeasuresResidualsByTheForceScale) {

@@ -1,9 +1,9 @@
 // Half steps where Newton's method goes to and fro.
-#include "common/damping.hpp"
+#include "coarse/equilibrium/damping.hpp"
 
 #include <gtest/gtest.h>
 
-namespace stria {
+namespace stria::coarse {
 namespace {
 
 std::vector<double> factors(const std::vector<double>& residuals) {
@@ -23,4 +23,4 @@ TEST(Damping, TakesPartsOfThoseBetweenTwoStates) {
 }
 
 }  // namespace
-}  // namespace stria
+}  // namespace stria::coarse

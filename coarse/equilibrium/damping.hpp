@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace stria {
+namespace stria::coarse {
 
 /// Watches the residuals of one increment. Full steps are best while they lead anywhere (docs/method.md, section 6);
 /// where after some of them the residual is no smaller than half of what it was two iterations ago, the two last states
@@ -12,8 +12,6 @@ namespace stria {
 /// go to and fro as well, quarters lead out of it.
 class Damping {
 public:
-    void begin() { residuals_.clear(); }
-
     /// What of the next correction is to be taken; `residual`: of the state just evaluated.
     double factor(double residual) {
         residuals_.push_back(residual);
@@ -28,4 +26,4 @@ private:
     std::vector<double> residuals_;
 };
 
-}  // namespace stria
+}  // namespace stria::coarse

@@ -1,0 +1,58 @@
+#include "coarse/zone/mesh_adequacy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "coarse/model/tip_reach.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr double wanted = 5.0;          // elements across the forward zone
+constexpr double most_at_a_time = 2.0;  // elements
+
+bool asks_for_opening_loads(const Case& input) {
+    const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
+    return input.growth || std::ranges::any_of(input.cracks, touches);
+}
+
+std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
+    const double finer = std::exp2(std::ceil(std::log2(wanted * element / zone)));
+    return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm, spans {:.2g} elements of {:.3g} mm; opening "
+                       "loads want {:g} "
+                       "or more: fine.refine = {:g}",
+                       tip, zone, zone / element, element, wanted, refine * finer);
+}
+
+std::string growth_warning(std::size_t tip, double increment, double element) {
+    return fmt::format(
+        "tip {}: growth.increment = {:g} mm crosses {:.2g} elements of {:.3g} mm at a time; opening loads swing from "
+        "step to step beyond one",
+        tip, increment, increment / element, element);
+}
+
+}  // namespace
+
+double forward_zone(double K_I, double yield_stress, PlaneState plane) {
+    const double ratio = std::max(K_I, 0.0) / yield_stress;
+    return ratio * ratio * (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.157);
+}
+
+std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I) {
+    const Case& input = scene.input;
+    std::vector<std::string> warnings;
+    if (!input.material.yield_stress || !asks_for_opening_loads(input)) return warnings;
+    for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
+        const double element = tip_element_size(scene.enriched, scene.enriched.tips[t]) / std::numbers::sqrt2;
+        const double zone = forward_zone(largest_K_I[t], *input.material.yield_stress, input.model.plane);
+        if (zone > 0.0 && zone < wanted * element)
+            warnings.push_back(zone_warning(t, zone, element, input.fine.refine));
+        if (input.growth && input.growth->increment >= most_at_a_time * element)
+            warnings.push_back(growth_warning(t, input.growth->increment, element));
+    }
+    return warnings;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,20 @@
+// Whether the mesh at the tips is fine enough for opening loads and growth: said before a run, not found out after it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coarse/model/scene.hpp"
+
+namespace stria::coarse {
+
+/// Largest extent of the flow about a tip at its largest load, mm: (K / sigma_y)^2 / pi in plane stress (Irwin), 0.157
+/// (K / sigma_y)^2 in plane strain, at 71 degrees to the crack (Levy et al., Int. J. Fracture Mech. 7, 1971).
+double forward_zone(double K_I, double yield_stress, PlaneState plane);
+
+/// One sentence per tip whose forward zone spans fewer than five elements where contact or growth is asked for, with
+/// the `fine.refine` that would do, and per tip that grows by two elements or more at a time. `largest_K_I`: one per
+/// tip, MPa sqrt(mm), of the load history. Nothing where nothing flows.
+std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I);
+
+}  // namespace stria::coarse

@@ -1,0 +1,59 @@
+// Whether a mesh is fine enough for opening loads.
+#include "coarse/zone/mesh_adequacy.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coarse/specimen/specimen.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+// 300 MPa sqrt(mm) at 300 MPa.
+TEST(MeshAdequacy, KnowsTheForwardZone) {
+    EXPECT_NEAR(coarse::forward_zone(300.0, 300.0, PlaneState::Stress), 0.3183099, 1e-7);
+    EXPECT_NEAR(coarse::forward_zone(300.0, 300.0, PlaneState::Strain), 0.157, 1e-7);
+    EXPECT_EQ(coarse::forward_zone(-300.0, 300.0, PlaneState::Strain), 0.0);
+}
+
+class Advice : public testing::Test {
+protected:
+    Advice() {
+        input.mesh.width = 20.0;
+        input.mesh.size = 1.0;
+        input.material.yield_stress = 300.0;
+        input.cracks[0].contact = ContactSection{};
+    }
+    [[nodiscard]] std::vector<std::string> at(double K_I) const {
+        return coarse::mesh_warnings(coarse::make_scene(input, coarse::make_mesh(input)), {K_I});
+    }
+    Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
+};
+
+TEST_F(Advice, NamesTheRefinementThatWouldDo) {
+    const auto warnings = at(600.0);  // 0.63 mm
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("about 0.628 mm, spans 0.63 elements of 1 mm"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("fine.refine = 8"), std::string::npos) << warnings[0];
+    EXPECT_TRUE(at(2100.0).empty());  // 7.7 mm
+}
+
+TEST_F(Advice, IsNotGivenToWhoAsksForNoOpeningLoads) {
+    input.cracks[0].contact.reset();
+    EXPECT_TRUE(at(600.0).empty());
+    input.cracks[0].contact = ContactSection{};
+    input.material.yield_stress.reset();
+    EXPECT_TRUE(at(600.0).empty());
+}
+
+TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {
+    input.growth = GrowthSection{.increment = 1.9};
+    EXPECT_TRUE(at(2100.0).empty());
+    input.growth->increment = 2.5;
+    const auto warnings = at(2100.0);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("crosses 2.5 elements"), std::string::npos) << warnings[0];
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,35 @@
+// Forces that hold faces that growth has opened, taken away at once or in parts.
+#include "fine/growth/opening_faces.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stria::fine {
+namespace {
+
+const Eigen::VectorXd forces{{0.0, 3.0, 0.0, -2.0}};
+
+TEST(OpeningFaces, HoldByAShareOfTheirForces) {
+    const OpeningFaces faces(forces);
+    Eigen::VectorXd load = Eigen::VectorXd::Ones(4);
+    faces.hold(0.25, load);
+    EXPECT_EQ(load, (Eigen::VectorXd{{1.0, 0.25, 1.0, 1.5}}));
+    faces.hold(0.0, load);
+    EXPECT_EQ(load[1], 0.25);
+}
+
+// A linear body opens in proportion to what has been taken away: the work does not depend on the parts.
+TEST(OpeningFaces, ReleaseAsMuchInPartsAsAtOnce) {
+    const Eigen::VectorXd whole{{7.0, 0.5, 9.0, -0.1}};  // elsewhere nothing is released
+    OpeningFaces at_once(forces);
+    const double released = at_once.release(whole, 0.0);
+    EXPECT_NEAR(released, 0.5 * (3.0 * 0.5 + 2.0 * 0.1), 1e-15);
+    EXPECT_EQ(at_once.release(whole, 0.0), 0.0);
+    OpeningFaces parts(forces);
+    const double first = parts.release(0.25 * whole, 0.75), second = parts.release(0.5 * whole, 1.0 / 3.0);
+    EXPECT_NEAR(first + second + parts.release(0.25 * whole, 0.0), released, 1e-15);
+    EXPECT_NEAR(first, (1.75 / 2.0) * 0.25 * 2.0 * released, 1e-15);
+    EXPECT_TRUE(parts.held(4).isZero(0.0));
+}
+
+}  // namespace
+}  // namespace stria::fine
