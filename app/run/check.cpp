@@ -54,7 +54,8 @@ int check(const RunOptions& options) {
         return 0;
     }
     print_zone_estimate(scene, nominal);
-    for (const std::string& warning : coarse::mesh_warnings(scene, coarse::largest_K_I(input.load, nominal)))
+    for (const std::string& warning :
+         coarse::mesh_warnings(scene, coarse::largest_K_I(input.load, coarse::unit_response(nominal))))
         fmt::print("# warning: {}\n", warning);
     return 0;
 }

@@ -25,7 +25,7 @@ protected:
         input.cracks[0].contact = ContactSection{};
     }
     [[nodiscard]] std::vector<std::string> at(double K_I) const {
-        return coarse::mesh_warnings(coarse::make_scene(input, coarse::make_mesh(input)), {K_I});
+        return coarse::mesh_warnings(coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks)), {K_I});
     }
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
 };
