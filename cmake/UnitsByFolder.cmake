@@ -1,11 +1,12 @@
 # Where STRIA_UNITS is on, the sources of a folder are compiled together, `most` at a time: what they instantiate
-# alike is instantiated once. A unit holds sources below one folder of `root`, so a new source recompiles little else.
-function(stria_units_by_folder target root most)
+# alike is instantiated once. A unit holds sources of one folder, so a new source recompiles little else.
+function(stria_units_by_folder target most)
+  get_target_property(root ${target} SOURCE_DIR)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "^/")
   foreach(source IN LISTS sources)
-    file(RELATIVE_PATH path ${root} ${source})
-    string(REGEX MATCH "^[^/]+/" folder "${path}")
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${root})
     string(MAKE_C_IDENTIFIER "unit_${folder}" unit)
     math(EXPR part "0${${unit}} / ${most}")
     math(EXPR ${unit} "0${${unit}} + 1")

@@ -7,7 +7,7 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-LIBRARIES = ["common", "coupling", "coarse", "fine", "app"]
+TARGETS = ["common", "coupling", "coarse", "fine", "app", "tests"]
 
 
 def without_comments_and_texts(source):
@@ -34,7 +34,7 @@ def name_of(head):
     head = re.sub(r"^template ?<.*?> (?=\w)", "", " ".join(head.split()))
     if kind := re.match(r"(?:struct|class|enum class|enum) (\w+)|using (\w+) =", head):
         return kind[1] or kind[2]
-    if head.startswith("using "):
+    if head.startswith(("using ", "TEST", "INSTANTIATE_TEST_SUITE")):
         return None
     left = head.split("=")[0].strip()
     if function := re.search(r"(\w+)\((.*)", left):
@@ -44,9 +44,9 @@ def name_of(head):
 
 
 def clashes():
-    for library in LIBRARIES:
+    for target in TARGETS:
         places = defaultdict(set)
-        for path in sorted((ROOT / library).rglob("*.cpp")):
+        for path in sorted((ROOT / target).rglob("*.cpp")):
             for head in heads(without_comments_and_texts(path.read_text())):
                 if name := name_of(head):
                     places[path.parent, name].add(path.name)

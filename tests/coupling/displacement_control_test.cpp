@@ -59,13 +59,13 @@ Case loaded_mouth() {
     return input;
 }
 
-struct Scenery {
+struct ControlledCase {
     const char* name;
     std::function<Case()> input;
 };
 
 /// One run under load control, and one that follows its displacements.
-class DisplacementControl : public testing::TestWithParam<Scenery> {
+class DisplacementControl : public testing::TestWithParam<ControlledCase> {
 protected:
     static RunHistory follow(const Case& input, coarse::EquilibriumFactory& factory, Control control,
                              const std::vector<double>& targets) {
@@ -137,10 +137,10 @@ TEST_P(DisplacementControl, FindsTheLoadsOfLoadControl) {
 
 INSTANTIATE_TEST_SUITE_P(
     Sceneries, DisplacementControl,
-    testing::Values(Scenery{"loads_on_the_structure", [] { return small_sent({"fine.radius=15.0"}); }},
-                    Scenery{"loads_on_the_zone", [] { return small_sent({"fine.radius=200.0"}); }},
-                    Scenery{"pins", small_ct}, Scenery{"an_edge_moves_too", traction_and_displacement},
-                    Scenery{"loads_inside_the_zone", loaded_mouth}),
+    testing::Values(ControlledCase{"loads_on_the_structure", [] { return small_sent({"fine.radius=15.0"}); }},
+                    ControlledCase{"loads_on_the_zone", [] { return small_sent({"fine.radius=200.0"}); }},
+                    ControlledCase{"pins", small_ct}, ControlledCase{"an_edge_moves_too", traction_and_displacement},
+                    ControlledCase{"loads_inside_the_zone", loaded_mouth}),
     [](const auto& test) { return test.param.name; });
 
 TEST(ElasticDisplacementControl, NeedsNoNewton) {

@@ -44,7 +44,7 @@ const std::vector<std::string> sliding_scene{
     "crack.0.contact.friction=0.3",
     "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
 
-struct Scenery {
+struct SettingsOfCase {
     const char* name;
     std::vector<std::string> settings;
 };
@@ -65,7 +65,7 @@ RunHistory run_over_memory(const Case& input) {
     return history;
 }
 
-class Modes : public testing::TestWithParam<Scenery> {
+class Modes : public testing::TestWithParam<SettingsOfCase> {
 protected:
     [[nodiscard]] static Case input() { return sent_case(GetParam().settings); }
 
@@ -217,14 +217,18 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
-                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
-                                         Scenery{"growing", growing_scene}, Scenery{"sliding", sliding_scene}),
+                         testing::Values(SettingsOfCase{"graded", small_scene},
+                                         SettingsOfCase{"refined", refined_scene},
+                                         SettingsOfCase{"growing", growing_scene},
+                                         SettingsOfCase{"sliding", sliding_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Sceneries, SharedZone,
-                         testing::Values(Scenery{"graded", small_scene}, Scenery{"refined", refined_scene},
-                                         Scenery{"extended", extended_scene}, Scenery{"growing", growing_scene},
-                                         Scenery{"sliding", sliding_scene}),
+                         testing::Values(SettingsOfCase{"graded", small_scene},
+                                         SettingsOfCase{"refined", refined_scene},
+                                         SettingsOfCase{"extended", extended_scene},
+                                         SettingsOfCase{"growing", growing_scene},
+                                         SettingsOfCase{"sliding", sliding_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {

@@ -19,54 +19,55 @@
 namespace stria::test {
 namespace {
 
-struct Scenery {
+struct StoppedRun {
     const char* name;
     std::vector<std::string> settings;
     int stop;  // increment after which the analysis is stopped
     void (*change)(Case&) = [](Case&) {};
 
-    friend std::ostream& operator<<(std::ostream& out, const Scenery& scenery) { return out << scenery.name; }
+    friend std::ostream& operator<<(std::ostream& out, const StoppedRun& run) { return out << run.name; }
 };
 
 /// Flow and contact; stopped while the faces close.
-const Scenery still{"Still", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12"}, 13};
+const StoppedRun still{"Still", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12"}, 13};
 
 /// Its second cycle, which is predicted from the first.
-const Scenery again{"Again",
-                    {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
-                     "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
-                    30};
+const StoppedRun again{"Again",
+                       {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
+                        "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
+                       30};
 
 /// A zone that has been extended, and is once more where the load rises beyond what it was.
-const Scenery extended{"Extended",
-                       {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
-                        "fine.radius=0.5", "load.blocks=[{cycles=1, max=40, ratio=-1}, {cycles=1, max=60, ratio=0}]"},
-                       14};
+const StoppedRun extended{"Extended",
+                          {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+                           "fine.radius=0.5",
+                           "load.blocks=[{cycles=1, max=40, ratio=-1}, {cycles=1, max=60, ratio=0}]"},
+                          14};
 
 /// A crack that has grown through elements and grows again.
-const Scenery growing{"Growing",
-                      {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
-                       "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
-                      27};
+const StoppedRun growing{"Growing",
+                         {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+                          "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
+                         27};
 
 /// The same in fewer and larger elements and increments: one matrix takes its time.
-const Scenery small{"Small",
-                    {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
-                     "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.4"},
-                    13};
+const StoppedRun small{"Small",
+                       {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
+                        "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.4"},
+                       13};
 
 /// Within a zone that holds its way already: the whole run keeps its structure's factor, what resumes makes it anew.
-const Scenery within{"Within",
-                     {"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.growth=0.25", "load.steps=6",
-                      "load.blocks=[{cycles=4, max=50.0, ratio=-1.0}]", "growth.increment=0.2"},
-                     20};
+const StoppedRun within{"Within",
+                        {"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.growth=0.25", "load.steps=6",
+                         "load.blocks=[{cycles=4, max=50.0, ratio=-1.0}]", "growth.increment=0.2"},
+                        20};
 
 /// An inclined crack whose faces slide against friction; stopped while they do.
-const Scenery sliding{"Sliding",
-                      {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
-                       "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
-                       "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
-                      31};
+const StoppedRun sliding{"Sliding",
+                         {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
+                          "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
+                          "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
+                         31};
 
 /// The same crack while it grows: what has slid is on functions that the next tip freezes.
 const Scenery sliding_growing{"SlidingGrowing",
@@ -76,24 +77,24 @@ const Scenery sliding_growing{"SlidingGrowing",
                               27};
 
 /// Half way of an increment that was halved.
-const Scenery halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
+const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
 /// Where the load factor is found.
-const Scenery displaced{"Displaced",
-                        {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=8", "solver.tolerance=1e-12",
-                         "load.control=displacement", "load.blocks=[{cycles=2, max=0.06, ratio=-1.0}]"},
-                        14};
+const StoppedRun displaced{"Displaced",
+                           {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=8", "solver.tolerance=1e-12",
+                            "load.control=displacement", "load.blocks=[{cycles=2, max=0.06, ratio=-1.0}]"},
+                           14};
 
 /// No zone at all.
-const Scenery elastic{"Elastic",
-                      {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4",
-                       "load.blocks=[{cycles=3, max=50.0, ratio=0.0}]", "growth.increment=0.4"},
-                      9,
-                      [](Case& input) {
-                          input.material.yield_stress.reset();
-                          input.material.kinematic.clear();
-                          input.cracks[0].contact.reset();
-                      }};
+const StoppedRun elastic{"Elastic",
+                         {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4",
+                          "load.blocks=[{cycles=3, max=50.0, ratio=0.0}]", "growth.increment=0.4"},
+                         9,
+                         [](Case& input) {
+                             input.material.yield_stress.reset();
+                             input.material.kinematic.clear();
+                             input.cracks[0].contact.reset();
+                         }};
 
 /// A part of an analysis; where it was stopped, what it left.
 struct Part {
@@ -143,7 +144,7 @@ std::vector<std::byte> bits_of(coupling::StepReport report) {
     return coupling::pack(report);
 }
 
-class Resume : public testing::TestWithParam<Scenery> {
+class Resume : public testing::TestWithParam<StoppedRun> {
 protected:
     [[nodiscard]] static Case input() {
         Case input = sent_case(GetParam().settings);

@@ -11,8 +11,6 @@
 namespace stria::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 const Words quick{mesh_at_tip(0.3), "mesh.size=10.0", "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]", "load.steps=4"};
 
 class ExitCode : public testing::Test {

@@ -15,8 +15,6 @@
 namespace stria::test {
 namespace {
 
-using Words = std::vector<std::string>;
-
 /// The crack grows at the maximum of three cycles; its faces close in each.
 const Words settings{mesh_at_tip(0.3),     "mesh.size=10.0",        "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
                      "load.steps=20",      "growth.increment=0.25", "solver.tolerance=1e-12",

@@ -6,6 +6,8 @@
 
 namespace stria::test {
 
+inline const Elasticity steel{210e3, 0.3};
+
 inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elasticity& elastic, coarse::Loads loads = {}) {
     coarse::Scene scene;
     scene.mesh = std::move(mesh);
@@ -24,6 +26,14 @@ inline Eigen::Matrix2d gradient_of(const Eigen::Matrix2d& stress, const Elastici
     const double mu2 = 2.0 * elastic.shear_modulus();
     const double across = (3.0 - elastic.kolosov()) / 4.0;  // nu in plane strain, nu / (1 + nu) in plane stress
     return (stress - across * stress.trace() * Eigen::Matrix2d::Identity()) / mu2;
+}
+
+/// Nodal values of a linear field; enriched unknowns are zero.
+inline Eigen::VectorXd linear_field(const EnrichedMesh& mesh, const Eigen::Matrix2d& gradient) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const auto& [node, term, unknown] : mesh.own_unknowns())
+        if (term == 0) u.segment<2>(unknown) = gradient * mesh.nodes[at(node)];
+    return u;
 }
 
 /// The tractions of a homogeneous stress on the whole boundary of a rectangle.

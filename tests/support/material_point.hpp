@@ -13,6 +13,18 @@
 
 namespace stria::test {
 
+/// A yield stress in MPa, linear isotropic hardening, and linear back stresses of these moduli.
+inline MaterialSection linear_hardening(double yield_stress, double isotropic = 0.0,
+                                        const std::vector<double>& kinematic = {}) {
+    MaterialSection section{.young = 200e3,
+                            .poisson = 0.3,
+                            .yield_stress = yield_stress,
+                            .isotropic = {.law = "linear", .modulus = isotropic},
+                            .kinematic = {}};
+    for (const double C : kinematic) section.kinematic.push_back({C, 0.0});
+    return section;
+}
+
 struct PointUpdate {
     std::vector<double> state;
     MandelMatrix tangent;

@@ -19,10 +19,12 @@
 
 namespace stria::test {
 
+using Words = std::vector<std::string>;
+
 class Program {
 public:
     /// Starts a program of this build; output and errors go to a file.
-    Program(const std::string& name, std::vector<std::string> arguments, std::string log) : log_(std::move(log)) {
+    Program(const std::string& name, Words arguments, std::string log) : log_(std::move(log)) {
         arguments.insert(arguments.begin(), std::string(program_folder) + "/" + name);
         std::vector<char*> words;
         for (std::string& word : arguments) words.push_back(word.data());
@@ -95,7 +97,7 @@ inline std::vector<pid_t> descendants(pid_t ancestor, const std::string& name) {
 }
 
 /// Runs a program to its end; throws nothing, says nothing.
-inline int run_program(const std::string& name, std::vector<std::string> arguments, const std::string& log) {
+inline int run_program(const std::string& name, Words arguments, const std::string& log) {
     return Program(name, std::move(arguments), log).wait(std::chrono::seconds(120));
 }
 

@@ -16,7 +16,7 @@
 namespace stria::test {
 namespace {
 
-constexpr double height = 2.0, level = height / 2.0;
+constexpr double plate_height = 2.0, crack_level = plate_height / 2.0;
 
 struct Bent {
     std::string name;
@@ -28,13 +28,13 @@ Bent arc(double radius, double degrees, int chords) {
     Bent bent{fmt::format("arc, {} chords", chords), {}};
     for (int k = 0; k <= chords; ++k) {
         const double angle = degrees * k / chords * std::numbers::pi / 180.0;
-        bent.points.emplace_back(radius * std::sin(angle), level + radius * (1.0 - std::cos(angle)));
+        bent.points.emplace_back(radius * std::sin(angle), crack_level + radius * (1.0 - std::cos(angle)));
     }
     return bent;
 }
 
 Case pulled(const Bent& crack) {
-    Case input = specimen("sent", height, crack.points);
+    Case input = specimen("sent", plate_height, crack.points);
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     return input;
 }
@@ -52,20 +52,20 @@ std::vector<double> columns(const std::vector<Vec2>& points, int n) {
     return xs;
 }
 
-/// How far above `level` the crack stands, beyond its tip its height.
+/// How far above `crack_level` the crack stands, beyond its tip its height.
 double rise(const std::vector<Vec2>& points, double x) {
     for (std::size_t k = 1; k < points.size(); ++k) {
         if (x > points[k].x()) continue;
         const double share = (x - points[k - 1].x()) / (points[k].x() - points[k - 1].x());
-        return points[k - 1].y() + share * (points[k].y() - points[k - 1].y()) - level;
+        return points[k - 1].y() + share * (points[k].y() - points[k - 1].y()) - crack_level;
     }
-    return points.back().y() - level;
+    return points.back().y() - crack_level;
 }
 
 /// A row of element edges runs along the crack; the rows above and below make way, the ends stay straight.
 Mesh conforming_mesh(const std::vector<Vec2>& points, int n) {
-    Mesh mesh = coarse::grid_mesh(columns(points, n), equal_cells(2 * n, height));
-    for (Vec2& x : mesh.nodes) x.y() += rise(points, x.x()) * (1.0 - std::abs(x.y() - level) / level);
+    Mesh mesh = coarse::grid_mesh(columns(points, n), equal_cells(2 * n, plate_height));
+    for (Vec2& x : mesh.nodes) x.y() += rise(points, x.x()) * (1.0 - std::abs(x.y() - crack_level) / crack_level);
     return mesh;
 }
 
@@ -117,8 +117,9 @@ TEST_P(BentCrack, MatchesAMeshThatFollowsItLong) {
     }
 }
 
-const Bent kinked{"kinked", {{0.0, level - 0.02}, {0.3, level + 0.02}, {0.45, level + 0.12}}};
-const Bent zigzag{"zigzag", {{0.0, level}, {0.15, level + 0.06}, {0.3, level - 0.02}, {0.45, level + 0.06}}};
+const Bent kinked{"kinked", {{0.0, crack_level - 0.02}, {0.3, crack_level + 0.02}, {0.45, crack_level + 0.12}}};
+const Bent zigzag{
+    "zigzag", {{0.0, crack_level}, {0.15, crack_level + 0.06}, {0.3, crack_level - 0.02}, {0.45, crack_level + 0.06}}};
 
 // The auxiliary fields of the domain integrals follow the bent faces in either mesh.
 TEST(BentCracks, CutAlikeThroughElementsAndAlongEdges) {

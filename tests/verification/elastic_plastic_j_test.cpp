@@ -14,7 +14,8 @@
 namespace stria::test {
 namespace {
 
-constexpr double x = 0.5, yield_stress = 400.0, hardening = 4000.0, width = 1.0;
+constexpr double crack_length = 0.5, plate_width = 1.0;        // mm
+constexpr double sigma_0 = 400.0, hardening_modulus = 4000.0;  // MPa
 
 struct Hardening {
     std::string specimen;
@@ -24,20 +25,20 @@ struct Hardening {
 /// Elements of the size `ligament / at_tip` at the tip, growing from there. docs/references.md 3.3 has the limit loads.
 Case loaded_specimen(const Hardening& of, double at_tip) {
     const bool ct = of.specimen == "ct";
-    Case input = ct ? compact_tension(x) : edge_crack(x, 3.0, End::Pulled);
-    const double ligament = width - x, h = ligament / at_tip;
+    Case input = ct ? compact_tension(crack_length) : edge_crack(crack_length, 3.0, End::Pulled);
+    const double ligament = plate_width - crack_length, h = ligament / at_tip;
     input.mesh.size = std::min(0.1, 8.0 / at_tip);
     input.mesh.grading = {
         {.at = {input.cracks[0].points[1]}, .size = h, .outer_size = h, .radius = 2.0 * h, .growth = 10.0 / at_tip}};
-    input.material.yield_stress = yield_stress;
+    input.material.yield_stress = sigma_0;
     if (of.kinematic)
-        input.material.kinematic = {{.C = hardening, .gamma = 0.0}};
+        input.material.kinematic = {{.C = hardening_modulus, .gamma = 0.0}};
     else
-        input.material.isotropic.modulus = hardening;
+        input.material.isotropic.modulus = hardening_modulus;
     input.fine.radius = ligament;
     // The specimens bear 1 N/mm at the load factor 1.
     const double limit =
-        (ct ? coarse::ct_limit_load : coarse::sent_limit_load)(width, x, yield_stress, PlaneState::Strain);
+        (ct ? coarse::ct_limit_load : coarse::sent_limit_load)(plate_width, crack_length, sigma_0, PlaneState::Strain);
     input.load = {.steps = 36, .blocks = {{.cycles = 0, .max = 0.9 * limit, .min = 0.0}}, .control = Control::Load};
     return input;
 }
@@ -51,7 +52,7 @@ std::array<coarse::TipResult, 2> tips_at_loads(const Hardening& of, double at_ti
                              of.kinematic ? "kinematic" : "isotropic", at_tip);
     for (const coarse::TipResult& tip : tips) {
         std::cout << fmt::format("   J / (sigma_y W) {:.4e}  spread {:.4f}  zone {:.3f} W",
-                                 tip.J / yield_stress / width, tip.J_spread, tip.plastic_zone / width);
+                                 tip.J / sigma_0 / plate_width, tip.J_spread, tip.plastic_zone / plate_width);
     }
     std::cout << '\n';
     return tips;

@@ -16,7 +16,7 @@
 namespace stria::test {
 namespace {
 
-constexpr double h = 50.0 / 41.0;  // mm, edge of an element
+constexpr double element_edge = 50.0 / 41.0;  // mm, edge of an element
 
 /// Everything that a zone knows of displacement and history.
 struct Snapshot {
@@ -238,7 +238,7 @@ struct Scenario {
 Case case_of(const Scenario& scenario) {
     Case input = specimen("plate", 50.0, scenario.crack);
     input.mesh.width = 50.0;
-    input.mesh.size = h;
+    input.mesh.size = element_edge;
     input.material.yield_stress = 300.0;
     input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
     input.cracks[0].contact = ContactSection{};
@@ -257,7 +257,9 @@ Case case_of(const Scenario& scenario) {
 }
 
 /// An edge crack in the middle of a row of elements, its tip at `place` (in elements) from the edge.
-std::vector<Vec2> edge_crack_to(double place, double row = 20.37) { return {{0.0, row * h}, {place * h, row * h}}; }
+std::vector<Vec2> edge_crack_to(double place, double row = 20.37) {
+    return {{0.0, row * element_edge}, {place * element_edge, row * element_edge}};
+}
 
 const std::vector<Vec2> slanted = {{21.0, 22.0}, {29.0, 28.0}};
 
@@ -294,28 +296,28 @@ constexpr double any = 1e300;
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, GrowthKeepsState,
-    testing::Values(Scenario{"a third of an element", edge_crack_to(6.1), 0.33 * h},
-                    Scenario{"an element", edge_crack_to(6.5), h},
-                    Scenario{"an element from its edge", edge_crack_to(6.0), h},
-                    Scenario{"an element and a bit", edge_crack_to(6.98), 1.03 * h},
-                    Scenario{"2.6 elements", edge_crack_to(6.7), 2.6 * h},
-                    Scenario{"near the nodes of a row", edge_crack_to(6.4, 20.02), 0.8 * h},
-                    Scenario{"along an edge", edge_crack_to(6.0, 20.0), h},
-                    Scenario{"kinked, half an element", slanted, 0.5 * h},
-                    Scenario{"kinked, 1.7 elements", slanted, 1.7 * h},
-                    Scenario{"kinked, 4 elements", {{22.0, 23.0}, {28.0, 27.5}}, 4.0 * h},
-                    Scenario{"steep", {{22.0, 19.0}, {26.0, 31.0}}, 0.7 * h},
-                    Scenario{"steep, farther", {{22.0, 19.0}, {26.3, 31.2}}, 1.4 * h},
-                    Scenario{"steeper", {{24.0, 19.0}, {25.6, 31.4}}, 1.1 * h},
-                    Scenario{"at minimum, closed", edge_crack_to(6.3), 0.6 * h, {"at minimum"}, -1.0, any},
-                    Scenario{"plane stress", edge_crack_to(6.3), 0.6 * h, {"plane stress"}},
-                    Scenario{"elastic, contact", edge_crack_to(6.3), 1.6 * h, {"elastic"}, 0.1},
-                    Scenario{"elastic, kinked", slanted, 1.6 * h, {"elastic"}, 0.1},
-                    Scenario{"six functions", edge_crack_to(6.3), 0.6 * h, {"six functions"}, 0.1},
-                    Scenario{"six functions, kinked", slanted, 0.6 * h, {"six functions"}, 0.1, any},
-                    Scenario{"retained", edge_crack_to(6.3), 0.6 * h, {"retained"}},
-                    Scenario{"retained, kinked", slanted, 0.8 * h, {"retained"}},
-                    Scenario{"no functions", edge_crack_to(6.3), 0.6 * h, {"none"}}),
+    testing::Values(Scenario{"a third of an element", edge_crack_to(6.1), 0.33 * element_edge},
+                    Scenario{"an element", edge_crack_to(6.5), element_edge},
+                    Scenario{"an element from its edge", edge_crack_to(6.0), element_edge},
+                    Scenario{"an element and a bit", edge_crack_to(6.98), 1.03 * element_edge},
+                    Scenario{"2.6 elements", edge_crack_to(6.7), 2.6 * element_edge},
+                    Scenario{"near the nodes of a row", edge_crack_to(6.4, 20.02), 0.8 * element_edge},
+                    Scenario{"along an edge", edge_crack_to(6.0, 20.0), element_edge},
+                    Scenario{"kinked, half an element", slanted, 0.5 * element_edge},
+                    Scenario{"kinked, 1.7 elements", slanted, 1.7 * element_edge},
+                    Scenario{"kinked, 4 elements", {{22.0, 23.0}, {28.0, 27.5}}, 4.0 * element_edge},
+                    Scenario{"steep", {{22.0, 19.0}, {26.0, 31.0}}, 0.7 * element_edge},
+                    Scenario{"steep, farther", {{22.0, 19.0}, {26.3, 31.2}}, 1.4 * element_edge},
+                    Scenario{"steeper", {{24.0, 19.0}, {25.6, 31.4}}, 1.1 * element_edge},
+                    Scenario{"at minimum, closed", edge_crack_to(6.3), 0.6 * element_edge, {"at minimum"}, -1.0, any},
+                    Scenario{"plane stress", edge_crack_to(6.3), 0.6 * element_edge, {"plane stress"}},
+                    Scenario{"elastic, contact", edge_crack_to(6.3), 1.6 * element_edge, {"elastic"}, 0.1},
+                    Scenario{"elastic, kinked", slanted, 1.6 * element_edge, {"elastic"}, 0.1},
+                    Scenario{"six functions", edge_crack_to(6.3), 0.6 * element_edge, {"six functions"}, 0.1},
+                    Scenario{"six functions, kinked", slanted, 0.6 * element_edge, {"six functions"}, 0.1, any},
+                    Scenario{"retained", edge_crack_to(6.3), 0.6 * element_edge, {"retained"}},
+                    Scenario{"retained, kinked", slanted, 0.8 * element_edge, {"retained"}},
+                    Scenario{"no functions", edge_crack_to(6.3), 0.6 * element_edge, {"none"}}),
     [](const auto& scenario) {
         std::string name = scenario.param.name;
         std::ranges::replace_if(

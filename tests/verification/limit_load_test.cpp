@@ -15,7 +15,7 @@
 namespace stria::test {
 namespace {
 
-constexpr double yield_stress = 400.0;
+constexpr double sigma_Y = 400.0;
 
 struct Limit {
     std::string specimen;
@@ -55,7 +55,7 @@ Case plastic(const Limit& limit, double at_tip) {
             {.at = {end}, .size = h, .outer_size = h, .radius = 2.0 * h, .growth = 8.0 / at_tip});
     }
     input.model.plane = limit.plane;
-    input.material.yield_stress = yield_stress;
+    input.material.yield_stress = sigma_Y;
     input.material.isotropic.modulus = 5e-5 * young;
     input.fine.radius = 10.0;  // the whole body: after an extension Newton has nothing to extrapolate
     return input;
@@ -82,7 +82,7 @@ Plateau reach_limit(const Limit& limit, double at_tip) {
     const auto start = std::chrono::steady_clock::now();
     constexpr int increments = 16;
     Case input = plastic(limit, at_tip);
-    const double load = limit.formula * yield_stress, unit = stretch(input, load, 4.0, increments);
+    const double load = limit.formula * sigma_Y, unit = stretch(input, load, 4.0, increments);
     const RunHistory run = run_direct(input);
     const coarse::Increment &first = run.increments.front(), &last = run.increments.back(),
                             &before = run.increments[run.increments.size() - 2];
@@ -110,8 +110,8 @@ const std::array limits{
 
 TEST(LimitLoad, TheHingeIsThatOfTheFormulas) {
     EXPECT_NEAR(plane_stress_hinge(0.5, 0.0), 0.08900, 1e-5);
-    EXPECT_NEAR(plane_stress_hinge(0.5, 0.0) * yield_stress,
-                coarse::ct_limit_load(1.0, 0.5, yield_stress, PlaneState::Stress), 1e-9);
+    EXPECT_NEAR(plane_stress_hinge(0.5, 0.0) * sigma_Y, coarse::ct_limit_load(1.0, 0.5, sigma_Y, PlaneState::Stress),
+                1e-9);
 }
 
 void expect_plateau(const Limit& limit, double coarse_at_tip, double fine_at_tip, double tolerance) {

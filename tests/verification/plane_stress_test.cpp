@@ -22,16 +22,6 @@ namespace state = fine::state;
 
 const Elasticity sheet{210e3, 0.3, PlaneState::Stress};
 
-MaterialSection material(double yield_stress, double isotropic = 0.0, const std::vector<double>& kinematic = {}) {
-    MaterialSection section{.young = 200e3,
-                            .poisson = 0.3,
-                            .yield_stress = yield_stress,
-                            .isotropic = {.law = "linear", .modulus = isotropic},
-                            .kinematic = {}};
-    for (const double C : kinematic) section.kinematic.push_back({C, 0.0});
-    return section;
-}
-
 MaterialPoint sheet_point(const MaterialSection& section) { return MaterialPoint(section, PlaneState::Stress); }
 
 /// A tangent without its zz stress: that strain is eliminated.
@@ -47,14 +37,15 @@ TEST(PlaneStress, StiffnessIsThatOfPlaneStrainWithoutTheThroughStress) {
 TEST(PlaneStress, MixedHardeningBarSsnv133) {  // Code_Aster V6.04.133
     const std::vector<std::pair<double, double>> history{{2e-3, 400}, {4.5e-3, 500}, {1e-4, -380}, {-2e-3, -464}};
     for (const std::vector<double>& kinematic : {std::vector{30e3}, std::vector{10e3, 20e3}}) {
-        MaterialPoint bar = sheet_point(material(400.0, 20e3, kinematic));
+        MaterialPoint bar = sheet_point(linear_hardening(400.0, 20e3, kinematic));
         for (const auto& [strain, stress] : history) EXPECT_NEAR(bar.uniaxial(strain), stress, 1e-8) << strain;
     }
 }
 
 TEST(PlaneStress, UniaxialCyclesIsotropicAndKinematic) {
     const double H = 200e3 * 2e3 / (200e3 - 2e3);  // from the tangent modulus 2000 MPa
-    MaterialPoint isotropic = sheet_point(material(200.0, H)), kinematic = sheet_point(material(200.0, 0.0, {H}));
+    MaterialPoint isotropic = sheet_point(linear_hardening(200.0, H)),
+                  kinematic = sheet_point(linear_hardening(200.0, 0.0, {H}));
     double strain = 0.01;
     for (const double stress : {218.0000, -253.6400, 288.5672, -322.7959}) {
         EXPECT_NEAR(isotropic.uniaxial(strain), stress, 5.1e-5);
@@ -82,7 +73,7 @@ TEST(PlaneStress, FirstYieldAndCollapse) {
                                   {nu * held, held, 0, 0},
                                   {0.5 * 288.675135, 288.675135, 0, 0}}}) {
         for (const double sign : {1.0, -1.0}) {
-            MaterialPoint point = sheet_point(material(s));
+            MaterialPoint point = sheet_point(linear_hardening(s));
             point.strain_by(sign * path.strain_at_yield * (1.0 - 2e-9) * path.strain);
             EXPECT_FALSE(point.last().yields) << path.name;
             EXPECT_LT((point.last().stress() - sign * path.at_yield).norm(), 2e-6) << path.name;
@@ -107,8 +98,9 @@ PointUpdate update_without_through_stress(const fine::MaterialLaw& law, const st
 
 TEST(PlaneStress, EqualsPlaneStrainWithTheThroughStressBroughtToZero) {
     std::mt19937 random(3);
-    for (const MaterialSection& section : {material(350.0), material(350.0, 2000.0), material(350.0, 0.0, {5000.0}),
-                                           material(350.0, 1000.0, {3000.0, 20000.0}), material(350.0, 150e3)}) {
+    for (const MaterialSection& section :
+         {linear_hardening(350.0), linear_hardening(350.0, 2000.0), linear_hardening(350.0, 0.0, {5000.0}),
+          linear_hardening(350.0, 1000.0, {3000.0, 20000.0}), linear_hardening(350.0, 150e3)}) {
         for (const double size : {3e-4, 1.5e-3, 2e-2}) {
             std::normal_distribution<double> normal(0.0, size);
             const auto thick = fine::make_material_law(section, PlaneState::Strain);

@@ -12,16 +12,6 @@
 namespace stria::test {
 namespace {
 
-MaterialSection material(double yield_stress, double isotropic = 0.0, std::vector<double> kinematic = {}) {
-    MaterialSection section{.young = 200e3,
-                            .poisson = 0.3,
-                            .yield_stress = yield_stress,
-                            .isotropic = {.law = "linear", .modulus = isotropic},
-                            .kinematic = {}};
-    for (const double C : kinematic) section.kinematic.push_back({C, 0.0});
-    return section;
-}
-
 /// Plane strain with sigma_xx = 0, pulled along yy.
 double plane_strain_tension(MaterialPoint& point, double strain) { return point.drive(1, strain, {0}).stress()[1]; }
 
@@ -32,15 +22,15 @@ double angle(const Mandel& a, const Mandel& b) {
 TEST(Plasticity, MixedHardeningBarSsnv133) {  // Code_Aster V6.04.133
     const std::vector<std::pair<double, double>> history{{2e-3, 400}, {4.5e-3, 500}, {1e-4, -380}, {-2e-3, -464}};
     for (const std::vector<double>& kinematic : {std::vector{30e3}, std::vector{10e3, 20e3}}) {  // a sum, however split
-        MaterialPoint bar(material(400.0, 20e3, kinematic));
+        MaterialPoint bar(linear_hardening(400.0, 20e3, kinematic));
         for (const auto& [strain, stress] : history) EXPECT_NEAR(bar.uniaxial(strain), stress, 1e-8) << strain;
     }
 }
 
 TEST(Plasticity, UniaxialCyclesIsotropicAndKinematic) {
     const double H = 200e3 * 2e3 / (200e3 - 2e3);  // from the tangent modulus 2000 MPa
-    MaterialPoint isotropic(material(200.0, H));
-    MaterialPoint kinematic(material(200.0, 0.0, {H}));
+    MaterialPoint isotropic(linear_hardening(200.0, H));
+    MaterialPoint kinematic(linear_hardening(200.0, 0.0, {H}));
     const std::vector<double> stresses{218.0000, -253.6400, 288.5672, -322.7959};
     double strain = 0.01;
     for (const double stress : stresses) {
@@ -51,8 +41,8 @@ TEST(Plasticity, UniaxialCyclesIsotropicAndKinematic) {
 }
 
 TEST(Plasticity, ManySmallIncrementsEqualOneLargeInUniaxialStress) {
-    MaterialPoint coarse(material(350.0, 1000.0, {4000.0}));
-    MaterialPoint fine(material(350.0, 1000.0, {4000.0}));
+    MaterialPoint coarse(linear_hardening(350.0, 1000.0, {4000.0}));
+    MaterialPoint fine(linear_hardening(350.0, 1000.0, {4000.0}));
     for (int step = 1; step <= 100; ++step) fine.uniaxial(1e-4 * step);
     EXPECT_NEAR(coarse.uniaxial(1e-2), fine.last().stress()[1], 1e-8);
 }
@@ -61,8 +51,8 @@ TEST(Plasticity, PlaneStrainTensionFirstYield) {
     const double first_yield = 281.271975;
     const double strain = first_yield * (1.0 - 0.3 * 0.3) / 200e3;
     for (const double sign : {1.0, -1.0}) {
-        MaterialPoint below(material(250.0));
-        MaterialPoint above(material(250.0));
+        MaterialPoint below(linear_hardening(250.0));
+        MaterialPoint above(linear_hardening(250.0));
         EXPECT_NEAR(plane_strain_tension(below, sign * strain * (1 - 2e-9)), sign * first_yield, 1e-6);
         EXPECT_FALSE(below.last().yields);
         plane_strain_tension(above, sign * strain * (1 + 2e-9));
@@ -71,14 +61,14 @@ TEST(Plasticity, PlaneStrainTensionFirstYield) {
 }
 
 TEST(Plasticity, PlaneStrainTensionCollapse) {
-    MaterialPoint point(material(250.0));
+    MaterialPoint point(linear_hardening(250.0));
     for (int step = 1; step <= 200; ++step) plane_strain_tension(point, 2e-4 * step);
     EXPECT_NEAR(point.last().stress()[1], 288.675135, 1e-6);
     EXPECT_NEAR(point.last().stress()[2], 0.5 * 288.675135, 1e-6);
 }
 
 TEST(Plasticity, PureShearYieldsAndCollapses) {
-    MaterialPoint point(material(250.0));
+    MaterialPoint point(linear_hardening(250.0));
     const Mandel shear = Mandel::Unit(3) * 250.0 / std::numbers::sqrt3 * std::numbers::sqrt2 * 1.3 / 200e3;
     point.strain_by(shear * (1.0 - 1e-9));
     EXPECT_FALSE(point.last().yields);
@@ -101,7 +91,7 @@ TEST(Plasticity, RadialReturnHasItsKnownError) {
     for (const auto& [start, size, degrees] :
          {ReturnError{90, 0.5, 0.9588}, ReturnError{90, 1, 4.6049}, ReturnError{90, 2, 11.1504},
           ReturnError{90, 3, 12.7345}, ReturnError{135, 1, -15.7191}, ReturnError{45, 1, 5.1718}}) {
-        MaterialPoint point(material(250.0));
+        MaterialPoint point(linear_hardening(250.0));
         const double unit = radius / (2.0 * elasticity.shear_modulus());
         point.strain_by(unit * shear);
         const double psi0 = start * std::numbers::pi / 180.0;

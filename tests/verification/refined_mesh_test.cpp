@@ -17,8 +17,6 @@
 namespace stria::test {
 namespace {
 
-const Elasticity steel{210e3, 0.3};
-
 Mesh refined_square(int n, const Vec2& centre, int levels, double radius = 0.3, double growth = 0.2) {
     return coarse::refine(square_mesh(n), {{centre, centre, radius, levels, growth}});
 }
@@ -137,13 +135,6 @@ void hold_boundary(coarse::Scene& scene) {
         if (!std::ranges::binary_search(nodes, node)) continue;
         for (const int component : {0, 1}) scene.prescribed.push_back({unknown + component, 0.0});
     }
-}
-
-Eigen::VectorXd linear_field(const EnrichedMesh& mesh, const Eigen::Matrix2d& gradient) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
-    for (const auto& [node, term, unknown] : mesh.own_unknowns())
-        if (term == 0) u.segment<2>(unknown) = gradient * mesh.nodes[at(node)];
-    return u;
 }
 
 /// A crack that grazes a node is snapped onto it: no longer straight, it bears some of the stress along it.

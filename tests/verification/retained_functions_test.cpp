@@ -13,14 +13,14 @@
 namespace stria::test {
 namespace {
 
-constexpr double growth = 0.031;  // of the width
+constexpr double growth_step = 0.031;  // of the width
 
 Case growing_edge_crack(Retain retain) {
     Case input = edge_crack(0.3, 3.0, End::Pulled);
     input.mesh.size = 1.0 / 21.0;
     input.fine.refine = 8;
     input.load = {.steps = 2, .blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}};
-    input.growth.emplace().increment = growth;
+    input.growth.emplace().increment = growth_step;
     input.growth->retain = retain;
     return input;
 }

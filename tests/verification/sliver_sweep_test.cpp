@@ -14,8 +14,8 @@
 namespace stria::test {
 namespace {
 
-constexpr int across = 41;
-constexpr double h = 1.0 / across;
+constexpr int cells_across = 41;
+constexpr double cell = 1.0 / cells_across;
 
 using Moved = std::function<Case(double)>;  // the case with the crack moved by a share of one element
 
@@ -29,7 +29,8 @@ class SmoothReference {
 public:
     SmoothReference(const Moved& moved, std::size_t tip) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const coarse::TipResult fine = ElasticSolution(on_mesh(moved(0.5 * double(k)), 4 * across - 1)).tips[tip];
+            const coarse::TipResult fine =
+                ElasticSolution(on_mesh(moved(0.5 * double(k)), 4 * cells_across - 1)).tips[tip];
             values_[k] = {fine.K_I, fine.K_II};
         }
     }
@@ -67,7 +68,7 @@ void sweep(const std::string& name, const Moved& moved, int steps, std::size_t t
     const SmoothReference reference(moved, tip);
     Range K_I, K_II, condition;
     for (const double t : places(steps)) {
-        const ElasticSolution solution(on_mesh(moved(t), across));
+        const ElasticSolution solution(on_mesh(moved(t), cells_across));
         const Vec2 exact = reference(t);
         K_I.add(solution.tips[tip].K_I / exact.x(), t);
         K_II.add((solution.tips[tip].K_II - exact.y()) / exact.x(), t);
@@ -85,14 +86,14 @@ void sweep(const std::string& name, const Moved& moved, int steps, std::size_t t
 
 /// Edge crack with its tip `columns` elements from the left and `rows` from the bottom, 81 rows of elements.
 Case edge_crack_at(double columns, double rows) {
-    Case input = edge_crack(columns * h, 81 * h, End::Pulled);
-    for (Vec2& point : input.cracks[0].points) point.y() = rows * h;
+    Case input = edge_crack(columns * cell, 81 * cell, End::Pulled);
+    for (Vec2& point : input.cracks[0].points) point.y() = rows * cell;
     return input;
 }
 
 /// Crack of half length 0.2 at 30 degrees in a square, its middle at `middle` elements along both axes.
 Case inclined_crack_at(double middle) {
-    const Vec2 centre = middle * h * Vec2(1.0, 1.0), half = 0.2 * Vec2(std::sqrt(0.75), 0.5);
+    const Vec2 centre = middle * cell * Vec2(1.0, 1.0), half = 0.2 * Vec2(std::sqrt(0.75), 0.5);
     Case input = specimen("plate", 1.0, {centre - half, centre + half});
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     return input;

@@ -16,12 +16,12 @@ namespace stria {
 namespace {
 
 /// Elements of four points on an nx x ny grid of elements.
-struct Grid {
+struct PointGrid {
     IndexLists elements;
     std::vector<Vec2> centres;
     int points;
 
-    Grid(int nx, int ny) : points((nx + 1) * (ny + 1)) {
+    PointGrid(int nx, int ny) : points((nx + 1) * (ny + 1)) {
         for (int j = 0; j < ny; ++j) {
             for (int i = 0; i < nx; ++i) {
                 const int p = j * (nx + 1) + i;
@@ -38,7 +38,7 @@ Eigen::Matrix4d element_matrix(std::size_t element) {
 }
 
 TEST(NestedDissection, PlacesEveryUnknownOnceAndTheKeptOnesLast) {
-    const Grid grid(13, 8);
+    const PointGrid grid(13, 8);
     const std::vector<int> kept{40, 3, 77};
     std::vector<int> order = nested_dissection(grid.elements, grid.centres, grid.points, kept);
     EXPECT_TRUE(std::equal(kept.rbegin(), kept.rend(), order.rbegin()));
@@ -49,7 +49,7 @@ TEST(NestedDissection, PlacesEveryUnknownOnceAndTheKeptOnesLast) {
 }
 
 TEST(NestedDissection, SeparatesTheHalvesBeforeWhatTheyShare) {
-    const Grid grid(16, 4);  // the first cut: points 8, 25, ... of each row
+    const PointGrid grid(16, 4);  // the first cut: points 8, 25, ... of each row
     const std::vector<int> order = nested_dissection(grid.elements, grid.centres, grid.points, {});
     for (std::size_t k = order.size() - 5; k < order.size(); ++k) EXPECT_EQ(order[k] % 17, 8);
     for (std::size_t k = 0; k < 40; ++k) EXPECT_LT(order[k] % 17, 8);
@@ -64,7 +64,7 @@ TEST(NestedDissection, LeavesOutWhatNoElementHolds) {
 
 // What near elements see comes after all that they do not.
 TEST(NestedDissection, LateElementsComeAfterTheOthers) {
-    const Grid grid(12, 9);
+    const PointGrid grid(12, 9);
     std::vector<char> late(grid.elements.size(), 0), seen(at(grid.points), 0);
     for (std::size_t e = 0; e < late.size(); ++e) {
         late[e] = static_cast<char>((grid.centres[e] - Vec2(3.0, 4.0)).norm() < 3.0);
@@ -80,7 +80,7 @@ TEST(NestedDissection, LateElementsComeAfterTheOthers) {
 }
 
 TEST(SymmetricAssembly, GivesTheLowerTriangle) {
-    const Grid grid(5, 4);
+    const PointGrid grid(5, 4);
     SparseMatrix lower = lower_pattern(grid.elements, grid.points);
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(grid.points, grid.points);
     for (std::size_t e = 0; e < grid.elements.size(); ++e) {
@@ -104,7 +104,7 @@ TEST(SymmetricAssembly, SkipsUnknownsThatAreNone) {
 
 // Both constructors condense to the same.
 TEST(SparseLeaf, NumberedInOrderOfEliminationGivesTheSameTangent) {
-    Grid grid(12, 9);
+    PointGrid grid(12, 9);
     const std::vector<int> kept{0, 12, 64, 65};
     SparseMatrix any = lower_pattern(grid.elements, grid.points);
     for (std::size_t e = 0; e < grid.elements.size(); ++e) add_to_lower(any, grid.elements[e], element_matrix(e));

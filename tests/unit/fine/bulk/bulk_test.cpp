@@ -10,7 +10,7 @@
 
 #include "common/index.hpp"
 #include "tests/support/material_point.hpp"
-#include "tests/support/plates.hpp"
+#include "tests/support/plate_bulk.hpp"
 
 namespace stria::test {
 namespace {
@@ -20,20 +20,6 @@ using fine::Bulk;
 
 const Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});  // ends inside the plate: cut, tip and plain elements
 const EnrichedMesh plate = plate_mesh(5, 5, scene);
-
-Bulk make_bulk(const EnrichedMesh& mesh, const Case& input, const Eigen::VectorXd& displacement,
-               const Bulk* old = nullptr) {
-    return {mesh,
-            fine::make_material_law(input.material, input.model.plane),
-            elasticity_of(input.material, input.model.plane),
-            IntegrationRule{.subcells = 2, .tip_points = 4},
-            old,
-            displacement};
-}
-
-Bulk make_bulk(const EnrichedMesh& mesh, const Case& input) {
-    return make_bulk(mesh, input, Eigen::VectorXd::Zero(mesh.unknowns));
-}
 
 /// A bulk that yielded and unloaded in part.
 Bulk strained_bulk(const EnrichedMesh& mesh) {

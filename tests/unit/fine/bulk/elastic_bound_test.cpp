@@ -5,22 +5,13 @@
 
 #include "fine/bulk/bulk_report.hpp"
 #include "tests/support/material_point.hpp"
-#include "tests/support/plates.hpp"
+#include "tests/support/plate_bulk.hpp"
 
 namespace stria::test {
 namespace {
 
 using coupling::ZoneState;
 using fine::Bulk;
-
-Bulk make_bulk(const EnrichedMesh& mesh, const Case& input) {
-    return {mesh,
-            fine::make_material_law(input.material, input.model.plane),
-            elasticity_of(input.material, input.model.plane),
-            IntegrationRule{.subcells = 2, .tip_points = 4},
-            nullptr,
-            Eigen::VectorXd::Zero(mesh.unknowns)};
-}
 
 class ElasticBound : public testing::TestWithParam<PlaneState> {
 protected:
