@@ -195,10 +195,10 @@ void tangent_with_flow(benchmark::State& run) {
 /// Multipliers of the plate's crack, opened by more than it moves.
 struct Faces {
     Faces() : contact(plate.mesh, {}, plate.input.cracks, 2, plate.elastic.plane_modulus()) {
-        for (const FaceStation& station : contact.stations())
+        for (const FaceStation& station : contact.operators().stations())
             for (const FaceStation::Term& term : station.terms) open[term.unknown + 1] = 1.0;
         contact.settle(open);
-        const SparseRows& B = contact.operator_B();
+        const SparseRows& B = contact.operators().operator_B();
         entries = static_cast<double>(B.nonZeros()) / contact.multipliers();
         pressure = Eigen::VectorXd::Zero(contact.multipliers());
     }
@@ -212,7 +212,7 @@ struct Faces {
 /// A product and a sum for each entry of its row, the weight.
 void interface_gap(benchmark::State& run) {
     const Faces faces;
-    for (auto _ : run) benchmark::DoNotOptimize(faces.contact.gaps(faces.plate.u));
+    for (auto _ : run) benchmark::DoNotOptimize(faces.contact.jumps(faces.plate.u));
     count(run, faces.contact.multipliers(), 2.0 * faces.entries + 1.0);
 }
 
@@ -222,28 +222,28 @@ void interface_gap_proven_open(benchmark::State& run) {
     const Faces faces;
     coupling::WorkCounts work;
     const Eigen::VectorXd u = faces.open + 1e-3 * faces.plate.u;
-    for (auto _ : run) benchmark::DoNotOptimize(faces.contact.gaps_that_matter(u, faces.pressure, work));
+    for (auto _ : run) benchmark::DoNotOptimize(faces.contact.jumps_that_matter(u, faces.pressure, work));
     count(run, faces.contact.multipliers(), 2.0 * faces.entries + 2.0);
 }
 
 /// p - c g and its sign.
 void interface_status(benchmark::State& run) {
     Faces faces;
-    const Eigen::VectorXd gap = faces.contact.gaps(faces.open);
+    const fine::ContactInterface::Jumps jumps = faces.contact.jumps(faces.open);
     for (auto _ : run) {
-        faces.contact.choose_statuses(faces.pressure, gap);
+        faces.contact.choose_statuses(faces.pressure, jumps);
         benchmark::ClobberMemory();
     }
     count(run, faces.contact.multipliers(), 3.0);
 }
 
-/// Diagonal and right-hand side of a multiplier's row: a product and a quotient or two. B itself is kept.
+/// Right-hand side of a multiplier's row and its matrix, which has a diagonal only where faces are apart.
 void interface_row(benchmark::State& run) {
     const Faces faces;
-    const Eigen::VectorXd gap = faces.contact.gaps(faces.open);
+    const fine::ContactInterface::Jumps jumps = faces.contact.jumps(faces.open);
     for (auto _ : run) {
-        benchmark::DoNotOptimize(faces.contact.right_hand_side(faces.pressure, gap));
-        benchmark::DoNotOptimize(faces.contact.open_diagonal());
+        benchmark::DoNotOptimize(faces.contact.right_hand_side(faces.pressure, jumps));
+        for (int k = 0; k < faces.contact.multipliers(); ++k) benchmark::DoNotOptimize(faces.contact.matrix_of(k));
     }
     count(run, faces.contact.multipliers(), 3.0);
 }
