@@ -70,7 +70,7 @@ const StoppedRun sliding{"Sliding",
                          31};
 
 /// The same crack while it grows: what has slid is on functions that the next tip freezes.
-const Scenery sliding_growing{"SlidingGrowing",
+const StoppedRun sliding_growing{"SlidingGrowing",
                               {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
                                "crack.0.points=[[0.0, 80.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
                                "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
