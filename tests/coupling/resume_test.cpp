@@ -71,10 +71,10 @@ const StoppedRun sliding{"Sliding",
 
 /// The same crack while it grows: what has slid is on functions that the next tip freezes.
 const StoppedRun sliding_growing{"SlidingGrowing",
-                              {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
-                               "crack.0.points=[[0.0, 80.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
-                               "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
-                              27};
+                                 {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+                                  "crack.0.points=[[0.0, 80.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
+                                  "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
+                                 27};
 
 /// Half way of an increment that was halved.
 const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
