@@ -15,14 +15,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double width = 40.0;
+constexpr double plate_width = 40.0;
 
 /// A horizontal crack of half length 1 mm in the middle of a square plate of 40 mm.
 Case closed_crack(double friction, double size = 0.1) {
-    const Vec2 centre(width / 2.0, width / 2.0 + 0.3 * size), half(1.0, 0.0);
-    Case input = specimen("plate", width, {centre - half, centre + half});
-    input.mesh.width = width;
-    input.mesh.size = 1.25 * width * size;
+    const Vec2 centre(plate_width / 2.0, plate_width / 2.0 + 0.3 * size), half(1.0, 0.0);
+    Case input = specimen("plate", plate_width, {centre - half, centre + half});
+    input.mesh.width = plate_width;
+    input.mesh.size = 1.25 * plate_width * size;
     input.mesh.grading = {{.at = {centre}, .size = size, .outer_size = size, .radius = 1.6, .growth = 4.0 * size}};
     input.cracks[0].contact = ContactSection{friction};
     return input;
