@@ -86,6 +86,7 @@ Residual CondensedEquilibrium::linearise() {
                         .settled_below = settled_below_,
                         .check_rest = check_rest_,
                         .boundary = trial_});
+        check_rest_ = false;
         // Meanwhile the structure's part, which needs no answer.
         residual_ -= structure_.tangent() * u;
         if (near_wanted_) (void)near_displacement();
@@ -99,7 +100,6 @@ Residual CondensedEquilibrium::linearise() {
     add_zone(result, response_);
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
     const double tolerance = scene_.input.solver.tolerance, left = result.largest() / result.scale;
-    check_rest_ = result.provisional && result.within(tolerance);
     settled_below_ = response_.same_tangent ? 0.0 : tolerance * result.scale;
     near_wanted_ = left * left <= 0.1 * tolerance;  // Newton's method squares what is left
     return result;

@@ -21,6 +21,7 @@ public:
     void begin(const Target& target, const Predictor& predictor) override;
     Residual linearise() override;
     double solve() override;
+    void look_at_rest() override { check_rest_ = true; }
     void apply(double step) override;
     void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;

@@ -65,6 +65,9 @@ public:
     /// is (1 at the start of a run).
     virtual double solve() = 0;
 
+    /// The next state may be the last: elements at rest are to be looked at, so that it is not provisional.
+    virtual void look_at_rest() {}
+
     /// Takes a part of the correction, everywhere the same.
     virtual void apply(double step) = 0;
 

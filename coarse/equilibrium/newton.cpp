@@ -33,9 +33,10 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
             report.iterations.push_back({residual, correction});
             const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
             const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
-            if ((settled || rounding) && !residual.provisional) {
-                report.converged = true;
-                return report;
+            if (settled || rounding) {
+                report.converged = !residual.provisional;
+                if (report.converged) return report;
+                equilibrium.look_at_rest();
             }
             equilibrium.apply(damping.factor(residual.interior));
         }

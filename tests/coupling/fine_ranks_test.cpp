@@ -47,11 +47,14 @@ std::vector<std::array<double, 4>> points_of(const coupling::ZoneState& state) {
 /// A plate that flows, with a crack that ends in its middle.
 class FineRanks : public testing::TestWithParam<int> {
 protected:
+    static Case one_crack() { return plate_case({{0.0, 4.4}, {5.6, 4.4}}); }
+    explicit FineRanks(const Case& of = one_crack()) : input(of) {}
+
     [[nodiscard]] Eigen::VectorXd boundary(double size, unsigned seed) const {
         return random_vector(std::ssize(patch.boundary), size, seed);
     }
-    Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
-    coupling::Patch patch = plate_patch(plate_mesh(11, 9, input));
+    Case input;
+    coupling::Patch patch = plate_patch(plate_mesh(11, 9, one_crack()));
     Team team{input, GetParam()};
     fine::FineModel one{input};
 };
@@ -91,6 +94,8 @@ TEST_P(FineRanks, AnswerAsOne) {
 
 class GrowingFineRanks : public FineRanks {
 protected:
+    using FineRanks::FineRanks;
+
     void turn_to(const EnrichedMesh& mesh) {
         patch = plate_patch(mesh);
         one.set_patch(patch);
@@ -132,9 +137,20 @@ TEST_P(GrowingFineRanks, AnswerAsOne) {
     EXPECT_EQ(team.together->history_moves() > 0, GetParam() > 1);
 }
 
+class TwoCracksOnFineRanks : public GrowingFineRanks {
+protected:
+    TwoCracksOnFineRanks() : GrowingFineRanks(two_alike()) {}
+
+private:
+    static Case two_alike() {
+        Case input = one_crack();
+        input.cracks.push_back(input.cracks[0]);
+        return input;
+    }
+};
+
 /// Each has a rank of its own until their tips are near each other.
-TEST_P(GrowingFineRanks, BringCracksTogether) {
-    input.cracks.push_back(input.cracks[0]);
+TEST_P(TwoCracksOnFineRanks, ComeTogether) {
     const auto cracks_to = [&](double left, double right) {
         turn_to(with_hanging_node(plate_mesh(11, 9, two_cracks(left, right, 11.0)), {6.0, 4.0}));
     };
@@ -180,6 +196,7 @@ TEST(IdleFineRanks, AreAskedForNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Number, FineRanks, testing::Values(1, 2, 3, 5));
 INSTANTIATE_TEST_SUITE_P(Number, GrowingFineRanks, testing::Values(1, 2, 3, 5));
+INSTANTIATE_TEST_SUITE_P(Number, TwoCracksOnFineRanks, testing::Values(1, 2, 3, 5));
 
 }  // namespace
 }  // namespace stria::test

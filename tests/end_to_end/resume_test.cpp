@@ -222,6 +222,7 @@ TEST_F(Resumed, IsRefusedWithAnotherCase) {
     EXPECT_EQ(run_to_the_end({"--resume", "--set", "load.blocks=[{cycles=3, max=51.0, ratio=-1.0}]"}), 2);
     EXPECT_EQ(run_to_the_end({}), 2);
     EXPECT_NE(text_of(folder / "log").find("--resume goes on"), std::string::npos);
+    std::filesystem::remove(output + "/checkpoint.previous.h5");
     std::filesystem::resize_file(output + "/checkpoint.h5", std::filesystem::file_size(output + "/checkpoint.h5") / 2);
     EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 2);
     EXPECT_NE(text_of(folder / "log").find("cannot go on from this checkpoint"), std::string::npos);

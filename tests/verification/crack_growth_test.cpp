@@ -65,7 +65,7 @@ TEST(CrackGrowth, EndsBeforeTheCrackLeavesTheBody) {
     input.load = {.steps = 2, .blocks = {{.cycles = 20, .max = 1.0, .min = 0.0}}};
     input.growth.emplace().increment = 0.08;
     const RunHistory run = run_direct(input);
-    EXPECT_NEAR(run.increments.back().tips[0].a, 0.94, 1e-12);
+    EXPECT_NEAR(run.increments.back().tips[0].a, 0.86, 1e-12);  // the next tip is nearer to the edge than an element
 }
 
 /// A crack in the middle of a square, at about 37 degrees to the normal of the load, that grows at both tips.

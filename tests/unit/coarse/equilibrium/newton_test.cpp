@@ -17,8 +17,8 @@ public:
     std::function<double(double)> stiffness = [](double x) { return 1.0 + 3.0 * x * x; };
     double scale = 1.0, interior = 0.0, contact = 0.0;
     double u = 0.0, start = 0.0;
-    int applied = 0, provisional = 0;  // states that are
-    bool inside = false;               // its residual is one of the zone's
+    int applied = 0, looked = 0, provisional = 0;  // states that are
+    bool inside = false;                           // its residual is one of the zone's
 
     void begin(const Target& target, const Predictor& predictor) override {
         load_ = target.value;
@@ -36,6 +36,7 @@ public:
         correction_ = residual_ / stiffness(u);
         return std::abs(correction_) / std::max(std::abs(u), 1e-300);
     }
+    void look_at_rest() override { ++looked; }
     void apply(double step) override {
         u += step * correction_;
         ++applied;
@@ -111,6 +112,7 @@ TEST(Newton, GoesOnFromAStateThatIsProvisional) {
     const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver);
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.iterations.size(), 8U);
+    EXPECT_GT(spring.looked, 0);
     EXPECT_LT(find_equilibrium(sure, {Control::Load, 2.0}, 0.6, solver).iterations.size(), 8U);
 }
 
