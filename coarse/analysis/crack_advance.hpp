@@ -17,7 +17,8 @@ namespace stria::coarse {
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
 
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces have friction, the K of
-/// the solution that has been reached, which knows the shear that they transmit. One per tip each.
+/// the solution that has been reached, which knows the shear that they transmit, unless no ring of the tip lies outside
+/// what has flowed: then it is no elastic K. One per tip each.
 [[nodiscard]] std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
                                                std::vector<TipResult> nominal, const std::vector<TipResult>& reached);
 

@@ -221,7 +221,9 @@ void FatigueAnalysis::release_new_faces(LoadStep step) {
         if (zone_must_grow(step)) continue;
         accept(step, report, {});
         held = left;
-        if (cuts > 0) --cuts, part *= 2.0;
+        if (cuts == 0) continue;
+        --cuts;
+        part *= 2.0;
     }
 }
 

@@ -21,8 +21,7 @@ bool asks_for_opening_loads(const Case& input) {
 std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
     const double finer = std::exp2(std::ceil(std::log2(wanted * element / zone)));
     return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm, spans {:.2g} elements of {:.3g} mm; opening "
-                       "loads want {:g} "
-                       "or more: fine.refine = {:g}",
+                       "loads want {:g} or more: fine.refine = {:g}",
                        tip, zone, zone / element, element, wanted, refine * finer);
 }
 

@@ -77,7 +77,8 @@ Section<OutputSection> output_section() {
     s.value("checkpoint_every", &OutputSection::checkpoint_every)
         .in("cycles")
         .at_least(0)
-        .says("A checkpoint after so many cycles, for --resume; 0: only at the end and where a run is interrupted.");
+        .says("A checkpoint at the first extreme and after so many cycles, for --resume; 0: only at the end and where "
+              "a run is interrupted.");
     return s;
 }
 

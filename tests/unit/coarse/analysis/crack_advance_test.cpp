@@ -53,6 +53,9 @@ TEST(CrackAdvance, CracksWithFrictionGoWhereTheSolutionReachedSays) {
     EXPECT_EQ(chosen[0].K_II, 2.0);
     EXPECT_EQ(chosen[1].K_I, 0.0);
     EXPECT_EQ(chosen[1].K_II, 0.5);
+    std::vector<TipResult> flowed = reached;
+    flowed[1].rings_flow = true;
+    EXPECT_EQ(directing(cracks, tips, nominal, flowed)[1].K_II, 2.0);
 }
 
 }  // namespace
