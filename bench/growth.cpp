@@ -43,7 +43,7 @@ void measure(int across, int refine) {
     const Case input = plate(across, refine);
     const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
-    coarse::CondensedFactory factory(&fine);
+    coarse::CondensedFactory factory(&fine, input);
     coarse::FatigueAnalysis analysis(scene, factory, {});
     analysis.run();
     const int steps = input.load.blocks[0].cycles;

@@ -83,7 +83,7 @@ Measurement measure(int across) {
     Measurement result;
     const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
-    coarse::CondensedFactory factory(&fine);
+    coarse::CondensedFactory factory(&fine, input);
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
         result.increments_ms.push_back(1e3 * lap());

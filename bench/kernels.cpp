@@ -107,7 +107,7 @@ struct Plate {
         const int index = 9 * static_cast<int>(centre.y()) + static_cast<int>(centre.x());
         const auto cut = std::ranges::find(mesh.pieces, index, &CrackPiece::element);
         const IntegrationRule rule{
-            .subcells = 2, .gauss = 2, .tip_points = 4, .mean_dilatation = MeanDilatation::Everywhere};
+            .subcells = 2, .singular_gauss = 2, .tip_points = 4, .mean_dilatation = MeanDilatation::Everywhere};
         return make_operator(mesh, index, cut != mesh.pieces.end() ? &*cut : nullptr, rule);
     }
 

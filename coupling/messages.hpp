@@ -3,12 +3,14 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/predictor.hpp"
 #include "common/substructure/substructure.hpp"
+#include "coupling/frozen_tip.hpp"
 #include "coupling/work_counts.hpp"
 
 namespace stria::coupling {
@@ -33,6 +35,7 @@ struct Patch {
     Eigen::VectorXd displacement;  // committed displacement of all unknowns of `mesh`; the fine component keeps its own
                                    // where it has one, and starts elements that are new to it from sigma = C eps(u)
     std::vector<Ring> rings;       // those that zone elements have a share in
+    std::vector<double> behind;    // per tip: distance behind it, mm, at which the opening is asked for; or empty
     std::vector<double> ahead;     // per tip: radius, mm, of the sector ahead of it whose normal stress is asked for;
                                    // empty: nobody asks
 };
@@ -90,7 +93,9 @@ struct RingReport {
 
 /// What a tip shows inside the zone.
 struct TipReport {
-    double CTOD = -1;              // mm; negative: the 90 degree intercept is not in the zone
+    double CTOD = -1;  // mm; negative: the 90 degree intercept is not in the zone
+    // mm, at the distance behind it that the patch asks for; NaN: not in the zone
+    double opening = std::numeric_limits<double>::quiet_NaN();
     double plastic_zone = 0;       // mm, largest distance of a point that flowed in this half cycle
     double plastic_zone_axis = 0;  // mm, within 15 degrees of the crack's line ahead
     double plastic_reach = 0;      // mm, largest distance of a point that has ever flowed
@@ -127,6 +132,7 @@ struct ZoneState {
     std::vector<double> stress;          // 4 per point, Mandel
     std::vector<double> plastic_strain;  // 4 per point, Mandel
     std::vector<double> accumulated;     // per point
+    std::vector<FrozenTip> frozen_tips;  // what `displacement` lacks
 };
 
 }  // namespace stria::coupling

@@ -6,16 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/enrichment/enriched_mesh.hpp"
+#include "coupling/frozen_tip.hpp"
 
 namespace stria::coupling {
-
-/// Functions that a tip has left behind with their displacement.
-struct FrozenTip {
-    EnrichedMesh mesh;             // the elements that see them
-    Eigen::VectorXd displacement;  // of its unknowns, zero but for those of the functions, mm
-    std::int32_t crack = 0;
-};
 
 /// A contact multiplier, known by its place.
 struct MultiplierSnapshot {

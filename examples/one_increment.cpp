@@ -27,7 +27,7 @@ int main(int count, char** words) {
     const Eigen::VectorXd start = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     fine::FineModel zone(input);
     zone.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), start));
-    coarse::CondensedEquilibrium equilibrium(structure, &zone, start, 0.0);
+    coarse::CondensedEquilibrium equilibrium(structure, &zone, input, start, 0.0);
     const auto newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, {}, input.solver);
     if (!newton.converged) return fmt::print(stderr, "{}\n{}", newton.failure, newton.table()), 3;
 

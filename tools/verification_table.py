@@ -128,8 +128,8 @@ PRINTED = [
      r"(gathered|nodal) n +(\d+): condition number ([\d.e+]+), rate ([\d.-]+)"),
     ("A crack moved through one element", "SliverSweep.*Long", ("moved", "K_I varies by, %", "K_II, %", "condition number, largest / smallest"),
      r"sweep (.*): K_I .* varies by ([\d.]+) %; K_II by ([\d.]+) %; .* ratio ([\d.]+)"),
-    ("Contact pressure over random cuts", "ContactPressure.*", ("mesh", "cuts", "mean error", "worst error", "Newton iterations at most"),
-     r"(\d+ x \d+), (\d+) cuts: pressure error mean ([\d.]+ %), worst ([\d.]+ %), iterations at most (\d+)"),
+    ("Contact pressure over random cuts", "ContactPressure.*:SlidingTractions.*-*Long", ("mesh", "cuts", "friction", "slip, mm", "mean error of the pressure", "worst", "worst of the shear", "Newton iterations at most"),
+     r"(\d+ x \d+), (\d+) cuts, friction ([\d.]+), slip ([\d.]+): pressure error mean ([\d.]+ %), worst ([\d.]+ %), shear worst ([\d.]+ %), iterations at most (\d+)"),
 ]
 
 

@@ -273,7 +273,7 @@ std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Struc
                                                              const coupling::Patch* patch,
                                                              const Eigen::VectorXd& committed, double load_factor) {
     if (patch == nullptr)
-        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, load_factor);
+        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, input_, committed, load_factor);
     zone_.set_patch(*patch);
     return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, load_factor);
 }
@@ -282,7 +282,8 @@ std::unique_ptr<coarse::Equilibrium> MonolithicFactory::resume(const coarse::Str
                                                                const coupling::Patch* patch,
                                                                const Eigen::VectorXd& committed,
                                                                const coupling::ZoneSnapshot& zone) {
-    if (patch == nullptr) return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, committed, 0.0);
+    if (patch == nullptr)
+        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, input_, committed, 0.0);
     zone_.restore(*patch, zone);
     zone_.wake_all();
     return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, 0.0);

@@ -8,7 +8,7 @@ namespace stria {
 
 class MonolithicFactory : public coarse::EquilibriumFactory {
 public:
-    explicit MonolithicFactory(const fine::ZoneSections& input) : zone_(input) {}
+    explicit MonolithicFactory(const Case& input) : zone_(input), input_(input) {}
     std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
                                               const Eigen::VectorXd& committed, double load_factor) override;
     void extend_zone(const coupling::Patch& patch) override { zone_.set_patch(patch); }
@@ -20,6 +20,7 @@ public:
 
 private:
     fine::ZoneSystem zone_;
+    coarse::EquilibriumSections input_;
 };
 
 }  // namespace stria

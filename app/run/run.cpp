@@ -44,13 +44,13 @@ int run_coarse_with_mpi(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         meet_and_part(coupling::Role::Coarse);
-        coarse::CondensedFactory alone(nullptr);
+        coarse::CondensedFactory alone(nullptr, input);
         return CoarseRun(options, input, {"mpi", 1, users_terminal()}).perform(alone, nullptr);
     }
     const coupling::MpiSession session(coupling::Role::Coarse);
     try {
         FineSide fine(input, session);
-        coarse::CondensedFactory factory(&fine.scale());
+        coarse::CondensedFactory factory(&fine.scale(), input);
         return CoarseRun(options, input, {"mpi", 1 + session.peers(), users_terminal()}).perform(factory, &fine);
     } catch (const CaseError&) {
         throw;  // the conversation has ended in order: both sides leave
@@ -88,15 +88,15 @@ int run_in_process(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     CoarseRun run(options, input, {options.mode, 1, isatty(STDOUT_FILENO) != 0});
     if (!needs_fine(input)) {
-        coarse::CondensedFactory alone(nullptr);
+        coarse::CondensedFactory alone(nullptr, input);
         return run.perform(alone, nullptr);
     }
     if (options.mode == "monolithic") {
-        MonolithicFactory factory(run.scene().input);
+        MonolithicFactory factory(input);
         return run.perform(factory, nullptr);
     }
-    FineSide fine(run.scene().input, options.fine_ranks);
-    coarse::CondensedFactory factory(&fine.scale());
+    FineSide fine(input, options.fine_ranks);
+    coarse::CondensedFactory factory(&fine.scale(), input);
     return run.perform(factory, &fine);
 }
 

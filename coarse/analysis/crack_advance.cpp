@@ -28,7 +28,8 @@ std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const 
                                  std::vector<TipResult> nominal, const std::vector<TipResult>& reached) {
     for (std::size_t t = 0; t < nominal.size(); ++t) {
         const std::optional<ContactSection>& contact = cracks[at(tips[t].crack)].contact;
-        if (!contact || contact->friction == 0.0 || reached[t].rings_flow) continue;
+        const bool touches = reached[t].contact_length > 0.0;
+        if (!contact || contact->friction == 0.0 || !touches || reached[t].rings_flow) continue;
         nominal[t].K_I = std::max(reached[t].K_I, 0.0);  // closed faces leave the rounding of one
         nominal[t].K_II = reached[t].K_II;
     }

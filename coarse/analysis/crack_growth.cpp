@@ -1,6 +1,7 @@
 #include "coarse/analysis/crack_growth.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "coarse/analysis/crack_advance.hpp"
@@ -16,7 +17,7 @@ bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth
 std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_factor,
                                          const std::vector<TipResult>& reached, const std::vector<CycleResult>& last) {
     if (growth_.law != GrowthLaw::Prescribed && last.empty()) return nullptr;  // no cycle has told a rate yet
-    require_opening_loads(last);
+    require_drive(last);
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     std::unique_ptr<Scene> longer;
@@ -29,7 +30,14 @@ std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_fa
     return longer;
 }
 
-void CrackGrowth::require_opening_loads(const std::vector<CycleResult>& last) const {
+// What drives the tips has been measured.
+void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
+    const auto unread =
+        std::ranges::find_if(last, [](const CycleResult& cycle) { return std::isnan(cycle.opening_range()); });
+    if (growth_.law == GrowthLaw::Ctod && unread != last.end())
+        throw NumericalFailure(fmt::format("tip {}: no opening range at closure.distance behind it, which drives the "
+                                           "growth: the crack is shorter than that",
+                                           unread - last.begin()));
     if (growth_.law != GrowthLaw::Paris || growth_.driving != GrowthDriving::EffectiveRange) return;
     const auto lost = std::ranges::find(last, true, [](const CycleResult& cycle) { return cycle.opening.lost; });
     if (lost == last.end()) return;

@@ -32,7 +32,7 @@ public:
     void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const;
 
 private:
-    void require_opening_loads(const std::vector<CycleResult>& last) const;
+    void require_drive(const std::vector<CycleResult>& last) const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, double load_factor,
                                const std::vector<CycleResult>& last) const;
     [[nodiscard]] std::unique_ptr<Scene> scene_of(const Scene& present, std::vector<CrackSection> cracks) const;

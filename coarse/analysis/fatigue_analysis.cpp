@@ -27,7 +27,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
       closure_(ClosureMeter(scene.input.closure, scene.input.material, body_.largest_K_I()),
                from != nullptr ? from->closed : std::vector<char>()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
-      model_(body_, closure_.meter(), factory, effort_, listener_.note, from) {
+      model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
     if (scene.input.growth) growth_.emplace(*scene.input.growth, listener_.note, from != nullptr && from->growth_ended);
     if (from == nullptr) return;
@@ -215,6 +215,7 @@ void FatigueAnalysis::release_new_faces(LoadStep step) {
                                                    step.cycle, report.failure, to_text(step.target), cuts - 1));
             listener_.note(fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target),
                                        report.failure));
+            ++effort_.counts.release_cuts;
             part /= 2.0;
             continue;
         }

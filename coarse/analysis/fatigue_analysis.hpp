@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const std::vector<double>& largest_K_I() const { return body_.largest_K_I(); }
     [[nodiscard]] const ClosureMeter& closure() const { return closure_.meter(); }
     /// Increments that were halved.
-    [[nodiscard]] int cuts() const { return controller_.cuts(); }
+    [[nodiscard]] int cuts() const { return controller_.cuts() + effort_.counts.release_cuts; }
     [[nodiscard]] CoarseEffort effort() const;
 
 private:

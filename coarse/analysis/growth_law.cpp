@@ -23,7 +23,7 @@ double driving_range(GrowthDriving driving, const CycleResult& cycle) {
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment;
-    const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.CTOD_range();
+    const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.opening_range();
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
 }
 

@@ -11,9 +11,10 @@
 
 namespace stria::coarse {
 
-TwoScaleModel::TwoScaleModel(CrackedBody& body, const ClosureMeter& closure, EquilibriumFactory& factory,
-                             CoarseEffort& effort, const Note& note, const AnalysisState* from)
-    : body_(body), closure_(closure), factory_(factory), effort_(effort), note_(note),
+TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, const ClosureMeter& closure,
+                             EquilibriumFactory& factory, CoarseEffort& effort, const Note& note,
+                             const AnalysisState* from)
+    : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
       guard_(body.scene().input.material), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
     const Stopwatch watch(effort_.setup_s);
     if (from == nullptr) {
@@ -62,13 +63,13 @@ void TwoScaleModel::couple(const AnalysisState* from) {
 
 coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const {
     coupling::Patch patch = make_patch(body_.scene(), in_zone, gamma, displacement_);
+    patch.behind = closure_.behind();
     patch.ahead = closure_.ahead(body_.scene().enriched);
     return patch;
 }
 
 NewtonReport TwoScaleModel::solve(const LoadStep& step) {
-    const SolverSection& solver = body_.scene().input.solver;
-    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver, largest_force_);
+    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver_, largest_force_);
     effort_.counts.newton_iterations += report.count();
     return report;
 }
@@ -86,7 +87,8 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     increment.zone = equilibrium_->commit(step.reversal);
     is_behind_ = true;
     increment.equilibrium = equilibrium_.get();
-    increment.tips = fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone);
+    increment.tips =
+        fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.behind());
     add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
                   increment.zone);
     increment.work = work_;

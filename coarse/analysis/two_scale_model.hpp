@@ -16,8 +16,8 @@ namespace stria::coarse {
 class TwoScaleModel {
 public:
     /// All references must outlive the model. `from`: a state to go on from; null: the unloaded body.
-    TwoScaleModel(CrackedBody& body, const ClosureMeter& closure, EquilibriumFactory& factory, CoarseEffort& effort,
-                  const Note& note, const AnalysisState* from);
+    TwoScaleModel(CrackedBody& body, const SolverSection& solver, const ClosureMeter& closure,
+                  EquilibriumFactory& factory, CoarseEffort& effort, const Note& note, const AnalysisState* from);
 
     /// Newton's method, to a trial state.
     [[nodiscard]] NewtonReport solve(const LoadStep& step);
@@ -47,6 +47,7 @@ private:
     [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
 
     CrackedBody& body_;
+    const SolverSection& solver_;
     const ClosureMeter& closure_;
     EquilibriumFactory& factory_;
     CoarseEffort& effort_;

@@ -25,6 +25,12 @@ ClosureMeter::ClosureMeter(const ClosureSection& closure, const MaterialSection&
     }
 }
 
+std::vector<double> ClosureMeter::behind() const {
+    std::vector<double> behind;
+    for (const std::vector<double>& distances : distance_) behind.push_back(distances.front());
+    return behind;
+}
+
 std::vector<double> ClosureMeter::ahead(const EnrichedMesh& mesh) const {
     std::vector<double> ahead;
     for (std::size_t t = 0; tension_ && t < distance_.size(); ++t)

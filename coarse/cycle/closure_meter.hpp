@@ -36,6 +36,8 @@ public:
     [[nodiscard]] int contact_signals() const { return distance_.empty() ? 0 : static_cast<int>(distance_[0].size()); }
     /// Behind the tip, mm.
     [[nodiscard]] const std::vector<double>& distances(int tip) const { return distance_[at(tip)]; }
+    /// The distance behind each tip at which the opening is read, mm: the first of distances(tip).
+    [[nodiscard]] std::vector<double> behind() const;
     /// Distances ahead of the tips over which the stress is averaged, mm: the first of distances(tip), no less than an
     /// element. One per tip; empty where compression is not measured.
     [[nodiscard]] std::vector<double> ahead(const EnrichedMesh& mesh) const;

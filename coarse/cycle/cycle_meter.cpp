@@ -40,7 +40,8 @@ void CycleMeter::begin(int cycle) {
         const CycleMemory::Station& start = now_.last[t];
         tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor;
         tip.cycle.J_max = start.J;
-        if (std::isfinite(start.CTOD)) tip.cycle.CTOD_max = tip.cycle.CTOD_min = start.CTOD;
+        tip.cycle.CTOD.include(start.CTOD);
+        tip.cycle.opening_behind.include(start.opening);
         tip.cycle.forward = start.forward;
         tip.cycle.forward_axis = start.forward_axis;
         tip.down = {{start.load_factor}, {start.CMOD}};
@@ -69,7 +70,7 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({increment.nominal_K[t], tip.J, tip.CTOD, tip.CMOD, increment.load_factor,
+        now_.last.push_back({increment.nominal_K[t], tip.J, tip.CTOD, tip.opening, tip.CMOD, increment.load_factor,
                              growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
         if (now_.length.size() <= t) now_.length.push_back(tip.a);
     }
@@ -91,10 +92,8 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bo
     cycle.K_max = std::max(cycle.K_max, K);
     cycle.K_min = std::min(cycle.K_min, K);
     cycle.J_max = std::max(cycle.J_max, result.J);
-    if (std::isfinite(result.CTOD)) {
-        cycle.CTOD_max = std::max(cycle.CTOD_max, result.CTOD);
-        cycle.CTOD_min = std::min(cycle.CTOD_min, result.CTOD);
-    }
+    cycle.CTOD.include(result.CTOD);
+    cycle.opening_behind.include(result.opening);
 }
 
 // A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.

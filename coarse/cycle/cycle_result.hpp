@@ -1,6 +1,8 @@
 // What a cycle was, tip by tip: extremes, opening and closing loads, plastic zones.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,20 +14,34 @@ struct OpeningLoads {
     bool lost = false;  // it opens, but no equilibrium was found that tells where: K_op is missing
 };
 
+/// Of a number in a cycle. What is no number leaves them as they are.
+struct Extremes {
+    double most = -1e300, least = 1e300;
+
+    void include(double value) {
+        if (!std::isfinite(value)) return;
+        most = std::max(most, value);
+        least = std::min(least, value);
+    }
+    [[nodiscard]] double range() const {
+        return most >= least ? most - least : std::numeric_limits<double>::quiet_NaN();
+    }
+};
+
 /// From maximum to maximum.
 struct CycleResult {
     double a = 0.0, da = 0.0;  // mm; grown since the cycle before ended
     double K_max = -1e300, K_min = 1e300;
-    double J_max = 0.0, CTOD_max = -1e300, CTOD_min = 1e300;
+    double J_max = 0.0;
+    Extremes CTOD, opening_behind;  // mm; the second at closure.distance behind the tip
     double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;  // plastic zones, mm
     std::vector<OpeningLoads> contact;                                          // per distance of the closure meter
     OpeningLoads tension, offset;
     OpeningLoads opening;  // by the definition asked for
     double dN = 1.0;       // cycles that it stands for
 
-    [[nodiscard]] double CTOD_range() const {
-        return CTOD_max >= CTOD_min ? CTOD_max - CTOD_min : std::numeric_limits<double>::quiet_NaN();
-    }
+    [[nodiscard]] double CTOD_range() const { return CTOD.range(); }
+    [[nodiscard]] double opening_range() const { return opening_behind.range(); }
 };
 
 }  // namespace stria::coarse

@@ -1,6 +1,7 @@
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "coarse/equilibrium/zone_residual.hpp"
 #include "common/error.hpp"
@@ -15,11 +16,11 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 }  // namespace
 
 CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
-                                           const Eigen::VectorXd& committed, double load_factor)
-    : structure_(structure), scene_(structure.scene()), fine_(fine), largest_unit_force_(largest(scene_.unit_force)),
-      committed_load_factor_(load_factor), load_factor_(load_factor),
-      increments_(remembered_increments(scene_.input.load.steps)),
-      near_(Eigen::VectorXd::Zero(scene_.enriched.unknowns)) {
+                                           EquilibriumSections input, const Eigen::VectorXd& committed,
+                                           double load_factor)
+    : structure_(structure), scene_(structure.scene()), fine_(fine), input_(std::move(input)),
+      largest_unit_force_(largest(scene_.unit_force)), committed_load_factor_(load_factor), load_factor_(load_factor),
+      increments_(remembered_increments(input_.steps)), near_(Eigen::VectorXd::Zero(scene_.enriched.unknowns)) {
     committed_ = gather(committed, structure_.gamma());
     trial_ = committed_;
     for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
@@ -91,15 +92,14 @@ Residual CondensedEquilibrium::linearise() {
         residual_ -= structure_.tangent() * u;
         if (near_wanted_) (void)near_displacement();
         response_ = fine_->collect();
-        if (scene_.input.coupling.state == "newton")
-            (void)fine_->state();  // the user pays for seeing every iterate cross
+        if (input_.coupling.state == "newton") (void)fine_->state();  // the user pays for seeing every iterate cross
     }
     if (!response_.same_tangent) zone_tangent_ = std::move(response_.tangent);
     residual_ -= on_free(response_.force);
     result.boundary = largest(residual_);
     add_zone(result, response_);
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
-    const double tolerance = scene_.input.solver.tolerance, left = result.largest() / result.scale;
+    const double tolerance = input_.tolerance, left = result.largest() / result.scale;
     settled_below_ = response_.same_tangent ? 0.0 : tolerance * result.scale;
     near_wanted_ = left * left <= 0.1 * tolerance;  // Newton's method squares what is left
     return result;
@@ -176,7 +176,7 @@ coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
     if (fine_ == nullptr) return {};
     const Stopwatch watch(effort_.exchange_s);
     coupling::StepReport report = fine_->commit(reversal);
-    if (scene_.input.coupling.state == "auto")
+    if (input_.coupling.state == "auto")
         ++effort_.work.states_not_sent;
     else
         (void)fine_->state();

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "coarse/equilibrium/equilibrium.hpp"
+#include "coarse/equilibrium/equilibrium_sections.hpp"
 #include "coarse/structure/structure.hpp"
 #include "common/linear/dense_cholesky.hpp"
 #include "coupling/fine_scale.hpp"
@@ -15,8 +16,8 @@ class CondensedEquilibrium : public Equilibrium {
 public:
     /// `fine` may be null: an elastic, traction-free scene without a zone. `committed`: displacement of the whole mesh
     /// to start from.
-    CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, const Eigen::VectorXd& committed,
-                         double load_factor);
+    CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, EquilibriumSections input,
+                         const Eigen::VectorXd& committed, double load_factor);
 
     void begin(const Target& target, const Predictor& predictor) override;
     Residual linearise() override;
@@ -45,6 +46,7 @@ private:
     const Structure& structure_;
     const Scene& scene_;
     coupling::FineScale* fine_;
+    EquilibriumSections input_;
     double largest_unit_force_;
     std::vector<std::pair<int, double>> held_;    // place in Gamma, value per unit load factor
     std::vector<std::pair<int, double>> pulled_;  // place in Gamma, share of its reaction in the machine's force

@@ -7,7 +7,7 @@ namespace stria::coarse {
 std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch,
                                                     const Eigen::VectorXd& committed, double load_factor) {
     if (patch != nullptr) fine_->set_patch(*patch);
-    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed,
+    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, input_, committed,
                                                   load_factor);
 }
 
@@ -15,7 +15,8 @@ std::unique_ptr<Equilibrium> CondensedFactory::resume(const Structure& structure
                                                       const Eigen::VectorXd& committed,
                                                       const coupling::ZoneSnapshot& zone) {
     if (patch != nullptr) fine_->restore(*patch, zone);
-    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, committed, 0.0);
+    return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, input_, committed,
+                                                  0.0);
 }
 
 }  // namespace stria::coarse

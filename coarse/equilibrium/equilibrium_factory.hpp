@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "coarse/equilibrium/equilibrium.hpp"
+#include "coarse/equilibrium/equilibrium_sections.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/fine_scale.hpp"
 
@@ -40,7 +41,7 @@ public:
 /// Equilibrium of structure and zone over the port (null: no fine component).
 class CondensedFactory : public EquilibriumFactory {
 public:
-    explicit CondensedFactory(coupling::FineScale* fine) : fine_(fine) {}
+    CondensedFactory(coupling::FineScale* fine, EquilibriumSections input) : fine_(fine), input_(std::move(input)) {}
     std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                       const Eigen::VectorXd& committed, double load_factor) override;
     void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
@@ -51,6 +52,7 @@ public:
 
 private:
     coupling::FineScale* fine_;
+    EquilibriumSections input_;
 };
 
 }  // namespace stria::coarse

@@ -28,6 +28,16 @@ struct CellMean {
     }
 };
 
+/// What the functions of an element make at a place, seen from a side of the crack, mm.
+Vec2 displacement_at(const ElementBasis& basis, const Vec2& x, int side, const Eigen::VectorXd& u) {
+    BasisValues values;
+    basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
+    Vec2 displacement = Vec2::Zero();
+    for (int f = 0; f < basis.functions(); ++f)
+        displacement += values.value[f] * u.segment<2>(basis.unknowns()[at(2 * f)]);
+    return displacement;
+}
+
 using CellKey = std::pair<int, int>;  // element of the whole mesh, side
 
 class FieldBuilder {
@@ -80,6 +90,9 @@ private:
             mean({part.element_ids[at(zone.element[q])], zone.side[q]})
                 .add(zone.weight[q], stress, plastic, zone.accumulated[q]);
         }
+        for (const coupling::FrozenTip& tip : zone.frozen_tips)
+            for (int e = 0; e < std::ssize(tip.mesh.elements); ++e)
+                frozen_[tip.mesh.element_ids[at(e)]].emplace_back(&tip, e);
     }
 
     // What the faces do inside each element that the crack crosses or runs along: mean tractions, largest status.
@@ -107,7 +120,7 @@ private:
         if (own && mesh_.element_side[at(e)] == 0 && !own->enriched()) own.reset();
         std::vector<std::int64_t> points;
         for (const int node : mesh_.elements[at(e)])
-            points.push_back(own ? add_point(*own, mesh_.nodes[at(node)], 0) : shared_point(node));
+            points.push_back(own ? add_point(*own, e, mesh_.nodes[at(node)], 0) : shared_point(node));
         add_cell(CellType::Quad, points, {e, 0});
     }
 
@@ -126,17 +139,16 @@ private:
         for (const auto& triangle : triangulate(basis.corners(), segments)) {
             const int side = cut.side_of((triangle[0] + triangle[1] + triangle[2]) / 3.0);
             std::vector<std::int64_t> points;
-            for (const Vec2& x : triangle) points.push_back(add_point(basis, x, side));
+            for (const Vec2& x : triangle) points.push_back(add_point(basis, e, x, side));
             add_cell(CellType::Triangle, points, {e, side});
         }
     }
 
-    std::int64_t add_point(const ElementBasis& basis, const Vec2& x, int side) {
-        BasisValues values;
-        basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
-        Vec2 displacement = Vec2::Zero();
-        for (int f = 0; f < basis.functions(); ++f)
-            displacement += values.value[f] * u_.segment<2>(basis.unknowns()[at(2 * f)]);
+    std::int64_t add_point(const ElementBasis& basis, int element, const Vec2& x, int side) {
+        Vec2 displacement = displacement_at(basis, x, side, u_);
+        if (const auto found = frozen_.find(element); found != frozen_.end())
+            for (const auto& [tip, e] : found->second)
+                displacement += displacement_at(ElementBasis(tip->mesh, e, true), x, side, tip->displacement);
         return add_point(x, displacement);
     }
 
@@ -178,6 +190,8 @@ private:
     std::map<CellKey, CellMean> sides_;
     std::vector<std::int64_t> shared_;     // point of each node, -1: none yet
     std::map<int, FacesOfElement> faces_;  // by element
+    // By element: functions that tips have left behind there, and which of their elements it is.
+    std::map<int, std::vector<std::pair<const coupling::FrozenTip*, int>>> frozen_;
     FieldData data_;
     std::vector<double> displacement_, stress_, von_mises_, plastic_, accumulated_, zone_, side_, pressure_, shear_,
         status_;

@@ -82,17 +82,21 @@ void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>&
     result.K_spread = std::max(spread(elastic, &RingValues::K_I, K), spread(elastic, &RingValues::K_II, K));
 }
 
-/// What a zone reports of a tip, or else its opening where the structure holds it.
+/// What a zone reports of a tip, or else its openings where the structure holds them.
 void put_openings(const EnrichedMesh& mesh, int t, const Eigen::VectorXd& u, const coupling::StepReport& report,
-                  TipResult& result) {
+                  std::span<const double> behind, TipResult& result) {
     const Tip& tip = mesh.tips[at(t)];
     if (report.tips.empty()) {
-        const double opening = opening_at_intercept(mesh, tip, u);
-        if (opening >= 0.0) result.CTOD = opening;
+        const double intercept = opening_at_intercept(mesh, tip, u);
+        if (intercept >= 0.0) result.CTOD = intercept;
+        if (behind.empty()) return;
+        const FaceStation station = face_station_behind(mesh, tip, behind[at(t)]);
+        if (!station.terms.empty()) result.opening = station.opening(u);
         return;
     }
     const coupling::TipReport& zone = report.tips[at(t)];
     if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
+    result.opening = zone.opening;
     result.plastic_zone = zone.plastic_zone;
     result.plastic_zone_axis = zone.plastic_zone_axis;
     result.contact_length = report.contact_length[at(tip.crack)];
@@ -108,7 +112,8 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
 }
 
 std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Eigen::VectorXd& u,
-                                           const RingIntegrals& own, const coupling::StepReport& report) {
+                                           const RingIntegrals& own, const coupling::StepReport& report,
+                                           std::span<const double> behind) {
     const Scene& scene = rings.structure().scene();
     std::vector<TipResult> results;
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
@@ -117,7 +122,7 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
         result.a = crack_length(scene, tip);
         result.CTOD = std::nan("");
         result.CMOD = mouth_opening(rings.structure(), tip.crack, u);
-        put_openings(scene.enriched, t, u, report, result);
+        put_openings(scene.enriched, t, u, report, behind, result);
         const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
         put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), plastic_reach, result);
         results.push_back(result);

@@ -1,6 +1,8 @@
 // Stress intensities, T stress, J and openings of every tip: the structure's share in them plus the zone's.
 #pragma once
 
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "coarse/fracture/structure_rings.hpp"
@@ -16,14 +18,17 @@ struct TipResult {
     double J_spread = 0.0, K_spread = 0.0;  // over the rings; NaN where fewer than two tell
     bool rings_flow = false;                // every ring holds a point that has flowed: K, T are no elastic ones
     double CTOD = 0.0, CMOD = 0.0;          // mm
-    double contact_length = 0.0;            // mm
-    double plastic_zone = 0.0, plastic_zone_axis = 0.0;  // mm
+    double opening = std::numeric_limits<double>::quiet_NaN();  // mm, at a stated distance behind the tip
+    double contact_length = 0.0;                                // mm
+    double plastic_zone = 0.0, plastic_zone_axis = 0.0;         // mm
 };
 
 /// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:
-/// rings.integrals(u). `report`: the zone's share, empty without a zone. One result per tip.
+/// rings.integrals(u). `report`: the zone's share, empty without a zone. `behind`: distances behind the tips, mm, at
+/// which the opening is asked for, one per tip; empty: nobody asks. One result per tip.
 std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Eigen::VectorXd& u,
-                                           const RingIntegrals& own, const coupling::StepReport& report);
+                                           const RingIntegrals& own, const coupling::StepReport& report,
+                                           std::span<const double> behind = {});
 
 /// The same, with rings made for this once.
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,

@@ -49,16 +49,22 @@ void members(auto& archive, Is<OpeningLoads> auto& m) {
     archive("lost", lost);
 }
 
+void members(auto& archive, Is<Extremes> auto& m) {
+    auto& [most, least] = m;
+    archive("most", most);
+    archive("least", least);
+}
+
 void members(auto& archive, Is<CycleResult> auto& m) {
-    auto& [a, da, K_max, K_min, J_max, CTOD_max, CTOD_min, forward, cyclic, forward_axis, cyclic_axis, contact, tension,
-           offset, opening, dN] = m;
+    auto& [a, da, K_max, K_min, J_max, CTOD, opening_behind, forward, cyclic, forward_axis, cyclic_axis, contact,
+           tension, offset, opening, dN] = m;
     archive("a", a);
     archive("da", da);
     archive("K_max", K_max);
     archive("K_min", K_min);
     archive("J_max", J_max);
-    archive("CTOD_max", CTOD_max);
-    archive("CTOD_min", CTOD_min);
+    archive("CTOD", CTOD);
+    archive("opening_behind", opening_behind);
     archive("forward", forward);
     archive("cyclic", cyclic);
     archive("forward_axis", forward_axis);
@@ -71,7 +77,7 @@ void members(auto& archive, Is<CycleResult> auto& m) {
 }
 
 void members(auto& archive, Is<TipResult> auto& m) {
-    auto& [a, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, contact_length, plastic_zone,
+    auto& [a, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length, plastic_zone,
            plastic_zone_axis] = m;
     archive("a", a);
     archive("K_I", K_I);
@@ -82,6 +88,7 @@ void members(auto& archive, Is<TipResult> auto& m) {
     archive("K_spread", K_spread);
     archive("rings_flow", rings_flow);
     archive("CTOD", CTOD);
+    archive("opening", opening);
     archive("CMOD", CMOD);
     archive("contact_length", contact_length);
     archive("plastic_zone", plastic_zone);
@@ -105,10 +112,11 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [nominal_K, J, CTOD, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [nominal_K, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
     archive("nominal_K", nominal_K);
     archive("J", J);
     archive("CTOD", CTOD);
+    archive("opening", opening);
     archive("CMOD", CMOD);
     archive("load_factor", load_factor);
     archive("forward", forward);
@@ -174,7 +182,7 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, in_zone, far, displacement, load_factor, largest_force, closed, cycle, last_cycle, nominal, counts,
            growth_ended, load, work, equilibrium, zone] = m;
-    auto& [increments, newton_iterations, zone_extensions, yield_warnings, flowing_rings] = counts;
+    auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings] = counts;
     archive("cracks", cracks);
     archive("in_zone", in_zone);
     archive("far", far);
@@ -189,6 +197,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("newton_iterations", newton_iterations);
     archive("extensions", zone_extensions);
     archive("warnings", yield_warnings);
+    archive("release_cuts", release_cuts);
     archive("flowing_rings", flowing_rings);
     archive("growth_ended", growth_ended);
     archive("load", load);

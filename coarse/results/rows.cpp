@@ -29,6 +29,7 @@ void put_tip(HistoryRow& row, const TipResult& tip) {
     row.J = tip.J;
     row.CMOD = tip.CMOD;
     row.CTOD = tip.CTOD;
+    row.opening = tip.opening;
     row.contact_length = tip.contact_length;
     row.plastic_zone = tip.plastic_zone;
     row.plastic_zone_axis = tip.plastic_zone_axis;
@@ -69,6 +70,7 @@ CycleRow cycle_row(const Increment& increment, int tip) {
     row.dK_eff = row.K_max - row.K_op;
     row.J_max = cycle.J_max;
     row.CTOD_range = cycle.CTOD_range();
+    row.opening_range = cycle.opening_range();
     row.forward_zone = cycle.forward;
     row.cyclic_zone = cycle.cyclic;
     row.fine_points = increment.zone.points;

@@ -24,7 +24,7 @@ struct Summary {
     int ranks = 1;
     std::int64_t coarse_unknowns = 0, interface_unknowns = 0, fine_unknowns = 0, fine_points = 0;
     std::int64_t multipliers = 0;  // of contact
-    std::int64_t step_cuts = 0;    // halved increments
+    std::int64_t step_cuts = 0;    // halved increments, growth included
     RunCounts counts;
     coupling::WorkCounts work;                                        // of both components
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;  // of each fine rank

@@ -40,6 +40,7 @@ constexpr std::array history_table{
     Column<HistoryRow>{"released_energy", &HistoryRow::released_energy},
     Column<HistoryRow>{"balance_error", &HistoryRow::balance_error},
     Column<HistoryRow>{"frictional_dissipation", &HistoryRow::frictional_dissipation},
+    Column<HistoryRow>{"opening", &HistoryRow::opening},
 };
 
 constexpr std::array cycle_table{
@@ -67,6 +68,7 @@ constexpr std::array cycle_table{
     Column<CycleRow>{"K_op_contact", &CycleRow::K_op_contact},
     Column<CycleRow>{"K_op_offset", &CycleRow::K_op_offset},
     Column<CycleRow>{"K_op_tension", &CycleRow::K_op_tension},
+    Column<CycleRow>{"opening_range", &CycleRow::opening_range},
 };
 
 constexpr std::array closure_table{

@@ -39,6 +39,7 @@ struct HistoryRow {
     double released_energy = missing;         // N, total so far
     double balance_error = missing;           // N
     double frictional_dissipation = missing;  // N, its share of the dissipation
+    double opening = missing;                 // mm, at closure.distance behind the tip
 };
 
 /// One cycle and tip.
@@ -57,6 +58,7 @@ struct CycleRow {
     double wall_s = missing;
     double forward_zone_axis = missing, cyclic_zone_axis = missing;                // mm
     double K_op_contact = missing, K_op_offset = missing, K_op_tension = missing;  // MPa sqrt(mm)
+    double opening_range = missing;                                                // mm
 };
 
 /// One cycle, tip and distance behind it.

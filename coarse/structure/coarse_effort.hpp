@@ -12,6 +12,7 @@ struct RunCounts {
     int zone_extensions = 0;
     int yield_warnings =
         0;                  // increments with coarse elements beyond yield that were left elastic (fine.guard = "warn")
+    int release_cuts = 0;   // halvings of what holds the faces that growth has opened
     int flowing_rings = 0;  // increments in which some tip had no ring outside what has flowed
 };
 
@@ -32,6 +33,7 @@ inline RunCounts& operator+=(RunCounts& sum, const RunCounts& more) {
     sum.newton_iterations += more.newton_iterations;
     sum.zone_extensions += more.zone_extensions;
     sum.yield_warnings += more.yield_warnings;
+    sum.release_cuts += more.release_cuts;
     sum.flowing_rings += more.flowing_rings;
     return sum;
 }

@@ -123,7 +123,7 @@ struct GrowthSection {
     double increment = 0.0;  // mm, of the fastest tip
     int every = 1;           // cycles
     GrowthAt at = GrowthAt::Maximum;
-    double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C dCTOD^m, mm
+    double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C (opening range)^m, mm
     GrowthDriving driving = GrowthDriving::Range;
     GrowthDirection direction = GrowthDirection::HoopStress;
     Retain retain = Retain::Frozen;

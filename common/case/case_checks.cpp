@@ -119,6 +119,13 @@ void check_enrichment(const Case& whole, const Value& root, const Place& place) 
 
 namespace {
 
+/// The opening range that drives a crack depends on where it is read.
+void check_opening_range(const Case& whole, const Value& root, const Place& place) {
+    if (!whole.growth || whole.growth->law != GrowthLaw::Ctod || whole.closure.distance) return;
+    reject(place.inside("growth.law"), *find(*find(root, "growth"), "law"), {},
+           "needs closure.distance: how far behind the tip the opening is read");
+}
+
 /// Only where a load drives the body is there a load factor left to find.
 void check_control(const Case& whole, const Value& root, const Place& place) {
     if (whole.load.K_gradient != 0.0 && whole.load.control != Control::StressIntensity)
@@ -175,6 +182,7 @@ void check_case(const Case& whole, const Value& root, const Place& place) {
     if (whole.name.find('/') != std::string::npos || whole.name == "." || whole.name == "..")
         reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
     check_control(whole, root, place);
+    check_opening_range(whole, root, place);
     if (std::ranges::none_of(whole.boundaries, carries_load))
         reject(place.inside("boundary"), root.line,
                "carries no load: give one a displacement, traction, pressure or force other than zero");

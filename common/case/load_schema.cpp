@@ -58,9 +58,10 @@ Section<GrowthSection> growth_section() {
     Section<GrowthSection> s;
     s.choice<GrowthLaw>("law", &GrowthSection::law,
                         {{"prescribed", GrowthLaw::Prescribed}, {"paris", GrowthLaw::Paris}, {"ctod", GrowthLaw::Ctod}})
-        .says("prescribed: by the increment. paris, ctod: by the increment too, slower tips in proportion, and the "
-              "growth "
-              "takes as many cycles as da/dN = C dK^m, or C dCTOD^m, needs for it (dN of cycles.csv).");
+        .says(
+            "prescribed: by the increment. paris, ctod: by the increment too, slower tips in proportion, and the "
+            "growth takes as many cycles as da/dN = C dK^m, or C (opening range at closure.distance behind the tip)^m, "
+            "needs for it (dN of cycles.csv).");
     s.value("increment", &GrowthSection::increment)
         .in("mm")
         .positive()
@@ -99,7 +100,9 @@ Section<ClosureSection> closure_section() {
         .in("mm")
         .positive()
         .or_else("a tenth of the radius of eq. (3) with beta = 1")
-        .says("Contact nearer to the tip does not count; tension is the mean over this distance ahead of it.");
+        .says("Contact nearer to the tip does not count; the opening is read there; tension is the mean over this "
+              "distance "
+              "ahead of the tip.");
     s.choice<OpeningDefinition>("definition", &ClosureSection::definition,
                                 {{"contact", OpeningDefinition::Contact},
                                  {"offset", OpeningDefinition::Offset},

@@ -40,6 +40,28 @@ struct Place {
     double s, weight;
 };
 
+FaceStation nowhere(int crack, double s) {
+    FaceStation station;
+    station.crack = crack;
+    station.s = s;
+    return station;
+}
+
+/// The arc lengths that a mesh holds of a tip's crack, and which way they lead from the tip: +1 or -1.
+struct Held {
+    double first = 1e300, last = -1e300;
+    double direction = 1.0;
+
+    Held(const EnrichedMesh& mesh, const Tip& tip) {
+        for (const CrackPiece& piece : mesh.pieces) {
+            if (piece.crack != tip.crack) continue;
+            first = std::min(first, piece.s.front());
+            last = std::max(last, piece.s.back());
+        }
+        if (std::abs(tip.s - last) < std::abs(tip.s - first)) direction = -1.0;
+    }
+};
+
 /// Stations at the places that a rule puts between the ends of each interface element.
 template <class Rule>
 std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int subcells, const Rule& places_between) {
@@ -108,10 +130,12 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
         return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(),
                             s, 0.0);
     }
-    FaceStation nowhere;
-    nowhere.crack = crack;
-    nowhere.s = s;
-    return nowhere;
+    return nowhere(crack, s);
+}
+
+FaceStation face_station_behind(const EnrichedMesh& mesh, const Tip& tip, double distance) {
+    if (distance <= 0.0) return nowhere(tip.crack, tip.s);
+    return face_station_at(mesh, tip.crack, tip.s + Held(mesh, tip).direction * distance);
 }
 
 std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x) {
@@ -133,17 +157,11 @@ double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip, const Eige
 
 double opening_at_intercept(const EnrichedMesh& mesh, const Tip& tip,
                             const std::function<double(const FaceStation&)>& opening) {
-    double first = 1e300, last = -1e300;  // arc lengths that the mesh holds
-    for (const CrackPiece& piece : mesh.pieces) {
-        if (piece.crack != tip.crack) continue;
-        first = std::min(first, piece.s.front());
-        last = std::max(last, piece.s.back());
-    }
-    if (first > last) return -1.0;
-    const double direction = std::abs(tip.s - last) < std::abs(tip.s - first) ? -1.0 : 1.0;
-    const double reach = last - first;
+    const Held held(mesh, tip);
+    if (held.first > held.last) return -1.0;
+    const double reach = held.last - held.first;
     const auto excess = [&](double r) {
-        const FaceStation station = face_station_at(mesh, tip.crack, tip.s + direction * r);
+        const FaceStation station = face_station_at(mesh, tip.crack, tip.s + held.direction * r);
         return opening(station) - 2.0 * r;
     };
     // The opening starts like r^p, above 2 r; walk outwards geometrically to the first change of sign, then bisect.

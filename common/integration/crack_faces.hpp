@@ -47,6 +47,10 @@ std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip
 /// The station at an arc length (weight 0); empty terms where no piece of the mesh holds it.
 FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s);
 
+/// The station at a distance behind a tip, mm along the crack; empty terms where the mesh does not hold it, and where
+/// the distance is none.
+FaceStation face_station_behind(const EnrichedMesh& mesh, const Tip& tip, double distance);
+
 /// The arc length at which a mesh's pieces of a crack hold a place, if they do.
 std::optional<double> arc_length_at(const EnrichedMesh& mesh, int crack, const Vec2& x);
 

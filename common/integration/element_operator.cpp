@@ -166,8 +166,8 @@ IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut) {
     double distance = 1e300;  // to the nearest tip, in diagonals
     for (const Tip& tip : mesh.tips)
         distance = std::min(distance, (tip.position - centre(c)).norm() / (c[2] - c[0]).norm());
-    if (distance > 3.0) return {.gauss = 3};
-    return {.subcells = 2, .gauss = 6, .tip_points = 10};
+    if (distance > 3.0) return {.singular_gauss = 3};
+    return {.subcells = 2, .singular_gauss = 6, .tip_points = 10};
 }
 
 ElementOperator make_operator(const EnrichedMesh& mesh, int element, const CrackPiece* piece,

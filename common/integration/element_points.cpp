@@ -125,7 +125,7 @@ private:
     void add_quad(int i, int j, const std::array<Vec2, 4>& quad) {
         const int s = rule_.subcells;
         const int side = side_at(centre(quad));
-        for (const SquarePoint& gauss : gauss_square(rule_.gauss)) {
+        for (const SquarePoint& gauss : gauss_square(singular_ ? rule_.singular_gauss : 2)) {
             const Vec2 xi = Vec2(-1.0, -1.0) + (Vec2(2.0 * i + 1.0, 2.0 * j + 1.0) + gauss.xi) / s;
             add_point(map_to_physical(corners_, xi), xi, gauss.weight * shape_q4(corners_, xi).jacobian / (s * s),
                       side);

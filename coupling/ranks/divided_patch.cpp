@@ -55,6 +55,7 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
                                    .unit_load = gather(patch.unit_load, unknowns),
                                    .displacement = gather(displacement, unknowns),
                                    .rings = patch.rings,
+                                   .behind = patch.behind,
                                    .ahead = patch.ahead});
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});
     }

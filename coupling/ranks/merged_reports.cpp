@@ -33,6 +33,7 @@ void add_tips(StepReport& whole, const StepReport& part) {
     widen(whole.tips, part.tips.size());
     for (std::size_t t = 0; t < part.tips.size(); ++t) {
         raise(whole.tips[t].CTOD, part.tips[t].CTOD);
+        if (std::isfinite(part.tips[t].opening)) whole.tips[t].opening = part.tips[t].opening;
         raise(whole.tips[t].plastic_zone, part.tips[t].plastic_zone);
         raise(whole.tips[t].plastic_zone_axis, part.tips[t].plastic_zone_axis);
         raise(whole.tips[t].plastic_reach, part.tips[t].plastic_reach);
@@ -123,6 +124,7 @@ void add(ZoneState& whole, const ZoneState& part, const std::vector<int>& unknow
     append(whole.stress, part.stress);
     append(whole.plastic_strain, part.plastic_strain);
     append(whole.accumulated, part.accumulated);
+    append(whole.frozen_tips, part.frozen_tips);
 }
 
 }  // namespace stria::coupling

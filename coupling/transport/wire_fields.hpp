@@ -59,8 +59,8 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, rings, ahead] = m;
-    wire(mesh, boundary, unit_load, displacement, rings, ahead);
+    auto& [mesh, boundary, unit_load, displacement, rings, behind, ahead] = m;
+    wire(mesh, boundary, unit_load, displacement, rings, behind, ahead);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
@@ -102,8 +102,8 @@ void fields(auto& wire, Is<RingReport> auto& m) {
 }
 
 void fields(auto& wire, Is<TipReport> auto& m) {
-    auto& [CTOD, plastic_zone, plastic_zone_axis, plastic_reach] = m;
-    wire(CTOD, plastic_zone, plastic_zone_axis, plastic_reach);
+    auto& [CTOD, opening, plastic_zone, plastic_zone_axis, plastic_reach] = m;
+    wire(CTOD, opening, plastic_zone, plastic_zone_axis, plastic_reach);
 }
 
 void fields(auto& wire, Is<EnergyReport> auto& m) {
@@ -145,8 +145,8 @@ void fields(auto& wire, Is<Restore> auto& m) {
 }
 
 void fields(auto& wire, Is<ZoneState> auto& m) {
-    auto& [displacement, element, side, x, y, weight, stress, plastic_strain, accumulated] = m;
-    wire(displacement, element, side, x, y, weight, stress, plastic_strain, accumulated);
+    auto& [displacement, element, side, x, y, weight, stress, plastic_strain, accumulated, frozen_tips] = m;
+    wire(displacement, element, side, x, y, weight, stress, plastic_strain, accumulated, frozen_tips);
 }
 
 }  // namespace stria::coupling

@@ -46,7 +46,7 @@ ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorX
 void ContactInterface::begin_increment() {
     status_ = committed_status_;
     visited_.clear();
-    one_at_a_time_ = false;
+    tried_to_stick_ = one_at_a_time_ = false;
 }
 
 void ContactInterface::commit(const Eigen::VectorXd& u) {
@@ -81,7 +81,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
         }
     }
     if (changes_ == 0) return;
-    one_at_a_time_ = one_at_a_time_ || visited_.contains(next);
+    if (visited_.contains(next)) break_cycle(next);
     visited_.insert(next);
     if (one_at_a_time_) {
         const FaceStatus wanted = next[at(worst)];
@@ -90,6 +90,15 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
         changes_ = 1;
     }
     status_ = std::move(next);
+}
+
+// Slips of faces that were apart, or that slide now on and now back, say nothing of whether they stick.
+void ContactInterface::break_cycle(std::vector<FaceStatus>& next) {
+    one_at_a_time_ = one_at_a_time_ || tried_to_stick_ || std::ranges::none_of(next, fine::slides);
+    if (one_at_a_time_) return;
+    tried_to_stick_ = true;
+    visited_.clear();
+    std::ranges::replace_if(next, fine::slides, FaceStatus::Stick);
 }
 
 double ContactInterface::residual(const Eigen::VectorXd& traction, const Jumps& jumps) const {

@@ -41,7 +41,8 @@ public:
                                           coupling::WorkCounts& work) const;
 
     /// Chooses the statuses for the next Newton step from tractions and jumps. Where a set of statuses comes back
-    /// within one increment, only the worst multiplier changes its own from then on (docs/method.md, section 4).
+    /// within one increment, all that slides sticks for a step; where one does again, or nothing slides, only the worst
+    /// multiplier changes its own from then on (docs/method.md, section 4).
     void choose_statuses(const Eigen::VectorXd& traction, const Jumps& jumps);
     /// From what was committed.
     void begin_increment();
@@ -89,6 +90,7 @@ public:
 
 private:
     [[nodiscard]] CoulombContact law(int k) const { return {operators_.friction(k), augmentation_[k]}; }
+    void break_cycle(std::vector<FaceStatus>& next);
     [[nodiscard]] FaceState state_of(int k, const Eigen::VectorXd& traction, const Jumps& jumps) const;
 
     FaceOperators operators_;
@@ -98,7 +100,7 @@ private:
     Eigen::VectorXd settled_jumps_, settled_gap_, settled_slip_;  // of what was committed
     std::vector<FaceStatus> status_, committed_status_;
     std::set<std::vector<FaceStatus>> visited_;
-    bool one_at_a_time_ = false;
+    bool tried_to_stick_ = false, one_at_a_time_ = false;
     int changes_ = 0;
 };
 

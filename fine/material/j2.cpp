@@ -11,7 +11,7 @@ namespace stria::fine {
 namespace {
 
 struct Block {
-    J2Update update;
+    const J2Update& update;
     double bulk;
     double shear;
     double kinematic;
@@ -122,26 +122,14 @@ void return_to_surface(const Block& block, PackPlace<rows> at, const Tensors<row
 }  // namespace
 
 J2::J2(const J2Parameters& parameters)
-    : parameters_(parameters), bulk_(parameters.elasticity.bulk_modulus()),
-      shear_(parameters.elasticity.shear_modulus()),
+    : J2Law(parameters), bulk_(parameters.elasticity.bulk_modulus()), shear_(parameters.elasticity.shear_modulus()),
       kinematic_(std::accumulate(parameters.kinematic.begin(), parameters.kinematic.end(), 0.0)),
       uniaxial_(3.0 * shear_ + parameters.isotropic + kinematic_) {}
 
-void J2::update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
-                double* tangent, unsigned char* yielding) const {
-    const Block block{.update = {.law = parameters_,
-                                 .stiffness = elastic(),
-                                 .strain_increment = strain_increment,
-                                 .committed = committed,
-                                 .trial = trial,
-                                 .tangent = tangent,
-                                 .yielding = yielding},
-                      .bulk = bulk_,
-                      .shear = shear_,
-                      .kinematic = kinematic_,
-                      .uniaxial = uniaxial_};
+void J2::return_points(const J2Update& update, int points, int stride) const {
+    const Block block{.update = update, .bulk = bulk_, .shear = shear_, .kinematic = kinematic_, .uniaxial = uniaxial_};
     update_packs(
-        block.update, points, stride,
+        update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) {
             return elastic_stress<rows>(block.bulk, block.shear, strain);
         },

@@ -1,27 +1,17 @@
 // J2 plasticity in plane strain with linear isotropic hardening and Prager back stresses: radial return in closed form.
 #pragma once
 
-#include "fine/material/j2_parameters.hpp"
+#include "fine/material/j2_law.hpp"
 
 namespace stria::fine {
 
-class J2 final : public MaterialLaw {
+class J2 final : public J2Law {
 public:
     explicit J2(const J2Parameters& parameters);
 
-    [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
-    void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
-                double* tangent, unsigned char* yielding) const override;
-    [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
-        return parameters_.elastic_margin(points, stride, committed);
-    }
-    [[nodiscard]] double stored_energy(const double* state, int stride) const override {
-        return parameters_.stored_energy(state, stride);
-    }
-    [[nodiscard]] MandelMatrix elastic() const override { return parameters_.elasticity.stiffness(); }
-
 private:
-    J2Parameters parameters_;
+    void return_points(const J2Update& update, int points, int stride) const override;
+
     double bulk_;       // MPa
     double shear_;      // MPa
     double kinematic_;  // MPa, sum C

@@ -15,7 +15,7 @@ constexpr int most_iterations = 50;
 /// In the plane the relative stress xi = dev(sigma) - X has two independent parts, its zz component (the equibiaxial
 /// stress) and the shears (xx - yy, xy). Each returns on its own: xi = xi_predicted / (1 + gamma rate).
 struct PlaneBlock {
-    J2Update update;
+    const J2Update& update;
     double biaxial;       // MPa, E / (1 - nu): equibiaxial stress per strain
     double two_shear;     // MPa, 2 G
     double biaxial_rate;  // MPa, E / (3 (1 - nu)) + 2/3 sum C
@@ -149,25 +149,18 @@ void return_to_surface(const PlaneBlock& block, PackPlace<rows> at, const Tensor
 
 }  // namespace
 
-void J2PlaneStress::update(int points, int stride, const double* strain_increment, const double* committed,
-                           double* trial, double* tangent, unsigned char* yielding) const {
-    const Elasticity& elastic_part = parameters_.elasticity;
+void J2PlaneStress::return_points(const J2Update& update, int points, int stride) const {
+    const Elasticity& elastic_part = parameters().elasticity;
     const double biaxial = elastic_part.young / (1.0 - elastic_part.poisson);
     const double two_shear = 2.0 * elastic_part.shear_modulus();
-    const double back = 2.0 / 3.0 * std::accumulate(parameters_.kinematic.begin(), parameters_.kinematic.end(), 0.0);
-    const PlaneBlock block{.update = {.law = parameters_,
-                                      .stiffness = elastic(),
-                                      .strain_increment = strain_increment,
-                                      .committed = committed,
-                                      .trial = trial,
-                                      .tangent = tangent,
-                                      .yielding = yielding},
+    const double back = 2.0 / 3.0 * std::accumulate(parameters().kinematic.begin(), parameters().kinematic.end(), 0.0);
+    const PlaneBlock block{.update = update,
                            .biaxial = biaxial,
                            .two_shear = two_shear,
                            .biaxial_rate = biaxial / 3.0 + back,
                            .shear_rate = two_shear + back};
     update_packs(
-        block.update, points, stride,
+        update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) { return in_plane_stress<rows>(block, strain); },
         [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction) {
             return_to_surface<rows>(block, at, strain, prediction);

@@ -37,7 +37,7 @@ IntegrationRule ZoneSystem::rule() const {
     // Of elastic elements around a tip that slides: points without a history, so that there may be many.
     const bool dense = !input_.material.yield_stress && has_friction(input_.cracks);
     return {.subcells = input_.fine.subcells,
-            .gauss = dense ? 6 : 2,
+            .singular_gauss = dense ? 6 : 2,
             .tip_points = dense ? 10 : 4,
             .mean_dilatation = mean_dilatation(input_.material, elastic_)};
 }
@@ -221,7 +221,11 @@ void ZoneSystem::report_on(coupling::StepReport& report) const {
     report.mouth_opening = mouth_openings(zone, input_.cracks.size());
 }
 
-coupling::ZoneState ZoneSystem::state() const { return state_of(*bulk_); }
+coupling::ZoneState ZoneSystem::state() const {
+    coupling::ZoneState state = state_of(*bulk_);
+    state.frozen_tips = memory_.frozen.tips();
+    return state;
+}
 
 coupling::ZoneSnapshot ZoneSystem::snapshot() const {
     coupling::ZoneSnapshot out;

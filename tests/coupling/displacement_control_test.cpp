@@ -90,7 +90,7 @@ protected:
 
     static RunHistory follow_direct(const Case& input, Control control, const std::vector<double>& targets) {
         fine::FineModel fine(input);
-        coarse::CondensedFactory factory(&fine);
+        coarse::CondensedFactory factory(&fine, input);
         return follow(input, factory, control, targets);
     }
 
@@ -148,7 +148,7 @@ TEST(ElasticDisplacementControl, NeedsNoNewton) {
     input.material.yield_stress.reset();
     input.cracks[0].contact.reset();
     input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 0.1, .min = 0.0}}, .control = Control::Displacement};
-    coarse::CondensedFactory factory(nullptr);
+    coarse::CondensedFactory factory(nullptr, input);
     const RunHistory run = run_analysis(input, factory);
     const coarse::Scene scene = coarse::refined_scene(input);
     const double compliance = coarse::Structure(scene).loads().mean_displacement().per_load_factor;

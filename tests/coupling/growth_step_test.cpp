@@ -32,7 +32,7 @@ Grown grow(int refine) {
     input.fine.refine = refine;
     const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
-    coarse::CondensedFactory factory(&fine);
+    coarse::CondensedFactory factory(&fine, input);
     Grown grown;
     ElementSet in_zone;
     coarse::Listener listener;

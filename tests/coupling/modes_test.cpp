@@ -58,7 +58,7 @@ RunHistory run_over_memory(const Case& input) {
     RunHistory history;
     {
         coupling::RemoteFineScale remote(*coarse_end, digest(input));
-        coarse::CondensedFactory factory(&remote);
+        coarse::CondensedFactory factory(&remote, input);
         history = run_analysis(input, factory);
     }
     server.get();
@@ -208,7 +208,7 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
     for (const int ranks : {2, 3, 4}) {
         const Case scene = input();
         FineSide fine(scene, ranks);
-        coarse::CondensedFactory factory(&fine.scale());
+        coarse::CondensedFactory factory(&fine.scale(), scene);
         expect_same_to_rounding(*direct, run_analysis(scene, factory));
         for (const coupling::StepReport& rank : fine.reports({})) EXPECT_GT(rank.points, 0) << ranks << " ranks";
         const bool grows = scene.growth.has_value();

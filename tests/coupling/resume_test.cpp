@@ -126,7 +126,7 @@ Part run_by(int ranks, const Case& input, const coarse::AnalysisState* from = nu
         return run_part(input, factory, from, stop);
     }
     FineSide fine(input, ranks);
-    coarse::CondensedFactory factory(&fine.scale());
+    coarse::CondensedFactory factory(&fine.scale(), input);
     return run_part(input, factory, from, stop);
 }
 

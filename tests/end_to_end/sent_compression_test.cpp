@@ -52,7 +52,7 @@ protected:
     static void SetUpTestSuite() {
         input = std::make_unique<Case>(sent_case({}));
         witness = std::make_unique<Witness>(*input);
-        coarse::CondensedFactory factory(witness.get());
+        coarse::CondensedFactory factory(witness.get(), *input);
         run = std::make_unique<RunHistory>(run_analysis(*input, factory));
     }
     static void TearDownTestSuite() {

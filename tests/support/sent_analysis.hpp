@@ -79,7 +79,7 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
 
 inline RunHistory run_direct(const Case& input) {
     fine::FineModel fine(input);
-    coarse::CondensedFactory factory(&fine);
+    coarse::CondensedFactory factory(&fine, input);
     return run_analysis(input, factory);
 }
 

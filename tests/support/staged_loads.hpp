@@ -51,7 +51,7 @@ public:
             displacement_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
             fine_.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), displacement_));
         }
-        coarse::CondensedEquilibrium equilibrium(structure, &fine_, displacement_, 1.0);
+        coarse::CondensedEquilibrium equilibrium(structure, &fine_, scene.input, displacement_, 1.0);
         Equilibrated result;
         result.newton = coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, input_.solver);
         result.displacement = displacement_ = equilibrium.structure_displacement();

@@ -18,9 +18,12 @@ namespace {
 
 /// With axes (x, y) along and across a crack through the middle of the field: sigma_yy = -p(x), sigma_xy = 0,
 /// sigma_xx = p2 y^2, p = p0 + p1 x + p2 x^2. In equilibrium and compatible (Airy: -p0 x^2/2 - p1 x^3/6 - p2 (x^4 -
-/// y^4)/12); no shear on the crack and no jump, so it is exact for frictionless contact.
+/// y^4)/12); no shear on the crack and no jump, so it is exact for frictionless contact. CutFaces that transmit a shear
+/// have `shear` times another field beside it, sigma_xy = p(x), sigma_yy = -p'(x) y, sigma_xx = 0 (Airy: -p0 x y - p1
+/// x^2 y/2 - p2 x^3 y/3), and what is above the crack has moved along by `slip`.
 struct QuadraticPressure {
     Vec2 origin, tangent;
+    double shear = 0.0, slip = 0.0;  // MPa per MPa of pressure, mm
     double p0 = 1.0, p1 = 0.5, p2 = -1.2;
     Elasticity elastic{1000.0, 0.3};
 
@@ -34,24 +37,30 @@ struct QuadraticPressure {
         const double nu = elastic.poisson / (1.0 - elastic.poisson);  // plane strain
         const double u = p2 * y * y * x + nu * (p0 * x + p1 * x * x / 2.0 + p2 * x * x * x / 3.0) + p1 * y * y / 2.0;
         const double v = -(p0 + p1 * x + p2 * x * x) * y - nu * p2 * y * y * y / 3.0;
-        return (u * tangent + v * normal()) / elastic.plane_modulus();
+        const double by_shear_u = nu * (p1 * x + p2 * x * x) * y + p2 * y * y * y / 3.0;
+        const double by_shear_v =
+            2.0 * (1.0 + nu) * p0 * x + (2.0 + nu) * (p1 / 2.0 + p2 * x / 3.0) * x * x - (p1 / 2.0 + p2 * x) * y * y;
+        return ((u + shear * by_shear_u) * tangent + (v + shear * by_shear_v) * normal()) / elastic.plane_modulus() +
+               (y >= 0.0 ? 0.5 : -0.5) * slip * tangent;
     }
     [[nodiscard]] Vec2 traction(const Vec2& at, const Vec2& outward) const {
-        const double y = (at - origin).dot(normal());
-        return p2 * y * y * tangent.dot(outward) * tangent - pressure(at) * normal().dot(outward) * normal();
+        const double x = (at - origin).dot(tangent), y = (at - origin).dot(normal());
+        const double along = tangent.dot(outward), across = normal().dot(outward), p = pressure(at);
+        return (p2 * y * y * along + shear * p * across) * tangent +
+               (shear * p * along - (p + shear * (p1 + 2.0 * p2 * x) * y) * across) * normal();
     }
 };
 
 /// Unit square, crack from the left to the right edge: exact displacements at top and bottom, exact tractions at the
 /// sides.
-coarse::Scene cut_square(int elements, double left, double right, QuadraticPressure& field) {
+coarse::Scene cut_square(int elements, double left, double right, double friction, QuadraticPressure& field) {
     Case input;
     input.mesh = {.specimen = "plate", .width = 1.0, .height = 1.0, .size = 1.0 / elements, .grading = {}};
     input.material.young = field.elastic.young;
     input.material.poisson = field.elastic.poisson;
     input.cracks.resize(1);
     input.cracks[0].points = {{0.0, left}, {1.0, right}};
-    input.cracks[0].contact = ContactSection{};
+    input.cracks[0].contact = ContactSection{friction};
     input.fine.enrichment = Enrichment::None;
     input.solver.tolerance = 1e-10;
     for (const char* edge : {"top", "bottom"}) {
@@ -117,53 +126,84 @@ coarse::Scene cut_square(int elements, double left, double right, QuadraticPress
     return scene;
 }
 
-struct PressureError {
-    double mean = 0.0, worst = 0.0;
+/// Relative L2 errors over many cuts, and what else went wrong.
+struct TractionErrors {
+    double mean = 0.0, worst = 0.0, worst_shear = 0.0;
     int iterations = 0;
     double penetration = 0.0;  // worst, in units of h p_max / E'
+    bool statuses_as_said = true;
 };
 
-PressureError pressure_error(int elements, int cuts) {
+/// How faces are said to slide, or not.
+struct CutFaces {
+    double friction = 0.0, shear = 0.0, slip = 0.0;
+    [[nodiscard]] int status() const { return slip != 0.0 ? 2 : 1; }
+};
+
+TractionErrors traction_errors(int elements, int cuts, const CutFaces& faces = {}) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(0.35, 0.65), slope(-0.5, 0.5);
-    PressureError error;
+    TractionErrors error;
     for (int k = 0; k < cuts; ++k) {
         const double middle = offset(random), rise = 0.5 * slope(random);
         QuadraticPressure field;
-        const coarse::Scene scene = cut_square(elements, middle - rise, middle + rise, field);
+        field.shear = faces.shear;
+        field.slip = faces.slip;
+        const coarse::Scene scene = cut_square(elements, middle - rise, middle + rise, faces.friction, field);
         const test::Equilibrated result = test::equilibrate(scene, 1.0);
         EXPECT_TRUE(result.newton.converged) << result.newton.failure << "\n" << result.newton.table();
         const std::vector<FaceStation> stations = face_stations(scene.enriched, 0, scene.input.fine.subcells, 4);
-        double wrong = 0.0, whole = 0.0, deepest = 0.0;
+        double wrong = 0.0, wrong_shear = 0.0, whole = 0.0, deepest = 0.0;
         for (size_t i = 0; i < stations.size(); ++i) {
+            const coupling::FaceSample& face = result.zone.faces[i];
             const double exact = field.pressure(stations[i].x);
-            wrong += stations[i].weight * std::pow(result.zone.faces[i].pressure - exact, 2);
+            wrong += stations[i].weight * std::pow(face.pressure - exact, 2);
+            wrong_shear += stations[i].weight * std::pow(face.shear - faces.shear * exact, 2);
             whole += stations[i].weight * exact * exact;
-            deepest = std::max(deepest, -result.zone.faces[i].opening);
+            deepest = std::max(deepest, -face.opening);
+            if (face.status != faces.status()) error.statuses_as_said = false;
         }
         const double relative = std::sqrt(wrong / whole);
         error.mean += relative / cuts;
         error.worst = std::max(error.worst, relative);
+        if (faces.shear != 0.0)
+            error.worst_shear = std::max(error.worst_shear, std::sqrt(wrong_shear / whole) / faces.shear);
         error.iterations = std::max(error.iterations, result.newton.count());
         error.penetration = std::max(error.penetration, deepest * elements * field.elastic.plane_modulus() / 1.05);
     }
-    std::printf("%d x %d, %d cuts: pressure error mean %.3f %%, worst %.3f %%, iterations at most %d, penetration %.4f "
-                "h p/E'\n",
-                elements, elements, cuts, 100.0 * error.mean, 100.0 * error.worst, error.iterations, error.penetration);
+    std::printf("%d x %d, %d cuts, friction %g, slip %g: pressure error mean %.3f %%, worst %.3f %%, shear worst "
+                "%.3f %%, iterations at most %d, penetration %.4f h p/E'\n",
+                elements, elements, cuts, faces.friction, faces.slip, 100.0 * error.mean, 100.0 * error.worst,
+                100.0 * error.worst_shear, error.iterations, error.penetration);
     return error;
 }
 
 TEST(ContactPressure, QuadraticFieldOver100CutsAt21) {
-    const PressureError error = pressure_error(21, 100);
+    const TractionErrors error = traction_errors(21, 100);
     EXPECT_LT(error.mean, 0.003);
     EXPECT_LT(error.worst, 0.005);
 }
 
 TEST(ContactPressure, QuadraticFieldOver100CutsAt41) {
-    const PressureError error = pressure_error(41, 100);
+    const TractionErrors error = traction_errors(41, 100);
     EXPECT_LT(error.mean, 0.0015);
     EXPECT_LT(error.worst, 0.0025);
 }
+
+/// CutFaces that slide have the shear of their pressure; those that stick have one of their own.
+constexpr CutFaces sliding{.friction = 0.3, .shear = 0.3, .slip = 5e-4}, sticking{.friction = 0.6, .shear = 0.3};
+
+void expect_tractions(int elements, int cuts, double worst) {
+    for (const CutFaces& faces : {sliding, sticking}) {
+        const TractionErrors error = traction_errors(elements, cuts, faces);
+        EXPECT_TRUE(error.statuses_as_said);
+        EXPECT_LT(error.worst, worst);
+        EXPECT_LT(error.worst_shear, worst);
+    }
+}
+
+TEST(SlidingTractions, SmoothFieldOver30CutsAt21) { expect_tractions(21, 30, 0.005); }
+TEST(SlidingTractions, SmoothFieldOver1000CutsAt41Long) { expect_tractions(41, 1000, 0.0025); }
 
 }  // namespace
 }  // namespace stria

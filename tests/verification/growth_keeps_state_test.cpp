@@ -212,7 +212,7 @@ std::vector<Change> changes_of(const Case& input) {
     use_one_thread();
     const coarse::Scene scene = coarse::refined_scene(input);
     GrowthWitness witness(input);
-    coarse::CondensedFactory factory(&witness);
+    coarse::CondensedFactory factory(&witness, input);
     std::unique_ptr<coarse::Scene> last;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {

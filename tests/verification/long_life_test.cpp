@@ -25,7 +25,7 @@ TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
     use_one_thread();
     const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
-    coarse::CondensedFactory factory(&fine);
+    coarse::CondensedFactory factory(&fine, input);
     std::vector<int> iterations(1001, 0);  // by cycle, what only measures and is rolled back included
     std::vector<double> seconds(1001, 0.0), a(1001, 0.0);
     coarse::Listener listener;

@@ -1,4 +1,5 @@
-// Closed cracks under loads that do not grow in proportion: cyclic shear at constant pressure (docs/references.md 8.3).
+// Closed cracks under loads that do not grow in proportion, or whose pressure grows along the crack: docs/references.md
+// 8.2 and 8.3, and the rule of Masing for a zone of slip that travels.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -26,6 +27,19 @@ Case closed_crack(double friction, double size = 0.1) {
     input.mesh.grading = {{.at = {centre}, .size = size, .outer_size = size, .radius = 1.6, .growth = 4.0 * size}};
     input.cracks[0].contact = ContactSection{friction};
     return input;
+}
+
+/// Over the stations that are not next to a tip: the mean square of what the slip misses, over that of `scale`.
+template <class Slip, class Scale>
+double slip_error(const coupling::StepReport& zone, const Slip& exact, const Scale& scale) {
+    double wrong = 0.0, whole = 0.0;
+    for (const coupling::FaceSample& face : zone.faces) {
+        const double x = face.x - 0.5 * plate_width;
+        if (std::abs(x) > 0.8) continue;
+        wrong += std::pow(face.slip - exact(x), 2);
+        whole += std::pow(scale(x), 2);
+    }
+    return std::sqrt(wrong / whole);
 }
 
 // references 8.3: constant pressure, shear to and fro; faces are locked until it has changed by 2 mu p.
@@ -59,6 +73,101 @@ TEST(SlidingLoads, CyclicShearUnderConstantPressure) {
     EXPECT_NEAR(dK, range * std::sqrt(pi), 0.01 * range * std::sqrt(pi));
     EXPECT_NEAR(cycle, exact, 0.01 * exact);
     EXPECT_NEAR(dissipated[0] + dissipated[1], cycle, 1e-6 * cycle);
+}
+
+/// Pressure p_0 at the middle that grows by p_1 per mm; faces slide by `shear` as far as K_II vanishes where they stop.
+struct GrowingPressure {
+    double p_0, p_1, shear, friction = 0.3;
+
+    [[nodiscard]] double excess() const { return shear - friction * p_0; }
+    [[nodiscard]] double strength() const { return friction * p_1; }
+    /// How far the zone of slip reaches from the end under the least pressure, to at most the other one.
+    [[nodiscard]] double end() const { return std::min(1.0, (4.0 * excess() / strength() + 1.0) / 3.0); }
+    [[nodiscard]] double half() const { return 0.5 * (end() + 1.0); }
+    [[nodiscard]] double middle() const { return end() - half(); }
+    [[nodiscard]] double drive() const { return excess() - strength() * middle(); }  // in the middle of that zone
+    [[nodiscard]] double K_II(double sign) const {
+        return (drive() - sign * 0.5 * strength() * half()) * std::sqrt(pi * half());
+    }
+    [[nodiscard]] double slip(double x) const {
+        const double from = x - middle(), inside = half() * half() - from * from;
+        return inside <= 0.0 ? 0.0 : 4.0 / plane_modulus * std::sqrt(inside) * (drive() - 0.5 * strength() * from);
+    }
+};
+
+struct GrowingPressureError {
+    double K_least, K_most, slip;  // percent of the K and of the slip at the end and in the middle
+};
+
+GrowingPressureError errors_of(const GrowingPressure& exact, double size) {
+    StagedBody body(closed_crack(exact.friction, size));
+    const Equilibrated pushed = body.load(UniformStress{
+        .along = -exact.p_0, .shear = exact.shear, .along_gradient = -exact.p_1, .origin = 0.5 * plate_width}
+                                              .sections());
+    EXPECT_TRUE(pushed.newton.converged) << pushed.newton.table();
+    const double sign = pushed.zone.faces[pushed.zone.faces.size() / 4].slip > 0.0 ? 1.0 : -1.0;
+    const auto slip = [&](double x) { return sign * exact.slip(x); };
+    const double scale = exact.K_II(-1.0);
+    return {100.0 * (std::abs(pushed.tips[0].K_II) / scale - 1.0),
+            100.0 * (std::abs(pushed.tips[1].K_II) - exact.K_II(1.0)) / scale,
+            100.0 * slip_error(pushed.zone, slip, slip)};
+}
+
+// The linear pressure of bending: full slip, and partial slip that ends inside the crack.
+TEST(SlidingLoads, PressureThatGrowsAlongTheCrack) {
+    const GrowingPressure full{.p_0 = 100.0, .p_1 = 90.0, .shear = 50.0},
+        partial{.p_0 = 100.0, .p_1 = 90.0, .shear = 33.5};
+    ASSERT_EQ(full.end(), 1.0);
+    ASSERT_LT(partial.end(), 0.6);
+    EXPECT_NEAR(partial.K_II(1.0), 0.0, 1e-12);
+    for (const GrowingPressure& exact : {full, partial}) {
+        double before = 1e300;
+        for (const double size : {0.1, 0.05, 0.025}) {
+            const GrowingPressureError error = errors_of(exact, size);
+            std::cout << fmt::format("slip to {:.3f}, h {}: K_II {:+.3f} % and {:+.3f} %, slip within {:.3f} %\n",
+                                     exact.end(), size, error.K_least, error.K_most, error.slip);
+            EXPECT_LT(error.slip, before);
+            before = error.slip;
+            if (size > 0.025) continue;
+            EXPECT_LT(std::abs(error.K_least), 1.0);
+            EXPECT_LT(std::abs(error.K_most), 1.0);
+            EXPECT_LT(error.slip, 1.0);
+        }
+    }
+}
+
+// A zone of slip that travels: the shear that has made it falls, and another one runs after it the other way. The
+// strength of that is twice the first one's (Masing), until both are as long.
+TEST(SlidingLoads, AZoneOfSlipTravels) {
+    constexpr double pushed = 33.5;
+    const GrowingPressure first{.p_0 = 100.0, .p_1 = 90.0, .shear = pushed};
+    StagedBody body(closed_crack(first.friction, 0.025));
+    const auto sheared = [&](double shear) {
+        Equilibrated now = body.load(UniformStress{
+            .along = -first.p_0, .shear = shear, .along_gradient = -first.p_1, .origin = 0.5 * plate_width}
+                                         .sections());
+        EXPECT_TRUE(now.newton.converged) << now.newton.table();
+        return now;
+    };
+    sheared(0.0);
+    const Equilibrated reached = sheared(pushed);
+    const double sign = reached.tips[0].K_II > 0.0 ? 1.0 : -1.0;
+    const double turn = reached.zone.faces[reached.zone.faces.size() / 4].slip > 0.0 ? 1.0 : -1.0;
+    const double K = first.K_II(-1.0);
+    const auto pushed_slip = [&](double x) { return turn * first.slip(x); };
+    for (const double shear : {0.0, -18.0, -pushed}) {
+        const GrowingPressure back{
+            .p_0 = first.p_0, .p_1 = first.p_1, .shear = pushed - shear, .friction = 2.0 * first.friction};
+        const Equilibrated now = sheared(shear);
+        const double K_II = K - back.K_II(-1.0);
+        const double error = slip_error(
+            now.zone, [&](double x) { return turn * (first.slip(x) - back.slip(x)); }, pushed_slip);
+        std::cout << fmt::format("shear {}: slides back to {:.3f} of {:.3f}, slip within {:.3f} %, K_II {:+.3f} %\n",
+                                 shear, back.end(), first.end(), 100.0 * error,
+                                 100.0 * (sign * now.tips[0].K_II - K_II) / K);
+        EXPECT_LT(error, 0.01);
+        EXPECT_NEAR(sign * now.tips[0].K_II, K_II, 0.01 * K);
+    }
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ Patch small_patch() {
             .unit_load = Eigen::VectorXd::LinSpaced(12, 0.0, 3.0),
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
             .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}},
+            .behind = {0.25},
             .ahead = {0.125}};
 }
 
@@ -62,7 +63,7 @@ PatchResponse small_response() {
 
 StepReport small_report() {
     StepReport report;
-    report.tips = {{.CTOD = -1, .plastic_zone = 4.0, .plastic_reach = 5.0}};
+    report.tips = {{.CTOD = -1, .opening = 2e-3, .plastic_zone = 4.0, .plastic_reach = 5.0}};
     report.rings = {{.tip = 0, .number = 2, .J = 1.0, .interaction_I = 2.0, .interaction_T = 3.0}};
     report.faces = {{.crack = 0, .s = 0.5, .opening = 1e-3, .pressure = 20.0, .status = 2}, {.crack = 1}};
     report.contact_length = {0.1, 0.2};
@@ -81,6 +82,7 @@ ZoneState small_state() {
     state.side = {-1, 1};
     state.x = {0.1, 0.2};
     state.stress = std::vector<double>(8, 3.0);
+    state.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
     return state;
 }
 
@@ -112,6 +114,8 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.unit_load, small_patch().unit_load);
     EXPECT_EQ(copy.rings.at(0).number, 1);
     EXPECT_EQ(copy.rings.at(0).outer_radius, 2.5);
+    EXPECT_EQ(copy.behind, small_patch().behind);
+    EXPECT_EQ(copy.ahead, small_patch().ahead);
 }
 
 TEST(Wire, Restore) {
@@ -171,6 +175,7 @@ TEST(Wire, Response) {
 
 TEST(Wire, Report) {
     const StepReport copy = there_and_back(small_report());
+    EXPECT_EQ(copy.tips.at(0).opening, 2e-3);
     EXPECT_EQ(copy.tips.at(0).plastic_zone, 4.0);
     EXPECT_EQ(copy.faces.at(0).status, 2);
     EXPECT_EQ(copy.faces.at(1).crack, 1);
@@ -188,6 +193,7 @@ TEST(Wire, State) {
     const ZoneState copy = there_and_back(small_state());
     EXPECT_EQ(copy.side, small_state().side);
     EXPECT_EQ(copy.stress, small_state().stress);
+    EXPECT_EQ(copy.frozen_tips.at(0).crack, 1);
 }
 
 TEST(Wire, SmallMessages) {

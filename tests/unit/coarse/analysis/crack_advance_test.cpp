@@ -40,14 +40,16 @@ TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
     EXPECT_EQ(hoop_stress_angle(0.0, 0.0), 0.0);  // no ring has seen a field
 }
 
-TEST(CrackAdvance, CracksWithFrictionGoWhereTheSolutionReachedSays) {
+TEST(CrackAdvance, CracksWithFrictionThatTouchGoWhereTheSolutionReachedSays) {
     const std::vector<CrackSection> cracks{{.points = {}, .contact = ContactSection{0.0}},
                                            {.points = {}, .contact = ContactSection{0.3}}};
     std::vector<Tip> tips(2);
     tips[0].crack = 0;
     tips[1].crack = 1;
     const std::vector<TipResult> nominal{{.K_I = 1.0, .K_II = 2.0}, {.K_I = 1.0, .K_II = 2.0}};
-    const std::vector<TipResult> reached{{.K_I = 5.0, .K_II = 6.0}, {.K_I = -1e-9, .K_II = 0.5}};
+    std::vector<TipResult> reached{{.K_I = 5.0, .K_II = 6.0}, {.K_I = -1e-9, .K_II = 0.5}};
+    EXPECT_EQ(directing(cracks, tips, nominal, reached)[1].K_II, 2.0);  // open from end to end
+    reached[0].contact_length = reached[1].contact_length = 0.1;
     const std::vector<TipResult> chosen = directing(cracks, tips, nominal, reached);
     EXPECT_EQ(chosen[0].K_I, 1.0);
     EXPECT_EQ(chosen[0].K_II, 2.0);

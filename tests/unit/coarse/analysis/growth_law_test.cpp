@@ -13,8 +13,7 @@ CycleResult cycle_with(double K_max, double K_min, double K_op) {
     cycle.K_max = K_max;
     cycle.K_min = K_min;
     cycle.opening.K_op = K_op;
-    cycle.CTOD_max = 0.004;
-    cycle.CTOD_min = 0.001;
+    cycle.opening_behind = {.most = 0.004, .least = 0.001};
     return cycle;
 }
 

@@ -25,7 +25,12 @@ protected:
         increment.nominal_K = {10.0 * a};
         increment.closed = {static_cast<char>(is_closed)};
         increment.opening_changes = std::move(changes);
-        increment.tips.push_back({.a = a, .J = load, .CTOD = 1e-3 * load, .CMOD = load, .plastic_zone = 0.01 * load});
+        increment.tips.push_back({.a = a,
+                                  .J = load,
+                                  .CTOD = 1e-3 * load,
+                                  .CMOD = load,
+                                  .opening = 2e-3 * load,
+                                  .plastic_zone = 0.01 * load});
         meter.add(increment);
     }
 
@@ -45,6 +50,7 @@ TEST_F(CycleMeterTest, MeasuresFromMaximumToMaximum) {
     EXPECT_EQ(cycle.opening.K_op, 80.0);
     EXPECT_EQ(cycle.da, 0.0);
     EXPECT_NEAR(cycle.CTOD_range(), 0.02, 1e-15);
+    EXPECT_NEAR(cycle.opening_range(), 0.04, 1e-15);
     EXPECT_NEAR(cycle.forward, 0.2, 1e-15);
 }
 

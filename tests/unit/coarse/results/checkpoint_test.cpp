@@ -54,6 +54,7 @@ Checkpoint some_checkpoint() {
     state.cycle.last = {{.nominal_K = 1.0,
                          .J = -0.0,
                          .CTOD = 2.0,
+                         .opening = 2.5,
                          .CMOD = 3.0,
                          .load_factor = 4.0,
                          .forward = 5.0,

@@ -19,11 +19,11 @@ TEST(Tables, HaveTheColumnsUsersKnow) {
     EXPECT_EQ(joined(history_columns()),
               "increment,cycle,load_factor,load,displacement,tip,x,y,a,K_I,K_II,J,CMOD,CTOD,newton_iterations,"
               "contact_length,plastic_zone,dissipation,plastic_zone_axis,T_stress,J_spread,K_spread,external_work,"
-              "stored_energy,released_energy,balance_error,frictional_dissipation");
+              "stored_energy,released_energy,balance_error,frictional_dissipation,opening");
     EXPECT_EQ(joined(cycle_columns()),
               "cycle,tip,a,da,dN,K_max,K_min,K_op,K_cl,U,dK_eff,J_max,CTOD_range,forward_zone,cyclic_zone,"
               "newton_iterations,fine_points,fine_unknowns,wall_s,forward_zone_axis,cyclic_zone_axis,K_op_contact,"
-              "K_op_offset,K_op_tension");
+              "K_op_offset,K_op_tension,opening_range");
     EXPECT_EQ(joined(closure_columns()), "cycle,tip,distance,K_op,K_cl");
     EXPECT_EQ(joined(face_columns()), "increment,crack,s,x,y,opening,slip,pressure,shear,status");
 }

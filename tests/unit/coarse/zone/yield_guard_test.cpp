@@ -49,7 +49,7 @@ struct Watched {
 Watched run(const Case& input) {
     const Scene scene = refined_scene(input);
     fine::FineModel fine(input);
-    CondensedFactory factory(&fine);
+    CondensedFactory factory(&fine, input);
     Watched watched;
     Listener listener;
     listener.accepted = [&](const Increment& increment, const Structure& structure) {

@@ -203,6 +203,14 @@ TEST_F(CaseFile, RefusesWhatKeysSayTogether) {
     EXPECT_EQ(complaint_about("at = [25.0, 0.0]\n", ""), "case.toml:20: boundary.1 on = \"point\" needs at = [x, y]");
 }
 
+TEST_F(CaseFile, AnOpeningRangeIsReadSomewhere) {
+    const std::string grows = std::string(complete) + "[growth]\nlaw = \"ctod\"\nincrement = 0.1\nC = 1.0\nm = 2.0\n";
+    EXPECT_EQ(complaint(grows),
+              "case.toml:27: growth.law = \"ctod\" needs closure.distance: how far behind the tip the "
+              "opening is read");
+    EXPECT_EQ(read(grows + "[closure]\ndistance = 0.2\n").closure.distance, 0.2);
+}
+
 TEST_F(CaseFile, RefusesARunThatWouldDoNothing) {
     EXPECT_EQ(complaint_about("ratio = -1.0", "ratio = 1.0"),
               "case.toml:25: load.blocks.0.ratio = 1 must keep the minimum < max: there is no cycle otherwise");

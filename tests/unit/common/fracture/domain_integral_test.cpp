@@ -87,7 +87,7 @@ std::vector<DomainIntegral> ring_sums(const EnrichedMesh& mesh, const ExactField
     RingSums sums(mesh, tip, field.elastic, rings);
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         if (!sums.enter(e)) continue;
-        const IntegrationRule rule{.subcells = 2, .gauss = 4, .tip_points = 6};
+        const IntegrationRule rule{.subcells = 2, .singular_gauss = 4, .tip_points = 6};
         for (const IntegrationPoint& point : make_operator(mesh, e, piece_in(mesh, e), rule).points) {
             const TipField at = field.at(tip, point.x, point.side);
             sums.add(point, at.stress, at.gradient, field.work(at));

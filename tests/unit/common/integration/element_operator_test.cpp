@@ -24,7 +24,7 @@ std::vector<EnrichedMesh> meshes(double exponent = 0.5) {
     return result;
 }
 
-constexpr IntegrationRule dense{.subcells = 2, .gauss = 6, .tip_points = 10};
+constexpr IntegrationRule dense{.subcells = 2, .singular_gauss = 6, .tip_points = 10};
 
 template <class Visit> void for_each_operator(const IntegrationRule& rule, Visit visit, double exponent = 0.5) {
     for (const EnrichedMesh& mesh : meshes(exponent)) {

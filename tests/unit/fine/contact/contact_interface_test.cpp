@@ -289,5 +289,27 @@ TEST(ContactInterface, WhereStatusesComeBackOneFlipsAtATime) {
     EXPECT_EQ(std::ranges::count(contact.statuses(), FaceStatus::Stick), zero.size());
 }
 
+TEST(ContactInterface, WhereSlipsComeBackAllSticksOnceAndThenOneFlipsAtATime) {
+    const Cut cut(2.4, 2.4, 0.0, 0.5);
+    ContactInterface contact = cut.contact();
+    const int m = contact.multipliers();
+    const Eigen::VectorXd traction = Eigen::VectorXd::Ones(contact.tractions());
+    const auto slid = [&](double by) {
+        Eigen::VectorXd slip = Eigen::VectorXd::Constant(m, by);
+        slip[0] *= 10.0;  // the worst
+        contact.choose_statuses(traction, {Eigen::VectorXd::Zero(m), slip});
+        return std::pair(contact.statuses()[0], contact.statuses()[at(m - 1)]);
+    };
+    const auto all = [](FaceStatus status) { return std::pair(status, status); };
+    EXPECT_EQ(slid(1.0), all(FaceStatus::SlipForward));
+    EXPECT_EQ(slid(-1.0), all(FaceStatus::SlipBack));
+    EXPECT_EQ(slid(1.0), all(FaceStatus::Stick));
+    EXPECT_EQ(slid(-1.0), all(FaceStatus::SlipBack));
+    EXPECT_EQ(slid(1.0), all(FaceStatus::SlipForward));
+    EXPECT_EQ(slid(-1.0), std::pair(FaceStatus::SlipBack, FaceStatus::SlipForward));
+    contact.begin_increment();
+    EXPECT_EQ(slid(1.0), all(FaceStatus::SlipForward));
+}
+
 }  // namespace
 }  // namespace stria::test

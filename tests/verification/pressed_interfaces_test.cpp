@@ -1,0 +1,120 @@
+// Interfaces from side to side of a block, pressed together: a pressure that varies along one that sticks
+// (docs/references.md 5.4), and a wedge that is pushed up another (5.7).
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "coarse/zone/refined_scene.hpp"
+#include "common/fem/quadrature.hpp"
+#include "common/integration/crack_faces.hpp"
+#include "tests/support/one_equilibrium.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+/// Pressure (100 - (x - 10)^2 / 2) / 10 MPa on the top edge: the source's, for its E of 1e11 Pa.
+double pressure_on_top(double x) { return 10.0 - 0.05 * (x - 10.0) * (x - 10.0); }
+
+void press_top(coarse::Scene& scene) {
+    scene.unit_force.setZero();
+    for (const BoundaryEdge& e : scene.mesh.boundary.at("top")) {
+        const coarse::EdgeGeometry edge = coarse::edge_geometry(scene.mesh, e);
+        const std::array<int, 2> nodes = coarse::edge_nodes(scene.mesh, e);
+        for (const LinePoint& g : gauss_line(3)) {
+            const double along = 0.5 * (1.0 + g.xi);
+            const double force = 0.5 * g.weight * edge.length() * pressure_on_top(edge.at(along).x());
+            scene.unit_force[scene.enriched.unknown(nodes[0], 0, 1)] -= (1.0 - along) * force;
+            scene.unit_force[scene.enriched.unknown(nodes[1], 0, 1)] -= along * force;
+        }
+    }
+}
+
+/// Pressure in the middle of an interface at 17.5 of a block of 20 x 20 that stands on its foot, MPa.
+double pressure_in_the_middle(int elements) {
+    Case input = specimen("plate", 20.0, {{0.0, 17.5}, {20.0, 17.5}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 20.0 / elements;
+    input.material.young = 1e5;
+    input.material.poisson = 0.0;
+    input.fine.enrichment = Enrichment::None;
+    input.cracks[0].contact = ContactSection{1.0};
+    BoundarySection foot, top;
+    foot.on = "bottom", top.on = "top";
+    foot.displacement = {0.0, 0.0};
+    top.displacement[0] = 0.0;
+    top.traction = Vec2(0.0, -1.0);  // marks the edge as loaded; press_top() replaces it
+    input.boundaries = {foot, top};
+    coarse::Scene scene = coarse::refined_scene(input);
+    press_top(scene);
+    const Equilibrated result = equilibrate(scene, 1.0);
+    EXPECT_TRUE(result.newton.converged) << result.newton.table();
+    double nearest = 1e300, pressure = 0.0, worst = 0.0;
+    for (std::size_t k = 0; k < result.zone.faces.size(); ++k) {
+        const coupling::FaceSample& face = result.zone.faces[k];
+        EXPECT_EQ(face.status, 1);
+        if (std::abs(face.x - 10.0) < nearest) nearest = std::abs(face.x - 10.0), pressure = face.pressure;
+        if (k > 0) worst = std::max(worst, std::abs(face.pressure - result.zone.faces[k - 1].pressure));
+    }
+    std::cout << fmt::format("5.4, {} elements: {:.5f} MPa in the middle, {:.3f} between stations at most\n", elements,
+                             pressure, worst);
+    return pressure;
+}
+
+// The value of the source is that of its mesh of 20 x 20.
+TEST(PressedInterface, PressureDoesNotOscillateAndConverges) {
+    const double coarsest = pressure_in_the_middle(10), coarse = pressure_in_the_middle(20),
+                 fine = pressure_in_the_middle(40);
+    EXPECT_NEAR(coarse, 9.528440, 0.01 * 9.528440);
+    EXPECT_NEAR(fine, 9.528440, 0.01 * 9.528440);
+    EXPECT_LT(std::abs(fine - coarse), std::abs(coarse - coarsest));
+}
+
+/// Force along x for the weight on top, from the tractions of the faces, of a block that is cut by a slope of 0.1 and
+/// pushed up it; and the force along y over that weight.
+Vec2 pushed_up(double friction, int elements) {
+    Case input = specimen("plate", 1.0, {{0.0, 0.703}, {1.0, 0.803}});
+    input.mesh.size = 1.0 / elements;
+    input.fine.enrichment = Enrichment::None;
+    input.cracks[0].contact = ContactSection{friction};
+    BoundarySection foot, pushed, weighed;
+    foot.on = "bottom", pushed.on = weighed.on = "top";
+    foot.displacement = {0.0, 0.0};
+    pushed.displacement[0] = 1e-4;
+    weighed.traction = Vec2(0.0, -1.0);
+    input.boundaries = {foot, pushed, weighed};
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const Equilibrated result = equilibrate(scene, 1.0);
+    EXPECT_TRUE(result.newton.converged) << result.newton.table();
+    const std::vector<FaceStation> stations = face_stations(scene.enriched, 0, scene.input.fine.subcells, 4);
+    const Vec2 tangent = Vec2(1.0, 0.1).normalized(), normal(-tangent.y(), tangent.x());
+    Vec2 force = Vec2::Zero();
+    for (std::size_t k = 0; k < stations.size(); ++k) {
+        const coupling::FaceSample& face = result.zone.faces[k];
+        EXPECT_EQ(face.status, friction > 0.0 ? 2 : 1);
+        force += stations[k].weight * (face.shear * tangent - face.pressure * normal);
+    }
+    return force;
+}
+
+// The wedge of NAFEMS CGS-4: F / G = (tan a + mu) / (1 - mu tan a), here for a block that also bends.
+TEST(PressedInterface, AWedgeNeedsTheForceOfItsFriction) {
+    for (const auto& [friction, exact] : {std::pair{0.0, 0.1}, {0.1, 0.202020}, {0.2, 0.306122}, {0.3, 0.412371}}) {
+        double before = 1e300;
+        for (const int elements : {11, 41}) {
+            const Vec2 force = pushed_up(friction, elements);
+            std::cout << fmt::format("5.7, friction {}, {} elements: F / G = {:.6f}, weight {:.6f}\n", friction,
+                                     elements, force.x(), -force.y());
+            EXPECT_NEAR(force.x(), exact, 0.01 * exact);
+            EXPECT_NEAR(force.y(), -1.0, 0.01);
+            EXPECT_LT(std::abs(force.x() - exact), 0.5 * before);
+            before = std::abs(force.x() - exact);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
