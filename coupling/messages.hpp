@@ -35,9 +35,11 @@ struct Patch {
     Eigen::VectorXd displacement;  // committed displacement of all unknowns of `mesh`; the fine component keeps its own
                                    // where it has one, and starts elements that are new to it from sigma = C eps(u)
     std::vector<Ring> rings;       // those that zone elements have a share in
-    std::vector<double> behind;    // per tip: distance behind it, mm, at which the opening is asked for; or empty
-    std::vector<double> ahead;     // per tip: radius, mm, of the sector ahead of it whose normal stress is asked for;
-                                   // empty: nobody asks
+    std::vector<double> opening_at;  // per tip: distance behind it, mm, at which the opening is asked for; or empty
+    std::vector<double> ahead;       // per tip: radius, mm, of the sector ahead of it whose normal stress is asked for;
+                                     // empty: nobody asks
+    std::vector<std::vector<double>> slip_at;  // per tip: distances behind it, mm, at which is asked whether the faces
+                                               // slide; empty: nobody asks
 };
 
 /// Displacements of the zone's boundary, each Newton iteration.
@@ -61,6 +63,8 @@ struct Digest {
     std::int32_t status_changes = 0;    // against the iteration before
     std::vector<double> contact_reach;  // per tip: distance of the farthest closed multiplier behind it, mm; < 0: none
     std::vector<double> force_ahead;    // per tip, where the patch asks: integral of the normal stress ahead, N
+    std::vector<std::vector<std::int8_t>> slides;  // per tip and distance, where the patch asks: 1 where the nearest
+                                                   // contact at or beyond it slides
 };
 
 /// The zone's answer: a nonlinear superelement.

@@ -1,4 +1,5 @@
-// K_op and K_cl by sub-stepping: contact that came or went within an increment is looked for between its ends.
+// K_op, K_cl and K_slip by sub-stepping: contact that came, went or began to slide within an increment is looked for
+// between its ends.
 #pragma once
 
 #include <utility>
@@ -16,22 +17,24 @@ public:
 
     [[nodiscard]] const ClosureMeter& meter() const { return meter_; }
 
-    /// A signal came or went within an increment of a cycle that has converged.
-    [[nodiscard]] bool has_changed(const LoadStep& step, const NewtonReport& report) const;
+    /// A signal came or went within an increment of a cycle that has converged. `from`: the target reached before it.
+    [[nodiscard]] bool has_changed(const LoadStep& step, const NewtonReport& report, double from) const;
 
-    /// Where its signals changed. `from`: the target reached before it; `extreme`: the larger magnitude of the targets
-    /// that the present half cycle joins. solve(part) finds the trial equilibrium of a shorter increment.
+    /// Where its signals changed. `extreme`: the larger magnitude of the targets that the present half cycle joins.
+    /// solve(part) finds the trial equilibrium of a shorter increment.
     using Solve = std::function<ClosureMeter::Trial(const LoadStep&)>;
     [[nodiscard]] std::vector<OpeningChange> changes(const LoadStep& step, const NewtonReport& report, double from,
                                                      double extreme, const Solve& solve) const;
 
     /// The increment is committed; returns its signals.
-    const std::vector<char>& commit(const NewtonReport& report) { return closed_ = meter_.closed(report); }
+    std::vector<char> commit(const LoadStep& step, const NewtonReport& report, double from);
 
-    /// Committed.
+    /// Committed: what the next increment starts from.
     [[nodiscard]] const std::vector<char>& closed() const { return closed_; }
 
 private:
+    [[nodiscard]] std::vector<char> reached(const LoadStep& step, const NewtonReport& report, double from) const;
+
     ClosureMeter meter_;
     std::vector<char> closed_;
 };

@@ -24,7 +24,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver),
-      closure_(ClosureMeter(scene.input.closure, scene.input.material, body_.largest_K_I()),
+      closure_(ClosureMeter(scene.input.closure, scene.input.material, scene.input.cracks, body_.largest_K_I()),
                from != nullptr ? from->closed : std::vector<char>()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
@@ -61,8 +61,9 @@ void FatigueAnalysis::run() {
     while (const std::optional<LoadStep> step = next()) {
         std::optional<NewtonReport> found = solve_equilibrium(*step);
         if (!found) continue;  // the increment is made again, shorter or with a larger zone
-        std::vector<OpeningChange> changes = measure_closure(*step, *found);
-        accept(*step, *found, std::move(changes));
+        std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
+        if (!changes) continue;
+        accept(*step, *found, std::move(*changes));
         controller_.accepted();
         if (growth_ && growth_->is_due(*step)) grow(*step);
         if (!listener_.reached(*step)) return;
@@ -127,9 +128,10 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     return true;
 }
 
-// The increment is tried in parts, and then made as it was.
-std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
-    if (!closure_.has_changed(step, report)) return {};
+// The increment is tried in parts, and then made as it was. Newton's method begins with the tangents that it last made,
+// so what it reached on a long way before it may miss now: then the increment is halved like any other.
+std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
+    if (!closure_.has_changed(step, report, controller_.reached())) return std::vector<OpeningChange>();
     auto changes =
         closure_.changes(step, report, controller_.reached(), controller_.extreme(), [&](const LoadStep& part) {
             model_.rollback();
@@ -139,9 +141,10 @@ std::vector<OpeningChange> FatigueAnalysis::measure_closure(const LoadStep& step
         });
     model_.rollback();
     report = attempt(step);
-    if (!report.converged)
-        throw NumericalFailure(
-            fmt::format("an increment that had converged, to {}, did not again", to_text(step.target)));
+    if (!report.converged) {
+        cut_or_fail(step, report);
+        return std::nullopt;
+    }
     note_lost(step, changes);
     return changes;
 }
@@ -152,14 +155,14 @@ void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningC
     listener_.note(
         fmt::format("cycle {}: no equilibrium between {} and {} tells where tip {} {}: its load is left empty",
                     step.cycle, to_text({step.target.control, controller_.reached()}), to_text(step.target), lost->tip,
-                    lost->closes ? "closes" : "opens"));
+                    closure_.meter().what_a_tip_does(*lost)));
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {
     Increment increment = model_.commit(step, report);
     increment.number = ++effort_.counts.increments;
     increment.opening_changes = std::move(changes);
-    increment.closed = closure_.commit(report);
+    increment.closed = closure_.commit(step, report, controller_.reached());
     for (const TipResult& tip : body_.nominal()) increment.nominal_K.push_back(tip.K_I);
     reached_tips_ = increment.tips;
     note_flowing_rings(increment);

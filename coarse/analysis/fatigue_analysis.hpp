@@ -46,7 +46,7 @@ private:
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     [[nodiscard]] std::string last_converged(const Target& target) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
-    [[nodiscard]] std::vector<OpeningChange> measure_closure(const LoadStep& step, NewtonReport& report);
+    [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(const LoadStep& step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
     void end_cycle(Increment& increment);
     void note_flowing_rings(const Increment& increment);

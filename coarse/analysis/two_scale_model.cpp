@@ -63,8 +63,9 @@ void TwoScaleModel::couple(const AnalysisState* from) {
 
 coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const {
     coupling::Patch patch = make_patch(body_.scene(), in_zone, gamma, displacement_);
-    patch.behind = closure_.behind();
+    patch.opening_at = closure_.opening_at();
     patch.ahead = closure_.ahead(body_.scene().enriched);
+    patch.slip_at = closure_.slip_at();
     return patch;
 }
 
@@ -88,7 +89,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     is_behind_ = true;
     increment.equilibrium = equilibrium_.get();
     increment.tips =
-        fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.behind());
+        fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.opening_at());
     add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
                   increment.zone);
     increment.work = work_;

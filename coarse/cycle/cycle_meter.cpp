@@ -20,10 +20,15 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double nomina
     }
 }
 
+/// Of the first slip on the way up: signals of slip come on no other way.
+void note_slip(double& K_slip, const OpeningChange& change, double nominal_K) {
+    if (change.closes && std::isnan(K_slip)) K_slip = nominal_K * change.load_factor;
+}
+
 }  // namespace
 
 CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips)
-    : definition_(definition), signals_(at(closure.signals())), contact_signals_(at(closure.contact_signals())) {
+    : definition_(definition), signals_(closure.signals()) {
     now_.tips.resize(tips);
 }
 
@@ -33,9 +38,10 @@ void CycleMeter::begin(int cycle) {
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         Tip& tip = now_.tips[t];
         tip = {};
-        tip.changed.assign(signals_, 0);
-        tip.was_open.assign(signals_, 0);
-        tip.signal.assign(signals_, {});
+        tip.changed.assign(signals_.first_slip(), 0);
+        tip.was_open.assign(signals_.first_slip(), 0);
+        tip.signal.assign(signals_.first_slip(), {});
+        tip.cycle.K_slip.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
         tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor;
@@ -50,7 +56,8 @@ void CycleMeter::begin(int cycle) {
 
 void CycleMeter::add(const Increment& increment) {
     if (now_.tips.empty()) return;
-    if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_) begin(increment.step.cycle);
+    if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_.first_slip())
+        begin(increment.step.cycle);
     const bool loading = increment.step.target.value > now_.last_target;
     const bool growing = increment.step.target.value == now_.last_target;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
@@ -83,11 +90,15 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bo
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
+        if (s >= signals_.first_slip()) {
+            note_slip(cycle.K_slip[s - signals_.first_slip()], change, increment.nominal_K[t]);
+            continue;
+        }
         note_change(tip.signal[s], change, increment.nominal_K[t], unloading);
         tip.changed[s] = 1;
     }
-    for (std::size_t s = 0; s < signals_; ++s)
-        if (increment.closed.empty() || increment.closed[t * signals_ + s] == 0) tip.was_open[s] = 1;
+    for (std::size_t s = 0; s < tip.was_open.size(); ++s)
+        if (increment.closed.empty() || increment.closed[t * signals_.all() + s] == 0) tip.was_open[s] = 1;
     cycle.a = result.a;
     cycle.K_max = std::max(cycle.K_max, K);
     cycle.K_min = std::min(cycle.K_min, K);
@@ -109,8 +120,8 @@ std::vector<CycleResult> CycleMeter::finish() {
         CycleResult& cycle = tip.cycle;
         cycle.da = cycle.a - now_.length[t];
         now_.length[t] = cycle.a;
-        for (std::size_t s = 0; s < contact_signals_; ++s) cycle.contact.push_back(of_signal(tip, s));
-        if (signals_ > contact_signals_) cycle.tension = of_signal(tip, contact_signals_);
+        for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(of_signal(tip, s));
+        if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
         cycle.offset.K_op = now_.last[t].nominal_K *
                             compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()

@@ -50,7 +50,7 @@ private:
     [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
-    std::size_t signals_ = 0, contact_signals_ = 0;
+    ClosureMeter::Signals signals_;
     CycleMemory now_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "coarse/load/target.hpp"
@@ -25,6 +26,7 @@ struct Residual {
     bool provisional = false;                // elements at rest have not been looked at: no state to stay in
     std::vector<double> contact_reach = {};  // per tip: how far behind it the farthest contact lies, mm; < 0: none
     std::vector<double> force_ahead = {};    // per tip, where it is measured: normal stress over the sector ahead, N
+    std::vector<std::vector<std::int8_t>> slides = {};  // likewise, per distance behind it: the nearest contact slides
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
     [[nodiscard]] bool is_finite() const { return std::isfinite(boundary + interior + contact + target); }

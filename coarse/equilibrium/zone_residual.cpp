@@ -15,6 +15,7 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.status_changes = digest.status_changes;
     residual.contact_reach = digest.contact_reach;
     residual.force_ahead = digest.force_ahead;
+    residual.slides = digest.slides;
     residual.provisional = response.provisional;
 }
 

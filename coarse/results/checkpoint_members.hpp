@@ -57,7 +57,7 @@ void members(auto& archive, Is<Extremes> auto& m) {
 
 void members(auto& archive, Is<CycleResult> auto& m) {
     auto& [a, da, K_max, K_min, J_max, CTOD, opening_behind, forward, cyclic, forward_axis, cyclic_axis, contact,
-           tension, offset, opening, dN] = m;
+           tension, offset, K_slip, opening, dN] = m;
     archive("a", a);
     archive("da", da);
     archive("K_max", K_max);
@@ -72,6 +72,7 @@ void members(auto& archive, Is<CycleResult> auto& m) {
     archive("contact", contact);
     archive("tension", tension);
     archive("offset", offset);
+    archive("K_slip", K_slip);
     archive("opening", opening);
     archive("dN", dN);
 }

@@ -86,8 +86,10 @@ CycleRow cycle_row(const Increment& increment, int tip) {
 std::vector<ClosureRow> closure_rows(const Increment& increment, int tip, const ClosureMeter& closure) {
     std::vector<ClosureRow> rows;
     const std::vector<OpeningLoads>& contact = increment.cycles[at(tip)].contact;
+    const std::vector<double>& slip = increment.cycles[at(tip)].K_slip;
     for (std::size_t k = 0; k < contact.size(); ++k)
-        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], contact[k].K_op, contact[k].K_cl});
+        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], contact[k].K_op, contact[k].K_cl,
+                        slip.empty() ? missing : slip[k]});
     return rows;
 }
 

@@ -89,8 +89,30 @@ namespace {
 
 Section<IsotropicHardening> isotropic_section() {
     Section<IsotropicHardening> s;
-    s.value("law", &IsotropicHardening::law).one_of({"linear"}).says("Isotropic hardening law; linear: R = modulus p.");
-    s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("dR/dp.");
+    s.value("law", &IsotropicHardening::law)
+        .one_of({"linear", "voce", "power", "table"})
+        .says(
+            "Isotropic hardening: what R(p) adds to the yield stress. linear: modulus p. voce: Q (1 - exp(-b p)). "
+            "power: "
+            "Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, from the yield stress upward. table: "
+            "straight lines.");
+    s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("linear: dR/dp.");
+    s.value("Q", &IsotropicHardening::Q).in("MPa").at_least(0.0).says("voce: R at saturation.");
+    s.value("b", &IsotropicHardening::b).at_least(0.0).says("voce: how fast R saturates.");
+    s.value("n", &IsotropicHardening::n).at_least(0.0).says("power: the exponent, above 1.");
+    s.value("alpha", &IsotropicHardening::alpha)
+        .at_least(0.0)
+        .says("power: p at the reference stress, in reference / E.");
+    s.value("reference", &IsotropicHardening::reference)
+        .in("MPa")
+        .positive()
+        .or_else("yield_stress")
+        .says("power: the stress to which n and alpha refer.");
+    s.value("plastic_strain", &IsotropicHardening::plastic_strain)
+        .says("table: plastic strains, from 0 on, ascending.");
+    s.value("stress", &IsotropicHardening::stress)
+        .in("MPa")
+        .says("table: the stresses, from yield_stress on, not falling; beyond the last it stays.");
     return s;
 }
 
@@ -101,7 +123,9 @@ Section<KinematicHardening> kinematic_section() {
         .at_least(0.0)
         .must_be_given()
         .says("Uniaxial modulus: dX = 2/3 C d(eps_p) - gamma X dp.");
-    s.value("gamma", &KinematicHardening::gamma).at_least(0.0).says("Recall; 0 is Prager's law.");
+    s.value("gamma", &KinematicHardening::gamma)
+        .at_least(0.0)
+        .says("Recall (Armstrong and Frederick); 0 is Prager's law.");
     return s;
 }
 
@@ -126,6 +150,10 @@ namespace {
 Section<ContactSection> contact_section() {
     Section<ContactSection> s;
     s.value("friction", &ContactSection::friction).at_least(0.0).says("Coulomb's coefficient of friction.");
+    s.choice<MultiplierKind>("multipliers", &ContactSection::multipliers,
+                             {{"stable", MultiplierKind::Stable}, {"gauss", MultiplierKind::Gauss}})
+        .says("stable: continuous pressures, coarser than the mesh. gauss: one at each Gauss point of the faces, for "
+              "comparison: they oscillate.");
     return s;
 }
 

@@ -42,7 +42,11 @@ struct MeshSection {
 
 struct IsotropicHardening {
     std::string law = "linear";
-    double modulus = 0.0;  // MPa, dR/dp
+    double modulus = 0.0;                                  // MPa; linear: R = modulus p
+    double Q = 0.0, b = 0.0;                               // MPa; voce: R = Q (1 - exp(-b p))
+    double n = 0.0, alpha = 0.0;                           // power: p = alpha reference / E (sigma / reference)^n
+    std::optional<double> reference = {};                  // MPa; absent: the yield stress
+    std::vector<double> plastic_strain = {}, stress = {};  // table: MPa
     bool operator==(const IsotropicHardening&) const = default;
 };
 
@@ -61,8 +65,12 @@ struct MaterialSection {
     bool operator==(const MaterialSection&) const = default;
 };
 
+/// Stable beside the jumps of the faces; or one at each Gauss point of the interface elements, which is not.
+enum class MultiplierKind { Stable, Gauss };
+
 struct ContactSection {
     double friction = 0.0;  // Coulomb's coefficient
+    MultiplierKind multipliers = MultiplierKind::Stable;
     bool operator==(const ContactSection&) const = default;
 };
 

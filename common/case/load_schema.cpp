@@ -114,7 +114,7 @@ Section<ClosureSection> closure_section() {
     s.value("profile", &ClosureSection::profile)
         .in("mm")
         .positive()
-        .says("Further distances behind the tip: their opening and closing loads go to closure.csv.");
+        .says("Further distances behind the tip: loads of opening, closing and slip go to closure.csv.");
     s.value("tension", &ClosureSection::tension).says("Measure the return of tension beside another definition.");
     return s;
 }

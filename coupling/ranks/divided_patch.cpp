@@ -55,8 +55,9 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
                                    .unit_load = gather(patch.unit_load, unknowns),
                                    .displacement = gather(displacement, unknowns),
                                    .rings = patch.rings,
-                                   .behind = patch.behind,
-                                   .ahead = patch.ahead});
+                                   .opening_at = patch.opening_at,
+                                   .ahead = patch.ahead,
+                                   .slip_at = patch.slip_at});
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});
     }
     divided.seams = find_seams(patch, divided.parts);

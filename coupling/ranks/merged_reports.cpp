@@ -27,6 +27,12 @@ void add_digest(Digest& whole, const Digest& part, const std::vector<int>& eleme
     for (std::size_t t = 0; t < part.contact_reach.size(); ++t) raise(whole.contact_reach[t], part.contact_reach[t]);
     widen(whole.force_ahead, part.force_ahead.size());
     for (std::size_t t = 0; t < part.force_ahead.size(); ++t) whole.force_ahead[t] += part.force_ahead[t];
+    widen(whole.slides, part.slides.size());
+    for (std::size_t t = 0; t < part.slides.size(); ++t) {
+        widen(whole.slides[t], part.slides[t].size());
+        for (std::size_t k = 0; k < part.slides[t].size(); ++k)
+            whole.slides[t][k] = std::max(whole.slides[t][k], part.slides[t][k]);
+    }
 }
 
 void add_tips(StepReport& whole, const StepReport& part) {

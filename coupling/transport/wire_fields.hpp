@@ -59,8 +59,8 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, rings, behind, ahead] = m;
-    wire(mesh, boundary, unit_load, displacement, rings, behind, ahead);
+    auto& [mesh, boundary, unit_load, displacement, rings, opening_at, ahead, slip_at] = m;
+    wire(mesh, boundary, unit_load, displacement, rings, opening_at, ahead, slip_at);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
@@ -69,9 +69,10 @@ void fields(auto& wire, Is<PatchDisplacement> auto& m) {
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
-    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead] =
-        m;
-    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead);
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead,
+           slides] = m;
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead,
+         slides);
 }
 
 // Half of a symmetric tangent stands for the whole.

@@ -2,16 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/index.hpp"
 
 namespace stria::fine {
+namespace {
+
+/// Of a step: what closed multipliers without jumps of their own give way, or the matrix would be singular. The
+/// solution does not change, since nothing gives way where no step is left.
+constexpr double given_way = 1e-3;
+
+}  // namespace
 
 ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
                                    const std::vector<CrackSection>& cracks, int subcells, double stiffness,
                                    const FrozenTips& frozen)
     : operators_(mesh, boundary, cracks, subcells, frozen), augmentation_(multipliers()) {
-    for (int k = 0; k < multipliers(); ++k) augmentation_[k] = 0.1 * stiffness / operators_.weight(k);
+    for (int k = 0; k < multipliers(); ++k) {
+        const double length = operators_.is_stable(k) ? operators_.weight(k) : operators_.weights().maxCoeff();
+        augmentation_[k] = 0.1 * stiffness / length;
+    }
     status_.assign(at(multipliers()), FaceStatus::Open);
     committed_status_ = status_;
     settled_slip_ = Eigen::VectorXd::Zero(multipliers());
@@ -146,6 +157,10 @@ Eigen::MatrixXd ContactInterface::matrix_of(int k) const {
         matrix(pressure, pressure) = idle;
         return matrix;
     }
+    if (!operators_.is_stable(k)) {
+        matrix(pressure, pressure) = given_way * idle;
+        if (status == FaceStatus::Stick && has_shear) matrix(shear, shear) = given_way * idle;
+    }
     for (Eigen::Index i = 0; i < pressure; ++i) {
         matrix(i, pressure) = matrix(pressure, i) = -operators_.operator_B().coeff(k, acts_on[at(i)]);
         if (!has_shear) continue;
@@ -189,6 +204,19 @@ double ContactInterface::reach_behind(const Tip& tip) const {
     for (std::size_t k = 0; k < keys.size(); ++k)
         if (is_closed(status_[k]) && keys[k].crack == tip.crack) reach = std::max(reach, std::abs(tip.s - keys[k].s));
     return reach;
+}
+
+bool ContactInterface::slides_behind(const Tip& tip, double distance, const Jumps& jumps, double rounding) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    bool sliding = false;
+    const auto& keys = operators_.keys();
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const double behind = std::abs(tip.s - keys[k].s);
+        if (!is_closed(status_[k]) || keys[k].crack != tip.crack || behind < distance || behind >= nearest) continue;
+        nearest = behind;
+        sliding = fine::slides(status_[k]) && std::abs(jumps.slip[static_cast<Eigen::Index>(k)]) > rounding;
+    }
+    return sliding;
 }
 
 // Beyond the last node of a branch a share may be negative: what it makes of pressure and shear is not.

@@ -80,6 +80,9 @@ public:
 
     /// How far behind a tip the farthest closed multiplier of its crack lies, mm; negative: none is closed.
     [[nodiscard]] double reach_behind(const Tip& tip) const;
+    /// The closed multiplier nearest to a tip, but no nearer than a distance, mm, slides, and by more than `rounding`,
+    /// mm: where faces transmit nothing any more rounding says whether they slide.
+    [[nodiscard]] bool slides_behind(const Tip& tip, double distance, const Jumps& jumps, double rounding) const;
 
     /// At a station from the multipliers: pressure and shear, MPa, and whether the one with the larger share slides.
     struct FaceTraction {

@@ -17,22 +17,32 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const CrackSection& section = cracks[at(crack)];
         if (!section.contact) continue;
-        spaces_.push_back(
-            {crack, section.contact->friction, count, MultiplierSpace(mesh, boundary, crack, section.notch)});
-        const MultiplierSpace& space = spaces_.back().space;
-        count += space.size();
-        for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
         for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
             if (station.s < section.notch) continue;
             station.fixed_jump = frozen.jump(crack, station.x);
             stations_.push_back(std::move(station));
         }
+        spaces_.push_back({crack, section.contact->friction, count, space_on(mesh, boundary, crack, section)});
+        const MultiplierSpace& space = spaces_.back().space;
+        count += space.size();
+        for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
     }
     B_.resize(count, mesh.unknowns);
     T_.resize(count, mesh.unknowns);
     weight_ = friction_ = fixed_gap_ = fixed_slip_ = Eigen::VectorXd::Zero(count);
     number_shears();
     assemble(mesh);
+}
+
+MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
+                                        const CrackSection& section) const {
+    if (section.contact->multipliers == MultiplierKind::Stable)
+        return MultiplierSpace(mesh, boundary, crack, section.notch);
+    std::vector<double> points;
+    for (const FaceStation& station : stations_)
+        if (station.crack == crack) points.push_back(station.s);
+    std::ranges::sort(points);
+    return MultiplierSpace(points);
 }
 
 void FaceOperators::number_shears() {

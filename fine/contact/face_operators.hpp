@@ -42,6 +42,7 @@ public:
     [[nodiscard]] double weight(int k) const { return weight_[k]; }
     [[nodiscard]] const Eigen::VectorXd& weights() const { return weight_; }
     [[nodiscard]] double friction(int k) const { return friction_[k]; }
+    [[nodiscard]] bool is_stable(int k) const { return space_of(keys_[at(k)].crack).space.is_stable(); }
     /// Multipliers with a shear, ascending.
     [[nodiscard]] const std::vector<int>& with_shear() const { return with_shear_; }
 
@@ -85,6 +86,8 @@ private:
     };
     [[nodiscard]] const CrackSpace& space_of(int crack) const;
     [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
+    [[nodiscard]] MultiplierSpace space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
+                                           const CrackSection& section) const;
     void number_shears();
     void assemble(const EnrichedMesh& mesh);
     void keep_open_without_faces();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -13,6 +14,16 @@ namespace {
 constexpr double kink_angle = 10.0 * std::numbers::pi / 180.0;
 
 }  // namespace
+
+MultiplierSpace::MultiplierSpace(const std::vector<double>& points) : nodes_(points), stable_(false) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    double from = -far;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double to = k + 1 < points.size() ? 0.5 * (points[k] + points[k + 1]) : far;
+        branches_.push_back({from, to, false, false, {}, static_cast<int>(k), 1});
+        from = to;
+    }
+}
 
 MultiplierSpace::MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, double notch) {
     split_into_branches(mesh, crack, notch);

@@ -16,11 +16,17 @@ namespace stria::fine {
 /// end that is no farther than the next node.
 class MultiplierSpace {
 public:
+    /// One multiplier at each of `points`, ascending arc lengths, constant half way to the next: the paper's plain
+    /// space. It has more conditions than the jump has freedom, and serves comparisons.
+    explicit MultiplierSpace(const std::vector<double>& points);
+
     /// From the pieces of `crack` behind the arc length `notch`. `boundary`: unknowns, ascending, that are not the
     /// zone's own; crossings whose jumps are all among them carry no multiplier.
     MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, double notch);
 
     [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
+    /// Every multiplier has jump unknowns of its own.
+    [[nodiscard]] bool is_stable() const { return stable_; }
 
     struct Value {
         int multiplier;
@@ -51,6 +57,7 @@ private:
 
     std::vector<Branch> branches_;
     std::vector<double> nodes_;
+    bool stable_ = true;
 };
 
 }  // namespace stria::fine

@@ -1,7 +1,6 @@
 #include "fine/material/j2.hpp"
 
 #include <array>
-#include <numeric>
 
 #include "common/index.hpp"
 #include "fine/material/j2_pack.hpp"
@@ -14,6 +13,7 @@ struct Block {
     const J2Update& update;
     double bulk;
     double shear;
+    double isotropic;
     double kinematic;
     double uniaxial;
 };
@@ -35,7 +35,7 @@ template <int rows>
 Flow<rows> flow_in_parts(const Block& block, const Prediction<rows>& prediction,
                          const Tensors<rows>& strain_increment) {
     const int parts = block.update.law.substeps;
-    const double isotropic = block.update.law.isotropic;
+    const double isotropic = block.isotropic;
     const double slope = 2.0 * block.shear + 2.0 / 3.0 * block.kinematic;  // relative stress lost per plastic strain
     const Tensors<rows> part = 2.0 * block.shear * deviators<rows>(strain_increment) / parts;
     Tensors<rows> relative = prediction.relative - parts * part;
@@ -123,11 +123,16 @@ void return_to_surface(const Block& block, PackPlace<rows> at, const Tensors<row
 
 J2::J2(const J2Parameters& parameters)
     : J2Law(parameters), bulk_(parameters.elasticity.bulk_modulus()), shear_(parameters.elasticity.shear_modulus()),
-      kinematic_(std::accumulate(parameters.kinematic.begin(), parameters.kinematic.end(), 0.0)),
-      uniaxial_(3.0 * shear_ + parameters.isotropic + kinematic_) {}
+      isotropic_(parameters.isotropic.linear()->modulus), kinematic_(parameters.prager_modulus()),
+      uniaxial_(3.0 * shear_ + isotropic_ + kinematic_) {}
 
 void J2::return_points(const J2Update& update, int points, int stride) const {
-    const Block block{.update = update, .bulk = bulk_, .shear = shear_, .kinematic = kinematic_, .uniaxial = uniaxial_};
+    const Block block{.update = update,
+                      .bulk = bulk_,
+                      .shear = shear_,
+                      .isotropic = isotropic_,
+                      .kinematic = kinematic_,
+                      .uniaxial = uniaxial_};
     update_packs(
         update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) {

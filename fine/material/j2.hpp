@@ -7,6 +7,7 @@ namespace stria::fine {
 
 class J2 final : public J2Law {
 public:
+    /// Linear hardening without recall.
     explicit J2(const J2Parameters& parameters);
 
 private:
@@ -14,6 +15,7 @@ private:
 
     double bulk_;       // MPa
     double shear_;      // MPa
+    double isotropic_;  // MPa, H
     double kinematic_;  // MPa, sum C
     double uniaxial_;   // MPa, 3 G + H + sum C: overstress per unit of plastic flow
 };

@@ -43,8 +43,8 @@ template <int rows> Prediction<rows> predict(const J2Update& update, PackPlace<r
     for (std::size_t k = 0; k < update.law.kinematic.size(); ++k)
         prediction.relative -= at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k));
     prediction.equivalent = (1.5 * contraction<rows>(prediction.relative, prediction.relative)).sqrt();
-    prediction.yield_stress =
-        update.law.yield_stress + update.law.isotropic * at.scalars(update.committed, state::accumulated);
+    const Scalars<rows> p = at.scalars(update.committed, state::accumulated);
+    prediction.yield_stress = update.law.yield_stress + update.law.isotropic.value(p);
     prediction.overstress = prediction.equivalent - prediction.yield_stress;
     prediction.flows = prediction.overstress > overstress_tolerance * prediction.yield_stress;
     if (!std::isfinite(prediction.equivalent.sum()))
@@ -52,10 +52,11 @@ template <int rows> Prediction<rows> predict(const J2Update& update, PackPlace<r
     return prediction;
 }
 
-/// Writes the trial state for a plastic strain increment (flow direction times dp); dp = 0: elastic.
+/// Writes the trial state, but for back stresses, for an increment of the plastic strain, of p and of the dissipation.
 template <int rows>
-void write_state(const J2Update& update, PackPlace<rows> at, const Tensors<rows>& strain_increment,
-                 const Tensors<rows>& stress, const Tensors<rows>& plastic, const Scalars<rows>& dp) {
+void write_flow(const J2Update& update, PackPlace<rows> at, const Tensors<rows>& strain_increment,
+                const Tensors<rows>& stress, const Tensors<rows>& plastic, const Scalars<rows>& dp,
+                const Scalars<rows>& dissipated) {
     const double* before = update.committed;
     double* after = update.trial;
     at.tensors(after, state::stress) = stress;
@@ -63,11 +64,18 @@ void write_state(const J2Update& update, PackPlace<rows> at, const Tensors<rows>
     at.scalars(after, state::accumulated) = at.scalars(before, state::accumulated) + dp;
     const Tensors<rows> mean_stress = 0.5 * (at.tensors(before, state::stress) + stress);
     at.scalars(after, state::work) = at.scalars(before, state::work) + contraction<rows>(mean_stress, strain_increment);
-    at.scalars(after, state::dissipation) = at.scalars(before, state::dissipation) + update.law.yield_stress * dp;
+    at.scalars(after, state::dissipation) = at.scalars(before, state::dissipation) + dissipated;
+}
+
+/// Writes the trial state for a plastic strain increment (flow direction times dp) without recall; dp = 0: elastic.
+template <int rows>
+void write_state(const J2Update& update, PackPlace<rows> at, const Tensors<rows>& strain_increment,
+                 const Tensors<rows>& stress, const Tensors<rows>& plastic, const Scalars<rows>& dp) {
+    write_flow<rows>(update, at, strain_increment, stress, plastic, dp, update.law.yield_stress * dp);
     for (std::size_t k = 0; k < update.law.kinematic.size(); ++k) {
         const int back_stress = state::back_stress + 4 * static_cast<int>(k);
-        at.tensors(after, back_stress) =
-            at.tensors(before, back_stress) + 2.0 / 3.0 * update.law.kinematic[k] * plastic;
+        at.tensors(update.trial, back_stress) =
+            at.tensors(update.committed, back_stress) + 2.0 / 3.0 * update.law.kinematic[k].C * plastic;
     }
 }
 

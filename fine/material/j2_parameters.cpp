@@ -7,6 +7,16 @@
 
 namespace stria::fine {
 
+double J2Parameters::prager_modulus() const {
+    double sum = 0.0;
+    for (const KinematicHardening& term : kinematic) sum += term.C;
+    return sum;
+}
+
+bool J2Parameters::recalls() const {
+    return std::ranges::any_of(kinematic, [](const KinematicHardening& term) { return term.gamma > 0.0; });
+}
+
 double J2Parameters::elastic_margin(int points, int stride, const double* committed) const {
     double margin = std::numeric_limits<double>::infinity();
     for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
@@ -14,7 +24,8 @@ double J2Parameters::elastic_margin(int points, int stride, const double* commit
         for (std::size_t k = 0; k < kinematic.size(); ++k)
             relative -= at.tensors(committed, state::back_stress + 4 * static_cast<int>(k));
         const Scalars<rows> equivalent = (1.5 * contraction<rows>(relative, relative)).sqrt();
-        const Scalars<rows> left = yield_stress + isotropic * at.scalars(committed, state::accumulated) - equivalent;
+        const Scalars<rows> p = at.scalars(committed, state::accumulated);
+        const Scalars<rows> left = yield_stress + isotropic.value(p) - equivalent;
         margin = std::min(margin, left.minCoeff());
     });
     return std::max(margin, 0.0);
@@ -22,10 +33,10 @@ double J2Parameters::elastic_margin(int points, int stride, const double* commit
 
 double J2Parameters::stored_energy(const double* state, int stride) const {
     const double p = state[static_cast<std::ptrdiff_t>(state::accumulated) * stride];
-    double energy = elasticity.energy(tensor_at(state, stride, state::stress)) + 0.5 * isotropic * p * p;
+    double energy = elasticity.energy(tensor_at(state, stride, state::stress)) + isotropic.stored(p);
     for (std::size_t k = 0; k < kinematic.size(); ++k) {
         const Mandel X = tensor_at(state, stride, state::back_stress + 4 * static_cast<int>(k));
-        if (kinematic[k] > 0.0) energy += 0.75 * X.squaredNorm() / kinematic[k];
+        if (kinematic[k].C > 0.0) energy += 0.75 * X.squaredNorm() / kinematic[k].C;
     }
     return energy;
 }

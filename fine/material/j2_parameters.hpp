@@ -5,24 +5,31 @@
 #include <vector>
 
 #include "common/material/elasticity.hpp"
+#include "fine/material/hardening_curve.hpp"
 #include "fine/material/material_law.hpp"
 
 namespace stria::fine {
 
 struct J2Parameters {
     Elasticity elasticity;
-    double yield_stress;            // MPa, of the virgin material
-    double isotropic = 0.0;         // MPa, H of R = H p
-    std::vector<double> kinematic;  // MPa, C of each dX = 2/3 C d(eps_p)
+    double yield_stress;                        // MPa, of the virgin material
+    HardeningCurve isotropic;                   // R(p)
+    std::vector<KinematicHardening> kinematic;  // each dX = 2/3 C d(eps_p) - gamma X dp
 
     int substeps = 1;  // of a strain increment at points that flow
+
+    /// Sum of C, MPa.
+    [[nodiscard]] double prager_modulus() const;
+    /// Whether a back stress forgets.
+    [[nodiscard]] bool recalls() const;
 
     [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
     /// As in MaterialLaw.
     [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const;
 
-    /// Of sigma : d eps_p = X : d eps_p + (sigma_y + R) dp hardening stores the first term and R dp; sigma_y dp is
-    /// dissipated. With X = 2/3 C eps_p and R = H p both are functions of the state: 3/4 X : X / C and H p^2 / 2.
+    /// Of sigma : d eps_p = X : d eps_p + (sigma_y + R) dp hardening stores R dp and, of the first term, what changes
+    /// 3/4 X : X / C, one of a kind for every back stress; both are functions of the state. What recall takes of it,
+    /// 3/2 gamma / C X : X dp, is dissipated as sigma_y dp is (J.-L. Chaboche, Int. J. Plasticity 5 (1989) 247).
     [[nodiscard]] double stored_energy(const double* state, int stride) const;
 };
 

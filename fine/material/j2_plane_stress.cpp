@@ -1,7 +1,6 @@
 #include "fine/material/j2_plane_stress.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fine/material/j2_pack.hpp"
 
@@ -16,6 +15,7 @@ constexpr int most_iterations = 50;
 /// stress) and the shears (xx - yy, xy). Each returns on its own: xi = xi_predicted / (1 + gamma rate).
 struct PlaneBlock {
     const J2Update& update;
+    double isotropic;     // MPa, H
     double biaxial;       // MPa, E / (1 - nu): equibiaxial stress per strain
     double two_shear;     // MPa, 2 G
     double biaxial_rate;  // MPa, E / (3 (1 - nu)) + 2/3 sum C
@@ -70,7 +70,7 @@ Return<rows> return_at(const PlaneBlock& block, const Parts<rows>& predicted, co
 template <int rows>
 Scalars<rows> plastic_multiplier(const PlaneBlock& block, const Prediction<rows>& prediction,
                                  const Parts<rows>& parts) {
-    const double H = block.update.law.isotropic, rate = std::max(block.biaxial_rate, block.shear_rate);
+    const double H = block.isotropic, rate = std::max(block.biaxial_rate, block.shear_rate);
     const Scalars<rows> limit = prediction.yield_stress;
     Scalars<rows> gamma =
         prediction.flows.select(prediction.overstress / (rate * limit + 2.0 / 3.0 * H * prediction.equivalent), 0.0);
@@ -96,7 +96,7 @@ template <int rows>
 void write_tangent(const PlaneBlock& block, PackPlace<rows> at, const Return<rows>& returned,
                    const Tensors<rows>& plastic, const Scalars<rows>& gamma, const Prediction<rows>& prediction) {
     const MandelMatrix& C = block.update.stiffness;
-    const double H = block.update.law.isotropic;
+    const double H = block.isotropic;
     const Scalars<rows> lost_biaxial = block.biaxial * block.biaxial / 3.0 * gamma * returned.per_biaxial;
     const Scalars<rows> lost_shear = block.two_shear * block.two_shear * gamma * returned.per_shear;
     // gamma > 0 with q = limit / (1 - 2/3 H gamma): hardening = 4/9 H q^2 / (1 - 2/3 H gamma) = 4/9 H q^3 / limit.
@@ -153,8 +153,9 @@ void J2PlaneStress::return_points(const J2Update& update, int points, int stride
     const Elasticity& elastic_part = parameters().elasticity;
     const double biaxial = elastic_part.young / (1.0 - elastic_part.poisson);
     const double two_shear = 2.0 * elastic_part.shear_modulus();
-    const double back = 2.0 / 3.0 * std::accumulate(parameters().kinematic.begin(), parameters().kinematic.end(), 0.0);
+    const double back = 2.0 / 3.0 * parameters().prager_modulus();
     const PlaneBlock block{.update = update,
+                           .isotropic = parameters().isotropic.linear()->modulus,
                            .biaxial = biaxial,
                            .two_shear = two_shear,
                            .biaxial_rate = biaxial / 3.0 + back,

@@ -10,7 +10,7 @@ namespace stria::fine {
 /// strain increment is not looked at. Throws NumericalFailure where no plastic multiplier is found.
 class J2PlaneStress final : public J2Law {
 public:
-    /// Parameters with an elasticity in plane stress.
+    /// Linear hardening without recall, and an elasticity in plane stress.
     explicit J2PlaneStress(const J2Parameters& parameters) : J2Law(parameters) {}
 
 private:

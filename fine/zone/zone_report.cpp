@@ -47,8 +47,8 @@ std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     for (std::size_t t = 0; t < reports.size(); ++t) {
         reports[t].CTOD = opening_at_intercept(mesh, mesh.tips[t],
                                                [&](const FaceStation& station) { return opening(zone, station); });
-        if (!zone.patch.behind.empty()) {
-            const FaceStation station = face_station_behind(mesh, mesh.tips[t], zone.patch.behind[t]);
+        if (!zone.patch.opening_at.empty()) {
+            const FaceStation station = face_station_behind(mesh, mesh.tips[t], zone.patch.opening_at[t]);
             if (!station.terms.empty()) reports[t].opening = opening(zone, station);
         }
         reports[t].plastic_zone = extents[t].zone;

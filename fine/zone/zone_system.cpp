@@ -175,7 +175,19 @@ coupling::PatchResponse ZoneSystem::measure() {
     for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
         response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
+    response.digest.slides = find_sliding();
     return response;
+}
+
+std::vector<std::vector<std::int8_t>> ZoneSystem::find_sliding() const {
+    constexpr double rounding = 1e-8;  // of a displacement
+    const double smallest = rounding * std::max(trial_.displacement.lpNorm<Eigen::Infinity>(),
+                                                memory_.committed.displacement.lpNorm<Eigen::Infinity>());
+    std::vector<std::vector<std::int8_t>> sliding(patch_.slip_at.size());
+    for (std::size_t t = 0; t < sliding.size(); ++t)
+        for (const double distance : patch_.slip_at[t])
+            sliding[t].push_back(contact_->slides_behind(patch_.mesh.tips[t], distance, jumps_, smallest) ? 1 : 0);
+    return sliding;
 }
 
 coupling::StepReport ZoneSystem::commit(bool reversal) {

@@ -86,6 +86,7 @@ private:
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
     void find_tip_stations();
+    [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
     void set_inside(const UnknownSet& inside);
     void open_new_faces(const EnrichedMesh& before);
     void report_on(coupling::StepReport& report) const;

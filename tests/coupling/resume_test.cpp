@@ -62,18 +62,19 @@ const StoppedRun within{"Within",
                          "load.blocks=[{cycles=4, max=50.0, ratio=-1.0}]", "growth.increment=0.2"},
                         20};
 
-/// An inclined crack whose faces slide against friction; stopped while they do.
+/// An inclined crack whose faces slide against friction; stopped while they do, and while K_slip is measured.
 const StoppedRun sliding{"Sliding",
                          {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=16", "solver.tolerance=1e-12",
-                          "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
-                          "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
+                          "closure.profile=[1.0]", "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]",
+                          "crack.0.contact.friction=0.3", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]"},
                          31};
 
 /// The same crack while it grows: what has slid is on functions that the next tip freezes.
 const StoppedRun sliding_growing{"SlidingGrowing",
                                  {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
-                                  "crack.0.points=[[0.0, 80.0], [20.0, 100.0]]", "crack.0.contact.friction=0.3",
-                                  "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3"},
+                                  "closure.profile=[1.0]", "crack.0.points=[[0.0, 80.0], [20.0, 100.0]]",
+                                  "crack.0.contact.friction=0.3", "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
+                                  "growth.increment=0.3"},
                                  27};
 
 /// Half way of an increment that was halved.
@@ -174,6 +175,9 @@ protected:
             EXPECT_EQ(b.machine.force, a.machine.force);
             EXPECT_EQ(bits_of(b.zone), bits_of(a.zone)) << "increment " << a.number;
             EXPECT_EQ(b.closed, a.closed);
+            for (std::size_t t = 0; t < a.cycles.size(); ++t)
+                EXPECT_EQ(fmt::to_string(fmt::join(b.cycles.at(t).K_slip, " ")),
+                          fmt::to_string(fmt::join(a.cycles[t].K_slip, " ")));
         }
     }
 
@@ -192,10 +196,22 @@ protected:
             EXPECT_NEAR(b.zone.contact_length[0], a.zone.contact_length[0], 1e-9 * 20.0);
             EXPECT_NEAR(b.zone.dissipation, a.zone.dissipation, 1e-9 * one.increments.back().zone.dissipation);
             EXPECT_EQ(b.zone.unknowns, a.zone.unknowns);
+            for (std::size_t t = 0; t < a.cycles.size(); ++t) expect_near(b.cycles[t], a.cycles[t]);
         }
         const auto name = [](int ranks) { return ranks > 0 ? fmt::format("{} fine", ranks) : "one matrix"; };
         std::cout << fmt::format("{}, begun by {}, ended by {}: displacements differ by {:.1e}\n", GetParam().name,
                                  name(before), name(after), largest);
+    }
+
+    /// K_slip as precisely as it is found.
+    static void expect_near(const coarse::CycleResult& one, const coarse::CycleResult& other) {
+        ASSERT_EQ(one.K_slip.size(), other.K_slip.size());
+        for (std::size_t k = 0; k < one.K_slip.size(); ++k) {
+            EXPECT_EQ(std::isnan(one.K_slip[k]), std::isnan(other.K_slip[k]));
+            if (!std::isnan(one.K_slip[k])) {
+                EXPECT_NEAR(one.K_slip[k], other.K_slip[k], 0.005 * one.K_max);
+            }
+        }
     }
 
 private:
@@ -220,6 +236,11 @@ TEST_P(Resume, StopsWhereItMatters) {
     if (name == "Extended") {
         EXPECT_GT(state.counts.zone_extensions, 0);
         EXPECT_NE(whole(1).increments.back().zone.points, whole(1).increments.at(14).zone.points);
+    }
+    if (name == "Sliding" || name == "SlidingGrowing") {
+        EXPECT_TRUE(std::ranges::any_of(whole(1).increments, [](const Followed& now) {
+            return now.step.ends_cycle && !now.cycles.empty() && !std::isnan(now.cycles[0].K_slip.at(1));
+        }));
     }
     if (name == "Growing") {
         EXPECT_FALSE(state.zone.frozen_tips.empty());

@@ -4,15 +4,18 @@
 #include <cmath>
 #include <memory>
 
-#include "tests/support/sent_analysis.hpp"
-
 #include "common/index.hpp"
+#include "common/io/number_table.hpp"
+#include "tests/end_to_end/figures.hpp"
+#include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
 namespace {
 
 constexpr double crack_length = 20.0, element = 0.1;  // mm, at the tip
 constexpr double rounding_floor = 1e-12;              // of a relative residual
+// At the largest load, with every element half as large (docs/verification.md, the zone radius and the mesh).
+constexpr double refined_J = 3.280235, refined_CMOD = 0.060711;  // N/mm, mm
 
 /// A fine component that remembers its zone and what became of it.
 class Witness final : public coupling::FineScale {
@@ -46,6 +49,45 @@ private:
     coupling::PatchResponse last_;
     fine::FineModel model_;
 };
+
+void expect_shipped_table(const RunHistory& run) {
+    const NumberTable table =
+        read_table(std::filesystem::path(source_folder) / "cases/sent-compression/reference/history.csv");
+    ASSERT_EQ(table.rows, run.increments.size());
+    const auto compare = [&](const std::string& column, const auto& value) {
+        const std::vector<double>& expected = table[column];
+        const double scale = std::abs(*std::ranges::max_element(expected, {}, [](double x) { return std::abs(x); }));
+        for (std::size_t k = 0; k < expected.size(); ++k)
+            EXPECT_NEAR(value(run.increments[k]), expected[k], 1e-6 * scale) << column << ", increment " << k + 1;
+    };
+    const auto tip = [](auto member) {
+        return [member](const coarse::Increment& increment) { return increment.tips[0].*member; };
+    };
+    compare("load_factor", [](const coarse::Increment& increment) { return increment.load_factor; });
+    compare("K_I", tip(&coarse::TipResult::K_I));
+    compare("J", tip(&coarse::TipResult::J));
+    compare("CMOD", tip(&coarse::TipResult::CMOD));
+    compare("CTOD", tip(&coarse::TipResult::CTOD));
+    compare("plastic_zone", tip(&coarse::TipResult::plastic_zone));
+    compare("contact_length", [](const coarse::Increment& increment) { return increment.zone.contact_length[0]; });
+    compare("dissipation", [](const coarse::Increment& increment) { return increment.zone.dissipation; });
+    compare("external_work", [](const coarse::Increment& increment) { return increment.work.external; });
+}
+
+/// To the digits that it gives.
+void expect_figures_of_readme(const RunHistory& run) {
+    const auto readme = [](const std::string& row) { return figures_of("sent-compression", row).at(0); };
+    const coarse::Increment &most = run.at_maximum(), &least = run.at_minimum();
+    EXPECT_EQ(most.number, 20);
+    EXPECT_EQ(least.number, 40);
+    EXPECT_NEAR(most.tips[0].J, readme("J | largest load, increment 20"), 0.00006);
+    EXPECT_NEAR(most.tips[0].CMOD, readme("CMOD | largest load"), 0.000006);
+    EXPECT_NEAR(most.tips[0].plastic_zone, readme("farthest point that flowed, from the tip | largest load"), 0.0006);
+    EXPECT_NEAR(least.zone.faces.front().pressure, readme("contact pressure nearest the mouth | smallest load"), 0.006);
+    const auto edge = std::ranges::find(least.zone.faces, 0.0, &coupling::FaceSample::pressure);
+    EXPECT_NEAR(std::prev(edge)->s, readme("contact edge | smallest load, increment 40"), 0.006);
+    EXPECT_NEAR(run.increments.back().tips[0].J, readme("J | largest load again, increment 60"), 0.00006);
+}
 
 class SentCompression : public testing::Test {
 protected:
@@ -95,9 +137,14 @@ TEST_F(SentCompression, EnergyReleaseAndMouthOpeningAtMaximumLoad) {
     const double E = 200e3 / (1.0 - 0.09);
     EXPECT_NEAR(run->nominal[0].K_I * 50.0, 842.0, 0.01 * 842.0);  // handbook
     EXPECT_GT(tip.J, tip.K_I * tip.K_I / E * 0.98);
-    EXPECT_NEAR(tip.J, 3.28, 0.02 * 3.28);
-    EXPECT_NEAR(tip.CMOD, 0.0607, 0.02 * 0.0607);
+    EXPECT_NEAR(tip.J, refined_J, 0.002 * refined_J);
+    EXPECT_NEAR(tip.CMOD, refined_CMOD, 0.002 * refined_CMOD);
     EXPECT_GT(tip.CTOD, 0.0);
+}
+
+TEST_F(SentCompression, LeavesTheTableAndTheFiguresThatAreShippedWithIt) {
+    expect_shipped_table(*run);
+    expect_figures_of_readme(*run);
 }
 
 // The faces meet as they parted: nothing slides, so friction changes nothing, and no front is general for it.
@@ -163,20 +210,75 @@ TEST_F(SentCompression, ClosedFacesDoNotOverlap) {  // on the average over each 
     }
 }
 
+// Quadratic: e' <= C e^2, or what rounding leaves.
 TEST_F(SentCompression, ConvergesQuadraticallyOnceBranchesHaveSettled) {
+    constexpr double C = 300.0;
+    int twice = 0;  // increments with two such ratios one after the other, both above rounding
+    for (const coarse::Increment& increment : run->increments) {
+        const std::vector<double> residual = settled_residuals(increment);
+        int in_turn = 0, most_in_turn = 0;
+        for (std::size_t k = 1; k < residual.size(); ++k) {
+            const double bound = C * residual[k - 1] * residual[k - 1];
+            EXPECT_LT(residual[k], std::max(bound, rounding_floor)) << increment.newton.table();
+            in_turn = bound < residual[k - 1] && bound > rounding_floor ? in_turn + 1 : 0;
+            most_in_turn = std::max(most_in_turn, in_turn);
+        }
+        if (most_in_turn >= 2) ++twice;
+    }
+    EXPECT_GE(twice, 20);
     const auto onset =
         std::ranges::find_if(run->increments, [](const auto& i) { return i.zone.contact_length[0] > 0.0; });
     const auto reversal = std::ranges::find_if(run->increments, [](const auto& i) { return i.step.cycle == 1; });
     const std::vector<const coarse::Increment*> chosen{&run->at_maximum(), &*onset, &*reversal};
-    for (const coarse::Increment* increment : chosen) {
-        const std::vector<double> residual = settled_residuals(*increment);
-        ASSERT_GE(residual.size(), 2U) << increment->newton.table();
-        for (std::size_t k = 1; k < residual.size(); ++k) {
-            // Quadratic: e' <= C e^2, or what rounding leaves.
-            EXPECT_LT(residual[k], std::max(100.0 * residual[k - 1] * residual[k - 1], rounding_floor))
-                << increment->newton.table();
+    for (const coarse::Increment* increment : chosen)
+        EXPECT_GE(settled_residuals(*increment).size(), 2U) << increment->newton.table();
+}
+
+/// What a run says of the plate.
+struct Said {
+    double J, CMOD, dissipation;
+};
+Said said_by(const RunHistory& run) {
+    const coarse::TipResult& tip = run.at_maximum().tips[0];
+    return {tip.J, tip.CMOD, run.increments.back().zone.dissipation};
+}
+
+// Radial return is of first order in the increment: each halving changes half as much as the one before it.
+TEST(RefinedSentCompression, HalvedIncrementsChangeLittleAndHalfAsMuchAgain) {
+    std::vector<Said> said;
+    for (const int steps : {20, 40, 80, 160})
+        said.push_back(said_by(run_direct(sent_case({mesh_at_tip(0.4), "load.steps=" + std::to_string(steps)}))));
+    const auto expect = [&](const char* name, double Said::*member, double largest) {
+        double before = 0.0;
+        for (std::size_t k = 1; k < said.size(); ++k) {
+            const double change = std::abs(said[k].*member / (said[k - 1].*member) - 1.0);
+            EXPECT_LT(change, k == 1 ? largest : 0.7 * before) << name;
+            before = change;
         }
+    };
+    expect("J", &Said::J, 1e-4);
+    expect("CMOD", &Said::CMOD, 1e-4);
+    expect("dissipation", &Said::dissipation, 4e-3);
+}
+
+TEST(RefinedSentCompression, HalvedElementsHalveTheError) {
+    const Said coarse = said_by(run_direct(sent_case({mesh_at_tip(0.4)}))),
+               fine = said_by(run_direct(sent_case({mesh_at_tip(0.2)})));
+    for (const auto& [member, refined] : {std::pair{&Said::J, refined_J}, {&Said::CMOD, refined_CMOD}}) {
+        const double first = coarse.*member / refined - 1.0, second = fine.*member / refined - 1.0;
+        EXPECT_LT(std::abs(first), 0.01);
+        EXPECT_LT(std::abs(second), 0.5 * std::abs(first));
     }
+}
+
+TEST(RefinedSentCompression, IsThatOfElementsHalfAsLargeLong) {
+    const Said refined = said_by(run_direct(sent_case(
+        {"mesh.size=2.5", "mesh.grading=[{at=[[20.0,100.0]],size=0.05,outer_size=0.1,radius=3.0,growth=0.125}]"})));
+    EXPECT_NEAR(refined.J, refined_J, 1e-5 * refined_J);
+    EXPECT_NEAR(refined.CMOD, refined_CMOD, 1e-5 * refined_CMOD);
+    const Said as_shipped = said_by(run_direct(sent_case({})));
+    EXPECT_NEAR(as_shipped.J, refined.J, 0.001 * refined.J);
+    EXPECT_NEAR(as_shipped.CMOD, refined.CMOD, 0.001 * refined.CMOD);
 }
 
 }  // namespace

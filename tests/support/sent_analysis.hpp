@@ -83,4 +83,20 @@ inline RunHistory run_direct(const Case& input) {
     return run_analysis(input, factory);
 }
 
+/// The cycles of a long run, which ends after so many of them; its increments are not kept.
+inline std::vector<coarse::CycleResult> run_cycles(const Case& input, std::size_t enough = 1000000) {
+    use_one_thread();
+    const coarse::Scene scene = coarse::refined_scene(input);
+    fine::FineModel fine(input);
+    coarse::CondensedFactory factory(&fine, input);
+    std::vector<coarse::CycleResult> cycles;
+    coarse::Listener listener;
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
+        cycles.insert(cycles.end(), increment.cycles.begin(), increment.cycles.end());
+    };
+    listener.reached = [&](const coarse::LoadStep&) { return cycles.size() < enough; };
+    coarse::FatigueAnalysis(scene, factory, listener).run();
+    return cycles;
+}
+
 }  // namespace stria::test

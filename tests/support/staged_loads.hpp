@@ -39,29 +39,60 @@ struct UniformStress {
 /// The loads must not reach into the zone.
 class StagedBody {
 public:
-    explicit StagedBody(Case input) : input_(std::move(input)), fine_(input_) {}
+    /// `slip_at`: as coupling::Patch::slip_at.
+    explicit StagedBody(Case input, std::vector<std::vector<double>> slip_at = {})
+        : input_(std::move(input)), slip_at_(std::move(slip_at)), fine_(input_) {}
 
     /// Brings the body to equilibrium under other loads, and commits it.
     Equilibrated load(std::vector<BoundarySection> sections) {
-        input_.boundaries = std::move(sections);
-        const coarse::Scene scene = coarse::refined_scene(input_);
-        const std::vector<double> no_K(scene.enriched.tips.size(), 0.0);
-        const coarse::Structure structure(scene, coarse::select_zone(scene, no_K));
-        if (displacement_.size() == 0) {
-            displacement_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-            fine_.set_patch(coarse::make_patch(scene, structure.in_zone(), structure.gamma(), displacement_));
-        }
-        coarse::CondensedEquilibrium equilibrium(structure, &fine_, scene.input, displacement_, 1.0);
+        Stage stage(*this, std::move(sections));
         Equilibrated result;
-        result.newton = coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, input_.solver);
-        result.displacement = displacement_ = equilibrium.structure_displacement();
-        result.zone = equilibrium.commit(false);
-        result.tips = coarse::fracture_parameters(structure, result.displacement, result.zone);
+        result.newton = stage.newton;
+        result.displacement = displacement_ = stage.equilibrium.structure_displacement();
+        result.zone = stage.equilibrium.commit(false);
+        result.tips = coarse::fracture_parameters(stage.structure, result.displacement, result.zone);
         return result;
     }
 
+    /// The same, and goes back to what is committed.
+    coarse::NewtonReport attempt(std::vector<BoundarySection> sections) {
+        Stage stage(*this, std::move(sections));
+        stage.equilibrium.rollback();
+        return stage.newton;
+    }
+
 private:
+    /// Loads, and the trial state that bears them.
+    struct Stage {
+        Stage(StagedBody& body, std::vector<BoundarySection> sections)
+            : scene(body.loaded(std::move(sections))), structure(scene, zone_of(scene)),
+              equilibrium(structure, body.zone(structure), scene.input, body.displacement_, 1.0),
+              newton(coarse::find_equilibrium(equilibrium, {Control::Load, 1.0}, {}, scene.input.solver)) {}
+        coarse::Scene scene;
+        coarse::Structure structure;
+        coarse::CondensedEquilibrium equilibrium;
+        coarse::NewtonReport newton;
+    };
+
+    static ElementSet zone_of(const coarse::Scene& scene) {
+        return coarse::select_zone(scene, std::vector<double>(scene.enriched.tips.size(), 0.0));
+    }
+    [[nodiscard]] coarse::Scene loaded(std::vector<BoundarySection> sections) {
+        input_.boundaries = std::move(sections);
+        return coarse::refined_scene(input_);
+    }
+    [[nodiscard]] fine::FineModel* zone(const coarse::Structure& structure) {
+        if (displacement_.size() > 0) return &fine_;
+        const coarse::Scene& scene = structure.scene();
+        displacement_ = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+        coupling::Patch patch = coarse::make_patch(scene, structure.in_zone(), structure.gamma(), displacement_);
+        patch.slip_at = slip_at_;
+        fine_.set_patch(patch);
+        return &fine_;
+    }
+
     Case input_;
+    std::vector<std::vector<double>> slip_at_;
     fine::FineModel fine_;
     Eigen::VectorXd displacement_;
 };

@@ -51,18 +51,25 @@ struct QuadraticPressure {
     }
 };
 
+struct Multipliers {
+    MultiplierKind kind = MultiplierKind::Stable;
+    double tolerance = 1e-10;  // of the residual
+};
+
 /// Unit square, crack from the left to the right edge: exact displacements at top and bottom, exact tractions at the
 /// sides.
-coarse::Scene cut_square(int elements, double left, double right, double friction, QuadraticPressure& field) {
+coarse::Scene cut_square(int elements, double left, double right, const Multipliers& multipliers, double friction,
+                         QuadraticPressure& field) {
     Case input;
     input.mesh = {.specimen = "plate", .width = 1.0, .height = 1.0, .size = 1.0 / elements, .grading = {}};
     input.material.young = field.elastic.young;
     input.material.poisson = field.elastic.poisson;
     input.cracks.resize(1);
     input.cracks[0].points = {{0.0, left}, {1.0, right}};
-    input.cracks[0].contact = ContactSection{friction};
+    input.cracks[0].contact = ContactSection{.friction = friction, .multipliers = multipliers.kind};
     input.fine.enrichment = Enrichment::None;
-    input.solver.tolerance = 1e-10;
+    input.solver.tolerance = multipliers.tolerance;
+    input.solver.max_iterations = 60;
     for (const char* edge : {"top", "bottom"}) {
         BoundarySection held;
         held.on = edge;
@@ -140,7 +147,8 @@ struct CutFaces {
     [[nodiscard]] int status() const { return slip != 0.0 ? 2 : 1; }
 };
 
-TractionErrors traction_errors(int elements, int cuts, const CutFaces& faces = {}) {
+TractionErrors traction_errors(int elements, int cuts, const CutFaces& faces = {},
+                               const Multipliers& multipliers = {}) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(0.35, 0.65), slope(-0.5, 0.5);
     TractionErrors error;
@@ -149,7 +157,8 @@ TractionErrors traction_errors(int elements, int cuts, const CutFaces& faces = {
         QuadraticPressure field;
         field.shear = faces.shear;
         field.slip = faces.slip;
-        const coarse::Scene scene = cut_square(elements, middle - rise, middle + rise, faces.friction, field);
+        const coarse::Scene scene =
+            cut_square(elements, middle - rise, middle + rise, multipliers, faces.friction, field);
         const test::Equilibrated result = test::equilibrate(scene, 1.0);
         EXPECT_TRUE(result.newton.converged) << result.newton.failure << "\n" << result.newton.table();
         const std::vector<FaceStation> stations = face_stations(scene.enriched, 0, scene.input.fine.subcells, 4);
@@ -182,12 +191,14 @@ TEST(ContactPressure, QuadraticFieldOver100CutsAt21) {
     const TractionErrors error = traction_errors(21, 100);
     EXPECT_LT(error.mean, 0.003);
     EXPECT_LT(error.worst, 0.005);
+    EXPECT_LT(error.penetration, 0.01);  // half that in units that shrink by half: of second order
 }
 
 TEST(ContactPressure, QuadraticFieldOver100CutsAt41) {
     const TractionErrors error = traction_errors(41, 100);
     EXPECT_LT(error.mean, 0.0015);
     EXPECT_LT(error.worst, 0.0025);
+    EXPECT_LT(error.penetration, 0.005);
 }
 
 /// CutFaces that slide have the shear of their pressure; those that stick have one of their own.
@@ -204,6 +215,16 @@ void expect_tractions(int elements, int cuts, double worst) {
 
 TEST(SlidingTractions, SmoothFieldOver30CutsAt21) { expect_tractions(21, 30, 0.005); }
 TEST(SlidingTractions, SmoothFieldOver1000CutsAt41Long) { expect_tractions(41, 1000, 0.0025); }
+
+// The paper's plain space, for comparison: worse than the stable one, and the worse the longer it is iterated.
+TEST(ContactPressure, OscillatesWithOneMultiplierAtEachGaussPoint) {
+    const TractionErrors stable = traction_errors(21, 10);
+    const TractionErrors loose = traction_errors(21, 10, {}, {MultiplierKind::Gauss, 1e-4}),
+                         tight = traction_errors(21, 10, {}, {MultiplierKind::Gauss, 1e-5});
+    EXPECT_GT(loose.mean, 5.0 * stable.mean);
+    EXPECT_GT(tight.mean, 2.0 * loose.mean);
+    EXPECT_GT(tight.worst, 0.1);
+}
 
 }  // namespace
 }  // namespace stria

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <iostream>
+#include <numeric>
 #include <vector>
 
 #include "coarse/zone/refined_scene.hpp"
@@ -16,43 +17,82 @@
 namespace stria::test {
 namespace {
 
-TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
+/// A plate whose crack grows by `growth` in every one of so many cycles, in elements of 0.1 mm, with contact.
+struct Life {
+    int cycles;
+    double growth;  // mm
+    int every;      // cycles
+};
+
+struct LivedCycles {
+    std::vector<int> iterations;  // by cycle, what only measures and is rolled back included
+    std::vector<double> seconds;  // since the start, at the end of each
+    std::vector<double> a;        // mm
+    int cuts = 0;
+
+    [[nodiscard]] int in_cycles(int from, int to) const {
+        return std::accumulate(iterations.begin() + from, iterations.begin() + to + 1, 0);
+    }
+    [[nodiscard]] std::string text(int from, int to) const {
+        return fmt::format("cycles {} to {}: {} iterations, {:.2f} s", from, to, in_cycles(from, to),
+                           seconds[at(to)] - seconds[at(from - 1)]);
+    }
+};
+
+LivedCycles live(const Life& life) {
     const Case input =
         read_case(std::string(test::source_folder) + "/cases/sent-closure/case.toml",
                   {"load.steps=12", "crack.0.points=[[0.0, 100.03], [20.0, 100.03]]",
-                   "load.blocks=[{cycles=1000, max=501.0, ratio=0.0}]", "fine.refine=16", "growth.increment=0.1",
-                   "growth.every=10", "closure.profile=[]", "closure.distance=0.1"});
+                   fmt::format("load.blocks=[{{cycles={}, max=501.0, ratio=0.0}}]", life.cycles), "fine.refine=16",
+                   fmt::format("growth.increment={}", life.growth), fmt::format("growth.every={}", life.every),
+                   "closure.profile=[]", "closure.distance=0.1"});
     use_one_thread();
     const coarse::Scene scene = coarse::refined_scene(input);
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine, input);
-    std::vector<int> iterations(1001, 0);  // by cycle, what only measures and is rolled back included
-    std::vector<double> seconds(1001, 0.0), a(1001, 0.0);
+    LivedCycles effort{std::vector<int>(at(life.cycles) + 1), std::vector<double>(at(life.cycles) + 1),
+                       std::vector<double>(at(life.cycles) + 1)};
     coarse::Listener listener;
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
-        iterations[at(step.cycle)] += report.count();
+        effort.iterations[at(step.cycle)] += report.count();
     };
     const auto start = std::chrono::steady_clock::now();
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
         const auto cycle = at(increment.step.cycle);
-        seconds[cycle] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        a[cycle] = increment.tips[0].a;
+        effort.seconds[cycle] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        effort.a[cycle] = increment.tips[0].a;
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
-    const auto in_cycles = [&](int from, int to) {
-        int sum = 0;
-        for (int cycle = from; cycle <= to; ++cycle) sum += iterations[at(cycle)];
-        return sum;
-    };
-    std::cout << fmt::format(
-        "cycles 21 to 30: {} iterations, {:.2f} s; 991 to 1000: {} iterations, {:.2f} s; a = {:.2f} mm, "
-        "{} halved increments\n",
-        in_cycles(21, 30), seconds[30] - seconds[20], in_cycles(991, 1000), seconds[1000] - seconds[990], a[1000],
-        analysis.cuts());
-    EXPECT_GT(a[1000], 29.85);
-    EXPECT_EQ(analysis.cuts(), 0);
-    EXPECT_LE(in_cycles(991, 1000), 1.2 * in_cycles(21, 30));
+    effort.cuts = analysis.cuts();
+    return effort;
+}
+
+TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
+    const LivedCycles effort = live({.cycles = 1000, .growth = 0.1, .every = 10});
+    std::cout << fmt::format("{}; {}; a = {:.2f} mm, {} halved increments\n", effort.text(21, 30),
+                             effort.text(991, 1000), effort.a[1000], effort.cuts);
+    EXPECT_GT(effort.a[1000], 29.85);
+    EXPECT_EQ(effort.cuts, 0);
+    EXPECT_LE(effort.in_cycles(991, 1000), 1.2 * effort.in_cycles(21, 30));
+}
+
+// Every cycle leaves functions of an old tip behind, five in an element.
+TEST(LongLife, SoDoFiveHundredThatGrowInEachLong) {
+    const LivedCycles effort = live({.cycles = 500, .growth = 0.02, .every = 1});
+    std::cout << fmt::format("{}; {}; a = {:.2f} mm, {} halved increments\n", effort.text(21, 30),
+                             effort.text(491, 500), effort.a[500], effort.cuts);
+    EXPECT_GT(effort.a[500], 29.97);
+    EXPECT_LE(effort.in_cycles(491, 500), 1.2 * effort.in_cycles(21, 30));
+}
+
+TEST(LongLife, FourteenCyclesThatGrowInEachCostWhatTheFirstOnesDo) {
+    const LivedCycles effort = live({.cycles = 14, .growth = 0.1, .every = 1});
+    std::cout << fmt::format("{}; {}; a = {:.2f} mm, {} halved increments\n", effort.text(4, 8), effort.text(10, 14),
+                             effort.a[14], effort.cuts);
+    EXPECT_NEAR(effort.a[14], 21.4, 1e-9);
+    EXPECT_LE(effort.cuts, 1);
+    EXPECT_LE(effort.in_cycles(10, 14), 1.2 * effort.in_cycles(4, 8));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "coarse/cycle/closure_meter.hpp"
 #include "tests/support/specimens.hpp"
 #include "tests/support/staged_loads.hpp"
 
@@ -168,6 +169,39 @@ TEST(SlidingLoads, AZoneOfSlipTravels) {
         EXPECT_LT(error, 0.01);
         EXPECT_NEAR(sign * now.tips[0].K_II, K_II, 0.01 * K);
     }
+}
+
+// The load at which slip comes to a tip: where the shear that grows from nothing is mu p; after a reversal, where it
+// has changed by 2 mu p.
+TEST(SlidingLoads, SlipBeginsWhereTheShearHasReachedItsBound) {
+    constexpr double pressure = 100.0, friction = 0.3, amplitude = 50.0, bound = friction * pressure;
+    Case input = closed_crack(friction, 0.2);
+    input.closure.distance = 0.25;
+    input.closure.profile = {0.5};
+    const coarse::ClosureMeter meter(input.closure, input.material, input.cracks, {1.0, 1.0});
+    StagedBody body(input, meter.slip_at());
+    const auto sheared = [&](double shear) { return UniformStress{.along = -pressure, .shear = shear}.sections(); };
+    body.load(sheared(0.0));
+    const auto first_slip = [&](double from, double to) {
+        const auto solve = [&](double shear) {
+            return coarse::ClosureMeter::Trial{body.attempt(sheared(shear)), shear};
+        };
+        const std::vector<char> locked = meter.closed(body.attempt(sheared(from)), {}, false);
+        const std::vector<char> slid = meter.closed(body.attempt(sheared(to)), locked, true);
+        return meter.locate(locked, slid, from, to, 0.1, solve);
+    };
+    const auto expect_all_at = [&](const std::vector<coarse::OpeningChange>& changes, double shear, double change) {
+        EXPECT_EQ(changes.size(), 4U);  // two tips, two distances
+        for (const coarse::OpeningChange& slip : changes) {
+            EXPECT_GE(slip.signal, 2);
+            EXPECT_TRUE(slip.closes);
+            EXPECT_NEAR(slip.load_factor, shear, 0.01 * change);
+        }
+    };
+    expect_all_at(first_slip(0.0, amplitude), bound, bound);
+    body.load(sheared(amplitude));
+    body.load(sheared(-amplitude));
+    expect_all_at(first_slip(-amplitude, amplitude), -amplitude + 2.0 * bound, 2.0 * bound);
 }
 
 }  // namespace

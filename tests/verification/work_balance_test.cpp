@@ -6,7 +6,6 @@
 #include <iostream>
 
 #include "tests/support/sent_analysis.hpp"
-#include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
@@ -46,7 +45,9 @@ Case cycled(double element, int cycles, int steps, double growth = 0.05) {
 TEST(WorkBalance, ClosesOverTenGrownCycles) {
     const Balance balance = balance_of(cycled(0.2, 10, 20));
     EXPECT_LT(balance.relative_error(), 1e-3);
-    EXPECT_GT(balance.end.released, 0.0);
+    // What is released is a three-hundredth of the work, so the error is a good part of it: the increments' trapezoids,
+    // and the straight path by which each release is counted (EnergyRelease.*).
+    EXPECT_LT(balance.largest_error, 0.3 * balance.end.released);
 }
 
 TEST(WorkBalance, ClosesTheBetterTheSmallerTheIncrements) {
@@ -63,35 +64,6 @@ TEST(WorkBalance, CountsHardeningInPlaneStressAndBothKinds) {
     input.model.plane = PlaneState::Stress;
     input.material.isotropic.modulus = 2000.0;
     EXPECT_LT(balance_of(input).relative_error(), 1e-3);
-}
-
-/// A linear body with a zone, its crack growing thrice by 0.031 of its width, five of its smallest elements.
-Case linear(End end) {
-    Case input = edge_crack(0.3, 3.0, end);
-    input.mesh.size = 1.0 / 21.0;
-    input.fine.refine = 8;
-    input.load = {.steps = 2, .blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}};
-    input.growth.emplace().increment = 0.031;
-    return input;
-}
-
-// K^2 / E' for each unit of length, less what the frozen functions of the old tip keep from opening: 8 % where a step
-// spans one element or two.
-TEST(WorkBalance, ReleasesInALinearBodyWhatItsStressIntensitySays) {
-    for (const End end : {End::Pulled, End::Guided, End::Clamped}) {
-        const RunHistory run = run_direct(linear(end));
-        double irwin = 0.0;
-        for (std::size_t i = 1; i < run.increments.size(); ++i) {
-            const coarse::TipResult &from = run.increments[i - 1].tips[0], &to = run.increments[i].tips[0];
-            irwin += 0.5 * (from.K_I * from.K_I + to.K_I * to.K_I) / plane_modulus * (to.a - from.a);
-        }
-        const coarse::WorkBalance& end_of_run = run.increments.back().work;
-        std::cout << fmt::format("released {:.6g} N, by K {:.6g} N; error {:+.2e} of {:.4g} N\n", end_of_run.released,
-                                 irwin, end_of_run.error(), end_of_run.external);
-        EXPECT_LT(end_of_run.released, irwin);
-        EXPECT_GT(end_of_run.released, 0.95 * irwin);
-        EXPECT_NEAR(end_of_run.error(), 0.0, 0.01 * end_of_run.released);
-    }
 }
 
 }  // namespace

@@ -40,8 +40,9 @@ Patch small_patch() {
             .unit_load = Eigen::VectorXd::LinSpaced(12, 0.0, 3.0),
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
             .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}},
-            .behind = {0.25},
-            .ahead = {0.125}};
+            .opening_at = {0.25},
+            .ahead = {0.125},
+            .slip_at = {{0.25, 0.5}, {}}};
 }
 
 PatchResponse small_response() {
@@ -57,7 +58,8 @@ PatchResponse small_response() {
                        .multiplier = {0.0, -3.5},
                        .status_changes = 1,
                        .contact_reach = {-1.0, 0.25},
-                       .force_ahead = {-7.5, 2.0}};
+                       .force_ahead = {-7.5, 2.0},
+                       .slides = {{1, 0}, {}}};
     return response;
 }
 
@@ -114,8 +116,9 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.unit_load, small_patch().unit_load);
     EXPECT_EQ(copy.rings.at(0).number, 1);
     EXPECT_EQ(copy.rings.at(0).outer_radius, 2.5);
-    EXPECT_EQ(copy.behind, small_patch().behind);
+    EXPECT_EQ(copy.slip_at, small_patch().slip_at);
     EXPECT_EQ(copy.ahead, small_patch().ahead);
+    EXPECT_EQ(copy.opening_at, small_patch().opening_at);
 }
 
 TEST(Wire, Restore) {
@@ -171,6 +174,7 @@ TEST(Wire, Response) {
     EXPECT_EQ(copy.digest.yielding_points, small_response().digest.yielding_points);
     EXPECT_EQ(copy.digest.multiplier, small_response().digest.multiplier);
     EXPECT_EQ(copy.digest.status_changes, 1);
+    EXPECT_EQ(copy.digest.slides, small_response().digest.slides);
 }
 
 TEST(Wire, Report) {

@@ -16,6 +16,22 @@ Case loaded() {
     return input;
 }
 
+Case rough() {
+    Case input = loaded();
+    input.closure.distance = 0.1;
+    input.closure.profile = {0.4};
+    input.cracks.resize(1);
+    input.cracks[0].contact = ContactSection{0.3};
+    return input;
+}
+
+NewtonReport with_slip(std::vector<std::int8_t> slides) {
+    NewtonReport report{.converged = true, .iterations = {{}}, .failure = {}};
+    report.iterations.back().residual.contact_reach = {1.0};
+    report.iterations.back().residual.slides = {std::move(slides)};
+    return report;
+}
+
 NewtonReport with_reach(double reach, double ahead = 1.0) {
     NewtonReport report{.converged = true, .iterations = {{}}, .failure = {}};
     report.iterations.back().residual.contact_reach = {reach};
@@ -27,28 +43,28 @@ TEST(ClosureMeter, CountsOnlyContactBeyondItsDistances) {
     Case input = loaded();
     input.closure.distance = 0.2;
     input.closure.profile = {0.05, 0.4};
-    const ClosureMeter meter(input.closure, input.material, {500.0});
-    EXPECT_EQ(meter.signals(), 3);
-    EXPECT_EQ(meter.closed(with_reach(0.3)), (std::vector<char>{1, 1, 0}));
-    EXPECT_EQ(meter.closed(with_reach(0.1)), (std::vector<char>{0, 1, 0}));
-    EXPECT_EQ(meter.closed(with_reach(-1.0)), (std::vector<char>{0, 0, 0}));
-    EXPECT_NEAR(ClosureMeter({}, loaded().material, {500.0}).distances(0)[0], 0.1 * 3.14159265 / 16.0 * 25.0 / 9.0,
-                1e-6);
+    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    EXPECT_EQ(meter.signals().all(), 3U);
+    EXPECT_EQ(meter.closed(with_reach(0.3), {}, true), (std::vector<char>{1, 1, 0}));
+    EXPECT_EQ(meter.closed(with_reach(0.1), {}, true), (std::vector<char>{0, 1, 0}));
+    EXPECT_EQ(meter.closed(with_reach(-1.0), {}, true), (std::vector<char>{0, 0, 0}));
+    EXPECT_NEAR(ClosureMeter(loaded().closure, loaded().material, loaded().cracks, {500.0}).distances(0)[0],
+                0.1 * 3.14159265 / 16.0 * 25.0 / 9.0, 1e-6);
 }
 
 TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
     Case input = loaded();
     input.closure.definition = OpeningDefinition::Tension;
-    const ClosureMeter meter(input.closure, input.material, {500.0});
-    EXPECT_EQ(meter.signals(), 2);
-    EXPECT_EQ(meter.closed(with_reach(-1.0, -2.0)), (std::vector<char>{0, 1}));
-    EXPECT_EQ(meter.closed(with_reach(-1.0, 2.0)), (std::vector<char>{0, 0}));
+    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    EXPECT_EQ(meter.signals().all(), 2U);
+    EXPECT_EQ(meter.closed(with_reach(-1.0, -2.0), {}, true), (std::vector<char>{0, 1}));
+    EXPECT_EQ(meter.closed(with_reach(-1.0, 2.0), {}, true), (std::vector<char>{0, 0}));
 }
 
 TEST(ClosureMeter, FindsTheLoadAsPreciselyAsAsked) {
     Case input = loaded();
     input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, input.material, {500.0});
+    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
     int trials = 0;
     const auto solve = [&](double target) {
         ++trials;
@@ -71,7 +87,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     Case input = loaded();
     input.closure.distance = 0.1;
     input.closure.profile = {0.2, 0.4};
-    const ClosureMeter meter(input.closure, input.material, {500.0});
+    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
     int trials = 0;
     const auto solve = [&](double target) {
         ++trials;
@@ -89,7 +105,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
 TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
     Case input = loaded();
     input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, input.material, {500.0});
+    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
     const auto fails_about_35 = [](double target) {
         if (std::abs(target - 35.0) < 0.5) return ClosureMeter::Trial{};
         return ClosureMeter::Trial{with_reach(target < 37.3 ? 1.0 : -1.0), target};
@@ -99,9 +115,55 @@ TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
     EXPECT_NEAR(changes[0].load_factor, 37.3, 0.2);
 }
 
+TEST(ClosureMeter, AsksForSlipWhereThereIsFrictionAndAProfile) {
+    const ClosureMeter meter(rough().closure, rough().material, rough().cracks, {500.0});
+    EXPECT_EQ(meter.signals().all(), 4U);
+    EXPECT_EQ(meter.slip_at(), (std::vector<std::vector<double>>{{0.1, 0.4}}));
+    Case smooth = rough(), no_table = rough();
+    smooth.cracks[0].contact->friction = 0.0;
+    no_table.closure.profile.clear();
+    for (const Case& input : {smooth, no_table}) {
+        EXPECT_EQ(ClosureMeter(input.closure, input.material, input.cracks, {500.0}).signals().slip, 0U);
+        EXPECT_TRUE(ClosureMeter(input.closure, input.material, input.cracks, {500.0}).slip_at().empty());
+    }
+}
+
+TEST(ClosureMeter, WhatHasSlidCountsUntilTheLoadFalls) {
+    const ClosureMeter meter(rough().closure, rough().material, rough().cracks, {500.0});
+    std::vector<char> now = meter.closed(with_slip({0, 1}), {}, true);
+    EXPECT_EQ(now, (std::vector<char>{1, 1, 0, 1}));
+    now = meter.closed(with_slip({0, 0}), now, true);
+    EXPECT_EQ(now, (std::vector<char>{1, 1, 0, 1}));
+    EXPECT_EQ(meter.closed(with_slip({1, 1}), now, false), (std::vector<char>{1, 1, 0, 0}));
+    meter.forget_slip(now);
+    EXPECT_EQ(now, (std::vector<char>{1, 1, 0, 0}));
+}
+
+// Slip that runs from the mouth towards the tip and halts on its way: found once per distance, in rising loads alone.
+TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
+    const ClosureMeter meter(rough().closure, rough().material, rough().cracks, {500.0});
+    const auto solve = [](double target) {
+        const auto slides = [&](double from, double to) {
+            return static_cast<std::int8_t>(target > from && target < to);
+        };
+        return ClosureMeter::Trial{with_slip({slides(37.3, 50.0), slides(32.0, 36.0)}), target};
+    };
+    const auto changes = meter.locate({1, 1, 0, 0}, {1, 1, 1, 1}, 30.0, 40.0, 0.1, solve);
+    ASSERT_EQ(changes.size(), 2U);
+    EXPECT_EQ(changes[0].signal, 3);
+    EXPECT_NEAR(changes[0].load_factor, 32.0, 0.1);
+    EXPECT_EQ(changes[1].signal, 2);
+    EXPECT_NEAR(changes[1].load_factor, 37.3, 0.1);
+    EXPECT_TRUE(changes[0].closes && changes[1].closes);
+    EXPECT_STREQ(meter.what_a_tip_does(changes[0]), "slides");
+    EXPECT_STREQ(meter.what_a_tip_does({.tip = 0, .signal = 1, .closes = false, .load_factor = 0.0}), "opens");
+    const std::vector<char> locked{1, 1, 0, 0};
+    EXPECT_TRUE(meter.locate(locked, meter.closed(with_slip({1, 1}), locked, false), 40.0, 30.0, 0.1, solve).empty());
+}
+
 // A load that is as far off as the increment is long is none.
 TEST(ClosureMeter, GivesNoLoadWhereNoTrialSucceeds) {
-    const ClosureMeter meter({}, loaded().material, {500.0});
+    const ClosureMeter meter(loaded().closure, loaded().material, loaded().cracks, {500.0});
     const auto fails = [](double) { return ClosureMeter::Trial{}; };
     const auto changes = meter.locate({1}, {0}, 30.0, 40.0, 0.1, fails);
     ASSERT_EQ(changes.size(), 1U);

@@ -13,7 +13,7 @@ protected:
     CycleMeterTest() {
         Case input;
         input.material.yield_stress = 300.0;
-        closure = ClosureMeter(input.closure, input.material, {500.0});
+        closure = ClosureMeter(input.closure, input.material, input.cracks, {500.0});
         meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
     }
 
@@ -23,7 +23,7 @@ protected:
         increment.step.cycle = cycle;
         increment.step.target.value = increment.load_factor = load;
         increment.nominal_K = {10.0 * a};
-        increment.closed = {static_cast<char>(is_closed)};
+        increment.closed.assign(closure.signals().all(), static_cast<char>(is_closed));
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
                                   .J = load,
@@ -91,6 +91,26 @@ TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
     EXPECT_TRUE(std::isnan(cycle.opening.K_op));
     EXPECT_TRUE(cycle.opening.lost);
     EXPECT_EQ(cycle.opening.K_cl, 60.0);
+}
+
+TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachCycle) {
+    Case input;
+    input.closure.profile = {0.5};
+    input.cracks.resize(1);
+    input.cracks[0].contact = ContactSection{0.3};
+    closure = ClosureMeter(input.closure, input.material, input.cracks, {500.0});
+    meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+    const auto slides = [](int distance, double load) { return OpeningChange{0, 2 + distance, true, load}; };
+    for (const int cycle : {1, 2}) {
+        go(cycle, 0.0, 1.0, true);
+        go(cycle, 10.0, 1.0, true, {slides(0, 6.0), slides(0, 7.0)});
+        go(cycle, 20.0, 1.0, true, cycle == 1 ? std::vector{slides(1, 12.0)} : std::vector<OpeningChange>());
+        const CycleResult result = meter.finish().at(0);
+        ASSERT_EQ(result.K_slip.size(), 2U);
+        EXPECT_EQ(result.K_slip[0], 60.0);
+        EXPECT_TRUE(cycle == 1 ? result.K_slip[1] == 120.0 : std::isnan(result.K_slip[1]));
+        EXPECT_EQ(result.contact.size(), 2U);
+    }
 }
 
 TEST_F(CycleMeterTest, SaysNothingOfACrackThatStaysClosed) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "coarse/results/rows.hpp"
 #include "coarse/results/summary.hpp"
 
@@ -24,7 +26,7 @@ TEST(Tables, HaveTheColumnsUsersKnow) {
               "cycle,tip,a,da,dN,K_max,K_min,K_op,K_cl,U,dK_eff,J_max,CTOD_range,forward_zone,cyclic_zone,"
               "newton_iterations,fine_points,fine_unknowns,wall_s,forward_zone_axis,cyclic_zone_axis,K_op_contact,"
               "K_op_offset,K_op_tension,opening_range");
-    EXPECT_EQ(joined(closure_columns()), "cycle,tip,distance,K_op,K_cl");
+    EXPECT_EQ(joined(closure_columns()), "cycle,tip,distance,K_op,K_cl,K_slip");
     EXPECT_EQ(joined(face_columns()), "increment,crack,s,x,y,opening,slip,pressure,shear,status");
 }
 
@@ -43,6 +45,18 @@ TEST(Tables, PutValuesUnderTheirColumns) {
     EXPECT_EQ(std::get<std::int64_t>(cells[0]), 40);
     EXPECT_EQ(std::get<double>(cells[7]), 8.0);
     EXPECT_EQ(std::get<std::int64_t>(cells[9]), 2);
+}
+
+TEST(Tables, LeaveSlipEmptyWhereNobodyMeasuresIt) {
+    Case input;
+    input.closure.profile = {0.5};
+    const ClosureMeter closure(input.closure, input.material, input.cracks, {500.0});
+    Increment increment;
+    increment.cycles.resize(1);
+    increment.cycles[0].contact = {{.K_op = 80.0}, {.K_op = 90.0}};
+    EXPECT_TRUE(std::isnan(closure_rows(increment, 0, closure).at(1).K_slip));
+    increment.cycles[0].K_slip = {60.0, 70.0};
+    EXPECT_EQ(closure_rows(increment, 0, closure).at(1).K_slip, 70.0);
 }
 
 TEST(SummaryJson, HoldsItsKeys) {

@@ -70,6 +70,28 @@ TEST(ContactInterface, ConstantTractionsDoTheWorkOfTheJumps) {
     }
 }
 
+// The paper's plain space: the jump of each Gauss point is its own condition, and closed ones give way to a step or the
+// matrix would be singular.
+TEST(ContactInterface, OneMultiplierAtEachGaussPointSeesTheJumpThere) {
+    Cut cut(1.3, 4.2, 0.0, 0.5);
+    cut.input.cracks[0].contact->multipliers = MultiplierKind::Gauss;
+    ContactInterface contact = cut.contact();
+    const auto& stations = contact.operators().stations();
+    ASSERT_EQ(contact.multipliers(), std::ssize(stations));
+    const auto above = [](const Vec2& x) { return Vec2(0.1 + 0.2 * x.x(), 0.3 - 0.05 * x.x() + 0.1 * x.y()); };
+    const Jumps jumps = contact.jumps(cut.opened(above));
+    contact.choose_statuses(Eigen::VectorXd::Ones(contact.tractions()),
+                            contact.jumps(cut.opened([](const Vec2&) { return Vec2::Zero().eval(); })));
+    for (const FaceStation& station : stations) {
+        const int k = contact.operators().functions_at(station)[0].multiplier;
+        EXPECT_NEAR(jumps.gap[k], above(station.x).dot(station.normal), 1e-12);
+        EXPECT_NEAR(jumps.slip[k], above(station.x).dot(station.tangent), 1e-12);
+        EXPECT_NEAR(contact.operators().weight(k), station.weight, 1e-14);
+        const Eigen::VectorXd own = contact.matrix_of(k).diagonal().tail(2);
+        EXPECT_LT(own.maxCoeff(), 0.0);
+    }
+}
+
 TEST(ContactInterface, AUniformSlipIsSeenByEveryMultiplierAndHeldOnceSettled) {
     const Cut cut(1.3, 4.2, 0.0, 0.5);
     ContactInterface contact = cut.contact();
@@ -239,6 +261,30 @@ TEST(ContactInterface, CleanTractionsAreOnTheirBranches) {
             break;
         }
     }
+}
+
+// Pressed behind s = 2 mm, the farther half sliding back: whoever is nearest to the tip at s = 8 mm, and closed, says
+// whether it slides.
+TEST(ContactInterface, SlipBehindATipIsThatOfTheNearestContact) {
+    const Cut cut(2.4, 2.4, 0.0, 0.4);
+    ContactInterface contact = cut.contact();
+    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    Jumps jumps = contact.jumps(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    const auto& keys = contact.operators().keys();
+    Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions());
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        traction[k] = keys[at(k)].s < 6.0 ? 10.0 : -1.0;
+        traction[contact.shear_of(k)] = keys[at(k)].s < 4.0 ? -4.1 : 3.8;
+        jumps.slip[k] = keys[at(k)].s < 4.0 ? -1e-3 : 1e-3;
+    }
+    contact.choose_statuses(traction, jumps);
+    const Tip tip{.crack = 0, .position = cut.to, .direction = {1.0, 0.0}, .s = 8.0, .upper = -1};
+    for (const auto& [distance, slides] : {std::pair{0.1, false}, {3.0, false}, {4.1, true}, {9.0, false}})
+        EXPECT_EQ(contact.slides_behind(tip, distance, jumps, 1e-6), slides) << distance;
+    EXPECT_FALSE(contact.slides_behind(tip, 4.1, jumps, 1e-2));
+    Tip other = tip;
+    other.crack = 1;
+    EXPECT_FALSE(contact.slides_behind(other, 4.1, jumps, 1e-6));
 }
 
 // A block that slides under a pressure that grows from 2 to 6 MPa: the mean bound times the slip.

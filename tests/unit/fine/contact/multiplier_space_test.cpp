@@ -94,6 +94,18 @@ TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
     }
 }
 
+TEST(MultiplierSpace, OneAtEachPointActsHalfWayToTheNext) {
+    const MultiplierSpace space(std::vector{1.0, 2.0, 4.0});
+    EXPECT_EQ(space.size(), 3);
+    EXPECT_FALSE(space.is_stable());
+    EXPECT_TRUE(space_of({{0.0, 2.4}, {11.9, 2.4}}).is_stable());
+    for (const auto& [s, nearest] : {std::pair{0.0, 0}, {1.4, 0}, {1.6, 1}, {2.9, 1}, {3.1, 2}, {9.0, 2}}) {
+        EXPECT_EQ(space.acting_at(s)[0].multiplier, nearest);
+        EXPECT_EQ(space.acting_at(s)[0].value, 1.0);
+        EXPECT_EQ(space.acting_at(s)[1].multiplier, -1);
+    }
+}
+
 TEST(MultiplierSpace, AKinkBreaksThePressure) {
     const double corner = 6.0;
     const MultiplierSpace kinked = space_of({{0.0, 1.4}, {corner, 1.4}, {10.0, 5.4}});

@@ -1,0 +1,140 @@
+#include "fine/material/hardening_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "common/index.hpp"
+
+namespace stria::fine {
+namespace {
+
+double value_of(const LinearCurve& c, double p) { return c.modulus * p; }
+double slope_of(const LinearCurve& c, double) { return c.modulus; }
+double stored_of(const LinearCurve& c, double p) { return 0.5 * c.modulus * p * p; }
+
+double value_of(const VoceCurve& c, double p) { return -c.Q * std::expm1(-c.b * p); }
+double slope_of(const VoceCurve& c, double p) { return c.Q * c.b * std::exp(-c.b * p); }
+double stored_of(const VoceCurve& c, double p) { return c.Q * (p + std::expm1(-c.b * p) / c.b); }
+
+double stress_of(const PowerCurve& c, double p) { return c.reference * std::pow((p + c.offset) / c.scale, 1.0 / c.n); }
+double value_of(const PowerCurve& c, double p) { return stress_of(c, p) - c.yield_stress; }
+double slope_of(const PowerCurve& c, double p) { return stress_of(c, p) / (c.n * (p + c.offset)); }
+double stored_of(const PowerCurve& c, double p) {
+    const auto area = [&](double at) { return stress_of(c, at) * (at + c.offset) * c.n / (c.n + 1.0); };
+    return area(p) - area(0.0) - c.yield_stress * p;
+}
+
+/// The segment that holds p: its first point. The last point: none.
+std::size_t segment(const TableCurve& c, double p) { return at(std::ranges::upper_bound(c.p, p) - c.p.begin()) - 1; }
+double slope_of(const TableCurve& c, double p) {
+    const std::size_t k = segment(c, p);
+    return k + 1 < c.p.size() ? (c.R[k + 1] - c.R[k]) / (c.p[k + 1] - c.p[k]) : 0.0;
+}
+double value_of(const TableCurve& c, double p) {
+    const std::size_t k = segment(c, p);
+    return c.R[k] + slope_of(c, p) * (p - c.p[k]);
+}
+double stored_of(const TableCurve& c, double p) {
+    double area = 0.0;
+    for (std::size_t k = 0; k <= segment(c, p); ++k) {
+        const double end = k < segment(c, p) ? c.p[k + 1] : p;
+        area += 0.5 * (c.R[k] + value_of(c, end)) * (end - c.p[k]);
+    }
+    return area;
+}
+
+[[noreturn]] void refuse(const char* key, const std::string& demand) {
+    throw CaseError(fmt::format("material.isotropic.{} {}", key, demand));
+}
+
+void demand_positive(const char* key, double value) {
+    if (!(value > 0.0)) refuse(key, fmt::format("= {}: must be > 0", value));
+}
+
+VoceCurve voce(const IsotropicHardening& given) {
+    demand_positive("Q", given.Q);
+    demand_positive("b", given.b);
+    return {given.Q, given.b};
+}
+
+PowerCurve power(const MaterialSection& material) {
+    const IsotropicHardening& given = material.isotropic;
+    const double yield_stress = material.yield_stress.value(), reference = given.reference.value_or(yield_stress);
+    if (!(given.n > 1.0)) refuse("n", fmt::format("= {}: must be > 1", given.n));
+    demand_positive("alpha", given.alpha);
+    demand_positive("reference", reference);
+    const double scale = given.alpha * reference / material.young;
+    return {reference, yield_stress, given.n, scale, scale * std::pow(yield_stress / reference, given.n)};
+}
+
+TableCurve table(const MaterialSection& material) {
+    const IsotropicHardening& given = material.isotropic;
+    const auto ascends = [](const std::vector<double>& list, auto compare) {
+        return std::ranges::adjacent_find(list, compare) == list.end();
+    };
+    if (given.plastic_strain.size() != given.stress.size() || given.stress.size() < 2)
+        refuse("plastic_strain", "and stress must be as long, with at least two numbers");
+    if (given.plastic_strain.front() != 0.0 || !ascends(given.plastic_strain, std::greater_equal()))
+        refuse("plastic_strain", "must start with 0 and ascend");
+    if (given.stress.front() != *material.yield_stress) refuse("stress", "must start with material.yield_stress");
+    if (!ascends(given.stress, std::greater())) refuse("stress", "must not fall: the metal would soften");
+    TableCurve curve{given.plastic_strain, given.stress};
+    for (double& stress : curve.R) stress -= *material.yield_stress;
+    return curve;
+}
+
+}  // namespace
+
+HardeningCurve::HardeningCurve(const MaterialSection& material) {
+    const std::string& law = material.isotropic.law;
+    if (law == "linear") {
+        if (!(material.isotropic.modulus >= 0.0))
+            refuse("modulus", fmt::format("= {}: must be >= 0", material.isotropic.modulus));
+        curve_ = LinearCurve{material.isotropic.modulus};
+    } else if (law == "voce") {
+        curve_ = voce(material.isotropic);
+    } else if (law == "power") {
+        curve_ = power(material);
+    } else if (law == "table") {
+        curve_ = table(material);
+    } else {
+        refuse("law", fmt::format("= \"{}\": must be linear, voce, power or table", law));
+    }
+}
+
+template <class P> P HardeningCurve::curved(const P& p) const {
+    return std::visit(
+        [&](const auto& curve) -> P {
+            if constexpr (std::is_same_v<P, double>)
+                return value_of(curve, p);
+            else
+                return p.unaryExpr([&](double each) { return value_of(curve, each); });
+        },
+        curve_);
+}
+
+template <class P> P HardeningCurve::slope(const P& p) const {
+    return std::visit(
+        [&](const auto& curve) -> P {
+            if constexpr (std::is_same_v<P, double>)
+                return slope_of(curve, p);
+            else
+                return p.unaryExpr([&](double each) { return slope_of(curve, each); });
+        },
+        curve_);
+}
+
+double HardeningCurve::stored(double p) const {
+    return std::visit([&](const auto& curve) { return stored_of(curve, p); }, curve_);
+}
+
+template double HardeningCurve::curved(const double&) const;
+template double HardeningCurve::slope(const double&) const;
+template Scalars<1> HardeningCurve::curved(const Scalars<1>&) const;
+template Scalars<1> HardeningCurve::slope(const Scalars<1>&) const;
+template Scalars<pack_size> HardeningCurve::curved(const Scalars<pack_size>&) const;
+template Scalars<pack_size> HardeningCurve::slope(const Scalars<pack_size>&) const;
+
+}  // namespace stria::fine

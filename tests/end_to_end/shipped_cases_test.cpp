@@ -1,0 +1,94 @@
+// The tables and figures that stand beside the shipped cases are those of a run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "common/io/number_table.hpp"
+#include "tests/end_to_end/figures.hpp"
+#include "tests/support/sent_analysis.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::filesystem::path folder_of_case(const std::string& name) {
+    return std::filesystem::path(source_folder) / "cases" / name;
+}
+
+Case changed(const std::string& name, std::vector<std::string> values) {
+    return read_case(folder_of_case(name) / "case.toml", std::move(values));
+}
+
+/// Of the last six cycles; NaN where the crack never closes in them.
+double mean_opening(const std::vector<coarse::CycleResult>& cycles) {
+    double sum = 0.0;
+    for (auto cycle = cycles.end() - 6; cycle != cycles.end(); ++cycle)
+        sum += cycle->opening.K_op > cycle->K_min ? cycle->opening.K_op / cycle->K_max / 6.0 : nan;
+    return sum;
+}
+
+/// The first cycles of cases/overload against its table.
+void expect_overload_table(const std::vector<coarse::CycleResult>& cycles) {
+    const NumberTable table = read_table(folder_of_case("overload") / "reference/cycles.csv");
+    ASSERT_LE(cycles.size(), table.rows);
+    for (std::size_t k = 0; k < cycles.size(); ++k) {
+        const coarse::CycleResult& cycle = cycles[k];
+        EXPECT_NEAR(cycle.a, table["a"][k], 1e-9) << k;
+        EXPECT_NEAR(cycle.K_max, table["K_max"][k], 1e-6 * cycle.K_max) << k;
+        EXPECT_NEAR(cycle.opening.K_op, table["K_op"][k], 0.002 * cycle.K_max) << k;  // how well it is located
+        EXPECT_NEAR(cycle.J_max, table["J_max"][k], 1e-6 * cycle.J_max) << k;
+        EXPECT_NEAR(cycle.forward, table["forward_zone"][k], 1e-9) << k;
+        EXPECT_NEAR(cycle.cyclic, table["cyclic_zone"][k], 1e-9) << k;
+    }
+}
+
+TEST(ShippedCases, OverloadBeginsAsItsTableDoes) {
+    const auto cycles = run_cycles(changed("overload", {}), 3);
+    EXPECT_EQ(cycles.size(), 3U);
+    expect_overload_table(cycles);
+}
+
+TEST(ShippedCases, OverloadIsThatOfItsTableLong) {
+    const auto cycles = run_cycles(changed("overload", {}));
+    EXPECT_EQ(cycles.size(), 61U);
+    expect_overload_table(cycles);
+}
+
+TEST(ShippedCases, ParisLifeLastsAsLongAsItsReadmeSaysLong) {
+    for (const std::string driving : {"dK", "dK_eff"}) {
+        double life = 0.0;
+        for (const coarse::CycleResult& cycle : run_cycles(changed("paris-life", {"growth.driving=" + driving})))
+            life += cycle.dN;
+        const std::string row = driving == "dK" ? "dK = K_max - K_min" : "dK_eff = K_max - K_op";
+        EXPECT_NEAR(life, figures_of("paris-life", row).at(0), 0.001 * life) << driving;
+    }
+}
+
+/// A row of opening loads over load ratios in a README against runs at some of them.
+void expect_openings(const std::string& name, const std::string& plane,
+                     const std::map<std::string, std::size_t>& ratios) {
+    const std::vector<double> row = figures_of(name, "plane " + plane);
+    for (const auto& [ratio, column] : ratios) {
+        const double found =
+            mean_opening(run_cycles(changed(name, {"load.blocks.0.ratio=" + ratio, "model.plane=" + plane})));
+        if (std::isnan(row.at(column)))
+            EXPECT_TRUE(std::isnan(found)) << name << ", " << plane << ", R = " << ratio;
+        else
+            EXPECT_NEAR(found, row.at(column), 0.0015) << name << ", " << plane << ", R = " << ratio;
+    }
+}
+
+TEST(ShippedCases, CtClosureOpensWhereItsReadmeSaysLong) {
+    expect_openings("ct-closure", "strain", {{"0.1", 0}, {"0.3", 1}});
+    expect_openings("ct-closure", "stress", {{"0.1", 0}, {"0.3", 1}, {"0.5", 2}, {"0.7", 3}});
+}
+
+TEST(ShippedCases, SentClosureOpensWhereItsReadmeSaysLong) {
+    expect_openings("sent-closure", "stress", {{"-1.0", 0}, {"0.0", 1}, {"0.3", 3}, {"0.7", 5}});
+    expect_openings("sent-closure", "strain", {{"-1.0", 0}, {"0.0", 1}, {"0.1", 2}, {"0.3", 3}});
+}
+
+}  // namespace
+}  // namespace stria::test

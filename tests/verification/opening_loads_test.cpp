@@ -1,0 +1,61 @@
+// Opening loads of a growing crack over the size of the elements at its tip, at a fixed growth per cycle and at fixed
+// distances behind the tip (docs/verification.md, opening loads). The tables are printed.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "common/case/case_file.hpp"
+#include "common/index.hpp"
+#include "tests/support/folders.hpp"
+#include "tests/support/sent_analysis.hpp"
+
+namespace stria::test {
+namespace {
+
+const std::vector<double> distances{0.0125, 0.025, 0.05, 0.1, 0.2, 0.4};  // mm; the first is the definition's
+
+/// K_op / K_max in the last cycle of cases/sent-closure, by contact beyond each distance.
+std::vector<double> openings(int refine, std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"closure.distance=0.0125", "closure.profile=[0.025, 0.05, 0.1, 0.2, 0.4]",
+                                     "fine.beta=2.0", fmt::format("fine.refine={}", refine)});
+    const coarse::CycleResult last =
+        run_cycles(read_case(std::string(source_folder) + "/cases/sent-closure/case.toml", std::move(settings))).back();
+    std::vector<double> found;
+    std::cout << fmt::format("elements of {} mm: K_op/K_max", 1.6 / refine);
+    for (std::size_t d = 0; d < distances.size(); ++d) {
+        found.push_back(last.contact.at(d).K_op / last.K_max);
+        std::cout << fmt::format("  {:.3f} beyond {}", found.back(), distances[d]);
+    }
+    std::cout << std::endl;
+    return found;
+}
+
+// An independent half model that releases nodes gives 0.490, 0.480 and 0.475 by contact anywhere behind the tip.
+TEST(OpeningLoads, InPlaneStressAreThoseOfAHalfModelAndConvergeLong) {
+    const std::vector<std::string> plane{"load.steps=32", "load.grading=1.0", "crack.0.notch=18.0"};
+    const std::vector<double> coarse = openings(32, plane), medium = openings(64, plane), fine = openings(128, plane);
+    EXPECT_NEAR(coarse[0], 0.490, 0.03);
+    EXPECT_NEAR(medium[0], 0.480, 0.03);
+    EXPECT_NEAR(fine[0], 0.475, 0.03);
+    for (std::size_t d = 1; d < distances.size(); ++d) EXPECT_NEAR(fine[d], medium[d], 0.01) << distances[d];
+}
+
+// The forward zone on the axis is 0.13 mm, so it takes smaller elements, and fewer cycles. The contact is one stretch
+// behind the tip that ends at 0.05 mm: there K_op drops to half over the length of a multiplier.
+TEST(OpeningLoads, InPlaneStrainConvergeLong) {
+    const std::vector<std::string> plane{"model.plane=strain", "load.steps=24", "load.grading=0.8",
+                                         "load.blocks.0.cycles=14"};
+    const std::vector<double> medium = openings(128, plane), fine = openings(256, plane);
+    for (std::size_t d = 0; d < distances.size(); ++d)
+        EXPECT_NEAR(fine[d], medium[d], distances[d] == 0.05 ? 0.02 : 0.01) << distances[d];
+    EXPECT_GT(fine[0], 0.15);
+    EXPECT_LT(fine[0], 0.27);
+}
+
+}  // namespace
+}  // namespace stria::test

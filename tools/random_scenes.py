@@ -1,0 +1,164 @@
+#!/usr/bin/python3
+"""Runs random legal scenes in all modes and compares what they leave.
+
+    tools/random_scenes.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
+
+A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. It runs in one
+process, in one matrix and over MPI. Numbers of `history.csv` agree where they differ by less than 1e-8 of the largest
+of their column, or the three runs end alike with exit code 3 and a sentence. Exit code 1 where a scene does neither.
+"""
+
+import argparse
+import csv
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MODES = ["inprocess", "monolithic", "mpi"]
+SAME = 1e-8
+COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], ["J"], ["CMOD"],
+           ["external_work", "stored_energy", "dissipation", "released_energy"]]  # of one scale each
+
+
+def crack_of(specimen, rng):
+    if specimen == "ct":
+        return "[[-2.5, 0.0], [%.6g, %.6g]]" % (rng.uniform(4.0, 6.0), rng.uniform(-0.3, 0.3))
+    if specimen == "mt":
+        half = rng.uniform(1.5, 3.0)
+        return "[[%.6g, 15.1], [%.6g, 15.1]]" % (5.0 - half, 5.0 + half)
+    mouth, length = rng.uniform(8.0, 12.0), rng.uniform(2.0, 5.0)
+    points = [(0.0, mouth), (length, mouth + rng.uniform(-0.4, 0.4) * length)]
+    if rng.random() < 0.3:
+        points.append((length + 1.5, points[1][1] + rng.uniform(-0.5, 0.5)))
+    return "[" + ", ".join("[%.6g, %.6g]" % point for point in points) + "]"
+
+
+def hardening_of(rng):
+    lines = []
+    law = rng.choice(["linear", "linear", "voce", "power", "table"])
+    lines.append({"linear": 'isotropic = {{ law = "linear", modulus = {:.4g} }}'.format(rng.choice([0.0, 1000.0, 5000.0])),
+                  "voce": 'isotropic = {{ law = "voce", Q = {:.4g}, b = {:.4g} }}'.format(rng.uniform(20, 150), rng.uniform(2, 50)),
+                  "power": 'isotropic = {{ law = "power", n = {:.4g}, alpha = {:.4g} }}'.format(rng.uniform(3, 12), rng.uniform(0.1, 1)),
+                  "table": "isotropic = { law = \"table\", plastic_strain = [0.0, 0.01, 0.1], stress = [YIELD, HIGHER, HIGHEST] }"}[law])
+    terms = [(rng.uniform(1e3, 4e4), rng.choice([0.0, rng.uniform(10.0, 400.0)])) for _ in range(rng.randrange(3))]
+    if terms:
+        lines.append("kinematic = [" + ", ".join("{ C = %.5g, gamma = %.4g }" % term for term in terms) + "]")
+    return "\n".join(lines)
+
+
+def scene(rng):
+    specimen = rng.choice(["plate", "plate", "sent", "mt", "ct"])
+    plane, plastic = rng.choice(["strain", "stress"]), rng.random() < 0.75
+    contact, growing = rng.random() < 0.7, rng.random() < 0.5
+    friction = rng.choice([0.0, 0.0, rng.uniform(0.1, 0.9)])
+    text = 'title = "random"\nunits = "N-mm-MPa"\n[model]\nplane = "%s"\n[mesh]\nspecimen = "%s"\nwidth = 10.0\n' % (plane, specimen)
+    text += "" if specimen == "ct" else "height = %g\n" % (30.0 if specimen == "mt" else 20.0)
+    text += "size = %.4g\n" % (10.0 / rng.randint(9, 13))
+    text += "[material]\nyoung = 200e3\npoisson = %.3g\n" % rng.choice([0.0, 0.3, 0.4])
+    if plastic:
+        stress = rng.uniform(150.0, 400.0)
+        text += "yield_stress = %.8g\n" % stress + hardening_of(rng).replace("YIELD", "%.8g" % stress).replace(
+            "HIGHER", "%.8g" % (1.1 * stress)).replace("HIGHEST", "%.8g" % (1.3 * stress)) + "\n"
+    text += "[[crack]]\npoints = %s\n" % crack_of(specimen, rng)
+    if contact:
+        text += "contact = { friction = %.3g }\n" % friction
+    if specimen == "ct":
+        for pin, sign in (("pin-top", 1), ("pin-bottom", -1)):
+            text += '[[boundary]]\non = "%s"\nforce = [0.0, %d.0]\n' % (pin, sign)
+        unit = rng.uniform(60.0, 200.0)
+    else:
+        shear = rng.choice([0.0, rng.uniform(-0.3, 0.3)]) if specimen == "plate" else 0.0
+        for edge, sign in (("top", 1.0), ("bottom", -1.0)):
+            text += '[[boundary]]\non = "%s"\ntraction = [%.6g, %.6g]\n' % (edge, sign * shear, sign)
+        if shear != 0.0:
+            for edge, sign in (("right", 1.0), ("left", -1.0)):
+                text += '[[boundary]]\non = "%s"\ntraction = [0.0, %.6g]\n' % (edge, sign * shear)
+        unit = rng.uniform(20.0, 90.0)
+    text += "[load]\nsteps = %d\nblocks = [ { cycles = 2, max = %.6g, ratio = %.3g } ]\n" % (
+        2 * rng.randint(2, 5), unit, rng.choice([-1.0, 0.0, 0.3, rng.uniform(-0.8, 0.5)]))
+    text += "[fine]\n" + ("radius = %.4g\n" % rng.uniform(1.2, 2.0) if plastic else "")
+    if plastic and rng.random() < 0.4:
+        text += "refine = %d\n" % rng.choice([2, 4])
+    if plastic and rng.random() < 0.2:
+        text += "substeps = 3\n"
+    if growing:
+        text += "[growth]\nincrement = %.3g\n" % rng.uniform(0.2, 0.6)
+    return text + '[solver]\ntolerance = 1e-12\n[output]\nfields = "none"\ncheckpoint_every = 0\n'
+
+
+def run(programs, case, folder, mode):
+    command = [str(programs / "stria"), "run", str(case), "-o", str(folder), "--mode", mode, "--quiet"]
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1")
+    result = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=600)
+    return result.returncode, (result.stderr.strip().splitlines() or [""])[-1]
+
+
+def numbers(folder):
+    with open(folder / "history.csv") as file:
+        rows = list(csv.DictReader(file))
+    return {name: [float(row[name] or "nan") for row in rows] for names in COLUMNS for name in names}
+
+
+def difference(one, other):
+    worst, where = 0.0, ""
+    for names in COLUMNS:
+        scale = max((abs(x) for name in names for x in one[name] if x == x), default=0.0)
+        for name in names:
+            if len(one[name]) != len(other[name]):
+                return 1.0, "rows"
+            for a, b in zip(one[name], other[name]):
+                if (a != a) != (b != b):
+                    return 1.0, name
+                if a == a and scale > 0.0 and abs(a - b) / scale > worst:
+                    worst, where = abs(a - b) / scale, name
+    return worst, where
+
+
+def judge(arguments, seed):
+    rng = random.Random(seed)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch)
+        case = folder / "case.toml"
+        case.write_text(scene(rng))
+        ends = {mode: run(arguments.programs, case, folder / mode, mode) for mode in MODES}
+        codes = {code for code, _ in ends.values()}
+        if codes == {0}:
+            one = numbers(folder / MODES[0])
+            worst, where = max(difference(one, numbers(folder / mode)) for mode in MODES[1:])
+            verdict = "agrees" if worst < SAME else "DIFFERS", "%.1e of %s" % (worst, where)
+        elif codes in ({2}, {3}):
+            verdict = "ends with %d" % codes.pop(), ends[MODES[0]][1]
+        else:
+            verdict = "ENDS DIFFERENTLY", str(ends)
+        if verdict[0].isupper() and arguments.keep:
+            shutil.copytree(folder, arguments.keep / str(seed), dirs_exist_ok=True)
+        return seed, *verdict
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("seed", type=int)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--programs", type=Path, default=ROOT / "build/release/bin")
+    parser.add_argument("--keep", type=Path, help="folder for the scenes that do not agree")
+    parser.add_argument("--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    counts, wrong = {}, 0
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for seed, verdict, detail in pool.map(lambda k: judge(arguments, arguments.seed + k), range(arguments.count)):
+            counts[verdict] = counts.get(verdict, 0) + 1
+            if not verdict.startswith("agrees"):
+                print(f"{seed}: {verdict}: {detail}", flush=True)
+            wrong += verdict.isupper()
+    print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
