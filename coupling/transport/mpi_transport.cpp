@@ -25,11 +25,17 @@ void check(int code) {
     throw ComponentLost(fmt::format("MPI: {}", text.data()));
 }
 
-/// Waits until `there()`: at first by asking again and again, as an answer in some tens of microseconds is common, then
-/// asleep in between, for a tenth of what it has waited: the core is somebody else's, and the answer hardly later.
-template <class There> void wait_until(There there) {
+using std::chrono::microseconds;
+
+/// An answer in some tens of microseconds is common. A large piece leaves in parts, and each needs both sides awake: to
+/// sleep between them costs more than the piece.
+constexpr microseconds awake_for_answer(30), awake_for_transfer(3000);
+
+/// Waits until `there()`: at first by asking again and again, then asleep in between, for a tenth of what it has
+/// waited: the core is somebody else's, and the answer hardly later.
+template <class There> void wait_until(microseconds awake, There there) {
     using namespace std::chrono;
-    constexpr auto awake = microseconds(30), shortest = microseconds(50), longest = microseconds(500);
+    constexpr auto shortest = microseconds(50), longest = microseconds(500);
     const auto start = steady_clock::now();
     while (!there()) {
         const auto waited = duration_cast<microseconds>(steady_clock::now() - start);
@@ -92,7 +98,7 @@ private:
         MPI_Request request{};
         check(MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD,
                         &request));
-        wait_until([&] {
+        wait_until(awake_for_transfer, [&] {
             int sent = 0;
             check(MPI_Test(&request, &sent, MPI_STATUS_IGNORE));
             return sent != 0;
@@ -108,7 +114,7 @@ private:
     void receive_exactly(std::span<std::byte> bytes, int mpi_tag) const {
         MPI_Status status{};
         int received = 0;
-        wait_until([&] {
+        wait_until(awake_for_answer, [&] {
             int arrived = 0;
             check(MPI_Iprobe(peer_, mpi_tag, MPI_COMM_WORLD, &arrived, &status));
             return arrived != 0;
