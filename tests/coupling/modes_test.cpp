@@ -33,7 +33,7 @@ const std::vector<std::string> extended_scene{mesh_at_tip(0.3), "mesh.size=10.0"
 /// The crack grows through elements and across their edges, at the maximum of three cycles.
 const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.size=10.0",
                                              "solver.tolerance=1e-12", "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
-                                             "load.steps=20",          "growth.increment=0.25"};
+                                             "load.steps=14",          "growth.increment=0.25"};
 
 /// An inclined crack whose faces slide against friction while they are closed.
 const std::vector<std::string> sliding_scene{
@@ -42,6 +42,7 @@ const std::vector<std::string> sliding_scene{
     "solver.tolerance=1e-12",
     "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]",
     "crack.0.contact.friction=0.3",
+    "load.steps=12",
     "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
 
 struct SettingsOfCase {

@@ -139,7 +139,7 @@ TEST(SlidingLoads, PressureThatGrowsAlongTheCrack) {
 
 // A zone of slip that travels: the shear that has made it falls, and another one runs after it the other way. The
 // strength of that is twice the first one's (Masing), until both are as long.
-TEST(SlidingLoads, AZoneOfSlipTravels) {
+TEST(SlidingLoads, AZoneOfSlipTravelsLong) {
     constexpr double pushed = 33.5;
     const GrowingPressure first{.p_0 = 100.0, .p_1 = 90.0, .shear = pushed};
     StagedBody body(closed_crack(first.friction, 0.025));

@@ -1,0 +1,23 @@
+#include "coarse/equilibrium/bordered_system.hpp"
+
+namespace stria::coarse {
+
+void BorderedSystem::factor(Eigen::MatrixXd tangent, Symmetry symmetry, const LinearReading& controlled) {
+    const Eigen::VectorXd& w = controlled.weights;
+    sigma_ = controlled.is_load_factor() ? 0.0 : tangent.diagonal().mean() / w.squaredNorm();
+    if (sigma_ != 0.0) tangent.noalias() += sigma_ * w * w.transpose();
+    definite_ = symmetry == Symmetry::Symmetric && factor_.factor(tangent);
+    if (!definite_) general_factor_.compute(tangent);
+}
+
+GammaState BorderedSystem::solve(const Eigen::VectorXd& residual, double off_target,
+                                 const Eigen::VectorXd& load_derivative, const LinearReading& controlled) const {
+    const auto& [w, k] = controlled;
+    Eigen::MatrixXd right(w.size(), 2);
+    right << residual + sigma_ * off_target * w, load_derivative - sigma_ * k * w;
+    const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : Eigen::MatrixXd(general_factor_.solve(right));
+    const double load_factor = (off_target - w.dot(x.col(0))) / (k + w.dot(x.col(1)));
+    return {x.col(0) + load_factor * x.col(1), load_factor};
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,22 @@
+#include "coarse/equilibrium/expanded_displacement.hpp"
+
+namespace stria::coarse {
+
+const Eigen::VectorXd& ExpandedDisplacement::whole(const GammaState& state) const {
+    if (!whole_) {
+        whole_ = structure_.expand(state.displacement, state.load_factor);
+        ++work_.structure_solves_full;
+    }
+    return *whole_;
+}
+
+const Eigen::VectorXd& ExpandedDisplacement::near(const GammaState& state) const {
+    if (!near_known_) {
+        structure_.expand_near(state.displacement, state.load_factor, near_);
+        ++work_.structure_solves_near;
+    }
+    near_known_ = true;
+    return near_;
+}
+
+}  // namespace stria::coarse
