@@ -142,6 +142,7 @@ Section<MaterialSection> material_section() {
     s.table("isotropic", &MaterialSection::isotropic, isotropic_section()).says("Isotropic hardening.");
     s.list("kinematic", &MaterialSection::kinematic, kinematic_section())
         .says("Kinematic hardening; the terms add up.");
+    s.check(check_hardening);
     return s;
 }
 

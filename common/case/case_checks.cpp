@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
+#include <vector>
 
 #include "common/memory.hpp"
 
@@ -66,6 +68,45 @@ void check_crack(const CrackSection& crack, const Value& table, const Place& pla
     for (std::size_t i = 1; i < crack.points.size(); ++i)
         if (crack.points[i] == crack.points[i - 1])
             reject(place.inside("points"), points, {}, "must not repeat a point: a segment has no length");
+}
+
+/// The keys of one law of isotropic hardening mean nothing to another, unless they say nothing.
+void check_keys_of_law(const IsotropicHardening& given, const Value& table, const Place& place) {
+    struct KeyOfLaw {
+        const char *law, *key;
+        bool says_something;
+    };
+    for (const auto& [law, key, says_something] : {KeyOfLaw{"linear", "modulus", given.modulus != 0.0},
+                                                   {"voce", "Q", given.Q != 0.0},
+                                                   {"voce", "b", given.b != 0.0},
+                                                   {"power", "n", given.n != 0.0},
+                                                   {"power", "alpha", given.alpha != 0.0},
+                                                   {"power", "reference", given.reference.has_value()},
+                                                   {"table", "plastic_strain", !given.plastic_strain.empty()},
+                                                   {"table", "stress", !given.stress.empty()}})
+        if (says_something && given.law != law)
+            reject(place.inside(key), *find(table, key), {}, fmt::format("belongs to law = \"{}\"", law));
+}
+
+void check_hardening(const MaterialSection& material, const Value& table, const Place& place) {
+    const Value* isotropic = find(table, "isotropic");
+    if (isotropic == nullptr) return;
+    const IsotropicHardening& given = material.isotropic;
+    const Place here = place.inside("isotropic");
+    check_keys_of_law(given, *isotropic, here);
+    const auto demand = [&](bool met, const char* what) {
+        if (!met) reject(here, isotropic->line, what);
+    };
+    if (given.law == "voce") demand(given.Q > 0.0 && given.b > 0.0, "needs Q and b, both positive");
+    if (given.law == "power") demand(given.n > 1.0 && given.alpha > 0.0, "needs n > 1 and alpha > 0");
+    if (given.law != "table") return;
+    const std::vector<double>&p = given.plastic_strain, &stress = given.stress;
+    demand(p.size() == stress.size() && p.size() > 1,
+           "needs plastic_strain and stress, as long, with two numbers at least");
+    demand(p.front() == 0.0 && std::ranges::adjacent_find(p, std::greater_equal()) == p.end(),
+           "needs a plastic_strain that starts with 0 and ascends");
+    demand(stress.front() == material.yield_stress, "needs a stress that starts with material.yield_stress");
+    demand(std::ranges::is_sorted(stress), "needs a stress that does not fall: the metal would soften");
 }
 
 void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {

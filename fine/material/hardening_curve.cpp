@@ -45,85 +45,52 @@ double stored_of(const TableCurve& c, double p) {
     return area;
 }
 
-[[noreturn]] void refuse(const char* key, const std::string& demand) {
-    throw CaseError(fmt::format("material.isotropic.{} {}", key, demand));
-}
-
-void demand_positive(const char* key, double value) {
-    if (!(value > 0.0)) refuse(key, fmt::format("= {}: must be > 0", value));
-}
-
-VoceCurve voce(const IsotropicHardening& given) {
-    demand_positive("Q", given.Q);
-    demand_positive("b", given.b);
-    return {given.Q, given.b};
-}
-
 PowerCurve power(const MaterialSection& material) {
     const IsotropicHardening& given = material.isotropic;
-    const double yield_stress = material.yield_stress.value(), reference = given.reference.value_or(yield_stress);
-    if (!(given.n > 1.0)) refuse("n", fmt::format("= {}: must be > 1", given.n));
-    demand_positive("alpha", given.alpha);
-    demand_positive("reference", reference);
+    const double yield_stress = *material.yield_stress, reference = given.reference.value_or(yield_stress);
     const double scale = given.alpha * reference / material.young;
     return {reference, yield_stress, given.n, scale, scale * std::pow(yield_stress / reference, given.n)};
 }
 
 TableCurve table(const MaterialSection& material) {
-    const IsotropicHardening& given = material.isotropic;
-    const auto ascends = [](const std::vector<double>& list, auto compare) {
-        return std::ranges::adjacent_find(list, compare) == list.end();
-    };
-    if (given.plastic_strain.size() != given.stress.size() || given.stress.size() < 2)
-        refuse("plastic_strain", "and stress must be as long, with at least two numbers");
-    if (given.plastic_strain.front() != 0.0 || !ascends(given.plastic_strain, std::greater_equal()))
-        refuse("plastic_strain", "must start with 0 and ascend");
-    if (given.stress.front() != *material.yield_stress) refuse("stress", "must start with material.yield_stress");
-    if (!ascends(given.stress, std::greater())) refuse("stress", "must not fall: the metal would soften");
-    TableCurve curve{given.plastic_strain, given.stress};
+    TableCurve curve{material.isotropic.plastic_strain, material.isotropic.stress};
     for (double& stress : curve.R) stress -= *material.yield_stress;
     return curve;
+}
+
+/// f of a number, or of each of a pack.
+template <class P, class F> P applied(const P& p, const F& f) {
+    if constexpr (std::is_same_v<P, double>)
+        return f(p);
+    else
+        return p.unaryExpr(f);
 }
 
 }  // namespace
 
 HardeningCurve::HardeningCurve(const MaterialSection& material) {
-    const std::string& law = material.isotropic.law;
-    if (law == "linear") {
-        if (!(material.isotropic.modulus >= 0.0))
-            refuse("modulus", fmt::format("= {}: must be >= 0", material.isotropic.modulus));
-        curve_ = LinearCurve{material.isotropic.modulus};
-    } else if (law == "voce") {
-        curve_ = voce(material.isotropic);
-    } else if (law == "power") {
+    const IsotropicHardening& given = material.isotropic;
+    if (given.law == "linear")
+        curve_ = LinearCurve{given.modulus};
+    else if (given.law == "voce")
+        curve_ = VoceCurve{given.Q, given.b};
+    else if (given.law == "power")
         curve_ = power(material);
-    } else if (law == "table") {
+    else if (given.law == "table")
         curve_ = table(material);
-    } else {
-        refuse("law", fmt::format("= \"{}\": must be linear, voce, power or table", law));
-    }
+    else
+        throw CaseError(
+            fmt::format("material.isotropic.law = \"{}\": must be linear, voce, power or table", given.law));
 }
 
 template <class P> P HardeningCurve::curved(const P& p) const {
-    return std::visit(
-        [&](const auto& curve) -> P {
-            if constexpr (std::is_same_v<P, double>)
-                return value_of(curve, p);
-            else
-                return p.unaryExpr([&](double each) { return value_of(curve, each); });
-        },
-        curve_);
+    return std::visit([&](const auto& curve) { return applied(p, [&](double each) { return value_of(curve, each); }); },
+                      curve_);
 }
 
 template <class P> P HardeningCurve::slope(const P& p) const {
-    return std::visit(
-        [&](const auto& curve) -> P {
-            if constexpr (std::is_same_v<P, double>)
-                return slope_of(curve, p);
-            else
-                return p.unaryExpr([&](double each) { return slope_of(curve, each); });
-        },
-        curve_);
+    return std::visit([&](const auto& curve) { return applied(p, [&](double each) { return slope_of(curve, each); }); },
+                      curve_);
 }
 
 double HardeningCurve::stored(double p) const {

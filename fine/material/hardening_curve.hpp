@@ -35,7 +35,7 @@ struct TableCurve {
 class HardeningCurve {
 public:
     HardeningCurve(LinearCurve curve = {0.0}) : curve_(curve) {}  // NOLINT(google-explicit-constructor)
-    /// Throws CaseError for a law that is not known, and for parameters that make no curve.
+    /// Of a case, whose schema has checked the parameters. Throws CaseError for a law that is not known.
     HardeningCurve(const MaterialSection& material);  // NOLINT(google-explicit-constructor)
 
     /// R(p), MPa, of a number or of a pack of points.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "common/index.hpp"
@@ -49,9 +50,9 @@ template <int rows> Scalars<rows> shear_product(const Tensors<rows>& a, const Te
 
 /// Stress, back stresses and p of a pack; or what they change by with a component of the strain.
 template <int rows> struct PackState {
-    Tensors<rows> stress;
+    Tensors<rows> stress = Tensors<rows>::Zero();
     std::vector<Tensors<rows>> back;
-    Scalars<rows> p;
+    Scalars<rows> p = Scalars<rows>::Zero();
 };
 
 /// The return of one part of an increment at a plastic strain increment dp. With the flow d(eps_p) = lambda xi, lambda
@@ -106,8 +107,7 @@ public:
                                         0.0);
         Mask<rows> searching = flows;
         for (int iteration = 0; searching.any(); ++iteration) {
-            if (iteration == most_trials)
-                throw NumericalFailure("return mapping: no plastic strain increment found");
+            if (iteration == most_trials) throw NumericalFailure("return mapping: no plastic strain increment found");
             const ReturnAt<rows> now = at(dp);
             const Scalars<rows> per_q = 1.0 / now.equivalent;
             const Scalars<rows> F = 1.0 - now.Y * per_q;
@@ -166,17 +166,22 @@ private:
 /// What an increment changes at the points of a pack, taken in `parts`, and what that changes by with the strain.
 template <int rows> class IncrementInParts {
 public:
-    IncrementInParts(const J2Update& update, PackPlace<rows> at, const PlaneElasticity& elasticity)
-        : law_(update.law), elasticity_(elasticity) {
+    IncrementInParts(const J2Parameters& law, const PlaneElasticity& elasticity) : law_(law), elasticity_(elasticity) {}
+
+    void begin(const J2Update& update, PackPlace<rows> at) {
         now_.stress = at.tensors(update.committed, state::stress);
         now_.p = at.scalars(update.committed, state::accumulated);
-        for (std::size_t k = 0; k < law_.kinematic.size(); ++k)
-            now_.back.push_back(at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k)));
+        now_.back.resize(law_.kinematic.size());
+        for (std::size_t k = 0; k < now_.back.size(); ++k)
+            now_.back[k] = at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k));
         for (PackState<rows>& change : by_strain_) {
             change.stress.setZero();
             change.p.setZero();
-            change.back.assign(law_.kinematic.size(), Tensors<rows>::Zero());
+            change.back.assign(now_.back.size(), Tensors<rows>::Zero());
         }
+        plastic_.setZero();
+        equivalent_.setZero();
+        dissipated_.setZero();
     }
 
     void take(const Tensors<rows>& strain, double part) {
@@ -262,13 +267,17 @@ private:
 }  // namespace
 
 void J2Implicit::return_points(const J2Update& update, int points, int stride) const {
+    // Their memory serves one pack after the other.
+    std::tuple increments{IncrementInParts<pack_size>(update.law, elasticity_),
+                          IncrementInParts<1>(update.law, elasticity_)};
     update_packs(
         update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) {
             return stress_of<rows>(elasticity_.stiffness, strain);
         },
         [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>&) {
-            IncrementInParts<rows> increment(update, at, elasticity_);
+            auto& increment = std::get<IncrementInParts<rows>>(increments);
+            increment.begin(update, at);
             for (int k = 0; k < update.law.substeps; ++k) increment.take(strain, 1.0 / update.law.substeps);
             increment.write(update, at, strain);
         });

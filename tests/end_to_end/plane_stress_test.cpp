@@ -45,7 +45,7 @@ TEST(SentInPlaneStress, ConvergesQuadraticallyOnceBranchesHaveSettled) {
     EXPECT_GT(steps, 50);
 }
 
-TEST(SentInPlaneStress, MonolithicIsTheSameToRounding) {
+TEST(SentInPlaneStress, MonolithicIsTheSameToRoundingLong) {
     const RunHistory direct = run_direct(sheet_case());
     MonolithicFactory factory(sheet_case());
     const RunHistory whole = run_analysis(sheet_case(), factory);

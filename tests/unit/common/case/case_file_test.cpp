@@ -284,6 +284,14 @@ TEST_F(CaseFile, TakesHardeningThatSaturates) {
                             {"material.kinematic.0.gamma=50"});
     EXPECT_EQ(input.material.isotropic.Q, 90.0);
     EXPECT_EQ(input.material.kinematic.at(0).gamma, 50.0);
+    const auto about = [&](const std::string& keys) { return complaint(complete + "[material.isotropic]\n" + keys); };
+    EXPECT_EQ(about("law = \"voce\"\nQ = 90.0\n"), "case.toml:26: material.isotropic needs Q and b, both positive");
+    EXPECT_EQ(about("Q = 90.0\n"), "case.toml:27: material.isotropic.Q = 90 belongs to law = \"voce\"");
+    for (const char* keys :
+         {"law = \"power\"\nn = 0.5\nalpha = 1.0\n", "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [300.0]\n",
+          "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [300.0, 290.0]\n",
+          "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [200.0, 290.0]\n"})
+        EXPECT_NE(about(keys).find("material.isotropic needs"), std::string::npos) << keys;
 }
 
 TEST_F(CaseFile, RefinementNeedsARadiusWhereNothingYields) {

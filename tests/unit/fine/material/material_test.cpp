@@ -272,16 +272,8 @@ TEST(MaterialLaw, WithoutAYieldStressRemembersItsStressAlone) {
 }
 
 TEST(MaterialLaw, RefusesWhatItDoesNotKnow) {
-    const std::vector<MaterialSection> wrong{
-        steel(0.0, {{5000.0, -20.0}}),
-        steel(0.0, {{-5000.0, 0.0}}),
-        steel(-1.0, {}),
-        curved({.law = "swift"}),
-        curved({.law = "voce", .Q = 80.0}),
-        curved({.law = "power", .n = 0.5, .alpha = 1.0}),
-        curved({.law = "table", .plastic_strain = {0.0, 0.1}, .stress = {350.0}}),
-        curved({.law = "table", .plastic_strain = {0.0, 0.1}, .stress = {350.0, 340.0}}),
-        curved({.law = "table", .plastic_strain = {0.0, 0.1}, .stress = {300.0, 340.0}})};
+    const std::vector<MaterialSection> wrong{steel(0.0, {{5000.0, -20.0}}), steel(0.0, {{-5000.0, 0.0}}),
+                                             curved({.law = "swift"})};
     for (const MaterialSection& material : wrong)
         for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress})
             EXPECT_THROW(fine::make_material_law(material, plane), CaseError) << material.isotropic.law;
