@@ -87,9 +87,9 @@ Measurement measure(int elements) {
     scene.loads = coarse::resolve_boundaries(scene.mesh, scene.input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
     lap();
-    scene.enriched =
-        coarse::enrich(scene.mesh, scene.input.cracks,
-                       coarse::choose_enrichment(scene.input.fine, scene.input.material, scene.input.cracks));
+    scene.enriched = coarse::enrich(scene.mesh, scene.input.cracks,
+                                    coarse::choose_enrichment(scene.input.fine, scene.input.material,
+                                                              scene.input.cracks, scene.input.growth.has_value()));
     coarse::put_loads_on_unknowns(scene);
     lap();
     const coarse::Structure structure(scene);

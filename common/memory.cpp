@@ -1,5 +1,6 @@
 #include "common/memory.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -41,6 +42,13 @@ void require_memory(const std::string& what, double bytes) {
     if (bytes <= left) return;
     throw CaseError(
         fmt::format("{} would take about {:.3g} GB of memory, {:.3g} GB are left", what, bytes / 1e9, left / 1e9));
+}
+
+void keep_freed_memory() {
+    constexpr int megabyte = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, 32 * megabyte);  // the largest that there is
+    mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
+    mallopt(M_TOP_PAD, 4 * megabyte);
 }
 
 }  // namespace stria

@@ -14,4 +14,8 @@ double available_memory();
 /// Throws CaseError, "<what> would take about 64 GB of memory, 23 GB are left", where they do not suffice.
 void require_memory(const std::string& what, double bytes);
 
+/// What is freed stays with this process, up to 64 MB: messages and matrices of some MB come and go in every iteration,
+/// and the kernel would take their pages and clear them each time.
+void keep_freed_memory();
+
 }  // namespace stria

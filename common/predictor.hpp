@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
+#include <utility>
 
 #include "common/index.hpp"
 
 namespace stria {
 
-/// committed + factor * the increment `back` commits ago (1: the last one).
+/// committed + factor * the increment `back` commits ago (1: the last one; 0: an attempt that was put aside).
 struct Predictor {
     Predictor(double factor_ = 0.0, int back_ = 1) : factor(factor_), back(back_) {}
     bool operator==(const Predictor&) const = default;
@@ -26,23 +28,32 @@ public:
     explicit IncrementMemory(std::size_t capacity) : capacity_(capacity) {}
 
     void push(Increment increment) {
+        aside_.reset();
         increments_.push_front(std::move(increment));
         if (increments_.size() > capacity_) increments_.pop_back();
     }
-    void clear() { increments_.clear(); }
+    /// Of an attempt that leads from what is committed, until the next commit.
+    void put_aside(Increment attempt) { aside_ = std::move(attempt); }
+    void clear() {
+        increments_.clear();
+        aside_.reset();
+    }
 
     /// All that are remembered, the last one first.
     [[nodiscard]] const std::deque<Increment>& all() const { return increments_; }
 
     /// Null where it is not known, or not wanted.
     [[nodiscard]] const Increment* find(const Predictor& predictor) const {
+        if (predictor.factor == 0.0) return nullptr;
+        if (predictor.back == 0) return aside_ ? &*aside_ : nullptr;
         const auto place = at(predictor.back) - 1;
-        return predictor.factor != 0.0 && place < increments_.size() ? &increments_[place] : nullptr;
+        return place < increments_.size() ? &increments_[place] : nullptr;
     }
 
 private:
     std::size_t capacity_;
     std::deque<Increment> increments_;
+    std::optional<Increment> aside_;
 };
 
 }  // namespace stria

@@ -36,8 +36,9 @@ struct Patch {
                                    // where it has one, and starts elements that are new to it from sigma = C eps(u)
     std::vector<Ring> rings;       // those that zone elements have a share in
     std::vector<double> opening_at;  // per tip: distance behind it, mm, at which the opening is asked for; or empty
-    std::vector<double> ahead;       // per tip: radius, mm, of the sector ahead of it whose normal stress is asked for;
-                                     // empty: nobody asks
+    std::vector<std::vector<double>> contact_at;  // per tip: distances behind it, mm, beyond which contact is asked for
+    std::vector<double> ahead;  // per tip: radius, mm, of the sector ahead of it whose normal stress is asked for;
+                                // empty: nobody asks
     std::vector<std::vector<double>> slip_at;  // per tip: distances behind it, mm, at which is asked whether the faces
                                                // slide; empty: nobody asks
 };
@@ -46,6 +47,7 @@ struct Patch {
 struct PatchDisplacement {
     int iteration = 0;         // 0: first of an increment
     Predictor predictor = {};  // of the zone's interior, in that first iteration
+    bool put_aside = false;    // in that first iteration: the trial state that it leaves is wanted as a predictor
     double load_factor = 0.0;
     double step = 1.0;           // part of Newton's correction that Gamma has moved by: the interior takes the same
     double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
@@ -58,11 +60,12 @@ struct PatchDisplacement {
 struct Digest {
     std::vector<std::int32_t> yielding_points;  // per zone element
     double largest_plastic_increment = 0.0;
-    std::vector<std::int8_t> status;    // per multiplier: 0 open, 1 stick or frictionless, 2 and 3 slip on and back
-    std::vector<double> multiplier;     // per multiplier: pressure, MPa
-    std::int32_t status_changes = 0;    // against the iteration before
-    std::vector<double> contact_reach;  // per tip: distance of the farthest closed multiplier behind it, mm; < 0: none
-    std::vector<double> force_ahead;    // per tip, where the patch asks: integral of the normal stress ahead, N
+    std::vector<std::int8_t> status;  // per multiplier: 0 open, 1 stick or frictionless, 2 and 3 slip on and back
+    std::vector<double> multiplier;   // per multiplier: pressure, MPa
+    std::int32_t status_changes = 0;  // against the iteration before
+    std::vector<std::vector<double>> contact;  // per tip and distance, where the patch asks: largest p - c g at or
+                                               // beyond it, MPa: above zero where faces touch; -infinity: no faces
+    std::vector<double> force_ahead;           // per tip, where the patch asks: integral of the normal stress ahead, N
     std::vector<std::vector<std::int8_t>> slides;  // per tip and distance, where the patch asks: 1 where the nearest
                                                    // contact at or beyond it slides
 };

@@ -18,7 +18,7 @@ BELOW = {
 
 # Library, its headers, and the files or folders (ending in /) that may see them.
 DOORS = [
-    ("MPI", r"mpi\.h$", ["coupling/transport/mpi_transport.cpp", "app/"]),
+    ("MPI", r"mpi\.h$", ["coupling/transport/mpi_transport.cpp", "coupling/transport/doorbell.cpp", "app/"]),
     ("CGAL", r"CGAL/", ["common/geometry/clipping.cpp"]),
     ("CHOLMOD and UMFPACK", r"(suitesparse/)?(cholmod|umfpack|amd|colamd|SuiteSparse_config)\w*\.h$", ["common/linear/", "common/substructure/sparse_leaf.cpp"]),
     ("HDF5", r"(hdf5|hdf5_hl|H5\w*)\.h$", ["common/io/hdf5.cpp"]),

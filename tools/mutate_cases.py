@@ -6,7 +6,9 @@
 A mutant is a shipped case, coarse and short, with one to three changes of its text: a number becomes huge, tiny,
 negative, NaN or no number at all, a line goes or comes twice, a letter is another one, a key has the value of another.
 One half is checked, the other half run in one process. Exit code 1 where a mutant ends by a signal, with a code that
-the README has not or that means a defect, after more than 2 s of a processor, or with more than 1 GiB.
+the README has not or that means a defect, after more than 2 s of a processor, or with more than 1 GiB. A legal mutant
+may ask for much. So 2 s and 1 GiB are for 100 000 elements, and more where `check` says that the mesh has more. A run
+that is still at work then is asked to stop, and ends with 130 after the increment it is at.
 """
 
 import argparse
@@ -14,6 +16,7 @@ import os
 import random
 import re
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
@@ -22,6 +25,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 GOOD_CODES = {0, 2, 3, 5}
+INTERRUPTED = 130
 MOST_SECONDS = 2.0
 MOST_BYTES = 1 << 30
 NUMBER = re.compile(r"(?<![\w.\"])-?\d+\.?\d*(?:e[+-]?\d+)?(?![\w.\"])")
@@ -85,30 +89,51 @@ def set_limits():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def ending_of(command, log):
-    """Exit code (negative: the signal; None: no end), seconds of a processor, bytes."""
-    with open(log, "w") as said:
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said, preexec_fn=set_limits)
-        last = time.time() + 30.0 * MOST_SECONDS
-        while True:
+class Ending:
+    """Exit code (negative: the signal; None: no end), seconds of a processor, bytes; whether it was asked to stop."""
+
+    def __init__(self, command, log, seconds):
+        with open(log, "w") as said:
+            process = subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT, preexec_fn=set_limits)
+        self.code, self.seconds, self.bytes, self.asked = None, 0.0, 0, False
+        last = time.time() + 30.0 * seconds
+        while time.time() < last:
             pid, status, usage = os.wait4(process.pid, os.WNOHANG)
             if pid:
-                return os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime, 1024 * usage.ru_maxrss
-            if time.time() > last:
-                process.kill()
-                process.wait()
-                return None, 0.0, 0
+                self.code, self.bytes = os.waitstatus_to_exitcode(status), 1024 * usage.ru_maxrss
+                self.seconds = usage.ru_utime + usage.ru_stime
+                return
+            if not self.asked and command[1] == "run" and seconds_of(process.pid) > seconds:
+                process.send_signal(signal.SIGTERM)
+                self.asked = True
             time.sleep(0.002)
+        process.kill()
+        process.wait()
+
+    def complaint(self, seconds, size):
+        if self.code is None:
+            return "no end"
+        if self.code not in GOOD_CODES and not (self.asked and self.code == INTERRUPTED):
+            return f"signal {-self.code}" if self.code < 0 else f"exit code {self.code}"
+        if not self.asked and self.seconds > seconds:
+            return f"{self.seconds:.1f} s"
+        return f"{self.bytes / (1 << 30):.1f} GiB" if self.bytes > size else ""
 
 
-def complaint(code, seconds, size):
-    if code is None:
-        return "no end"
-    if code not in GOOD_CODES:
-        return f"signal {-code}" if code < 0 else f"exit code {code}"
-    if seconds > MOST_SECONDS:
-        return f"{seconds:.1f} s"
-    return f"{size / (1 << 30):.1f} GiB" if size > MOST_BYTES else ""
+def seconds_of(pid):
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    except OSError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def size_of_mesh(program, case, log):
+    """By what its mesh exceeds 100 000 elements; 1 where it does not, or where there is none."""
+    with open(log, "w") as said:
+        subprocess.run([program, "check", str(case)], stdout=said, stderr=subprocess.DEVNULL, preexec_fn=set_limits)
+    found = re.search(r"^# mesh: .* (\d+) elements", log.read_text(errors="replace"), re.M)
+    return max(1.0, int(found.group(1)) / 1e5) if found else 1.0
 
 
 def main():
@@ -129,13 +154,17 @@ def main():
             command = [str(options.programs / "stria"), "check" if k % 2 == 0 else "run", str(case)]
             if command[1] == "run":
                 command += ["-o", folder + "/out", "--mode", "inprocess", "--force", "--quiet"]
-            code, seconds, size = ending_of(command, log)
-            codes[code] = codes.get(code, 0) + 1
-            what = complaint(code, seconds, size)
+            ending = Ending(command, log, MOST_SECONDS)
+            codes[ending.code] = codes.get(ending.code, 0) + 1
+            said = log.read_text(errors="replace").strip().splitlines()
+            what = ending.complaint(MOST_SECONDS, MOST_BYTES)
+            if what:
+                times = size_of_mesh(command[0], case, log)
+                if times > 1.0:
+                    what = Ending(command, log, times * MOST_SECONDS).complaint(times * MOST_SECONDS, times * MOST_BYTES)
             if not what:
                 continue
             reported += 1
-            said = log.read_text(errors="replace").strip().splitlines()
             print(f"mutant {k} ({command[1]}): {what}: {said[-1] if said else ''}", flush=True)
             if options.keep:
                 options.keep.mkdir(parents=True, exist_ok=True)

@@ -35,8 +35,8 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
         }
     }
     const int elements = coarse::select_zone(scene, K_I).count();
-    fmt::print("# zone: {} elements, about {} points\n", elements,
-               elements * 4 * scene.input.fine.subcells * scene.input.fine.subcells);
+    const int subcells = subcells_elsewhere(scene.input.fine);
+    fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
 
 }  // namespace

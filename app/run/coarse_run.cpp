@@ -98,6 +98,14 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         if (stop || is_due(step)) write_checkpoint(*running, *recorder);
         return !stop;
     };
+    listener.released_in_part = [&] {
+        const bool stop = interrupted();
+        if (stop) write_checkpoint(*running, *recorder);
+        return !stop;
+    };
+    listener.stuck = [&] {
+        if (saved_.value_or(0) != running->effort().counts.increments) write_checkpoint(*running, *recorder);
+    };
     coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
     running = &analysis;
     warnings_ = coarse::mesh_warnings(scene_, analysis.largest_K_I());

@@ -96,6 +96,11 @@ public:
         zone_.set_boundary(on_boundary());
     }
 
+    void put_aside() override {
+        increments_.put_aside({trial_ - committed_, load_factor_ - committed_load_factor_});
+        zone_.put_aside();
+    }
+
     coupling::StepReport commit(bool reversal) override {
         increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
         committed_ = trial_;

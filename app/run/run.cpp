@@ -13,6 +13,7 @@
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/linear/sparse_lu.hpp"
+#include "common/memory.hpp"
 #include "coupling/transport/mpi_transport.hpp"
 #include "coupling/transport/serve.hpp"
 #include "fine/zone/fine_model.hpp"
@@ -41,6 +42,7 @@ void meet_and_part(coupling::Role role) {
 int run_coarse_with_mpi(const RunOptions& options) {
     heed_interruption();
     use_one_thread();
+    keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         meet_and_part(coupling::Role::Coarse);
@@ -64,6 +66,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
 int run_fine_with_mpi(const RunOptions& options) {
     ignore_interruption();
     use_one_thread();
+    keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         meet_and_part(coupling::Role::Fine);
@@ -85,6 +88,7 @@ int run_fine_with_mpi(const RunOptions& options) {
 int run_in_process(const RunOptions& options) {
     heed_interruption();
     use_one_thread();
+    keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);
     CoarseRun run(options, input, {options.mode, 1, isatty(STDOUT_FILENO) != 0});
     if (!needs_fine(input)) {

@@ -15,6 +15,14 @@
 
 namespace stria::coarse {
 
+/// Figure 3 (b) under way: what holds the faces that the last growth has opened.
+struct FaceRelease {
+    int cycle = 0;      // in which the cracks have grown
+    double held = 0.0;  // share of the forces that is left; 0: nothing is under way
+    double part = 1.0;  // share that is released next
+    int cuts = 0;       // halvings of it in a row
+};
+
 /// Whatever else an analysis holds is a function of this and of the case. A run that goes on from it changes no digit.
 struct AnalysisState {
     struct Polyline {
@@ -26,12 +34,13 @@ struct AnalysisState {
     Eigen::VectorXd displacement;         // of all unknowns of the mesh, mm; zero inside the zone
     double load_factor = 0.0;             // committed
     double largest_force = 0.0;           // largest scale of a residual up to now, N/mm
-    std::vector<char> closed;             // signals of the closure meter
+    std::vector<double> signal;           // of the closure meter
     CycleMemory cycle;                    // of the present cycle
     std::vector<CycleResult> last_cycle;  // one per tip, of the last cycle that ended
     std::vector<TipResult> nominal;       // one per tip, of the present crack lengths
     RunCounts counts;
     bool growth_ended = false;  // growth has ended the run
+    FaceRelease release;
     LoadPosition load;
     WorkBalance work;
     EquilibriumState equilibrium;

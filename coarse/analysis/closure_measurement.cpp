@@ -1,5 +1,7 @@
 #include "coarse/analysis/closure_measurement.hpp"
 
+#include <algorithm>
+
 namespace stria::coarse {
 namespace {
 
@@ -7,30 +9,29 @@ constexpr double precision = 0.002;  // of the larger load of a half cycle
 
 }  // namespace
 
-bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& report, double from) const {
-    const std::vector<char> now = reached(step, report, from);
-    return step.cycle > 0 && closed_.size() == now.size() && now != closed_;
+bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& report) const {
+    const std::vector<double> now = meter_.signal(report, signal_);
+    const auto same_sign = [](double a, double b) { return (a > 0.0) == (b > 0.0); };
+    return step.cycle > 0 && signal_.size() == now.size() && !std::ranges::equal(signal_, now, same_sign);
 }
 
-std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report, double from,
-                                                       double extreme, const Solve& solve) const {
-    const double to = step.target.value;
-    return meter_.locate(closed_, reached(step, report, from), from, to, precision * extreme, [&](double target) {
-        LoadStep part = step;
-        part.target.value = target;
-        part.predictor.factor *= (target - from) / (to - from);
-        return solve(part);
-    });
+std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report,
+                                                       const End& from, const End& to, double extreme,
+                                                       const Solve& solve) const {
+    return meter_.locate({from.target, from.load_factor, signal_},
+                         {to.target, to.load_factor, meter_.signal(report, signal_)}, precision * extreme,
+                         [&](double target) {
+                             LoadStep part = step;
+                             part.target.value = target;
+                             part.predictor = {(target - from.target) / (to.target - from.target), 0};
+                             return solve(part);
+                         });
 }
 
-std::vector<char> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report, double from) {
-    std::vector<char> now = closed_ = reached(step, report, from);
-    if (step.reversal) meter_.forget_slip(closed_);
+std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report) {
+    std::vector<double> now = signal_ = meter_.signal(report, signal_);
+    if (step.reversal) meter_.forget_slip(signal_);
     return now;
-}
-
-std::vector<char> ClosureMeasurement::reached(const LoadStep& step, const NewtonReport& report, double from) const {
-    return meter_.closed(report, closed_, step.target.value > from);
 }
 
 }  // namespace stria::coarse

@@ -11,32 +11,35 @@ namespace stria::coarse {
 
 class ClosureMeasurement {
 public:
-    /// `closed`: signals that are committed (ClosureMeter::closed()); empty before the first increment.
-    explicit ClosureMeasurement(ClosureMeter meter, std::vector<char> closed = {})
-        : meter_(std::move(meter)), closed_(std::move(closed)) {}
+    /// `signal`: that of the committed state (ClosureMeter::signal()); empty before the first increment.
+    explicit ClosureMeasurement(ClosureMeter meter, std::vector<double> signal = {})
+        : meter_(std::move(meter)), signal_(std::move(signal)) {}
 
     [[nodiscard]] const ClosureMeter& meter() const { return meter_; }
 
-    /// A signal came or went within an increment of a cycle that has converged. `from`: the target reached before it.
-    [[nodiscard]] bool has_changed(const LoadStep& step, const NewtonReport& report, double from) const;
+    /// A signal came or went within an increment of a cycle that has converged.
+    [[nodiscard]] bool has_changed(const LoadStep& step, const NewtonReport& report) const;
 
-    /// Where its signals changed. `extreme`: the larger magnitude of the targets that the present half cycle joins.
-    /// solve(part) finds the trial equilibrium of a shorter increment.
+    /// The end of an increment, or its beginning.
+    struct End {
+        double target, load_factor;
+    };
+    /// Where its signals changed between what was committed and what has been found at its end. `extreme`: the larger
+    /// magnitude of the targets that the present half cycle joins. solve(part) finds the trial equilibrium of a shorter
+    /// increment, whose predictor is a share of the attempt that was put aside.
     using Solve = std::function<ClosureMeter::Trial(const LoadStep&)>;
-    [[nodiscard]] std::vector<OpeningChange> changes(const LoadStep& step, const NewtonReport& report, double from,
-                                                     double extreme, const Solve& solve) const;
+    [[nodiscard]] std::vector<OpeningChange> changes(const LoadStep& step, const NewtonReport& report, const End& from,
+                                                     const End& to, double extreme, const Solve& solve) const;
 
     /// The increment is committed; returns its signals.
-    std::vector<char> commit(const LoadStep& step, const NewtonReport& report, double from);
+    std::vector<double> commit(const LoadStep& step, const NewtonReport& report);
 
     /// Committed: what the next increment starts from.
-    [[nodiscard]] const std::vector<char>& closed() const { return closed_; }
+    [[nodiscard]] const std::vector<double>& signal() const { return signal_; }
 
 private:
-    [[nodiscard]] std::vector<char> reached(const LoadStep& step, const NewtonReport& report, double from) const;
-
     ClosureMeter meter_;
-    std::vector<char> closed_;
+    std::vector<double> signal_;
 };
 
 }  // namespace stria::coarse

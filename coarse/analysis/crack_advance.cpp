@@ -8,6 +8,14 @@
 
 namespace stria::coarse {
 
+namespace {
+
+constexpr double no_field = 1e-6;  // of the K of a unit load: faces that touch without a load leave rounding
+
+double size_of(const TipResult& tip) { return std::hypot(tip.K_I, tip.K_II); }
+
+}  // namespace
+
 double hoop_stress_angle(double K_I, double K_II) {
     if (std::abs(K_II) <= 0.005 * std::abs(K_I)) return 0.0;  // no field at all has no direction either
     const double ratio = K_I / K_II;
@@ -28,7 +36,7 @@ std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const 
                                  std::vector<TipResult> nominal, const std::vector<TipResult>& reached) {
     for (std::size_t t = 0; t < nominal.size(); ++t) {
         const std::optional<ContactSection>& contact = cracks[at(tips[t].crack)].contact;
-        const bool touches = reached[t].contact_length > 0.0;
+        const bool touches = reached[t].contact_length > 0.0 && size_of(reached[t]) > no_field * size_of(nominal[t]);
         if (!contact || contact->friction == 0.0 || !touches || reached[t].rings_flow) continue;
         nominal[t].K_I = std::max(reached[t].K_I, 0.0);  // closed faces leave the rounding of one
         nominal[t].K_II = reached[t].K_II;

@@ -17,8 +17,9 @@ namespace stria::coarse {
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
 
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces with friction touch, the K
-/// of the solution that has been reached, which knows the shear that they transmit, unless no ring of the tip lies
-/// outside what has flowed: then it is no elastic K. One per tip each.
+/// of the solution that has been reached, which knows the shear that they transmit. Not where that is nothing, as
+/// without a load; nor where no ring of the tip lies outside what has flowed: then it is no elastic K. One per tip
+/// each.
 [[nodiscard]] std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
                                                std::vector<TipResult> nominal, const std::vector<TipResult>& reached);
 

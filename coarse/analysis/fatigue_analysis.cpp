@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <utility>
 
 #include "common/error.hpp"
@@ -11,11 +12,14 @@
 namespace stria::coarse {
 namespace {
 
-/// Where forces drive a body that yields, its limit load may be what is in the way.
-std::string limit_load_hint(const Scene& scene) {
+/// Where forces drive a body that yields, its limit load may be what is in the way. `moved`: its loaded boundary, mm.
+/// No equilibrium of a body that bears its load moves a boundary by a tenth of the body.
+std::string limit_load_hint(const Scene& scene, double moved) {
     const bool may_have = scene.input.material.yield_stress && !scene.unit_force.isZero(0.0);
     if (!may_have || scene.input.load.control != Control::Load) return "";
-    return "; if the body bears no more, load.control = \"displacement\" goes past its limit load";
+    constexpr auto remedy = "load.control = \"displacement\" goes past its limit load";
+    if (moved < 0.1 * scene.input.mesh.width) return fmt::format("; if the body bears no more, {}", remedy);
+    return fmt::format("; the body bears no more, its loaded boundary has moved by {:.3g} mm: {}", moved, remedy);
 }
 
 }  // namespace
@@ -25,7 +29,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver),
       closure_(ClosureMeter(scene.input.closure, scene.input.material, scene.input.cracks, body_.largest_K_I()),
-               from != nullptr ? from->closed : std::vector<char>()),
+               from != nullptr ? from->signal : std::vector<double>()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
@@ -34,6 +38,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     controller_.resume(from->load);
     cycle_meter_.resume(from->cycle);
     last_cycle_ = from->last_cycle;
+    release_ = from->release;
     effort_.counts = from->counts;
 }
 
@@ -41,11 +46,12 @@ AnalysisState FatigueAnalysis::state() const {
     AnalysisState state;
     body_.write(state);
     model_.write(state);
-    state.closed = closure_.closed();
+    state.signal = closure_.signal();
     state.cycle = cycle_meter_.memory();
     state.last_cycle = last_cycle_;
     state.counts = effort_.counts;
     state.growth_ended = growth_ && growth_->ended();
+    state.release = release_;
     state.load = controller_.position();
     return state;
 }
@@ -58,6 +64,7 @@ CoarseEffort FatigueAnalysis::effort() const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
+    if (!release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         std::optional<NewtonReport> found = solve_equilibrium(*step);
         if (!found) continue;  // the increment is made again, shorter or with a larger zone
@@ -65,7 +72,7 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted();
-        if (growth_ && growth_->is_due(*step)) grow(*step);
+        if (growth_ && growth_->is_due(*step) && !grow(*step)) return;
         if (!listener_.reached(*step)) return;
     }
 }
@@ -94,17 +101,16 @@ NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
     if (!controller_.cut()) {
-        throw NumericalFailure(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}{}",
-                                           effort_.counts.increments + 1, step.cycle, to_text(step.target),
-                                           report.failure, controller_.max_cuts(), last_converged(step.target),
-                                           limit_load_hint(body_.scene())));
+        fail(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", effort_.counts.increments + 1,
+                         step.cycle, to_text(step.target), report.failure, controller_.max_cuts(),
+                         last_converged(step.target)));
     }
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
 }
 
 std::string FatigueAnalysis::last_converged(const Target& target) const {
     if (effort_.counts.increments == 0) return "no increment has converged before it";
-    const std::string reached = to_text({target.control, controller_.reached()});
+    const std::string reached = to_text(controller_.reached_target());
     if (target.control == Control::Load) return "the last converged one reached " + reached;
     return fmt::format("the last converged one reached {} at load factor {:.6g}", reached, model_.load_factor());
 }
@@ -128,23 +134,29 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     return true;
 }
 
-// The increment is tried in parts, and then made as it was. Newton's method begins with the tangents that it last made,
-// so what it reached on a long way before it may miss now: then the increment is halved like any other.
-std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
-    if (!closure_.has_changed(step, report, controller_.reached())) return std::vector<OpeningChange>();
-    auto changes =
-        closure_.changes(step, report, controller_.reached(), controller_.extreme(), [&](const LoadStep& part) {
-            model_.rollback();
-            ClosureMeter::Trial found{attempt(part), 0.0};
-            found.load_factor = model_.trial_load_factor();
-            return found;
-        });
+// The increment is tried in parts, and then made as it was: from where it was put aside that takes one iteration,
+// unless the tangents that Newton's method begins with lead elsewhere. Then the increment is halved like any other.
+std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadStep step, NewtonReport& report) {
+    if (!closure_.has_changed(step, report)) return std::vector<OpeningChange>();
+    model_.put_aside();
+    auto changes = closure_.changes(step, report, {controller_.reached(), model_.load_factor()},
+                                    {step.target.value, model_.trial_load_factor()}, controller_.extreme(),
+                                    [&](const LoadStep& part) {
+                                        model_.rollback();
+                                        ClosureMeter::Trial found{attempt(part), 0.0};
+                                        found.load_factor = model_.trial_load_factor();
+                                        return found;
+                                    });
     model_.rollback();
-    report = attempt(step);
-    if (!report.converged) {
-        cut_or_fail(step, report);
+    step.predictor = {1.0, 0};
+    const NewtonReport again = attempt(step);
+    if (!again.converged) {
+        cut_or_fail(step, again);
         return std::nullopt;
     }
+    Residual& last = report.iterations.back().residual;  // that of the state that will be committed
+    const int status_changes = std::exchange(last, again.iterations.back().residual).status_changes;
+    last.status_changes = status_changes;
     note_lost(step, changes);
     return changes;
 }
@@ -162,7 +174,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     Increment increment = model_.commit(step, report);
     increment.number = ++effort_.counts.increments;
     increment.opening_changes = std::move(changes);
-    increment.closed = closure_.commit(step, report, controller_.reached());
+    increment.signal = closure_.commit(step, report);
     for (const TipResult& tip : body_.nominal()) increment.nominal_K.push_back(tip.K_I);
     reached_tips_ = increment.tips;
     note_flowing_rings(increment);
@@ -190,45 +202,69 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
 // without them.
-void FatigueAnalysis::grow(const LoadStep& reached) {
+bool FatigueAnalysis::grow(const LoadStep& reached) {
     std::unique_ptr<Scene> longer = growth_->next(body_, model_.load_factor(), reached_tips_, last_cycle_);
-    if (!longer) return;
+    if (!longer) return true;
     model_.lengthen_cracks(std::move(longer));
     controller_.set_scale(body_.load_scale());
     controller_.forget_increments();
-    LoadStep step;
-    step.cycle = reached.cycle;
-    step.target = reached.target;
-    step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
-    release_new_faces(step);
+    release_ = {.cycle = reached.cycle, .held = 1.0};
+    return release_new_faces();
 }
 
 // At once where Newton's method gets there; else in parts, halved like any increment.
-void FatigueAnalysis::release_new_faces(LoadStep step) {
-    double held = 1.0, part = 1.0;
-    int cuts = 0;
-    while (held > 0.0) {
-        const double left = std::max(held - part, 0.0);
-        step.target.held = left / held;
+bool FatigueAnalysis::release_new_faces() {
+    while (release_.held > 0.0) {
+        const LoadStep step = next_release();
         const NewtonReport report = attempt(step);
         if (!report.converged) {
-            model_.rollback();
-            if (cuts++ == controller_.max_cuts())
-                throw NumericalFailure(fmt::format("after the crack has grown in cycle {}: {} at {} after {} halvings",
-                                                   step.cycle, report.failure, to_text(step.target), cuts - 1));
-            listener_.note(fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target),
-                                       report.failure));
-            ++effort_.counts.release_cuts;
-            part /= 2.0;
+            cut_release_or_fail(step, report);
             continue;
         }
         if (zone_must_grow(step)) continue;
         accept(step, report, {});
-        held = left;
-        if (cuts == 0) continue;
-        --cuts;
-        part *= 2.0;
+        release_.held = left_after_release();
+        if (release_.cuts > 0) {
+            --release_.cuts;
+            release_.part *= 2.0;
+        }
+        if (release_.held > 0.0 && !listener_.released_in_part()) return false;
     }
+    return true;
+}
+
+double FatigueAnalysis::left_after_release() const { return std::max(release_.held - release_.part, 0.0); }
+
+LoadStep FatigueAnalysis::next_release() const {
+    LoadStep step;
+    step.cycle = release_.cycle;
+    step.target = controller_.reached_target();
+    step.target.held = left_after_release() / release_.held;
+    step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
+    return step;
+}
+
+void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonReport& report) {
+    model_.rollback();
+    if (release_.cuts >= controller_.max_cuts()) {
+        std::vector<double> lengths;
+        for (const TipResult& tip : body_.nominal()) lengths.push_back(tip.a);
+        fail(fmt::format("cycle {}: the cracks have grown to a = {:.6g} mm; at {} no equilibrium is found with less "
+                         "than {:.3g} % of the forces that held their new faces: {} after {} halvings",
+                         step.cycle, fmt::join(lengths, ", "), to_text(step.target), 100.0 * release_.held,
+                         report.failure, release_.cuts));
+    }
+    listener_.note(
+        fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target), report.failure));
+    ++release_.cuts;
+    ++effort_.counts.release_cuts;
+    release_.part /= 2.0;
+}
+
+// The committed state is whole.
+void FatigueAnalysis::fail(const std::string& what) const {
+    listener_.stuck();
+    throw NumericalFailure(what + limit_load_hint(body_.scene(), std::abs(model_.loaded_displacement())));
 }
 
 }  // namespace stria::coarse

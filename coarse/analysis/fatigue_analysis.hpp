@@ -23,9 +23,10 @@ public:
     void run();
 
     /// Nothing is left to do.
-    [[nodiscard]] bool finished() const { return !next(); }
+    [[nodiscard]] bool finished() const { return release_.held == 0.0 && !next(); }
 
-    /// Between increments: where the listener is told that a load has been reached, and after run() has returned.
+    /// Between increments: where the listener is told that a load has been reached or that none will be, and after
+    /// run() has returned.
     [[nodiscard]] AnalysisState state() const;
 
     [[nodiscard]] const Structure& structure() const { return body_.structure(); }
@@ -46,13 +47,18 @@ private:
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     [[nodiscard]] std::string last_converged(const Target& target) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
-    [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(const LoadStep& step, NewtonReport& report);
+    [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(LoadStep step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
     void end_cycle(Increment& increment);
     void note_flowing_rings(const Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
-    void grow(const LoadStep& reached);
-    void release_new_faces(LoadStep step);
+    /// Both: false where the listener stops it.
+    bool grow(const LoadStep& reached);
+    bool release_new_faces();
+    [[nodiscard]] LoadStep next_release() const;
+    [[nodiscard]] double left_after_release() const;
+    void cut_release_or_fail(const LoadStep& step, const NewtonReport& report);
+    [[noreturn]] void fail(const std::string& what) const;
 
     Listener listener_;
     CoarseEffort effort_;
@@ -64,6 +70,7 @@ private:
     std::vector<TipResult> reached_tips_;  // of the last increment
     std::vector<CycleResult> last_cycle_;  // one per tip, of the last cycle that ended
     std::optional<CrackGrowth> growth_;
+    FaceRelease release_;
     TwoScaleModel model_;
 };
 

@@ -20,6 +20,10 @@ struct Listener {
     std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {};
     /// A load has been reached, and the cracks have grown where they do so there. False: stop here.
     std::function<bool(const LoadStep&)> reached = [](const LoadStep&) { return true; };
+    /// A part of what holds the faces that a growth has opened. False: stop here.
+    std::function<bool()> released_in_part = [] { return true; };
+    /// No equilibrium has been found, and the run is about to fail: the state is the last one that has converged.
+    std::function<void()> stuck = [] {};
 };
 
 }  // namespace stria::coarse

@@ -64,6 +64,7 @@ void TwoScaleModel::couple(const AnalysisState* from) {
 coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const {
     coupling::Patch patch = make_patch(body_.scene(), in_zone, gamma, displacement_);
     patch.opening_at = closure_.opening_at();
+    patch.contact_at = closure_.contact_at();
     patch.ahead = closure_.ahead(body_.scene().enriched);
     patch.slip_at = closure_.slip_at();
     return patch;

@@ -22,10 +22,14 @@ public:
     /// Newton's method, to a trial state.
     [[nodiscard]] NewtonReport solve(const LoadStep& step);
     void rollback() { equilibrium_->rollback(); }
+    /// The state that an attempt has reached is wanted again before the next commit (Predictor, `back` 0).
+    void put_aside() { equilibrium_->put_aside(); }
     /// Trial becomes committed. The increment holds what mechanics has to say of it: no number, no closure, no cycles.
     [[nodiscard]] Increment commit(const LoadStep& step, const NewtonReport& report);
 
     [[nodiscard]] double load_factor() const { return load_factor_; }  // committed
+    /// Of the trial state: mean, along the load's direction, mm.
+    [[nodiscard]] double loaded_displacement() const { return equilibrium_->machine_reading().displacement; }
     [[nodiscard]] double trial_load_factor() const { return equilibrium_->load_factor(); }
 
     /// Elements outside the zone that the trial state takes beyond yield, ascending.

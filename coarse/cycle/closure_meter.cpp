@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/zone/zone_selection.hpp"
@@ -10,6 +11,53 @@ namespace stria::coarse {
 namespace {
 
 constexpr double share_of_radius = 0.1;
+
+bool is_closed(double signal) { return signal > 0.0; }
+
+std::vector<std::size_t> changed_signals(const ClosureStation& before, const ClosureStation& after) {
+    std::vector<std::size_t> changed;
+    for (std::size_t k = 0; k < before.signal.size(); ++k)
+        if (is_closed(before.signal[k]) != is_closed(after.signal[k])) changed.push_back(k);
+    return changed;
+}
+
+/// Where between two stations a signal passes zero, as a share of the way, and whether that is known.
+struct Crossing {
+    double share;
+    bool known;
+};
+
+/// The share of the way from `inner` to the station `across` at which a signal that was seen at `outer` and `inner`, on
+/// one side of zero, comes to zero if it goes straight on; beyond 1, or not a number: it does not.
+double straight_on(const ClosureStation& outer, const ClosureStation& inner, const ClosureStation& across,
+                   std::size_t k) {
+    if (is_closed(outer.signal[k]) != is_closed(inner.signal[k])) return NAN;
+    const double slope = (inner.signal[k] - outer.signal[k]) / (inner.target - outer.target);
+    return -inner.signal[k] / slope / (across.target - inner.target);
+}
+
+/// Signals are nearly straight on either side of zero, and bend there: faces press with another stiffness than they
+/// open. So two stations on one side tell where it is, and where they are near it they know. What leads to the station
+/// across, whose signal says otherwise, leads nowhere; of two the one farther from both stations tells more.
+Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision) {
+    const ClosureStation &before = way[i], &after = way[i + 1];
+    const double width = std::abs(after.target - before.target), near = 0.5 * precision / width;
+    const double from_before = i > 0 ? straight_on(way[i - 1], before, after, k) : NAN;
+    const double from_after = i + 2 < way.size() ? 1.0 - straight_on(way[i + 2], after, before, k) : NAN;
+    if (from_before >= 0.0 && from_before <= near) return {from_before, true};
+    if (from_after <= 1.0 && from_after >= 1.0 - near) return {from_after, true};
+    if (width <= precision) return {0.5, true};
+    const auto room = [](double share) { return std::min(share, 1.0 - share); };
+    const bool before_leads = room(from_before) > near, after_leads = room(from_after) > near;
+    if (before_leads && after_leads && std::abs(from_after - from_before) <= near)
+        return {0.5 * (from_before + from_after), true};
+    constexpr std::size_t enough = 8;  // stations for each signal: whatever leads on has had its chance
+    if (way.size() > enough * before.signal.size()) return {0.5, false};
+    if (before_leads && !(after_leads && room(from_after) > room(from_before))) return {from_before, false};
+    if (after_leads) return {from_after, false};
+    const double a = std::abs(before.signal[k]), b = std::abs(after.signal[k]);
+    return {std::isfinite(a + b) && a + b > 0.0 ? std::clamp(a / (a + b), 0.1, 0.9) : 0.5, false};
+}
 
 }  // namespace
 
@@ -54,57 +102,63 @@ std::vector<std::vector<double>> ClosureMeter::slip_at() const {
     return slip_ ? distance_ : std::vector<std::vector<double>>();
 }
 
-std::vector<char> ClosureMeter::closed(const NewtonReport& report, const std::vector<char>& before, bool rises) const {
+std::vector<double> ClosureMeter::signal(const NewtonReport& report, const std::vector<double>& before) const {
     const Residual& last = report.iterations.back().residual;
-    std::vector<char> closed;
+    std::vector<double> signal;
     for (std::size_t t = 0; t < distance_.size(); ++t) {
-        for (const double distance : distance_[t])
-            closed.push_back(t < last.contact_reach.size() && last.contact_reach[t] >= distance);
-        if (tension_) closed.push_back(t < last.force_ahead.size() && last.force_ahead[t] < 0.0);
+        for (std::size_t k = 0; k < distance_[t].size(); ++k)
+            signal.push_back(t < last.faces.size() ? last.faces[t][k] : -INFINITY);
+        if (tension_) signal.push_back(t < last.force_ahead.size() ? -last.force_ahead[t] : -INFINITY);
         for (std::size_t k = 0; slip_ && k < distance_[t].size(); ++k) {
-            const bool has_slid = !before.empty() && before[closed.size()] != 0;
+            const bool has_slid = !before.empty() && before[signal.size()] > 0.0;
             const bool slides = t < last.slides.size() && last.slides[t][k] != 0;
-            closed.push_back(rises && (has_slid || slides));
+            signal.push_back(has_slid || slides ? 1.0 : -1.0);
         }
     }
-    return closed;
+    return signal;
 }
 
-void ClosureMeter::forget_slip(std::vector<char>& closed) const {
+void ClosureMeter::forget_slip(std::vector<double>& signal) const {
     const Signals count = signals();
-    for (std::size_t k = 0; k < closed.size(); ++k)
-        if (k % count.all() >= count.first_slip()) closed[k] = 0;
+    for (std::size_t k = 0; k < signal.size(); ++k)
+        if (k % count.all() >= count.first_slip()) signal[k] = -1.0;
 }
 
-std::vector<OpeningChange> ClosureMeter::locate(const std::vector<char>& before, const std::vector<char>& after,
-                                                double from, double to, double precision, const Solve& solve) const {
+std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
+                                                const Solve& solve) const {
     std::vector<OpeningChange> changes;
-    bisect({from, before}, {to, after}, NAN, precision, solve, changes);
+    std::vector<ClosureStation> way{std::move(before), std::move(after)};
+    for (std::size_t i = 0; i + 1 < way.size();) {
+        const std::vector<std::size_t> changed = changed_signals(way[i], way[i + 1]);
+        const auto unknown =
+            std::ranges::find_if(changed, [&](std::size_t k) { return !crossing(way, i, k, precision).known; });
+        const bool found = unknown == changed.end();
+        if (!found) {
+            if (auto between = try_between(way[i], way[i + 1], crossing(way, i, *unknown, precision).share, solve)) {
+                way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
+                continue;
+            }
+        }
+        for (const std::size_t k : changed) {
+            const auto [share, known] = crossing(way, i, k, precision);
+            const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
+            changes.push_back({static_cast<int>(k / signals().all()), static_cast<int>(k % signals().all()),
+                               is_closed(way[i + 1].signal[k]), load_factor});
+        }
+        ++i;
+    }
     return changes;
 }
 
-// `load_factor`: that of the last trial, which is one of the two ends; none yet: not a number.
-void ClosureMeter::bisect(const End& before, const End& after, double load_factor, double precision, const Solve& solve,
-                          std::vector<OpeningChange>& changes) const {
-    if (before.closed == after.closed) return;
-    if (std::abs(after.target - before.target) > precision || std::isnan(load_factor)) {
-        for (const double way : {0.5, 0.375, 0.625, 0.25, 0.75}) {
-            const double between = (1.0 - way) * before.target + way * after.target;
-            const Trial trial = solve(between);
-            if (!trial.report.converged) continue;
-            const End middle{between, closed(trial.report, before.closed, after.target > before.target)};
-            bisect(before, middle, trial.load_factor, precision, solve, changes);
-            bisect(middle, after, trial.load_factor, precision, solve, changes);
-            return;
-        }
-        load_factor = NAN;
+std::optional<ClosureStation> ClosureMeter::try_between(const ClosureStation& before, const ClosureStation& after,
+                                                        double share, const Solve& solve) const {
+    for (const double way : {share, 0.5, 0.375, 0.625, 0.25, 0.75}) {
+        const double target = std::lerp(before.target, after.target, way);
+        const Trial trial = solve(target);
+        if (trial.report.converged)
+            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal)};
     }
-    for (std::size_t k = 0; k < before.closed.size(); ++k) {
-        if (before.closed[k] == after.closed[k]) continue;
-        const std::size_t per_tip = signals().all();
-        changes.push_back(
-            {static_cast<int>(k / per_tip), static_cast<int>(k % per_tip), after.closed[k] != 0, load_factor});
-    }
+    return std::nullopt;
 }
 
 }  // namespace stria::coarse

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "coarse/equilibrium/newton.hpp"
@@ -20,6 +21,12 @@ struct OpeningChange {
     double load_factor;  // to the precision asked for; NaN where no trial between two states came to equilibrium
 };
 
+/// A state on the way of an increment.
+struct ClosureStation {
+    double target, load_factor;
+    std::vector<double> signal;  // ClosureMeter::signal()
+};
+
 /// Reads signals of closure and finds where they change. Contact nearer to the tip than a fixed distance does not
 /// count: it is as ambiguous as the tip's element (docs/method.md, section 9).
 class ClosureMeter {
@@ -32,8 +39,8 @@ public:
                  const std::vector<CrackSection>& cracks, const std::vector<double>& largest_K_I);
 
     /// Signals per tip, in this order: contact beyond each of distances(tip), the default one first; compression ahead
-    /// of the tip where it is measured; and where sliding is, whether at each distance faces have slid since the load
-    /// began to rise.
+    /// of the tip where it is measured; and where sliding is, whether at each distance faces have slid in this half
+    /// cycle.
     struct Signals {
         std::size_t contact = 0, tension = 0, slip = 0;
         [[nodiscard]] std::size_t first_slip() const { return contact + tension; }
@@ -52,33 +59,35 @@ public:
     /// Distances behind the tips at which faces may slide: distances(tip), or nothing where it is not measured.
     [[nodiscard]] std::vector<std::vector<double>> slip_at() const;
 
-    /// 1 where a signal is closed in Newton's last state: all signals of the first tip, then of the next. `before`: in
-    /// the state that it comes from, or empty. What has slid while the load rises counts as sliding until it falls.
-    [[nodiscard]] std::vector<char> closed(const NewtonReport& report, const std::vector<char>& before,
-                                           bool rises) const;
+    /// Behind each tip, at and beyond which contact is a signal, mm.
+    [[nodiscard]] const std::vector<std::vector<double>>& contact_at() const { return distance_; }
+
+    /// The signals of Newton's last state, all of the first tip, then of the next: above zero where one is closed. Of
+    /// contact coupling::Digest::contact; of the metal ahead minus the normal force; of slip 1 or -1. `before`: in the
+    /// state that it comes from, or empty. What has slid counts as sliding until the load turns.
+    [[nodiscard]] std::vector<double> signal(const NewtonReport& report, const std::vector<double>& before) const;
     /// As a half cycle begins: nothing has slid in it.
-    void forget_slip(std::vector<char>& closed) const;
+    void forget_slip(std::vector<double>& signal) const;
 
     /// A trial equilibrium, and the load factor there.
     struct Trial {
         NewtonReport report;
         double load_factor;
     };
-    /// Finds the trial equilibrium at a target, starting from the state `from`.
+    /// Finds the trial equilibrium at a target.
     using Solve = std::function<Trial(double)>;
 
-    /// Tries targets between two states until each change lies between two that are no more than `precision` apart. A
-    /// trial that fails is made again elsewhere between them.
-    [[nodiscard]] std::vector<OpeningChange> locate(const std::vector<char>& before, const std::vector<char>& after,
-                                                    double from, double to, double precision, const Solve& solve) const;
+    /// Tries targets between two states until it knows where each signal passes zero, to `precision` of a target. Next
+    /// it tries where signals that it has seen on one side lead to, since they bend where contact is made or lost; in
+    /// proportion to both where they lead nowhere; in the middle where they only say whether. A trial that fails is
+    /// made again elsewhere.
+    [[nodiscard]] std::vector<OpeningChange> locate(ClosureStation before, ClosureStation after, double precision,
+                                                    const Solve& solve) const;
 
 private:
-    struct End {
-        double target;
-        std::vector<char> closed;
-    };
-    void bisect(const End& before, const End& after, double load_factor, double precision, const Solve& solve,
-                std::vector<OpeningChange>& changes) const;
+    /// Null where no trial comes to equilibrium. `share`: of the way, tried first.
+    [[nodiscard]] std::optional<ClosureStation> try_between(const ClosureStation& before, const ClosureStation& after,
+                                                            double share, const Solve& solve) const;
 
     std::vector<std::vector<double>> distance_;  // per tip, mm
     bool tension_ = false, slip_ = false;

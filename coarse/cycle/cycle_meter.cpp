@@ -20,7 +20,7 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double nomina
     }
 }
 
-/// Of the first slip on the way up: signals of slip come on no other way.
+/// Of the first slip in a half cycle.
 void note_slip(double& K_slip, const OpeningChange& change, double nominal_K) {
     if (change.closes && std::isnan(K_slip)) K_slip = nominal_K * change.load_factor;
 }
@@ -42,6 +42,7 @@ void CycleMeter::begin(int cycle) {
         tip.was_open.assign(signals_.first_slip(), 0);
         tip.signal.assign(signals_.first_slip(), {});
         tip.cycle.K_slip.assign(signals_.slip, NAN);
+        tip.cycle.K_slip_unloading.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
         tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor;
@@ -91,14 +92,15 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bo
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
         if (s >= signals_.first_slip()) {
-            note_slip(cycle.K_slip[s - signals_.first_slip()], change, increment.nominal_K[t]);
+            std::vector<double>& K_slip = unloading ? cycle.K_slip_unloading : cycle.K_slip;
+            note_slip(K_slip[s - signals_.first_slip()], change, increment.nominal_K[t]);
             continue;
         }
         note_change(tip.signal[s], change, increment.nominal_K[t], unloading);
         tip.changed[s] = 1;
     }
     for (std::size_t s = 0; s < tip.was_open.size(); ++s)
-        if (increment.closed.empty() || increment.closed[t * signals_.all() + s] == 0) tip.was_open[s] = 1;
+        if (increment.signal.empty() || increment.signal[t * signals_.all() + s] <= 0.0) tip.was_open[s] = 1;
     cycle.a = result.a;
     cycle.K_max = std::max(cycle.K_max, K);
     cycle.K_min = std::min(cycle.K_min, K);

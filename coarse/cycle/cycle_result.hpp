@@ -37,9 +37,10 @@ struct CycleResult {
     double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;  // plastic zones, mm
     std::vector<OpeningLoads> contact;                                          // per distance of the closure meter
     OpeningLoads tension, offset;
-    std::vector<double> K_slip;  // likewise, MPa sqrt(mm); NaN where nothing begins to slide; empty: nobody measures
-    OpeningLoads opening;        // by the definition asked for
-    double dN = 1.0;             // cycles that it stands for
+    // Likewise, MPa sqrt(mm); NaN where nothing begins to slide; empty: nobody measures.
+    std::vector<double> K_slip, K_slip_unloading;
+    OpeningLoads opening;  // by the definition asked for
+    double dN = 1.0;       // cycles that it stands for
 
     [[nodiscard]] double CTOD_range() const { return CTOD.range(); }
     [[nodiscard]] double opening_range() const { return opening_behind.range(); }

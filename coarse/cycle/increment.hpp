@@ -17,7 +17,7 @@ struct Increment {
     LoadStep step;
     double load_factor = 0.0;                    // found, where a displacement is controlled
     std::vector<OpeningChange> opening_changes;  // on the way to this increment
-    std::vector<char> closed;                    // of the closure meter's signals
+    std::vector<double> signal;                  // ClosureMeter::signal()
     NewtonReport newton;
     const Equilibrium* equilibrium = nullptr;  // in the state committed, as long as the listener runs
     MachineReading machine;

@@ -45,7 +45,8 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
     controlled_ =
         target.control == Control::Load ? LinearReading::load_factor(n) : structure_.loads().mean_displacement();
     target_ = target.value;
-    request_ = {.predictor = predictor, .held = target.held, .boundary = {}};
+    request_ = {
+        .predictor = predictor, .put_aside = std::exchange(put_aside_, false), .held = target.held, .boundary = {}};
     near_wanted_ = false;
     trial_ = committed_;
     if (const GammaState* earlier = increments_.find(predictor)) {
@@ -132,6 +133,11 @@ void CondensedEquilibrium::apply(double step) {
     request_.step = step;
     impose_held();
     ++request_.iteration;
+}
+
+void CondensedEquilibrium::put_aside() {
+    increments_.put_aside({trial_.displacement - committed_.displacement, trial_.load_factor - committed_.load_factor});
+    put_aside_ = true;
 }
 
 void CondensedEquilibrium::begin_commit(bool reversal) {

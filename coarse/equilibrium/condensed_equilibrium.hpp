@@ -24,6 +24,7 @@ public:
     double solve() override;
     void look_at_rest() override { request_.check_rest = true; }
     void apply(double step) override;
+    void put_aside() override;
     void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
@@ -64,6 +65,7 @@ private:
     coupling::PatchResponse response_;
     CondensedTangent zone_tangent_;  // of the last response that brought one
     BorderedSystem system_;          // for as long as the zone's tangent is the same
+    bool put_aside_ = false;         // the zone does not know yet
     bool near_wanted_ = false;       // of the next trial state, which may well be the last
     ExpandedDisplacement expanded_;  // of the trial state
     CoarseEffort effort_;

@@ -21,11 +21,11 @@ struct Residual {
     double scale = 0.0;     // the forces that balance
     double target = 0.0;    // of what is controlled, relative to its target
     int yielding_points = 0;
-    int closed = 0;                          // multipliers
-    int status_changes = 0;                  // since the iteration before
-    bool provisional = false;                // elements at rest have not been looked at: no state to stay in
-    std::vector<double> contact_reach = {};  // per tip: how far behind it the farthest contact lies, mm; < 0: none
-    std::vector<double> force_ahead = {};    // per tip, where it is measured: normal stress over the sector ahead, N
+    int closed = 0;                               // multipliers
+    int status_changes = 0;                       // since the iteration before
+    bool provisional = false;                     // elements at rest have not been looked at: no state to stay in
+    std::vector<std::vector<double>> faces = {};  // per tip and distance behind it: coupling::Digest
+    std::vector<double> force_ahead = {};  // per tip, where it is measured: normal stress over the sector ahead, N
     std::vector<std::vector<std::int8_t>> slides = {};  // likewise, per distance behind it: the nearest contact slides
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
@@ -72,6 +72,10 @@ public:
 
     /// Takes a part of the correction, everywhere the same.
     virtual void apply(double step) = 0;
+
+    /// The trial state is wanted again: Predictor with `back` 0 leads there, until the next commit. To be called before
+    /// the rollback.
+    virtual void put_aside() = 0;
 
     /// Lets the commit() that must follow begin, where somebody else has a part in it.
     virtual void begin_commit(bool /*reversal*/) {}

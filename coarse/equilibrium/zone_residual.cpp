@@ -13,7 +13,7 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.yielding_points = std::reduce(digest.yielding_points.begin(), digest.yielding_points.end());
     residual.closed = static_cast<int>(std::ranges::count_if(digest.status, [](auto status) { return status != 0; }));
     residual.status_changes = digest.status_changes;
-    residual.contact_reach = digest.contact_reach;
+    residual.faces = digest.contact;
     residual.force_ahead = digest.force_ahead;
     residual.slides = digest.slides;
     residual.provisional = response.provisional;

@@ -5,6 +5,7 @@
 #include <span>
 #include <tuple>
 
+#include "coarse/model/crack_front.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 
@@ -14,23 +15,15 @@ namespace {
 /// From the load line where the specimen has one; else arc length from the mouth, or half of it with two tips.
 double crack_length(const Scene& scene, const Tip& tip) {
     if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
-    const EnrichedMesh& mesh = scene.enriched;
-    double first = 1e300, last = -1e300;
-    int tips = 0;
-    for (const CrackPiece& piece : mesh.pieces) {
-        if (piece.crack != tip.crack) continue;
-        first = std::min(first, piece.s.front());
-        last = std::max(last, piece.s.back());
-    }
-    for (const Tip& other : mesh.tips) tips += other.crack == tip.crack ? 1 : 0;
-    return (last - first) / tips;
+    const auto tips = std::ranges::count(scene.enriched.tips, tip.crack, &Tip::crack);
+    return length_in_body(scene.enriched, tip.crack) / static_cast<double>(tips);
 }
 
 /// Opening at the crack's first point in the body, where the structure holds it.
 double mouth_opening(const Structure& structure, int crack, const Eigen::VectorXd& u) {
     for (const CrackPiece& piece : structure.scene().enriched.pieces) {
         if (piece.crack != crack) continue;
-        if (structure.in_zone().contains(piece.element) || piece.entry < 0.0) break;
+        if (structure.in_zone().contains(piece.element) || !has_mouth(structure.scene().enriched, crack)) break;
         return face_station_at(structure.scene().enriched, crack, piece.s.front()).opening(u);
     }
     return std::nan("");

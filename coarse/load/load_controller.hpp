@@ -64,6 +64,7 @@ public:
     [[nodiscard]] int cuts() const { return position_.cuts; }
     /// The value reached: a load factor, or a displacement, mm.
     [[nodiscard]] double reached() const { return position_.reached; }
+    [[nodiscard]] Target reached_target() const { return {control_, position_.reached}; }
     /// The larger magnitude of the two ends of the present way.
     [[nodiscard]] double extreme() const;
 

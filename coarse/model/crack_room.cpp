@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "coarse/model/crack_front.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -13,17 +14,6 @@ namespace {
 
 constexpr double smallest_edge = 1e-6;  // of the body
 constexpr const char* advice = "smaller elements there (mesh.grading) give it room";
-
-/// Of the part in the body, mm.
-double length_of(const EnrichedMesh& mesh, int crack) {
-    double first = 1e300, last = 0.0;
-    for (const CrackPiece& piece : mesh.pieces) {
-        if (piece.crack != crack) continue;
-        first = std::min(first, piece.s.front());
-        last = std::max(last, piece.s.back());
-    }
-    return last - first;
-}
 
 /// Largest size of a coordinate, mm.
 double extent_of(const Mesh& mesh) {
@@ -38,7 +28,7 @@ void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
     const double least = smallest_edge * extent_of(mesh);
     for (const Tip& tip : enriched.tips) {
         const double edge = tip_element_size(enriched, tip) / (std::numbers::sqrt2 * refined);
-        const double length = length_of(enriched, tip.crack);
+        const double length = length_in_body(enriched, tip.crack);
         const double distance = distance_to_boundary(mesh, tip.position);
         if (edge < least)
             throw CaseError(fmt::format("fine.refine = {}: elements of {:.3g} mm at a tip are too small beside the "

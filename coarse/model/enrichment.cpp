@@ -1,10 +1,15 @@
 #include "coarse/model/enrichment.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
+#include <utility>
 
+#include "coarse/model/crack_front.hpp"
 #include "coarse/model/crack_sides.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/enrichment/tip_functions.hpp"
@@ -28,12 +33,18 @@ public:
         result_.terms.resize(mesh.nodes.size());
         result_.element_side.assign(mesh.elements.size(), 0);
         result_.tip_exponent = tips.exponent;
-        result_.tip_functions = tips.functions;
     }
 
     EnrichedMesh enrich() {
+        std::vector<CrackPath> paths;
+        for (int crack = 0; crack < static_cast<int>(cracks_.size()); ++crack)
+            paths.push_back(resolve_crack(mesh_, crack, cracks_[at(crack)].points));
+        if (std::ranges::all_of(paths, [&](const CrackPath& path) { return has_small_elements(path); }))
+            tip_enrichment_.functions = 0;
+        result_.tip_functions = tip_enrichment_.functions;
         for (int crack = 0; crack < static_cast<int>(cracks_.size()); ++crack) {
-            const CrackPath path = resolve_crack(mesh_, crack, cracks_[at(crack)].points);
+            CrackPath& path = paths[at(crack)];
+            if (tip_enrichment_.functions == 0) path = with_fronts_on_edges(mesh_, std::move(path));
             add_crack(crack, path);
         }
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(e);
@@ -43,6 +54,17 @@ public:
     }
 
 private:
+    [[nodiscard]] bool has_small_elements(const CrackPath& path) const {
+        const double length = path.pieces.back().s.back() - path.pieces.front().s.front();
+        const auto is_small = [&](const CrackPiece& piece) {
+            const auto& nodes = mesh_.elements[at(piece.element)];
+            const double diagonal = (mesh_.nodes[at(nodes[2])] - mesh_.nodes[at(nodes[0])]).norm();
+            return diagonal / std::numbers::sqrt2 < tip_enrichment_.none_below * length;
+        };
+        return (!path.tip_at_start || is_small(path.pieces.front())) &&
+               (!path.tip_at_end || is_small(path.pieces.back()));
+    }
+
     // Sides and jumps of an element belong to one crack, and a node sees at most one tip.
     void require_one_crack(std::size_t element) const {
         std::set<int> cracks;
@@ -116,15 +138,16 @@ private:
         const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
         Tip tip;
         tip.crack = crack;
-        tip.s = start ? 0.0 : path.length;
-        tip.upper = start ? -1 : 1;
-        tip.position = start ? piece.points.front() : piece.points.back();
-        // Of the crack as given: the last piece may be short, and its other end snapped onto a node.
         const std::vector<Vec2>& points = cracks_[at(crack)].points;
+        tip.s = start ? piece.s.front() : piece.s.back();
+        tip.upper = start ? -1 : 1;
+        tip.position = start ? points.front() : points.back();
+        tip.beyond = start ? tip.s : path.length - tip.s;
+        // Of the crack as given: the last piece may be short, and its other end snapped onto a node.
         const Vec2& before = start ? points[1] : points[points.size() - 2];
         tip.direction = ((start ? points.front() : points.back()) - before).normalized();
         result_.tips.push_back(tip);
-        without_jump.merge(tip_nodes(mesh_, piece));
+        without_jump.merge(tip_enrichment_.functions == 0 ? front_nodes(mesh_, path, start) : tip_nodes(mesh_, piece));
     }
 
     void note_met_edges(const CrackPath& path) {
@@ -197,8 +220,9 @@ private:
 }  // namespace
 
 TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& material,
-                                const std::vector<CrackSection>& cracks) {
+                                const std::vector<CrackSection>& cracks, bool grows) {
     const TipEnrichment none{0, 0.5}, single{1, 0.5};
+    const TipEnrichment growing{.functions = 1, .exponent = 0.5, .none_below = 0.02};
     const TipEnrichment topological{6, 1.0 / (fine.enrichment_n.value_or(1.0) + 1.0)};
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, fine.enrichment_radius};
@@ -215,7 +239,7 @@ TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& 
     case Enrichment::Auto:
         break;
     }
-    if (material.yield_stress) return single;
+    if (material.yield_stress) return grows ? growing : single;
     if (has_friction(cracks)) return near_sliding;
     return needs_fine(fine, material, cracks) ? topological : geometrical;
 }

@@ -15,18 +15,22 @@ namespace stria::coarse {
 enum class TipSupport { Topological, Nodal, Gathered };
 
 struct TipEnrichment {
-    int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on the last edge before its tip
+    int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on the edge nearest to its tip
     double exponent = 0.5;  // 1/(n+1)
     TipSupport support = TipSupport::Topological;
     std::optional<double> radius = {};  // mm, of fixed-radius supports; absent: 3/4 of the tip's reach, at most
     double most_diagonals = 20.0;  // so many diagonals of the tip's element: a larger disk costs more than it gains
+    // No functions where the elements at all tips are smaller than this part of their crack: an end that is half an
+    // element off changes K by a quarter of it.
+    double none_below = 0.0;
 };
 
 /// `auto`: within a fixed radius where nothing yields or touches; six functions with n = 1 of the tip's element where
 /// faces may touch; two elements around it where they have friction, which turns errors of the pressure at the tip into
-/// errors of K_II; the single function with plasticity (docs/method.md, section 2).
+/// errors of K_II; the single function with plasticity, and none where a plastic crack grows through small elements
+/// (docs/method.md, section 2).
 TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& material,
-                                const std::vector<CrackSection>& cracks);
+                                const std::vector<CrackSection>& cracks, bool grows);
 
 /// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError
 /// for cracks that the mesh cannot hold.

@@ -113,7 +113,8 @@ Scene make_scene(const Case& input, Mesh mesh) {
     scene.mesh = std::move(mesh);
     scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
-    scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input.fine, input.material, input.cracks));
+    scene.enriched = enrich(scene.mesh, input.cracks,
+                            choose_enrichment(input.fine, input.material, input.cracks, input.growth.has_value()));
     put_loads_on_unknowns(scene);
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
         throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");

@@ -57,7 +57,7 @@ void members(auto& archive, Is<Extremes> auto& m) {
 
 void members(auto& archive, Is<CycleResult> auto& m) {
     auto& [a, da, K_max, K_min, J_max, CTOD, opening_behind, forward, cyclic, forward_axis, cyclic_axis, contact,
-           tension, offset, K_slip, opening, dN] = m;
+           tension, offset, K_slip, K_slip_unloading, opening, dN] = m;
     archive("a", a);
     archive("da", da);
     archive("K_max", K_max);
@@ -73,6 +73,7 @@ void members(auto& archive, Is<CycleResult> auto& m) {
     archive("tension", tension);
     archive("offset", offset);
     archive("K_slip", K_slip);
+    archive("K_slip_unloading", K_slip_unloading);
     archive("opening", opening);
     archive("dN", dN);
 }
@@ -180,9 +181,17 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
     archive("imposed_force", imposed_force);
 }
 
+void members(auto& archive, Is<FaceRelease> auto& m) {
+    auto& [cycle, held, part, cuts] = m;
+    archive("cycle", cycle);
+    archive("held", held);
+    archive("part", part);
+    archive("cuts", cuts);
+}
+
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, in_zone, far, displacement, load_factor, largest_force, closed, cycle, last_cycle, nominal, counts,
-           growth_ended, load, work, equilibrium, zone] = m;
+    auto& [cracks, in_zone, far, displacement, load_factor, largest_force, signal, cycle, last_cycle, nominal, counts,
+           growth_ended, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings] = counts;
     archive("cracks", cracks);
     archive("in_zone", in_zone);
@@ -190,7 +199,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("displacement", displacement);
     archive("load_factor", load_factor);
     archive("largest_force", largest_force);
-    archive("closed", closed);
+    archive("signal", signal);
     archive("cycle", cycle);
     archive("last_cycle", last_cycle);
     archive("nominal", nominal);
@@ -201,6 +210,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("release_cuts", release_cuts);
     archive("flowing_rings", flowing_rings);
     archive("growth_ended", growth_ended);
+    archive("release", release);
     archive("load", load);
     archive("work", work);
     archive("equilibrium", equilibrium);

@@ -85,11 +85,12 @@ CycleRow cycle_row(const Increment& increment, int tip) {
 
 std::vector<ClosureRow> closure_rows(const Increment& increment, int tip, const ClosureMeter& closure) {
     std::vector<ClosureRow> rows;
-    const std::vector<OpeningLoads>& contact = increment.cycles[at(tip)].contact;
-    const std::vector<double>& slip = increment.cycles[at(tip)].K_slip;
-    for (std::size_t k = 0; k < contact.size(); ++k)
-        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], contact[k].K_op, contact[k].K_cl,
-                        slip.empty() ? missing : slip[k]});
+    const CycleResult& cycle = increment.cycles[at(tip)];
+    for (std::size_t k = 0; k < cycle.contact.size(); ++k) {
+        const auto slip = [&](const std::vector<double>& K) { return K.empty() ? missing : K[k]; };
+        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], cycle.contact[k].K_op,
+                        cycle.contact[k].K_cl, slip(cycle.K_slip), slip(cycle.K_slip_unloading)});
+    }
     return rows;
 }
 

@@ -72,9 +72,13 @@ constexpr std::array cycle_table{
 };
 
 constexpr std::array closure_table{
-    Column<ClosureRow>{"cycle", &ClosureRow::cycle},       Column<ClosureRow>{"tip", &ClosureRow::tip},
-    Column<ClosureRow>{"distance", &ClosureRow::distance}, Column<ClosureRow>{"K_op", &ClosureRow::K_op},
-    Column<ClosureRow>{"K_cl", &ClosureRow::K_cl},         Column<ClosureRow>{"K_slip", &ClosureRow::K_slip},
+    Column<ClosureRow>{"cycle", &ClosureRow::cycle},
+    Column<ClosureRow>{"tip", &ClosureRow::tip},
+    Column<ClosureRow>{"distance", &ClosureRow::distance},
+    Column<ClosureRow>{"K_op", &ClosureRow::K_op},
+    Column<ClosureRow>{"K_cl", &ClosureRow::K_cl},
+    Column<ClosureRow>{"K_slip", &ClosureRow::K_slip},
+    Column<ClosureRow>{"K_slip_unloading", &ClosureRow::K_slip_unloading},
 };
 
 constexpr std::array face_table{

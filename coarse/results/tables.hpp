@@ -64,8 +64,8 @@ struct CycleRow {
 /// One cycle, tip and distance behind it.
 struct ClosureRow {
     std::int64_t cycle = 0, tip = 0;
-    double distance = missing;                                // mm
-    double K_op = missing, K_cl = missing, K_slip = missing;  // MPa sqrt(mm), nominal
+    double distance = missing;                                                            // mm
+    double K_op = missing, K_cl = missing, K_slip = missing, K_slip_unloading = missing;  // MPa sqrt(mm), nominal
 };
 
 /// One station of the crack faces at one increment.

@@ -71,7 +71,8 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
         add_disk(scene, t, zone_radius(scene.input.fine, scene.input.material, K_I[at(t)]), zone);
     add_neighbours_along_edges(scene.enriched, zone);
-    const double points = 4.0 * scene.input.fine.subcells * scene.input.fine.subcells * zone.count();
+    const int subcells = subcells_elsewhere(scene.input.fine);
+    const double points = 4.0 * subcells * subcells * zone.count();
     require_memory(fmt::format("fine.subcells: a zone of {} points", points), points * bytes_of_point);
     return zone;
 }

@@ -155,6 +155,11 @@ Section<ContactSection> contact_section() {
                              {{"stable", MultiplierKind::Stable}, {"gauss", MultiplierKind::Gauss}})
         .says("stable: continuous pressures, coarser than the mesh. gauss: one at each Gauss point of the faces, for "
               "comparison: they oscillate.");
+    s.value("smooth", &ContactSection::smooth)
+        .in("mm")
+        .says(
+            "Two arc lengths from the crack's first point, between which its faces have no friction. Where that point "
+            "is a tip and grows they go with it.");
     return s;
 }
 

@@ -71,6 +71,7 @@ enum class MultiplierKind { Stable, Gauss };
 struct ContactSection {
     double friction = 0.0;  // Coulomb's coefficient
     MultiplierKind multipliers = MultiplierKind::Stable;
+    std::vector<double> smooth = {};  // two arc lengths, mm, between which there is no friction; or none
     bool operator==(const ContactSection&) const = default;
 };
 
@@ -105,8 +106,8 @@ struct LoadBlock {
 enum class Control { Load, Displacement, StressIntensity };
 
 struct LoadSection {
-    int steps = 40;                 // increments per cycle
-    double grading = 1.0;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
+    int steps = 16;                 // increments per cycle
+    double grading = 0.6;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
     std::vector<LoadBlock> blocks;  // those of a spectrum file included
     std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
     double scale = 1.0;                        // of every max and min
@@ -167,8 +168,8 @@ struct FineSection {
     std::optional<double> radius;  // mm
     int refine = 1;
     double growth = 0.15;  // of the element size with the distance to the tip
-    int subcells = 2;
-    int substeps = 1;  // of a strain increment, at points that flow
+    std::optional<int> subcells;
+    int substeps = 4;  // of a strain increment, at points that flow
     Enrichment enrichment = Enrichment::Auto;
     std::optional<double> enrichment_n;
     std::optional<double> enrichment_radius;  // mm, of geometrical enrichment
@@ -212,6 +213,14 @@ struct Case {
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);
 bool needs_fine(const FineSection& fine, const MaterialSection& material, const std::vector<CrackSection>& cracks);
+
+/// Sub-quadrangles per element edge in a zone: where a crack is or goes straight on, and away from both. A refined zone
+/// has elements as small as sub-quadrangles are meant to be.
+int subcells_at_crack(const FineSection& fine);
+int subcells_elsewhere(const FineSection& fine);
+
+/// Arc length from which the faces of a crack may touch, mm: behind its notch.
+double contact_begins(const CrackSection& crack);
 
 /// Some faces have friction.
 bool has_friction(const std::vector<CrackSection>& cracks);

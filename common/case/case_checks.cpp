@@ -68,6 +68,14 @@ void check_crack(const CrackSection& crack, const Value& table, const Place& pla
     for (std::size_t i = 1; i < crack.points.size(); ++i)
         if (crack.points[i] == crack.points[i - 1])
             reject(place.inside("points"), points, {}, "must not repeat a point: a segment has no length");
+    if (!crack.contact || crack.contact->smooth.empty()) return;
+    const std::vector<double>& smooth = crack.contact->smooth;
+    if (smooth.size() != 2 || !(smooth[0] >= 0.0 && smooth[1] > smooth[0]))
+        reject(place.inside("contact.smooth"), *find(*find(table, "contact"), "smooth"), {},
+               "must be two arc lengths, the first at least 0 and the second larger");
+    if (crack.contact->friction == 0.0)
+        reject(place.inside("contact.smooth"), *find(*find(table, "contact"), "smooth"), {},
+               "needs friction > 0 outside of them");
 }
 
 /// The keys of one law of isotropic hardening mean nothing to another, unless they say nothing.

@@ -40,6 +40,7 @@ Section<FineSection> fine_section() {
     s.value("subcells", &FineSection::subcells)
         .at_least(1)
         .at_most(256)
+        .or_else("2; with refine > 1, 1 away from the cracks and their way")
         .says("Sub-quadrangles per element edge, 2 x 2 Gauss points each.");
     s.value("substeps", &FineSection::substeps)
         .at_least(1)
@@ -78,7 +79,7 @@ Section<OutputSection> output_section() {
         .in("cycles")
         .at_least(0)
         .says("A checkpoint at the first extreme and after so many cycles, for --resume; 0: only at the end and where "
-              "a run is interrupted.");
+              "a run is interrupted or finds no equilibrium.");
     return s;
 }
 

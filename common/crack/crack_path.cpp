@@ -102,24 +102,24 @@ private:
     CrackPiece piece(const Crossing* a, const Crossing* b) {
         const auto chain = points_between(a, b);
         const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
-        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-            if (side_of_polygon(polygon(static_cast<int>(e)), middle) > 0)
-                return make_piece(static_cast<int>(e), chain, a, b);
-        }
         // The tip lies on an edge that the crack runs along: both elements beside it hold the tip.
         const Crossing* end = a != nullptr ? a : b;
         for (const MeshEdge& edge : skeleton_.edges()) {
             const Vec2 tip = a != nullptr ? chain.first.back() : chain.first.front();
             const Vec2 &first = node(edge.first), &second = node(edge.second);
-            // To rounding: the middle may be rounded onto an edge that the tip is an ulp off.
+            // To rounding, whatever side an ulp puts it on.
             const double off =
                 std::max(distance_to_segment(tip, first, second), distance_to_segment(middle, first, second));
-            if (end == nullptr || off > 1e-9 * (first - second).norm()) continue;
+            if (end == nullptr || edge.elements[1] < 0 || off > 1e-9 * (first - second).norm()) continue;
             const int left =
                 orientation(chain.first.front(), chain.first.back(), centre(mesh_, edge.elements[0])) > 0 ? 0 : 1;
             CrackPiece result = make_piece(edge.elements[at(1 - left)], chain, a, b);
             result.neighbour = edge.elements[at(left)];
             return result;
+        }
+        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+            if (side_of_polygon(polygon(static_cast<int>(e)), middle) > 0)
+                return make_piece(static_cast<int>(e), chain, a, b);
         }
         throw CaseError(
             fmt::format("crack {}: no element holds the crack near ({}, {})", crack_ + 1, middle.x(), middle.y()));

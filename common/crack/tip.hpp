@@ -6,13 +6,14 @@
 namespace stria {
 
 /// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else
-/// -1.
+/// -1. Without tip functions the faces end on the element edge nearest to the tip.
 struct Tip {
     int crack;
     Vec2 position;
     Vec2 direction;  // unit, out of the crack
-    double s;        // arc length of the tip
+    double s;        // arc length at which the faces end
     int upper;
+    double beyond = 0.0;  // arc length from there out to the tip; negative where they end ahead of it
 };
 
 /// Whether a tip has stayed where it was.

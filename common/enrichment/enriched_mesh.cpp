@@ -98,6 +98,10 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
     return initial;
 }
 
+bool has_mouth(const EnrichedMesh& mesh, int crack) {
+    return std::ranges::none_of(mesh.tips, [&](const Tip& tip) { return tip.crack == crack && tip.upper < 0; });
+}
+
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
     std::vector<int> result(mesh.elements.size(), -1);
     for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {

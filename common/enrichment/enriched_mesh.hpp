@@ -103,6 +103,9 @@ struct EnrichedMesh {
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial);
 
+/// Whether a crack begins at the boundary, and not at a tip.
+bool has_mouth(const EnrichedMesh& mesh, int crack);
+
 /// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
 

@@ -56,6 +56,7 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
                                    .displacement = gather(displacement, unknowns),
                                    .rings = patch.rings,
                                    .opening_at = patch.opening_at,
+                                   .contact_at = patch.contact_at,
                                    .ahead = patch.ahead,
                                    .slip_at = patch.slip_at});
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});

@@ -23,8 +23,11 @@ void add_digest(Digest& whole, const Digest& part, const std::vector<int>& eleme
     append(whole.status, part.status);
     append(whole.multiplier, part.multiplier);
     whole.status_changes += part.status_changes;
-    widen(whole.contact_reach, part.contact_reach.size(), -1.0);
-    for (std::size_t t = 0; t < part.contact_reach.size(); ++t) raise(whole.contact_reach[t], part.contact_reach[t]);
+    widen(whole.contact, part.contact.size());
+    for (std::size_t t = 0; t < part.contact.size(); ++t) {
+        widen(whole.contact[t], part.contact[t].size(), -std::numeric_limits<double>::infinity());
+        for (std::size_t k = 0; k < part.contact[t].size(); ++k) raise(whole.contact[t][k], part.contact[t][k]);
+    }
     widen(whole.force_ahead, part.force_ahead.size());
     for (std::size_t t = 0; t < part.force_ahead.size(); ++t) whole.force_ahead[t] += part.force_ahead[t];
     widen(whole.slides, part.slides.size());

@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -27,27 +26,44 @@ void check(int code) {
 
 using std::chrono::microseconds;
 
-/// An answer in some tens of microseconds is common. A large piece leaves in parts, and each needs both sides awake: to
-/// sleep between them costs more than the piece.
-constexpr microseconds awake_for_answer(30), awake_for_transfer(3000);
+/// Waits until `there()`: at first by asking again and again, then asleep, until the peer rings. Then it may be there
+/// in some tens of microseconds, or leave in parts, each of which needs both sides awake. Where no bell reaches, it
+/// sleeps for a tenth of what it has waited: the core is somebody else's, and the answer hardly later.
+class Patience {
+public:
+    Patience(const Doorbell& bell, int peer) : bell_(bell), by_bell_(bell.reaches(peer)) {}
 
-/// Waits until `there()`: at first by asking again and again, then asleep in between, for a tenth of what it has
-/// waited: the core is somebody else's, and the answer hardly later.
-template <class There> void wait_until(microseconds awake, There there) {
-    using namespace std::chrono;
-    constexpr auto shortest = microseconds(50), longest = microseconds(500);
-    const auto start = steady_clock::now();
-    while (!there()) {
-        const auto waited = duration_cast<microseconds>(steady_clock::now() - start);
-        if (waited > awake) std::this_thread::sleep_for(std::clamp(waited / 10, shortest, longest));
+    template <class There> void wait_until(microseconds awake, There there) const {
+        using namespace std::chrono;
+        const auto start = steady_clock::now();
+        auto asleep_from = start + (by_bell_ ? for_answer : awake);
+        for (;;) {
+            const std::uint32_t rung = bell_.rung();
+            if (there()) return;
+            const auto now = steady_clock::now();
+            if (now < asleep_from) continue;
+            bell_.sleep(rung, longest_sleep(duration_cast<microseconds>(now - start)));
+            if (bell_.rung() != rung) asleep_from = steady_clock::now() + awake;
+        }
     }
-}
+
+    static constexpr microseconds for_answer{30}, for_transfer{3000};
+
+private:
+    // What nobody rings for is asked for again after a while.
+    [[nodiscard]] microseconds longest_sleep(microseconds waited) const {
+        return std::clamp(waited / 10, microseconds(50), microseconds(500)) * (by_bell_ ? 20 : 1);
+    }
+
+    const Doorbell& bell_;
+    bool by_bell_;
+};
 
 /// A header, then the bytes it announces. Destroying an end says goodbye and waits for the other's goodbye, so that no
 /// message is left behind when MPI ends, and the other end, if it still waits for a message, gets ComponentLost.
 class MpiTransport final : public Transport {
 public:
-    explicit MpiTransport(int peer) : peer_(peer) {}
+    MpiTransport(int peer, const Doorbell& bell) : peer_(peer), bell_(bell), patience_(bell, peer) {}
 
     ~MpiTransport() override {
         try {
@@ -98,7 +114,8 @@ private:
         MPI_Request request{};
         check(MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD,
                         &request));
-        wait_until(awake_for_transfer, [&] {
+        bell_.ring(peer_);
+        patience_.wait_until(Patience::for_transfer, [&] {
             int sent = 0;
             check(MPI_Test(&request, &sent, MPI_STATUS_IGNORE));
             return sent != 0;
@@ -114,7 +131,7 @@ private:
     void receive_exactly(std::span<std::byte> bytes, int mpi_tag) const {
         MPI_Status status{};
         int received = 0;
-        wait_until(awake_for_answer, [&] {
+        patience_.wait_until(Patience::for_answer, [&] {
             int arrived = 0;
             check(MPI_Iprobe(peer_, mpi_tag, MPI_COMM_WORLD, &arrived, &status));
             return arrived != 0;
@@ -122,10 +139,13 @@ private:
         check(MPI_Get_count(&status, MPI_BYTE, &received));
         if (at(received) != bytes.size())
             throw ComponentLost("a message between the components is not as long as announced");
+        bell_.ring(peer_);  // it leaves when we take it
         check(MPI_Recv(bytes.data(), received, MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE));
     }
 
     int peer_;
+    const Doorbell& bell_;
+    Patience patience_;
     bool peer_present_ = true;
 };
 
@@ -170,7 +190,7 @@ MpiSession::MpiSession(Role role, Cast cast) {
 }
 
 std::unique_ptr<Transport> MpiSession::transport(int peer_index) const {
-    return std::make_unique<MpiTransport>(peers_.at(at(peer_index)));
+    return std::make_unique<MpiTransport>(peers_.at(at(peer_index)), bell_);
 }
 
 // NOLINTNEXTLINE(readability-convert-member-functions-to-static): only who has a session may end it

@@ -1,9 +1,11 @@
-// The conversation between two programs under one mpirun (MPMD). The only door to MPI besides the programs' launcher.
+// The conversation between two programs under one mpirun (MPMD). The only door to MPI besides its doorbell
+// and the programs' launcher.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "coupling/transport/doorbell.hpp"
 #include "coupling/transport/transport.hpp"
 
 namespace stria::coupling {
@@ -41,6 +43,7 @@ private:
     };
 
     Environment environment_;
+    Doorbell bell_;
     std::vector<int> peers_;  // ranks in MPI_COMM_WORLD
 };
 

@@ -42,8 +42,8 @@ void fields(auto& wire, Is<CrackPiece> auto& m) {
 }
 
 void fields(auto& wire, Is<Tip> auto& m) {
-    auto& [crack, position, direction, s, upper] = m;
-    wire(crack, position, direction, s, upper);
+    auto& [crack, position, direction, s, upper, beyond] = m;
+    wire(crack, position, direction, s, upper, beyond);
 }
 
 void fields(auto& wire, Is<TiedNode> auto& m) {
@@ -59,20 +59,20 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, rings, opening_at, ahead, slip_at] = m;
-    wire(mesh, boundary, unit_load, displacement, rings, opening_at, ahead, slip_at);
+    auto& [mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at] = m;
+    wire(mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, load_factor, step, held, settled_below, check_rest, boundary] = m;
-    wire(iteration, predictor.factor, predictor.back, load_factor, step, held, settled_below, check_rest, boundary);
+    auto& [iteration, predictor, put_aside, load_factor, step, held, settled_below, check_rest, boundary] = m;
+    wire(iteration, predictor.factor, predictor.back, put_aside, load_factor, step, held, settled_below, check_rest,
+         boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
-    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead,
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, force_ahead,
            slides] = m;
-    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact_reach, force_ahead,
-         slides);
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, force_ahead, slides);
 }
 
 // Half of a symmetric tangent stands for the whole.

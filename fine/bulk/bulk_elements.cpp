@@ -1,10 +1,28 @@
 #include "fine/bulk/bulk_elements.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "common/fem/centre.hpp"
 #include "common/integration/moment_fit.hpp"
 
 namespace stria::fine {
+
+namespace {
+
+/// Where a tip may come to if it goes straight on, or nearly.
+bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
+    constexpr double beside = 1.5, behind = 2.0;  // diagonals of the element
+    const auto& corners = mesh.elements[at(element)];
+    const double diagonal = (mesh.nodes[at(corners[0])] - mesh.nodes[at(corners[2])]).norm();
+    return std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
+        const Vec2 from_tip = centre(mesh, element) - tip.position;
+        const double ahead = from_tip.dot(tip.direction);
+        return ahead > -behind * diagonal && (from_tip - ahead * tip.direction).norm() < beside * diagonal;
+    });
+}
+
+}  // namespace
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, const IntegrationRule& rule,
                            const KnownPoints& known)
@@ -15,10 +33,14 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, 
         element_of_id_[mesh_.element_ids[at(e)]] = e;
         const int piece = piece_[at(e)];
         const CrackPiece* cut = piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
-        if (auto points = known(e, cut))
+        if (auto points = known(e, cut)) {
             operators_.push_back(make_operator(mesh_, e, cut, rule, std::move(*points)));
-        else
-            operators_.push_back(make_operator(mesh_, e, cut, rule));
+        } else {
+            IntegrationRule own = rule;
+            if (cut == nullptr && !lies_ahead_of_a_tip(mesh_, e) && !ElementBasis(mesh_, e, false).singular())
+                own.subcells = rule.far_subcells.value_or(rule.subcells);
+            operators_.push_back(make_operator(mesh_, e, cut, own));
+        }
         stiffness_.push_back(operators_.back().stiffness(stiffness));
     }
 }

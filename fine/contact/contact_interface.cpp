@@ -184,26 +184,28 @@ double ContactInterface::dissipated(const Eigen::VectorXd& before, const Eigen::
                                     const Jumps& jumps) const {
     double sum = 0.0;
     for (const int k : operators_.with_shear()) {
-        const double pressure = std::max(before[k], 0.0), slip = std::abs(jumps.slip[k]);
-        double pressure_times_slip = 0.0;
-        if (slides(k)) {
-            pressure_times_slip = 0.5 * (pressure + after[k]) * slip;
-        } else if (!is_closed(status_[at(k)]) && fine::slides(committed_status_[at(k)]) && pressure > 0.0) {
-            // They slid on until they lost touch: over that share of the way at whose end p - c g, linear, is none.
-            const double touching = pressure / (pressure + augmentation_[k] * jumps.gap[k]);
-            pressure_times_slip = 0.5 * pressure * touching * slip * touching;
-        }
-        sum += operators_.weight(k) * operators_.friction(k) * pressure_times_slip;
+        const bool closed = is_closed(status_[at(k)]);
+        if (closed && !slides(k)) continue;
+        const FaceState from = state_of(k, before, jumps);
+        sum += operators_.weight(k) * operators_.friction(k) *
+               (closed ? law(k).pressure_times_slip(from, after[k]) : law(k).pressure_times_slip_until_open(from));
     }
     return sum;
 }
 
-double ContactInterface::reach_behind(const Tip& tip) const {
-    double reach = -1.0;
+double ContactInterface::contact_behind(const Tip& tip, double distance, const Eigen::VectorXd& traction,
+                                        const Jumps& jumps, const Eigen::VectorXd& u) const {
+    constexpr double least = std::numeric_limits<double>::min();  // the status decides the sign, not rounding
+    double contact = -std::numeric_limits<double>::infinity();
     const auto& keys = operators_.keys();
-    for (std::size_t k = 0; k < keys.size(); ++k)
-        if (is_closed(status_[k]) && keys[k].crack == tip.crack) reach = std::max(reach, std::abs(tip.s - keys[k].s));
-    return reach;
+    for (int k = 0; k < multipliers(); ++k) {
+        if (keys[at(k)].crack != tip.crack || std::abs(tip.s - keys[at(k)].s) < distance) continue;
+        if (is_closed(status_[at(k)]))
+            contact = std::max({contact, traction[k], least});
+        else if (-augmentation_[k] * jumps.gap[k] > contact)  // the gap may be a bound, and is read where it counts
+            contact = std::max(contact, std::min(-augmentation_[k] * operators_.gap(k, u), -least));
+    }
+    return contact;
 }
 
 bool ContactInterface::slides_behind(const Tip& tip, double distance, const Jumps& jumps, double rounding) const {

@@ -74,12 +74,15 @@ public:
     void clean(Eigen::VectorXd& traction) const;
 
     /// What sliding has dissipated on the way from one state to the next, N per mm of thickness: mean bound times slip,
-    /// as far as the faces touched.
+    /// from where it was reached, as far as the faces touched.
     [[nodiscard]] double dissipated(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                                     const Jumps& jumps) const;
 
-    /// How far behind a tip the farthest closed multiplier of its crack lies, mm; negative: none is closed.
-    [[nodiscard]] double reach_behind(const Tip& tip) const;
+    /// Contact at or beyond a distance (mm) behind a tip, on its crack: above zero where a multiplier there is closed,
+    /// the largest pressure; below where all are open, minus c times the smallest gap (MPa); minus infinity where there
+    /// are none. So it passes zero where contact is lost or made. `jumps`: as jumps_that_matter() has them at `u`.
+    [[nodiscard]] double contact_behind(const Tip& tip, double distance, const Eigen::VectorXd& traction,
+                                        const Jumps& jumps, const Eigen::VectorXd& u) const;
     /// The closed multiplier nearest to a tip, but no nearer than a distance, mm, slides, and by more than `rounding`,
     /// mm: where faces transmit nothing any more rounding says whether they slide.
     [[nodiscard]] bool slides_behind(const Tip& tip, double distance, const Jumps& jumps, double rounding) const;

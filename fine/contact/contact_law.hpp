@@ -54,6 +54,30 @@ struct CoulombContact {
         return friction == 0.0 ? 0.0 : s.shear - std::clamp(augmented_shear(s), -bound(s), bound(s));
     }
 
+    /// The pressure at which slip begins, MPa, on the way from the tractions of a state to its jumps and to a pressure.
+    /// Faces on the bound slide at once. Where the pressure falls, others come to the bound the later, the farther
+    /// their shear is from the side that brakes the slip.
+    [[nodiscard]] double slides_from(const FaceState& s, double pressure) const {
+        const double fall = std::max(s.pressure - pressure, 0.0);
+        if (s.pressure <= 0.0 || fall == 0.0) return std::max(s.pressure, 0.0);
+        const double braking = s.slip < 0.0 ? -s.shear : s.shear;
+        return s.pressure - 0.5 * (1.0 - std::clamp(braking / (friction * s.pressure), -1.0, 1.0)) * fall;
+    }
+
+    /// The integral of the pressure over the slip on that way, N/mm, where the faces slide at its end.
+    [[nodiscard]] double pressure_times_slip(const FaceState& s, double pressure) const {
+        const double reached = std::max(pressure, 0.0);
+        return 0.5 * (slides_from(s, reached) + reached) * std::abs(s.slip);
+    }
+
+    /// The same where they part: they have touched over the share of the way at whose end p - c g, linear, is none.
+    /// Where no gap is left this is what sliding to no pressure gives: which of both it is rounding says.
+    [[nodiscard]] double pressure_times_slip_until_open(const FaceState& s) const {
+        if (s.pressure <= 0.0) return 0.0;
+        const double touching = s.pressure / (s.pressure + c * std::max(s.gap, 0.0));
+        return touching * touching * pressure_times_slip(s, 0.0);
+    }
+
     /// How far a state is beyond the branch that it is said to be on, MPa.
     [[nodiscard]] double violation(const FaceState& s, FaceStatus said) const {
         if (is_closed(said) != (augmented_pressure(s) > 0.0)) return std::abs(augmented_pressure(s));

@@ -9,6 +9,10 @@ namespace {
 
 constexpr int points_of_element = 4;  // Gauss points of an interface element
 
+bool is_smooth(const ContactSection& contact, double s) {
+    return !contact.smooth.empty() && s > contact.smooth[0] && s < contact.smooth[1];
+}
+
 }  // namespace
 
 FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& boundary,
@@ -18,11 +22,11 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
         const CrackSection& section = cracks[at(crack)];
         if (!section.contact) continue;
         for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
-            if (station.s < section.notch) continue;
+            if (station.s < contact_begins(section)) continue;
             station.fixed_jump = frozen.jump(crack, station.x);
             stations_.push_back(std::move(station));
         }
-        spaces_.push_back({crack, section.contact->friction, count, space_on(mesh, boundary, crack, section)});
+        spaces_.push_back({crack, count, space_on(mesh, boundary, crack, section)});
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();
         for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
@@ -30,14 +34,14 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
     B_.resize(count, mesh.unknowns);
     T_.resize(count, mesh.unknowns);
     weight_ = friction_ = fixed_gap_ = fixed_slip_ = Eigen::VectorXd::Zero(count);
-    number_shears();
+    number_shears(cracks);
     assemble(mesh);
 }
 
 MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
                                         const CrackSection& section) const {
     if (section.contact->multipliers == MultiplierKind::Stable)
-        return MultiplierSpace(mesh, boundary, crack, section.notch);
+        return MultiplierSpace(mesh, boundary, crack, contact_begins(section));
     std::vector<double> points;
     for (const FaceStation& station : stations_)
         if (station.crack == crack) points.push_back(station.s);
@@ -45,15 +49,23 @@ MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vec
     return MultiplierSpace(points);
 }
 
-void FaceOperators::number_shears() {
+void FaceOperators::number_shears(const std::vector<CrackSection>& cracks) {
     shear_of_.assign(at(multipliers()), -1);
-    for (const CrackSpace& entry : spaces_) {
-        if (entry.friction == 0.0) continue;
-        for (int k = entry.first_multiplier; k < entry.first_multiplier + entry.space.size(); ++k) {
-            friction_[k] = entry.friction;
-            shear_of_[at(k)] = tractions();
-            with_shear_.push_back(k);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(multipliers()), rough = all;  // faces that they act on, mm
+    for (const FaceStation& station : stations_) {
+        for (const auto& [multiplier, value] : functions_at(station)) {
+            if (multiplier < 0) continue;
+            all[multiplier] += station.weight * value;
+            if (!is_smooth(*cracks[at(station.crack)].contact, station.s)) rough[multiplier] += station.weight * value;
         }
+    }
+    for (int k = 0; k < multipliers(); ++k) {
+        const ContactSection& contact = *cracks[at(keys_[at(k)].crack)].contact;
+        friction_[k] = contact.friction;
+        if (!contact.smooth.empty()) friction_[k] *= std::clamp(rough[k] / all[k], 0.0, 1.0);
+        if (friction_[k] == 0.0) continue;
+        shear_of_[at(k)] = tractions();
+        with_shear_.push_back(k);
     }
 }
 

@@ -80,7 +80,6 @@ public:
 private:
     struct CrackSpace {
         int crack;
-        double friction;
         int first_multiplier;
         MultiplierSpace space;
     };
@@ -88,7 +87,7 @@ private:
     [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(int crack, double s) const;
     [[nodiscard]] MultiplierSpace space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
                                            const CrackSection& section) const;
-    void number_shears();
+    void number_shears(const std::vector<CrackSection>& cracks);
     void assemble(const EnrichedMesh& mesh);
     void keep_open_without_faces();
 

@@ -11,6 +11,8 @@
 namespace stria::fine {
 namespace {
 
+// Of an interval. Where a crack enters through a node its end is as long as the next interval, but for this.
+constexpr double alike = 0.01;
 constexpr double kink_angle = 10.0 * std::numbers::pi / 180.0;
 
 }  // namespace
@@ -33,7 +35,7 @@ MultiplierSpace::MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int
 void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, double notch) {
     const auto tip_at = [&](double s) {
         return std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
-            return tip.crack == crack && std::abs(tip.s - s) < 1e-9 * (1.0 + tip.s);
+            return tip.crack == crack && std::abs(tip.s - s) < 1e-9 * (1.0 + std::abs(tip.s));
         });
     };
     Vec2 last_tangent = Vec2::Zero();
@@ -100,9 +102,11 @@ std::array<MultiplierSpace::Value, 2> MultiplierSpace::acting_at(double s) const
     const int first = b.first_multiplier, last = first + b.multipliers - 1;
     const auto node = [&](int k) { return nodes_[at(k)]; };
     // Straight on over more than the next interval, the multiplier behind would have a negative weight.
+    const auto is_longer = [](double end, double interval) { return end > (1.0 + alike) * interval; };
     const bool constant_at_start =
-        b.tip_at_start || node(first) - b.first_s > node(std::min(first + 1, last)) - node(first);
-    const bool constant_at_end = b.tip_at_end || b.last_s - node(last) > node(last) - node(std::max(last - 1, first));
+        b.tip_at_start || is_longer(node(first) - b.first_s, node(std::min(first + 1, last)) - node(first));
+    const bool constant_at_end =
+        b.tip_at_end || is_longer(b.last_s - node(last), node(last) - node(std::max(last - 1, first)));
     if (first == last || (constant_at_start && s <= node(first))) return {Value{first, 1.0}, Value{-1, 0.0}};
     if (constant_at_end && s >= node(last)) return {Value{last, 1.0}, Value{-1, 0.0}};
     int left = first;

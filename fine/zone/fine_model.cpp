@@ -53,6 +53,7 @@ void FineModel::request(const coupling::PatchDisplacement& displacement) { asked
 
 coupling::PatchResponse FineModel::collect() {
     if (asked_.iteration == 0) {
+        if (asked_.put_aside) system_.put_aside();
         system_.predict(asked_.predictor);
         rest_was_checked_ = false;
     } else {

@@ -33,7 +33,7 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
             if (found == old_contact->operators().keys().end()) continue;
             const int old = static_cast<int>(found - old_contact->operators().keys().begin());
             carried.traction[k] = committed.traction[old];
-            if (contact.shear_of(k) >= 0)
+            if (contact.shear_of(k) >= 0 && old_contact->shear_of(old) >= 0)
                 carried.traction[contact.shear_of(k)] = committed.traction[old_contact->shear_of(old)];
         }
     }

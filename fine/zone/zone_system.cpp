@@ -36,15 +36,17 @@ std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {
 IntegrationRule ZoneSystem::rule() const {
     // Of elastic elements around a tip that slides: points without a history, so that there may be many.
     const bool dense = !input_.material.yield_stress && has_friction(input_.cracks);
-    return {.subcells = input_.fine.subcells,
+    return {.subcells = subcells_at_crack(input_.fine),
+            .far_subcells = subcells_elsewhere(input_.fine),
             .singular_gauss = dense ? 6 : 2,
             .tip_points = dense ? 10 : 4,
             .mean_dilatation = mean_dilatation(input_.material, elastic_)};
 }
 
 void ZoneSystem::make_contact(const coupling::Patch& patch) {
-    contact_ = std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, input_.fine.subcells,
-                                                  elastic_.plane_modulus(), memory_.frozen);
+    contact_ =
+        std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, subcells_at_crack(input_.fine),
+                                           elastic_.plane_modulus(), memory_.frozen);
 }
 
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
@@ -69,9 +71,14 @@ void ZoneSystem::find_tip_stations() {
         const Tip& tip = patch_.mesh.tips[t];
         const CrackSection& crack = input_.cracks[at(tip.crack)];
         if (!crack.contact) continue;
-        tip_stations_[t] = face_stations_about(patch_.mesh, tip, input_.fine.subcells, 4);
-        std::erase_if(tip_stations_[t], [&](const FaceStation& station) { return station.s < crack.notch; });
+        tip_stations_[t] = face_stations_about(patch_.mesh, tip, subcells_at_crack(input_.fine), 4);
+        std::erase_if(tip_stations_[t], [&](const FaceStation& station) { return station.s < contact_begins(crack); });
     }
+}
+
+void ZoneSystem::put_aside() {
+    memory_.increments.put_aside(
+        {trial_.displacement - memory_.committed.displacement, trial_.traction - memory_.committed.traction});
 }
 
 void ZoneSystem::predict(const Predictor& predictor) {
@@ -172,7 +179,12 @@ coupling::PatchResponse ZoneSystem::measure() {
         response.digest.status.push_back(static_cast<std::int8_t>(status));
     response.digest.multiplier.assign(trial_.traction.begin(), trial_.traction.begin() + contact_->multipliers());
     response.digest.status_changes = contact_->status_changes();
-    for (const Tip& tip : patch_.mesh.tips) response.digest.contact_reach.push_back(contact_->reach_behind(tip));
+    for (std::size_t t = 0; t < patch_.contact_at.size(); ++t) {
+        std::vector<double>& contact = response.digest.contact.emplace_back();
+        for (const double distance : patch_.contact_at[t])
+            contact.push_back(
+                contact_->contact_behind(patch_.mesh.tips[t], distance, trial_.traction, jumps_, trial_.displacement));
+    }
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
         response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
     response.digest.slides = find_sliding();

@@ -20,6 +20,8 @@ public:
 
     /// The first iterate of an increment.
     void predict(const Predictor& predictor);
+    /// Remembers the way to the present trial state, as Predictor has it.
+    void put_aside();
 
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }

@@ -1,8 +1,11 @@
 // The conversation over MPI: mpirun -n 1 stria_mpi_conversation coarse : -n N stria_mpi_conversation fine. A fine rank
-// may be one that dies in mid-conversation ("dying") instead.
+// may be one that dies in mid-conversation ("dying") instead, or one that is late for a side that waits ("late",
+// "waiting").
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <sys/resource.h>
+#include <thread>
 
 #include "coupling/transport/mpi_transport.hpp"
 #include "tests/coupling/conversation.hpp"
@@ -49,13 +52,34 @@ void dying_fine_side(const MpiSession& session) {
     std::_Exit(3);
 }
 
+constexpr auto delay = std::chrono::seconds(1);
+
+void late_fine_side(const MpiSession& session) {
+    std::this_thread::sleep_for(delay);
+    session.transport()->send(coupling::Tag::Stop, std::vector<std::byte>(1 << 21));
+}
+
+/// Who waits sleeps until the other one rings: it wakes a hundred times a second at most, and is there at once.
+void waiting_coarse_side(const MpiSession& session) {
+    rusage before{}, after{};
+    getrusage(RUSAGE_SELF, &before);
+    const auto transport = session.transport();
+    const std::size_t size = transport->receive().bytes.size();
+    getrusage(RUSAGE_SELF, &after);
+    const long woken = after.ru_nvcsw - before.ru_nvcsw;
+    std::printf("woken %ld times\n", woken);
+    if (size != 1 << 21 || woken > 400) throw std::runtime_error("it has not slept");
+}
+
 int run(std::string_view role) {
     const Deadline deadline(std::chrono::seconds(40));
-    const MpiSession session(role == "coarse" ? Role::Coarse : Role::Fine);
+    const MpiSession session(role == "coarse" || role == "waiting" ? Role::Coarse : Role::Fine);
     try {
         for (int peer = 0; role == "coarse" && peer < session.peers(); ++peer) coarse_side(session, peer);
         if (role == "fine") fine_side(session);
         if (role == "dying") dying_fine_side(session);
+        if (role == "waiting") waiting_coarse_side(session);
+        if (role == "late") late_fine_side(session);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s: %s\n", role.data(), error.what());
         session.abort(1);

@@ -72,6 +72,16 @@ TEST_F(ExitCode, OfTooLittleMemory) {
     }
 }
 
+TEST_F(ExitCode, OfALimitLoad) {
+    EXPECT_EQ(run({"--mode", "inprocess"},
+                  {"mesh.grading=[]", "mesh.size=8.0", "load.steps=8", "load.blocks=[{cycles=1, max=150.0, ratio=0.0}]",
+                   "crack.0.points=[[0.0, 100.0], [30.0, 100.0]]", "material.kinematic=[]",
+                   "material.isotropic={law=\"voce\", Q=60.0, b=20.0}"}),
+              3);
+    EXPECT_TRUE(says("; the body bears no more, its loaded boundary has moved by 1")) << said();
+    EXPECT_TRUE(says("load.control = \"displacement\" goes past its limit load; the last checkpoint is")) << said();
+}
+
 // The notch ends where the crack's last element has no point of integration behind it.
 TEST_F(ExitCode, IsZeroWithANotchUpToTheTip) {
     const double tip = 20.0;

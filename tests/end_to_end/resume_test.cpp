@@ -6,9 +6,8 @@
 #include <set>
 
 #include "app/run/run_files.hpp"
-#include "common/index.hpp"
 #include "common/io/number_table.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/followed_run.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -26,44 +25,6 @@ Words command(const std::string& output, const Words& more = {}, const Words& of
     for (const std::string& setting : of_case) words.insert(words.end(), {"--set", setting});
     words.insert(words.end(), more.begin(), more.end());
     return words;
-}
-
-int rows_of(const std::string& table) {
-    const std::string text = text_of(table);
-    return static_cast<int>(std::ranges::count(text, '\n')) - 1;
-}
-
-/// Once history.csv has so many rows; false where the run has ended before.
-bool wait_for_rows(Program& run, const std::string& output, int rows) {
-    for (int k = 0; k < 20'000; ++k) {
-        if (rows_of(output + "/history.csv") >= rows) return true;
-        if (kill(run.pid(), 0) != 0) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
-}
-
-/// Of cycles.csv, without the column that holds times.
-std::string without_times(const std::string& table) {
-    std::istringstream lines(text_of(table));
-    std::string line, kept;
-    std::ptrdiff_t column = -1;
-    while (std::getline(lines, line)) {
-        Words cells;
-        std::istringstream row(line);
-        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-        if (column < 0) column = std::ranges::find(cells, "wall_s") - cells.begin();
-        cells.at(at(column)).clear();
-        for (const std::string& cell : cells) kept += cell + ',';
-        kept += '\n';
-    }
-    return kept;
-}
-
-void expect_same_tables(const std::string& run, const std::string& undisturbed) {
-    EXPECT_EQ(text_of(run + "/history.csv"), text_of(undisturbed + "/history.csv"));
-    EXPECT_EQ(text_of(run + "/faces.csv"), text_of(undisturbed + "/faces.csv"));
-    EXPECT_EQ(without_times(run + "/cycles.csv"), without_times(undisturbed + "/cycles.csv"));
 }
 
 void expect_tables_alike(const std::string& run, const std::string& undisturbed) {
@@ -209,9 +170,35 @@ TEST_F(Resumed, AfterTheNumbersFailed) {
     EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess"}), 0);
     expect_same_tables(output, undisturbed);
     failing.front() = "--force";
+    failing.insert(failing.end(), {"--set", "load.steps=2"});  // the first increment flows
     EXPECT_EQ(run_to_the_end(failing), 3);
     EXPECT_NE(text_of(folder / "log").find("no checkpoint has been written yet"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(output + "/checkpoint.h5"));
+}
+
+// A run that finds no equilibrium leaves the last one, before and while the forces on its new faces are released.
+TEST(ResumedGrowth, GoesOnWhereItsNewFacesCouldNotBeReleased) {
+    const TemporaryFolder folder;
+    const auto run = [&](const std::string& output, const char* cuts, const Words& more) {
+        Words words = command(folder / output, more,
+                              {mesh_at_tip(0.6), "mesh.size=12.5", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
+                               "load.steps=20", "growth.increment=0.8", "solver.tolerance=1e-12",
+                               "solver.max_iterations=5", "output.fields=none", "output.checkpoint_every=0"});
+        words.insert(words.end(), {"--mode", "inprocess", "--set", std::string("solver.max_cuts=") + cuts});
+        return run_program("stria", words, folder / "log");
+    };
+    ASSERT_EQ(run("whole", "3", {}), 0);
+    ASSERT_EQ(run("failed", "0", {}), 3);
+    EXPECT_NE(text_of(folder / "log")
+                  .find("cycle 1: the cracks have grown to a = 20.8 mm; at load factor 50 no "
+                        "equilibrium is found with less than 100 % of the forces"),
+              std::string::npos)
+        << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("/checkpoint.h5, after increment 30"), std::string::npos);
+    ASSERT_EQ(run("failed", "1", {"--resume"}), 3);
+    EXPECT_NE(text_of(folder / "log").find("with less than 50 % of the forces"), std::string::npos);
+    ASSERT_EQ(run("failed", "3", {"--resume"}), 0) << text_of(folder / "log");
+    expect_same_tables(folder / "failed", folder / "whole");
 }
 
 TEST_F(Resumed, IsRefusedWithAnotherCase) {

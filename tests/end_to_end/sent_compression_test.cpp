@@ -103,22 +103,6 @@ protected:
         input.reset();
     }
 
-    /// Relative residuals of an increment once the set of flowing points and closed multipliers stays as it is.
-    static std::vector<double> settled_residuals(const coarse::Increment& increment) {
-        const auto& iterations = increment.newton.iterations;
-        const auto same_branches = [](const coarse::Residual& a, const coarse::Residual& b) {
-            return a.yielding_points == b.yielding_points && a.closed == b.closed && b.status_changes == 0;
-        };
-        std::size_t first = iterations.size() - 1;
-        while (first > 0 && same_branches(iterations[first - 1].residual, iterations[first].residual)) --first;
-        std::vector<double> residuals;
-        for (std::size_t k = first; k < iterations.size(); ++k) {
-            const coarse::Residual& r = iterations[k].residual;
-            residuals.push_back(r.largest() / r.scale);
-        }
-        return residuals;
-    }
-
     inline static std::unique_ptr<Case> input;
     inline static std::unique_ptr<Witness> witness;
     inline static std::unique_ptr<RunHistory> run;
@@ -163,7 +147,7 @@ TEST_F(SentCompression, FrictionChangesNothingOfASymmetricCrack) {
     EXPECT_LE(more, iterations / 50);
     const Followed& last = with_friction.increments.back();
     EXPECT_EQ(last.zone.work.fronts_general, 0);
-    EXPECT_EQ(last.work.by_friction, 0.0);
+    EXPECT_LT(last.work.by_friction, 1e-12 * last.work.external);
     for (const coupling::FaceSample& face : with_friction.at_minimum().zone.faces) EXPECT_NE(face.status, 2);
 }
 
@@ -198,7 +182,7 @@ TEST_F(SentCompression, FacesBearTheRemoteStressFarFromTheTip) {
 
 TEST_F(SentCompression, ClosedFacesDoNotOverlap) {  // on the average over each multiplier
     const fine::ContactInterface contact(witness->patch.mesh, witness->patch.boundary, input->cracks,
-                                         input->fine.subcells, 1.0);
+                                         subcells_at_crack(input->fine), 1.0);
     const double limit = 1e-8 * run->at_maximum().tips[0].CMOD;
     for (std::size_t k = 0; k < run->increments.size(); ++k) {
         const Eigen::VectorXd gaps = contact.jumps(witness->displacements[k]).gap;

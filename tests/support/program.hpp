@@ -21,11 +21,14 @@ namespace stria::test {
 
 using Words = std::vector<std::string>;
 
+inline std::string own_program(const std::string& name) { return std::string(program_folder) + "/" + name; }
+
 class Program {
 public:
-    /// Starts a program of this build; output and errors go to a file.
+    /// Starts a program of this build, or else one of the system; output and errors go to a file.
     Program(const std::string& name, Words arguments, std::string log) : log_(std::move(log)) {
-        arguments.insert(arguments.begin(), std::string(program_folder) + "/" + name);
+        const std::string own = own_program(name);
+        arguments.insert(arguments.begin(), std::filesystem::exists(own) ? own : name);
         std::vector<char*> words;
         for (std::string& word : arguments) words.push_back(word.data());
         words.push_back(nullptr);
@@ -35,7 +38,7 @@ public:
         const int file = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         dup2(file, STDOUT_FILENO);
         dup2(file, STDERR_FILENO);
-        execv(words.front(), words.data());
+        execvp(words.front(), words.data());
         _exit(127);
     }
     Program(const Program&) = delete;

@@ -83,6 +83,22 @@ inline RunHistory run_direct(const Case& input) {
     return run_analysis(input, factory);
 }
 
+/// Relative residuals of an increment once the set of flowing points and the statuses of multipliers stay as they are.
+inline std::vector<double> settled_residuals(const coarse::Increment& increment) {
+    const auto& iterations = increment.newton.iterations;
+    const auto same_branches = [](const coarse::Residual& a, const coarse::Residual& b) {
+        return a.yielding_points == b.yielding_points && a.closed == b.closed && b.status_changes == 0;
+    };
+    std::size_t first = iterations.size() - 1;
+    while (first > 0 && same_branches(iterations[first - 1].residual, iterations[first].residual)) --first;
+    std::vector<double> residuals;
+    for (std::size_t k = first; k < iterations.size(); ++k) {
+        const coarse::Residual& r = iterations[k].residual;
+        residuals.push_back(r.largest() / r.scale);
+    }
+    return residuals;
+}
+
 /// The cycles of a long run, which ends after so many of them; its increments are not kept.
 inline std::vector<coarse::CycleResult> run_cycles(const Case& input, std::size_t enough = 1000000) {
     use_one_thread();

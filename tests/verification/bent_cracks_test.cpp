@@ -77,7 +77,8 @@ coarse::TipResult along_edges(const Case& input, int n) {
     scene.loads = coarse::resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
     scene.enriched =
-        coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input.fine, input.material, input.cracks));
+        coarse::enrich(scene.mesh, input.cracks,
+                       coarse::choose_enrichment(input.fine, input.material, input.cracks, input.growth.has_value()));
     coarse::put_loads_on_unknowns(scene);
     const coarse::Structure structure(scene);
     return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {}).front();

@@ -107,12 +107,13 @@ TEST(EnergyRelease, FrozenFunctionsHoldBackTheLessTheMoreElementsAStepSpans) {
     }
 }
 
-/// The shipped case with elements of `element` at its tip, which grows by 0.05 mm in each of two cycles. Fewer
+/// The shipped case with elements of `element` at its tip, which grows by `growth` mm in each of two cycles. Fewer
 /// iterations: new faces are released in more parts.
-GrownRun grow_flowing(double element, int iterations) {
+GrownRun grow_flowing(double element, int iterations, Enrichment enrichment, double growth = 0.05) {
     Case input = sent_case({mesh_at_tip(element), "load.steps=20", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
                             "solver.max_iterations=" + std::to_string(iterations)});
-    input.growth.emplace().increment = 0.05;
+    input.fine.enrichment = enrichment;
+    input.growth.emplace().increment = growth;
     GrownRun run = grow(input);
     const Release whole = run.whole();
     std::cout << fmt::format(
@@ -124,7 +125,8 @@ GrownRun grow_flowing(double element, int iterations) {
 // The jumps open late on the way, so forces times jumps over two are too much: the more the metal flows meanwhile, the
 // less where it is released in parts.
 TEST(EnergyRelease, WhereMetalFlowsIsWhatTheWholeBodyLosesToTheErrorOfOneStep) {
-    const GrownRun at_once = grow_flowing(0.2, 20), in_parts = grow_flowing(0.2, 4);
+    const GrownRun at_once = grow_flowing(0.2, 20, Enrichment::Single),
+                   in_parts = grow_flowing(0.2, 4, Enrichment::Single);
     ASSERT_EQ(at_once.releases.size(), 2U);
     ASSERT_GT(in_parts.releases.size(), 4U);
     for (const GrownRun& run : {at_once, in_parts}) {
@@ -137,6 +139,18 @@ TEST(EnergyRelease, WhereMetalFlowsIsWhatTheWholeBodyLosesToTheErrorOfOneStep) {
     }
     EXPECT_NEAR(in_parts.whole().counted, in_parts.whole().balanced, 0.03 * in_parts.whole().balanced);
     EXPECT_NEAR(in_parts.whole().balanced, at_once.whole().balanced, 0.05 * at_once.whole().balanced);
+}
+
+// Without tip functions a step of one element releases a whole one, four times as much at once.
+TEST(EnergyRelease, WhereMetalFlowsAWholeElementIsCountedTheBetterTheMoreParts) {
+    const GrownRun at_once = grow_flowing(0.2, 20, Enrichment::None, 0.2);
+    const GrownRun in_parts = grow_flowing(0.2, 4, Enrichment::None, 0.2);
+    ASSERT_EQ(at_once.releases.size(), 2U);
+    ASSERT_GT(in_parts.releases.size(), 4U);
+    const Release one = at_once.whole(), parts = in_parts.whole();
+    EXPECT_GT(one.counted, one.balanced);
+    EXPECT_LT(std::abs(parts.counted - parts.balanced), 0.2 * (one.counted - one.balanced));
+    EXPECT_NEAR(parts.balanced, one.balanced, 0.05 * one.balanced);
 }
 
 }  // namespace

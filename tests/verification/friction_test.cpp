@@ -192,29 +192,49 @@ TEST(SlidingCrack, FullCyclesFollowTheClosedForm) {
     EXPECT_NEAR(per_cycle[1] - per_cycle[0], per_cycle[0], 1e-3 * per_cycle[0]);
 }
 
-// On the way up from the minimum the tips slide back at S_r, in steps that know nothing of it; without friction, or
-// where the faces stick, there is no such load.
+/// Cycles of both tips, two each, between a pressure and 100 MPa of it, in steps that know nothing of where slip
+/// begins.
+std::vector<coarse::CycleResult> measured_cycles(double friction, double lowest = 0.0) {
+    Case input = Compressed{.friction = friction, .size = 0.2, .cycles = 2, .steps = 6}.input();
+    input.load.blocks[0].max = -lowest;
+    input.closure.distance = 0.25;
+    input.closure.profile = {0.5};
+    std::vector<coarse::CycleResult> cycles;
+    for (const Followed& now : run_direct(input).increments)
+        cycles.insert(cycles.end(), now.cycles.begin(), now.cycles.end());
+    EXPECT_EQ(cycles.size(), 4U);
+    return cycles;
+}
+
+// On the way up from the minimum the tips slide back at S_r; without friction, or where the faces stick, there is no
+// such load.
 TEST(SlidingCrack, SlidesBackAtTheLoadOfTheClosedForm) {
-    const auto cycles_at = [](double friction) {
-        Case input = Compressed{.friction = friction, .size = 0.2, .cycles = 2, .steps = 6}.input();
-        input.closure.distance = 0.25;
-        input.closure.profile = {0.5};
-        std::vector<coarse::CycleResult> cycles;
-        for (const Followed& now : run_direct(input).increments)
-            cycles.insert(cycles.end(), now.cycles.begin(), now.cycles.end());
-        EXPECT_EQ(cycles.size(), 4U);  // two cycles, two tips
-        return cycles;
-    };
     for (const double friction : {0.3, 0.6}) {
         const ClosedForm exact({.friction = friction});
-        for (const coarse::CycleResult& cycle : cycles_at(friction)) {
+        for (const coarse::CycleResult& cycle : measured_cycles(friction)) {
             ASSERT_EQ(cycle.K_slip.size(), 2U);
             for (const double K_slip : cycle.K_slip)
                 EXPECT_NEAR(K_slip / cycle.K_min, exact.returns_at() / 100.0, 0.01 * exact.returns_at() / 100.0);
         }
     }
-    for (const coarse::CycleResult& cycle : cycles_at(0.0)) EXPECT_TRUE(cycle.K_slip.empty());
-    for (const coarse::CycleResult& cycle : cycles_at(1.1)) EXPECT_TRUE(std::isnan(cycle.K_slip.at(0)));
+    for (const coarse::CycleResult& cycle : measured_cycles(0.0)) EXPECT_TRUE(cycle.K_slip.empty());
+    for (const coarse::CycleResult& cycle : measured_cycles(1.1)) EXPECT_TRUE(std::isnan(cycle.K_slip.at(0)));
+}
+
+// Pressed again from a load at which the faces have slid back, the tips are locked until the shear has turned once
+// more: S_r is to 100 MPa as that load is to the one at which they slide.
+TEST(SlidingCrack, SlidesOnInUnloadingWhereTheClosedFormSays) {
+    constexpr double lowest = 30.0;
+    for (const double friction : {0.2, 0.3}) {
+        const ClosedForm exact({.friction = friction});
+        const double begins = lowest / exact.returns_at();
+        const std::vector<coarse::CycleResult> cycles = measured_cycles(friction, lowest);
+        for (std::size_t k = 2; k < 4; ++k) {  // the first cycle comes from rest, and is not locked
+            ASSERT_EQ(cycles[k].K_slip_unloading.size(), 2U);
+            for (const double K_slip : cycles[k].K_slip_unloading)
+                EXPECT_NEAR(K_slip / cycles[k].K_min, begins, 0.01 * begins);
+        }
+    }
 }
 
 // references 5.3: a square with an interface from side to side, pressed between clamped ends. nu = 0, so that the state

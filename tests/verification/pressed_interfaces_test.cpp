@@ -89,7 +89,7 @@ Vec2 pushed_up(double friction, int elements) {
     const coarse::Scene scene = coarse::refined_scene(input);
     const Equilibrated result = equilibrate(scene, 1.0);
     EXPECT_TRUE(result.newton.converged) << result.newton.table();
-    const std::vector<FaceStation> stations = face_stations(scene.enriched, 0, scene.input.fine.subcells, 4);
+    const std::vector<FaceStation> stations = face_stations(scene.enriched, 0, subcells_at_crack(scene.input.fine), 4);
     const Vec2 tangent = Vec2(1.0, 0.1).normalized(), normal(-tangent.y(), tangent.x());
     Vec2 force = Vec2::Zero();
     for (std::size_t k = 0; k < stations.size(); ++k) {

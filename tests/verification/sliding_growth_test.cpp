@@ -64,6 +64,23 @@ void expect_sound_growth(int cycles) {
 TEST(SlidingGrowth, KeepsItsBalanceOfWork) { expect_sound_growth(4); }
 TEST(SlidingGrowth, KeepsItsBalanceOfWorkOver30CyclesLong) { expect_sound_growth(30); }
 
+// e' <= C e^2 where statuses are settled, or what rounding leaves: of increments that slide and flow.
+TEST(SlidingGrowth, ConvergesQuadraticallyOnceBranchesHaveSettled) {
+    constexpr double C = 10.0, rounding = 1e-12;
+    const RunHistory run = run_direct(inclined(0.3, 1, {mesh_at_tip(0.3), "solver.tolerance=1e-11"}));
+    int ratios = 0;
+    for (const Followed& now : run.increments) {
+        if (std::ranges::none_of(now.zone.faces, [](const auto& face) { return face.status == 2; })) continue;
+        const std::vector<double> residual = settled_residuals(now);
+        for (std::size_t k = 1; k < residual.size(); ++k) {
+            const double bound = C * residual[k - 1] * residual[k - 1];
+            EXPECT_LT(residual[k], std::max(bound, rounding)) << now.newton.table();
+            if (bound < residual[k - 1] && bound > rounding) ++ratios;
+        }
+    }
+    EXPECT_GE(ratios, 10);
+}
+
 // A cycle of a crack that stays: friction may cost half as many iterations again.
 TEST(SlidingGrowth, FrictionTakesHalfAsManyIterationsMoreAtMost) {
     const auto effort = [](double friction) { return Effort(run_direct(inclined(friction, 2, {mesh_at_tip(0.3)}))); };

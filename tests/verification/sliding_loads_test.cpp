@@ -137,6 +137,53 @@ TEST(SlidingLoads, PressureThatGrowsAlongTheCrack) {
     }
 }
 
+/// Slip at a place, between the stations beside it, mm.
+double slip_at(const coupling::StepReport& zone, double x) {
+    double left = -1e300, right = 1e300, at_left = 0.0, at_right = 0.0;
+    for (const coupling::FaceSample& face : zone.faces) {
+        const double here = face.x - 0.5 * plate_width;
+        if (here <= x && here > left) left = here, at_left = face.slip;
+        if (here > x && here < right) right = here, at_right = face.slip;
+    }
+    return std::lerp(at_left, at_right, (x - left) / (right - left));
+}
+
+/// references 8.4: the middle of a closed crack is smooth, and slip runs from it into the rough faces on either side;
+/// unloading sends a zone of slip back after it. The larger relative error of the slip where the smooth faces end.
+double error_of_slip_beyond_smooth_faces(double size) {
+    constexpr double pressure = 100.0, friction = 0.3, shear = 15.0, a = 0.5, bound = friction * pressure;
+    const double c = a / std::cos(pi * shear / (2.0 * bound)), c_back = a / std::cos(pi * shear / (4.0 * bound));
+    const double pushed = 8.0 * bound * a / (pi * plane_modulus) * std::log(c / a);
+    const double left = pushed - 16.0 * bound * a / (pi * plane_modulus) * std::log(c_back / a);
+    Case input = closed_crack(friction, size);
+    input.cracks[0].contact->smooth = {1.0 - a, 1.0 + a};
+    StagedBody body(input);
+    const auto slips = [&](double now) {
+        const Equilibrated reached = body.load(UniformStress{.along = -pressure, .shear = now}.sections());
+        EXPECT_TRUE(reached.newton.converged) << reached.newton.table();
+        return 0.5 * std::abs(slip_at(reached.zone, a) + slip_at(reached.zone, -a));
+    };
+    slips(0.0);
+    const double there = slips(shear) / pushed - 1.0, back = slips(0.0) / left - 1.0;
+    std::cout << fmt::format("8.4: h {}: slip where the smooth faces end {:+.3f} %, after unloading {:+.3f} %\n", size,
+                             100.0 * there, 100.0 * back);
+    return std::max(std::abs(there), std::abs(back));
+}
+
+TEST(SlidingLoads, SlipRunsFromSmoothFacesIntoRoughOnesAndBack) {
+    EXPECT_LT(error_of_slip_beyond_smooth_faces(0.05), 0.04);
+}
+
+TEST(SlidingLoads, SlipBeyondSmoothFacesConvergesLong) {
+    double before = 1e300;
+    for (const double size : {0.05, 0.025, 0.0125}) {
+        const double error = error_of_slip_beyond_smooth_faces(size);
+        EXPECT_LT(error, before);
+        before = error;
+    }
+    EXPECT_LT(before, 0.01);
+}
+
 // A zone of slip that travels: the shear that has made it falls, and another one runs after it the other way. The
 // strength of that is twice the first one's (Masing), until both are as long.
 TEST(SlidingLoads, AZoneOfSlipTravelsLong) {
@@ -186,9 +233,9 @@ TEST(SlidingLoads, SlipBeginsWhereTheShearHasReachedItsBound) {
         const auto solve = [&](double shear) {
             return coarse::ClosureMeter::Trial{body.attempt(sheared(shear)), shear};
         };
-        const std::vector<char> locked = meter.closed(body.attempt(sheared(from)), {}, false);
-        const std::vector<char> slid = meter.closed(body.attempt(sheared(to)), locked, true);
-        return meter.locate(locked, slid, from, to, 0.1, solve);
+        const std::vector<double> locked = meter.signal(body.attempt(sheared(from)), {});
+        const std::vector<double> slid = meter.signal(body.attempt(sheared(to)), locked);
+        return meter.locate({from, from, locked}, {to, to, slid}, 0.1, solve);
     };
     const auto expect_all_at = [&](const std::vector<coarse::OpeningChange>& changes, double shear, double change) {
         EXPECT_EQ(changes.size(), 4U);  // two tips, two distances

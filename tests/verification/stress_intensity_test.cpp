@@ -9,11 +9,10 @@
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"
+#include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
-
-constexpr double young = 200e3, poisson = 0.3, plane_modulus = young / (1.0 - poisson * poisson);
 
 /// Plate of width 1 under tension at both ends, `cells` elements across the width.
 Case tension(const std::string& specimen, double height, int cells, std::vector<Vec2> crack, double stress = 1.0) {

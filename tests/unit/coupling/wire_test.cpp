@@ -25,7 +25,8 @@ EnrichedMesh small_mesh() {
                     .s = {0.0, 0.25},
                     .entry = 3.5,
                     .exit = -1.0}};
-    mesh.tips = {{.crack = 0, .position = {0.25, 0.5}, .direction = {1.0, 0.0}, .s = 0.25, .upper = -1}};
+    mesh.tips = {
+        {.crack = 0, .position = {0.25, 0.5}, .direction = {1.0, 0.0}, .s = 0.25, .upper = -1, .beyond = 0.125}};
     mesh.tip_functions = 6;
     mesh.terms = {{{Term::Kind::Heaviside, 0, 0, -1.0}, {Term::Kind::Tip, 0, 3, 0.7}}, {}, {}, {}};
     mesh.element_side = {1};
@@ -41,6 +42,7 @@ Patch small_patch() {
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
             .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}},
             .opening_at = {0.25},
+            .contact_at = {{0.25, 1.0}},
             .ahead = {0.125},
             .slip_at = {{0.25, 0.5}, {}}};
 }
@@ -57,7 +59,7 @@ PatchResponse small_response() {
                        .status = {0, 1},
                        .multiplier = {0.0, -3.5},
                        .status_changes = 1,
-                       .contact_reach = {-1.0, 0.25},
+                       .contact = {{-1.0}, {0.25, 2.0}},
                        .force_ahead = {-7.5, 2.0},
                        .slides = {{1, 0}, {}}};
     return response;
@@ -107,6 +109,7 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.mesh.pieces.at(0).points, small_mesh().pieces.at(0).points);
     EXPECT_EQ(copy.mesh.pieces.at(0).entry, 3.5);
     EXPECT_EQ(copy.mesh.tips.at(0).upper, -1);
+    EXPECT_EQ(copy.mesh.tips.at(0).beyond, 0.125);
     EXPECT_EQ(copy.mesh.terms.at(0).at(1).kind, Term::Kind::Tip);
     EXPECT_EQ(copy.mesh.terms.at(0).at(1).shift, 0.7);
     EXPECT_EQ(copy.mesh.element_side, small_mesh().element_side);
@@ -116,6 +119,7 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.unit_load, small_patch().unit_load);
     EXPECT_EQ(copy.rings.at(0).number, 1);
     EXPECT_EQ(copy.rings.at(0).outer_radius, 2.5);
+    EXPECT_EQ(copy.contact_at, small_patch().contact_at);
     EXPECT_EQ(copy.slip_at, small_patch().slip_at);
     EXPECT_EQ(copy.ahead, small_patch().ahead);
     EXPECT_EQ(copy.opening_at, small_patch().opening_at);

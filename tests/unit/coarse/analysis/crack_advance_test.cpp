@@ -58,6 +58,8 @@ TEST(CrackAdvance, CracksWithFrictionThatTouchGoWhereTheSolutionReachedSays) {
     std::vector<TipResult> flowed = reached;
     flowed[1].rings_flow = true;
     EXPECT_EQ(directing(cracks, tips, nominal, flowed)[1].K_II, 2.0);
+    reached[1].K_II = -1e-12;  // rounding
+    EXPECT_EQ(directing(cracks, tips, nominal, reached)[1].K_II, 2.0);
 }
 
 }  // namespace

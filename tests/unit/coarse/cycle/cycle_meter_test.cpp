@@ -23,7 +23,7 @@ protected:
         increment.step.cycle = cycle;
         increment.step.target.value = increment.load_factor = load;
         increment.nominal_K = {10.0 * a};
-        increment.closed.assign(closure.signals().all(), static_cast<char>(is_closed));
+        increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
                                   .J = load,
@@ -93,21 +93,24 @@ TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
     EXPECT_EQ(cycle.opening.K_cl, 60.0);
 }
 
-TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachCycle) {
+TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
     Case input;
     input.closure.profile = {0.5};
     input.cracks.resize(1);
     input.cracks[0].contact = ContactSection{0.3};
     closure = ClosureMeter(input.closure, input.material, input.cracks, {500.0});
     meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+    go(0, 20.0, 1.0, true);
     const auto slides = [](int distance, double load) { return OpeningChange{0, 2 + distance, true, load}; };
     for (const int cycle : {1, 2}) {
-        go(cycle, 0.0, 1.0, true);
+        go(cycle, 0.0, 1.0, true, {slides(0, 15.0), slides(0, 14.0)});
         go(cycle, 10.0, 1.0, true, {slides(0, 6.0), slides(0, 7.0)});
         go(cycle, 20.0, 1.0, true, cycle == 1 ? std::vector{slides(1, 12.0)} : std::vector<OpeningChange>());
         const CycleResult result = meter.finish().at(0);
         ASSERT_EQ(result.K_slip.size(), 2U);
         EXPECT_EQ(result.K_slip[0], 60.0);
+        EXPECT_EQ(result.K_slip_unloading.at(0), 150.0);
+        EXPECT_TRUE(std::isnan(result.K_slip_unloading.at(1)));
         EXPECT_TRUE(cycle == 1 ? result.K_slip[1] == 120.0 : std::isnan(result.K_slip[1]));
         EXPECT_EQ(result.contact.size(), 2U);
     }

@@ -41,6 +41,7 @@ public:
         u += step * correction_;
         ++applied;
     }
+    void put_aside() override {}
     coupling::StepReport commit(bool) override { return {}; }
     void rollback() override {}
     [[nodiscard]] double load_factor() const override { return load_; }

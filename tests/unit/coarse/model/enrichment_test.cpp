@@ -51,7 +51,7 @@ TEST(Enrichment, SingleTipFunction) {
     EXPECT_EQ(mesh.unknowns, 2 * (25 + 4 + 4));
 }
 
-TEST(Enrichment, WithoutTipFunctionsTheCrackEndsOnTheLastEdge) {
+TEST(Enrichment, WithoutTipFunctionsTheCrackEndsOnTheNearestEdge) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}}, 0);
     EXPECT_EQ(heaviside_nodes(mesh, 1.0), (Nodes{node(0, 2), node(1, 2)}));
     EXPECT_TRUE(tip_nodes(mesh).empty());

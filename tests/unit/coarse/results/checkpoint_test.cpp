@@ -28,7 +28,7 @@ Checkpoint some_checkpoint() {
     state.far = ElementSet::of_flags({1, 0, 0});
     state.nominal = {{.a = 7.0, .K_I = 0.1, .CMOD = -0.0}};
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
-    state.closed = {1};
+    state.signal = {1.5};
     state.counts.increments = 57;
     state.growth_ended = true;
     state.load.reached = -1.0 / 3.0;
@@ -87,7 +87,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_TRUE(std::signbit(out.analysis.nominal[0].CMOD));
     EXPECT_EQ(out.analysis.displacement, in.analysis.displacement);
     EXPECT_TRUE(std::signbit(out.analysis.displacement[1]));
-    EXPECT_EQ(out.analysis.closed, in.analysis.closed);
+    EXPECT_EQ(out.analysis.signal, in.analysis.signal);
     EXPECT_EQ(out.analysis.counts.increments, 57);
     EXPECT_TRUE(out.analysis.growth_ended);
     EXPECT_EQ(out.analysis.load.reached, in.analysis.load.reached);

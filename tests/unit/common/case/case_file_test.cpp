@@ -101,7 +101,7 @@ TEST_F(CaseFile, ReadsValuesAndDefaults) {
     EXPECT_FALSE(scene.boundaries.at(1).displacement[0]);
     EXPECT_EQ(scene.boundaries[1].displacement[1], 0.0);
     EXPECT_EQ(scene.load.blocks.at(0).min, -50.0);
-    EXPECT_EQ(scene.load.steps, 40);
+    EXPECT_EQ(scene.load.steps, 16);
     EXPECT_TRUE(needs_fine(scene));
 }
 
@@ -200,6 +200,14 @@ TEST_F(CaseFile, RefusesWhatKeysSayTogether) {
         "case.toml:15: crack.0.points = [[0.0, 100.0], [0.0, 100.0]] must not repeat a point: a segment has no length");
     EXPECT_EQ(complaint_about(", [20.0, 100.0]]", "]"),
               "case.toml:15: crack.0.points = [[0.0, 100.0]] must have at least two points");
+    EXPECT_NE(complaint(complete, {"crack.0.contact.smooth=[1.0, 2.0]", "crack.0.contact.friction=0.0"})
+                  .find("needs friction > 0 outside of them"),
+              std::string::npos);
+    for (const std::string smooth : {"[3.0]", "[3.0, 2.0]", "[-1.0, 2.0]"})
+        EXPECT_NE(complaint(complete, {"crack.0.contact.smooth=" + smooth})
+                      .find("must be two arc lengths, the first at least 0 and the second larger"),
+                  std::string::npos)
+            << complaint(complete, {"crack.0.contact.smooth=" + smooth});
     EXPECT_EQ(complaint_about("at = [25.0, 0.0]\n", ""), "case.toml:20: boundary.1 on = \"point\" needs at = [x, y]");
 }
 
@@ -227,7 +235,7 @@ TEST_F(CaseFile, RefusesLoadsBeyondAllUse) {
               "or be zero");
     EXPECT_NE(complaint(complete, {"load.blocks.0.max=1e300"}).find("beyond all use"), std::string::npos);
     EXPECT_EQ(complaint_about("{ max", "{ cycles = 1000000000, max"),
-              "case.toml:24: load has 1e+09 cycles of 40 increments, at most 2147483647 increments can be counted");
+              "case.toml:24: load has 1e+09 cycles of 16 increments, at most 2147483647 increments can be counted");
     if (available_memory() < 1e11) {
         EXPECT_EQ(complaint(complete, {"load.steps=2", "load.repeat=500000000"}).substr(0, 55),
                   "case.toml:24: load: 5e+08 cycles would take about 100 G");

@@ -305,6 +305,25 @@ TEST(ContactInterface, SlidingDissipatesTheMeanBoundTimesTheSlip) {
     EXPECT_EQ(contact.dissipated(all(2.0, 0.0), all(6.0, 0.0), slipped), 0.0);
 }
 
+// Faces that stuck come free at a load of zero, on their way back: whether they part then or slide is rounding.
+TEST(ContactInterface, FacesThatComeFreeDissipateTheSameWhetherTheyPartOrSlide) {
+    const Cut cut(2.4, 2.4, 0.0, 0.4);
+    ContactInterface contact = cut.contact();
+    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    Eigen::VectorXd before(contact.tractions());
+    before << Eigen::VectorXd::Constant(contact.multipliers(), 2.0), Eigen::VectorXd::Zero(contact.multipliers());
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(contact.tractions());
+    const auto dissipated = [&](double gap, FaceStatus status) {
+        const Jumps jumps = contact.jumps(cut.opened([&](const Vec2&) { return Vec2(-0.01, gap); }));
+        contact.choose_statuses(none, jumps);
+        EXPECT_EQ(contact.statuses()[0], status);
+        return contact.dissipated(before, none, jumps);
+    };
+    const double parted = dissipated(1e-14, FaceStatus::Open), slid = dissipated(-1e-14, FaceStatus::SlipBack);
+    EXPECT_NEAR(slid, 0.4 * 0.5 * 1.0 * 0.01 * 8.0, 1e-12);
+    EXPECT_NEAR(parted, slid, 1e-12);
+}
+
 TEST(ContactInterface, ResidualVanishesExactlyWhereTheConditionsHold) {
     const Cut cut;
     const ContactInterface contact = cut.contact();

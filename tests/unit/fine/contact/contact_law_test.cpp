@@ -86,5 +86,29 @@ TEST(ContactLaw, ViolationIsWhatIsBeyondTheBranch) {
     EXPECT_DOUBLE_EQ(law.violation({2.0, 0.5, 0.1, 0.0}, FaceStatus::Stick), 2.0);
 }
 
+// From the bound it slides at once; from elsewhere the later, the farther the shear is from the side that brakes.
+TEST(ContactLaw, SlipBeginsWhereTheShearComesToItsBoundAsThePressureFalls) {
+    const auto begins = [](double shear, double slip) { return law.slides_from({8.0, shear, 0.0, slip}, 2.0); };
+    EXPECT_DOUBLE_EQ(begins(mu * 8.0, 0.1), 8.0);
+    EXPECT_DOUBLE_EQ(begins(-mu * 8.0, -0.1), 8.0);
+    EXPECT_DOUBLE_EQ(begins(0.0, 0.1), 5.0);
+    EXPECT_DOUBLE_EQ(begins(mu * 8.0, -0.1), 2.0);
+    EXPECT_EQ(law.slides_from({2.0, 0.0, 0.0, 0.1}, 8.0), 2.0);  // the pressure grows
+    EXPECT_DOUBLE_EQ(law.pressure_times_slip({8.0, 0.0, 0.0, -0.1}, 2.0), 3.5 * 0.1);
+}
+
+// At a load of zero rounding says whether faces part or slide without a pressure, and of which sign a pressure is.
+TEST(ContactLaw, WhatSlipDissipatesDoesNotLeap) {
+    for (const double shear : {-mu * 8.0, -1.0, 0.0, 1.0, mu * 8.0}) {
+        const FaceState parted{8.0, shear, 1e-17, 0.1};
+        EXPECT_NEAR(law.pressure_times_slip_until_open(parted), law.pressure_times_slip(parted, 0.0), 1e-12);
+        EXPECT_NEAR(law.pressure_times_slip(parted, 1e-16), law.pressure_times_slip(parted, -1e-16), 1e-12);
+        const double without = law.pressure_times_slip({0.0, 0.0, 0.0, 0.1}, 8.0);
+        EXPECT_NEAR(law.pressure_times_slip({1e-14, 1e-16 * shear, 0.0, 0.1}, 8.0), without, 1e-12);
+    }
+    EXPECT_DOUBLE_EQ(law.pressure_times_slip_until_open({8.0, mu * 8.0, 0.2, 0.1}), 0.25 * 4.0 * 0.1);  // half the way
+    EXPECT_EQ(law.pressure_times_slip_until_open({-1e-15, 0.0, 0.2, 0.1}), 0.0);
+}
+
 }  // namespace
 }  // namespace stria::fine

@@ -1,0 +1,103 @@
+#include "coarse/model/crack_front.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+#include <utility>
+
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+struct Exit {
+    double distance;  // from the tip, mm
+    double place;     // as CrackPiece::exit
+    Vec2 position;
+};
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Where a ray from inside a convex element, or along one of its edges, leaves it. Within 1e-3 of an edge's length of a
+/// node it leaves there, as crossings do.
+Exit leaves(const std::array<Vec2, 4>& corners, const Vec2& from, const Vec2& direction) {
+    constexpr double at_node = 1e-3;
+    Exit exit{-1.0, 0.0, from};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec2 &a = corners[k], edge = corners[(k + 1) % 4] - a;
+        const double across = cross(direction, edge);
+        if (across <= 1e-9 * edge.norm()) continue;  // of the edges that it faces from inside
+        const double distance = cross(a - from, edge) / across;
+        if (exit.distance >= 0.0 && distance >= exit.distance) continue;
+        const double t = std::clamp(edge.dot(from + distance * direction - a) / edge.squaredNorm(), 0.0, 1.0);
+        const double snapped = t < at_node ? 0.0 : t > 1.0 - at_node ? 1.0 : t;
+        exit = {distance, std::fmod(static_cast<double>(k) + snapped, 4.0), a + snapped * edge};
+    }
+    return exit;
+}
+
+std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
+    const auto& n = mesh.elements[at(element)];
+    return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])], mesh.nodes[at(n[3])]};
+}
+
+/// The front at the end of the last piece, which holds a tip.
+void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
+    constexpr double rounding = 1e-6;
+    CrackPiece& last = pieces.back();
+    const Vec2 &tip = last.points.back(), before = last.points[last.points.size() - 2];
+    const Exit exit = leaves(corners_of(mesh, last.element), tip, (tip - before).normalized());
+    const double behind = last.s.back() - last.s.front();
+    if (pieces.size() > 1 && behind <= (1.0 + rounding) * exit.distance) {
+        pieces.pop_back();
+        return;
+    }
+    last.s.back() += (exit.position - tip).norm();
+    last.points.back() = exit.position;
+    last.exit = exit.place;
+}
+
+void turn_round(std::vector<CrackPiece>& pieces, double length) {
+    std::ranges::reverse(pieces);
+    for (CrackPiece& piece : pieces) {
+        std::ranges::reverse(piece.points);
+        std::ranges::reverse(piece.s);
+        for (double& s : piece.s) s = length - s;
+        std::swap(piece.entry, piece.exit);
+    }
+}
+
+}  // namespace
+
+CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path) {
+    const double length = path.length;
+    if (path.tip_at_end && path.pieces.back().exit < 0.0) end_on_edge(mesh, path.pieces);
+    if (path.tip_at_start && path.pieces.front().entry < 0.0) {
+        turn_round(path.pieces, length);
+        end_on_edge(mesh, path.pieces);
+        turn_round(path.pieces, length);
+    }
+    return path;
+}
+
+double length_in_body(const EnrichedMesh& mesh, int crack) {
+    const auto is_its = [&](const CrackPiece& piece) { return piece.crack == crack; };
+    double length = std::ranges::find_if(mesh.pieces | std::views::reverse, is_its)->s.back() -
+                    std::ranges::find_if(mesh.pieces, is_its)->s.front();
+    for (const Tip& tip : mesh.tips)
+        if (tip.crack == crack) length += tip.beyond;
+    return length;
+}
+
+std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start) {
+    const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
+    const double place = start ? piece.entry : piece.exit;
+    const auto& nodes = mesh.elements[at(piece.element)];
+    const auto edge = at(static_cast<int>(place));
+    if (place == std::floor(place)) return {nodes[edge % 4]};
+    return {nodes[edge % 4], nodes[(edge + 1) % 4]};
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,24 @@
+// Where the jump of a crack ends that no tip function closes.
+#pragma once
+
+#include <set>
+
+#include "common/crack/crack_path.hpp"
+#include "common/enrichment/enriched_mesh.hpp"
+#include "common/fem/mesh.hpp"
+
+namespace stria::coarse {
+
+/// Moves each tip of a path along the crack's last direction to the nearest boundary of its element, as a crack in
+/// conventional elements ends at a node: half an element at most. The way back where both are as near. A crack inside a
+/// single element reaches both of its edges. Arc lengths stay those from the crack's first point: a front before it has
+/// a negative one.
+[[nodiscard]] CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path);
+
+/// Of the part of a crack in the body, from the mouth or a tip to its other end, mm of arc.
+[[nodiscard]] double length_in_body(const EnrichedMesh& mesh, int crack);
+
+/// Nodes of the edge that a path with fronts on edges ends on, or the node: nothing jumps there.
+[[nodiscard]] std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start);
+
+}  // namespace stria::coarse

@@ -1,0 +1,100 @@
+// Both components under an mpirun of the user's own, which is sent signals. Open MPI 4.1 answers SIGINT and SIGTERM
+// itself: it passes them to the components, kills what is left after `odls_base_sigkill_timeout`, and ends with 1.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "app/run/run_files.hpp"
+#include "tests/support/followed_run.hpp"
+#include "tests/support/sent_analysis.hpp"
+
+namespace stria::test {
+namespace {
+
+class StartedByHand : public testing::Test {
+protected:
+    void SetUp() override {
+        for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                                 "OMPI_MCA_mpi_yield_when_idle", "OMPI_MCA_rmaps_base_oversubscribe"})
+            setenv(name, "1", 0);
+        const std::string undisturbed = folder / "undisturbed";
+        Words words{"run", shipped_sent, "-o", undisturbed, "--mode", "inprocess"};
+        append_settings(words);
+        ASSERT_EQ(run_program("stria", words, folder / "log"), 0);
+    }
+
+    void send(const Words& signals, int code) {
+        Program run("mpirun", by_hand({}), folder / "log");
+        ASSERT_TRUE(wait_for_rows(run, output, 14)) << run.said();
+        for (const std::string& name : signals) {
+            kill(run.pid(), name == "TERM" ? SIGTERM : name == "INT" ? SIGINT : SIGUSR1);
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+        EXPECT_EQ(run.wait(std::chrono::seconds(30)), code) << run.said();
+        EXPECT_EQ(run.said().find("*** Process received signal"), std::string::npos) << run.said();
+        EXPECT_LT(rows_of(output + "/history.csv"), rows_of(folder / "undisturbed/history.csv"));
+    }
+
+    /// A component that mpirun has left alone needs a moment to notice; until then it holds the folder.
+    void expect_to_go_on() {
+        int code = 2;
+        for (int k = 0; code == 2 && k < 50; ++k) {
+            code = run_program("mpirun", by_hand({"--resume"}), folder / "log");
+            if (code == 2) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+        EXPECT_EQ(code, 0) << text_of(folder / "log");
+        expect_same_tables(output, folder / "undisturbed");
+    }
+
+    std::string status() { return read_json(output + "/summary.json").words["status"]; }
+
+    const TemporaryFolder folder;
+    const std::string output = folder / "out";
+
+private:
+    static void append_settings(Words& words) {
+        for (const char* setting : {"mesh.size=12.5", "load.blocks=[{cycles=16, max=50.0, ratio=-1.0}]", "load.steps=20",
+                                    "output.fields=none", "output.faces=cycles", "solver.tolerance=1e-12"})
+            words.insert(words.end(), {"--set", setting});
+        words.insert(words.end(), {"--set", mesh_at_tip(0.4)});
+    }
+
+    [[nodiscard]] Words by_hand(const Words& more) const {
+        Words words;
+        for (const char* program : {"stria-coarse", "stria-fine"}) {
+            words.insert(words.end(), {"-n", "1", own_program(program), shipped_sent, "-o", output});
+            append_settings(words);
+            words.insert(words.end(), more.begin(), more.end());
+            words.emplace_back(":");
+        }
+        words.pop_back();
+        return words;
+    }
+};
+
+TEST_F(StartedByHand, EndsAsInterruptedBySIGUSR1) {
+    send({"USR1"}, 130);
+    EXPECT_EQ(status(), "interrupted");
+    expect_to_go_on();
+}
+
+TEST_F(StartedByHand, LeavesACheckpointOnSIGTERM) {
+    send({"TERM"}, 1);
+    EXPECT_EQ(status(), "interrupted");
+    expect_to_go_on();
+}
+
+TEST_F(StartedByHand, LeavesACheckpointOnSIGINT) {
+    send({"INT"}, 1);
+    EXPECT_EQ(status(), "interrupted");
+    expect_to_go_on();
+}
+
+// Then mpirun ends at once, and its components without it: what they have written before stays whole.
+TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGTERMTwice) {
+    send({"TERM", "TERM"}, 1);
+    expect_to_go_on();
+}
+
+}  // namespace
+}  // namespace stria::test

@@ -1,0 +1,53 @@
+// A run of one of our programs, followed while it writes, and its tables beside those of another one.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "common/index.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+
+inline int rows_of(const std::string& table) {
+    const std::string text = text_of(table);
+    return static_cast<int>(std::ranges::count(text, '\n')) - 1;
+}
+
+/// Once history.csv has so many rows; false where the run has ended before.
+inline bool wait_for_rows(Program& run, const std::string& output, int rows) {
+    for (int k = 0; k < 20'000; ++k) {
+        if (rows_of(output + "/history.csv") >= rows) return true;
+        if (kill(run.pid(), 0) != 0) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+}
+
+/// Of cycles.csv, without the column that holds times.
+inline std::string without_times(const std::string& table) {
+    std::istringstream lines(text_of(table));
+    std::string line, kept;
+    std::ptrdiff_t column = -1;
+    while (std::getline(lines, line)) {
+        Words cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+        if (column < 0) column = std::ranges::find(cells, "wall_s") - cells.begin();
+        cells.at(at(column)).clear();
+        for (const std::string& cell : cells) kept += cell + ',';
+        kept += '\n';
+    }
+    return kept;
+}
+
+inline void expect_same_tables(const std::string& run, const std::string& undisturbed) {
+    EXPECT_EQ(text_of(run + "/history.csv"), text_of(undisturbed + "/history.csv"));
+    EXPECT_EQ(text_of(run + "/faces.csv"), text_of(undisturbed + "/faces.csv"));
+    EXPECT_EQ(without_times(run + "/cycles.csv"), without_times(undisturbed + "/cycles.csv"));
+}
+
+}  // namespace stria::test

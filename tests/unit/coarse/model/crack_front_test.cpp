@@ -1,0 +1,95 @@
+// A crack without tip functions ends on the element edge nearest to its tip.
+#include "coarse/model/crack_front.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::test {
+namespace {
+
+/// Of a 4 x 4 mesh of the unit square, whose elements have 0.25 mm.
+EnrichedMesh ending_on_edges(const std::vector<Vec2>& points) { return cracked(square_mesh(4), points, 0); }
+
+int jumping_nodes(const EnrichedMesh& mesh) {
+    int count = 0;
+    for (const auto& terms : mesh.terms) count += terms.empty() ? 0 : 1;
+    return count;
+}
+
+TEST(CrackFront, LiesOnTheNearestEdge) {
+    const struct {
+        double tip, front;
+    } cases[] = {{0.51, 0.5}, {0.625, 0.5}, {0.64, 0.75}, {0.74, 0.75}, {0.5, 0.5}, {0.75 + 1e-12, 0.75}};
+    for (const auto& [tip, front] : cases) {
+        const EnrichedMesh mesh = ending_on_edges({{0.0, 0.4}, {tip, 0.4}});
+        EXPECT_NEAR(mesh.pieces.back().points.back().x(), front, 1e-14) << tip;
+        EXPECT_NEAR(mesh.tips[0].s, front, 1e-14) << tip;
+        EXPECT_EQ(mesh.tips[0].position.x(), tip);  // the crack is as long as it is given
+        EXPECT_EQ(jumping_nodes(mesh), 2 * static_cast<int>(std::lround(4.0 * front))) << tip;
+        EXPECT_GE(mesh.pieces.back().exit, 0.0) << tip;
+        EXPECT_NEAR(coarse::length_in_body(mesh, 0), tip, 1e-14);
+        EXPECT_TRUE(has_mouth(mesh, 0));
+    }
+}
+
+TEST(CrackFront, GoesStraightOnFromAnInclinedCrack) {
+    const EnrichedMesh mesh = ending_on_edges({{0.0, 0.3}, {0.7, 0.44}});  // 1 : 5
+    const CrackPiece& last = mesh.pieces.back();
+    EXPECT_LT((last.points.back() - Vec2(0.75, 0.45)).norm(), 1e-14);
+    EXPECT_NEAR(last.s.back(), std::hypot(0.75, 0.15), 1e-14);
+    EXPECT_EQ(std::floor(last.exit), 1.0);  // the right edge, upwards
+    EXPECT_NEAR(last.exit - 1.0, (0.45 - 0.25) / 0.25, 1e-13);
+}
+
+TEST(CrackFront, ReachesANodeThatItNearlyMeets) {
+    const EnrichedMesh mesh = ending_on_edges({{0.0, 0.1}, {0.45, 0.46}});  // leaves its element at (0.4999, 0.5)
+    EXPECT_EQ(mesh.pieces.back().points.back(), Vec2(0.5, 0.5));
+    EXPECT_EQ(mesh.pieces.back().exit, 2.0);
+}
+
+TEST(CrackFront, AlongEdgesLiesOnTheNearestNode) {
+    for (const auto& [tip, front] : {std::pair{0.55, 0.5}, {0.7, 0.75}}) {
+        const EnrichedMesh mesh = ending_on_edges({{0.0, 0.5}, {tip, 0.5}});
+        EXPECT_EQ(mesh.pieces.back().points.back(), Vec2(front, 0.5));
+        EXPECT_EQ(jumping_nodes(mesh), static_cast<int>(std::lround(4.0 * front)));
+    }
+}
+
+// An ulp off the edge the tip's piece is still along it: nothing would hold a jump on one side of a sliver.
+TEST(CrackFront, AlongEdgesAnUlpDoesNotMatter) {
+    for (const double y : {0.5, std::nextafter(0.5, 1.0), std::nextafter(0.5, 0.0)}) {
+        const EnrichedMesh mesh = ending_on_edges({{0.0, 0.5}, {0.7, y}});
+        EXPECT_EQ(jumping_nodes(mesh), 3) << y;
+        EXPECT_GE(mesh.pieces.back().neighbour, 0) << y;
+    }
+}
+
+TEST(CrackFront, ArcLengthsBeginAtTheFirstPointOfAnInnerCrack) {
+    const EnrichedMesh mesh = ending_on_edges({{0.26 + 0.1, 0.4}, {0.9, 0.4}});
+    EXPECT_EQ(mesh.pieces.front().points.front(), Vec2(0.25, 0.4));
+    EXPECT_NEAR(mesh.pieces.front().s.front(), -0.11, 1e-15);
+    EXPECT_NEAR(mesh.pieces.back().s.back(), 1.0 - 0.36, 1e-14);
+    EXPECT_NEAR(mesh.tips[0].s, -0.11, 1e-15);
+    EXPECT_NEAR(mesh.tips[0].beyond, -0.11, 1e-15);
+    EXPECT_NEAR(mesh.tips[1].beyond, -0.1, 1e-15);
+    EXPECT_EQ(mesh.tips[0].position, Vec2(0.36, 0.4));
+    EXPECT_NEAR(coarse::length_in_body(mesh, 0), 0.54, 1e-15);
+    EXPECT_FALSE(has_mouth(mesh, 0));
+}
+
+TEST(CrackFront, ACrackInsideAnElementCrossesIt) {
+    const EnrichedMesh mesh = cracked(square_mesh(2), {{0.1, 0.2}, {0.2, 0.2}}, 0);
+    ASSERT_EQ(mesh.pieces.size(), 1U);
+    EXPECT_NEAR(mesh.pieces[0].points.front().x(), 0.0, 1e-15);
+    EXPECT_NEAR(mesh.pieces[0].points.back().x(), 0.5, 1e-15);
+}
+
+TEST(CrackFront, TakesTheFunctionAwayWhereElementsAreSmallForTheCrack) {
+    const coarse::TipEnrichment growing{.functions = 1, .none_below = 0.02};
+    EXPECT_EQ(cracked(square_mesh(96), {{0.0, 0.4}, {0.53, 0.4}}, growing).tip_functions, 0);
+    EXPECT_EQ(cracked(square_mesh(90), {{0.0, 0.4}, {0.53, 0.4}}, growing).tip_functions, 1);
+}
+
+}  // namespace
+}  // namespace stria::test
