@@ -24,10 +24,19 @@ void OpeningFaces::hold(double share, Eigen::VectorXd& load) const {
     if (!jumps_.empty() && share != 0.0) load(jumps_) -= share * held_;
 }
 
+void OpeningFaces::begin(const Eigen::VectorXd& first_step) {
+    if (!jumps_.empty()) first_step_ = gather(first_step, jumps_);
+}
+
 double OpeningFaces::release(const Eigen::VectorXd& move, double share) {
     if (jumps_.empty()) return 0.0;
-    const double released = 0.5 * (1.0 + share) * held_.dot(gather(move, jumps_));
+    const Eigen::VectorXd opening = gather(move, jumps_);
+    const bool begun = first_step_.size() == opening.size();
+    const double opened = held_.dot(opening);
+    const double first = begun ? held_.dot(first_step_.array().isNaN().select(opening, first_step_)) : opened;
+    const double released = share * opened + (1.0 - share) * (opened / 3.0 + first / 6.0);
     held_ *= share;
+    first_step_.resize(0);
     if (share == 0.0) jumps_.clear();
     return released;
 }

@@ -11,8 +11,10 @@ namespace stria::fine {
 
 /// Until a crack grows the metal ahead of it transmits tractions. On the unknowns of the new jumps they are nodal
 /// forces F = - integral of B^T sigma of the stresses that stay as they are (Fig. 3a). Finding equilibrium takes them
-/// away while the jumps open by du (Fig. 3b), at once or in parts: along a path on which they fade in proportion to a
-/// share h of what they were, (1 + h) F . du / 2 is released.
+/// away while the jumps open by u (Fig. 3b), at once or in parts. On a path t from 0 to 1 on which they fade in
+/// proportion to a share h of what they were, h F . u(1) + (1 - h) F . integral of u dt is released. Where metal flows
+/// the jumps open late on it: u(t) is the parabola that ends at u(1) and begins with Newton's first step, which takes
+/// the tangent before anything flows.
 class OpeningFaces {
 public:
     OpeningFaces() = default;
@@ -28,6 +30,10 @@ public:
     /// Takes the share of the forces that still holds the faces from what is in need of balance, N/mm.
     void hold(double share, Eigen::VectorXd& load) const;
 
+    /// Newton's first step on the way to an equilibrium, of all unknowns, mm; not a number where it is not known: such
+    /// an unknown counts as linear.
+    void begin(const Eigen::VectorXd& first_step);
+
     /// N per mm of thickness: released by a move to equilibrium with that share, which is all that is left then.
     double release(const Eigen::VectorXd& move, double share);
 
@@ -35,8 +41,8 @@ public:
     [[nodiscard]] Eigen::VectorXd held(int unknowns) const;
 
 private:
-    std::vector<int> jumps_;  // unknowns of the new jumps
-    Eigen::VectorXd held_;    // on them
+    std::vector<int> jumps_;             // unknowns of the new jumps
+    Eigen::VectorXd held_, first_step_;  // on them; the step empty where none was taken
 };
 
 }  // namespace stria::fine

@@ -89,10 +89,12 @@ void ZoneSystem::predict(const Predictor& predictor) {
         trial_.traction += predictor.factor * earlier->traction;
     }
     largest_move_ = std::numeric_limits<double>::infinity();
+    steps_ = 0;
     contact_->begin_increment();
 }
 
 void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction) {
+    ++steps_;
     trial_.displacement += displacement;
     trial_.traction += traction;
     largest_move_ = displacement.size() > 0 ? displacement.cwiseAbs().maxCoeff() : 0.0;
@@ -104,6 +106,7 @@ void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
 }
 
 void ZoneSystem::linearise() {
+    if (steps_ == 1) note_first_step();
     {
         const Stopwatch watch(constitutive_s_);
         bulk_->evaluate(trial_.displacement);
@@ -116,6 +119,14 @@ void ZoneSystem::linearise() {
     load_ = load_factor_ * patch_.unit_load - force;
     memory_.opening.hold(held_, load_);
     at_rest_.response.resize(0);
+}
+
+// What rests follows the others without being looked at.
+void ZoneSystem::note_first_step() {
+    Eigen::VectorXd step = trial_.displacement - memory_.committed.displacement;
+    for (Eigen::Index i = 0; i < step.size(); ++i)
+        if (at_rest_.inside.contains(i)) step[i] = std::numeric_limits<double>::quiet_NaN();
+    memory_.opening.begin(step);
 }
 
 void ZoneSystem::add_response(const Eigen::VectorXd& load) {

@@ -91,6 +91,7 @@ private:
     [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
     void set_inside(const UnknownSet& inside);
     void open_new_faces(const EnrichedMesh& before);
+    void note_first_step();
     void report_on(coupling::StepReport& report) const;
 
     /// What rests, as this sees it.
@@ -111,6 +112,7 @@ private:
     Eigen::VectorXd load_;
     ContactInterface::Jumps jumps_;
     AtRest at_rest_;
+    int steps_ = 0;  // of Newton's method in this attempt
     double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;

@@ -122,22 +122,20 @@ GrownRun grow_flowing(double element, int iterations, Enrichment enrichment, dou
     return run;
 }
 
-// The jumps open late on the way, so forces times jumps over two are too much: the more the metal flows meanwhile, the
-// less where it is released in parts.
+// The jumps open late on the way, on a parabola in the books. With a frozen function a part of the way belongs to it.
 TEST(EnergyRelease, WhereMetalFlowsIsWhatTheWholeBodyLosesToTheErrorOfOneStep) {
-    const GrownRun at_once = grow_flowing(0.2, 20, Enrichment::Single),
-                   in_parts = grow_flowing(0.2, 4, Enrichment::Single);
+    const GrownRun at_once = grow_flowing(0.2, 20, Enrichment::Single);
+    const GrownRun in_parts = grow_flowing(0.2, 4, Enrichment::Single);
     ASSERT_EQ(at_once.releases.size(), 2U);
     ASSERT_GT(in_parts.releases.size(), 4U);
     for (const GrownRun& run : {at_once, in_parts}) {
         for (const Release& release : run.releases) {
             EXPECT_GT(release.balanced, 0.0);
-            EXPECT_LT(release.counted, 1.17 * release.balanced);
+            EXPECT_NEAR(release.counted, release.balanced, 0.12 * run.whole().balanced);
         }
-        EXPECT_GT(run.whole().counted, run.whole().balanced);
         EXPECT_LT(run.whole().counted, 0.2 * run.whole().by_J);  // most of what J stands for is dissipated
     }
-    EXPECT_NEAR(in_parts.whole().counted, in_parts.whole().balanced, 0.03 * in_parts.whole().balanced);
+    EXPECT_NEAR(in_parts.whole().counted, in_parts.whole().balanced, 0.06 * in_parts.whole().balanced);
     EXPECT_NEAR(in_parts.whole().balanced, at_once.whole().balanced, 0.05 * at_once.whole().balanced);
 }
 
@@ -148,8 +146,8 @@ TEST(EnergyRelease, WhereMetalFlowsAWholeElementIsCountedTheBetterTheMoreParts) 
     ASSERT_EQ(at_once.releases.size(), 2U);
     ASSERT_GT(in_parts.releases.size(), 4U);
     const Release one = at_once.whole(), parts = in_parts.whole();
-    EXPECT_GT(one.counted, one.balanced);
-    EXPECT_LT(std::abs(parts.counted - parts.balanced), 0.2 * (one.counted - one.balanced));
+    EXPECT_NEAR(one.counted, one.balanced, 0.07 * one.balanced);
+    EXPECT_NEAR(parts.counted, parts.balanced, 0.01 * parts.balanced);
     EXPECT_NEAR(parts.balanced, one.balanced, 0.05 * one.balanced);
 }
 

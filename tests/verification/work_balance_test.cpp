@@ -43,9 +43,7 @@ Case cycled(double element, int cycles, int steps, double growth = 0.05) {
 }
 
 TEST(WorkBalance, ClosesOverTenGrownCycles) {
-    Case input = cycled(0.2, 10, 20);
-    input.fine.enrichment = Enrichment::Single;
-    const Balance balance = balance_of(input);
+    const Balance balance = balance_of(cycled(0.2, 10, 30));
     EXPECT_LT(balance.relative_error(), 1e-3);
     // What is released is a three-hundredth of the work, so the error is a good part of it: the increments' trapezoids,
     // and the straight path by which each release is counted (EnergyRelease.*).
