@@ -21,46 +21,14 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
 from machine_unit import machine_unit  # noqa: E402
 
-CASE = """
-units = "N-mm-MPa"
-[model]
-plane = "strain"
-[mesh]
-specimen = "sent"
-width = 50.0
-height = 102.5
-size = 1.6
-[material]
-young = 200e3
-poisson = 0.3
-yield_stress = 300.0
-kinematic = [ { C = 4000.0 } ]
-[[crack]]
-points = [[0.0, 51.25], [20.0, 51.25]]
-contact = { friction = 0.0 }
-[[boundary]]
-on = "top"
-traction = [0.0, 1.0]
-[[boundary]]
-on = "bottom"
-traction = [0.0, -1.0]
-[load]
-blocks = [ { cycles = CYCLES, max = 50.0, ratio = 0.0 } ]
-[growth]
-law = "prescribed"
-increment = 0.05
-[fine]
-refine = 32
-[output]
-fields = "none"
-"""
+CASE = Path(__file__).resolve().parent / "growing_cycle" / "case.toml"
 
 
 def run(program, mode, cycles, settings):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "case.toml").write_text(CASE.replace("CYCLES", str(cycles)), encoding="utf-8")
-        command = [program, "run", str(folder / "case.toml"), "-o", str(folder / "out"), "--mode", mode, "--quiet"]
+        blocks = f"load.blocks=[{{cycles={cycles},max=50.0,ratio=0.0}}]"
+        command = [program, "run", str(CASE), "-o", str(folder / "out"), "--mode", mode, "--quiet", "--set", blocks]
         for setting in settings:
             command += ["--set", setting]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "coarse/cycle/cycle_meter.hpp"
@@ -21,6 +22,20 @@ struct FaceRelease {
     double held = 0.0;  // share of the forces that is left; 0: nothing is under way
     double part = 1.0;  // share that is released next
     int cuts = 0;       // halvings of it in a row
+
+    /// Share that is left once the next part is released.
+    [[nodiscard]] double left() const { return std::max(held - part, 0.0); }
+    /// It is; after a halving the next part is twice as large.
+    void advance() {
+        held = left();
+        if (cuts == 0) return;
+        --cuts;
+        part *= 2.0;
+    }
+    void halve() {
+        ++cuts;
+        part /= 2.0;
+    }
 };
 
 /// Whatever else an analysis holds is a function of this and of the case. A run that goes on from it changes no digit.

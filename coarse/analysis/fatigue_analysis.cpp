@@ -223,23 +223,17 @@ bool FatigueAnalysis::release_new_faces() {
         }
         if (zone_must_grow(step)) continue;
         accept(step, report, {});
-        release_.held = left_after_release();
-        if (release_.cuts > 0) {
-            --release_.cuts;
-            release_.part *= 2.0;
-        }
+        release_.advance();
         if (release_.held > 0.0 && !listener_.released_in_part()) return false;
     }
     return true;
 }
 
-double FatigueAnalysis::left_after_release() const { return std::max(release_.held - release_.part, 0.0); }
-
 LoadStep FatigueAnalysis::next_release() const {
     LoadStep step;
     step.cycle = release_.cycle;
     step.target = controller_.reached_target();
-    step.target.held = left_after_release() / release_.held;
+    step.target.held = release_.left() / release_.held;
     step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
     return step;
 }
@@ -256,9 +250,8 @@ void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonRepo
     }
     listener_.note(
         fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target), report.failure));
-    ++release_.cuts;
+    release_.halve();
     ++effort_.counts.release_cuts;
-    release_.part /= 2.0;
 }
 
 // The committed state is whole.

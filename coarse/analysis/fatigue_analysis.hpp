@@ -56,7 +56,6 @@ private:
     bool grow(const LoadStep& reached);
     bool release_new_faces();
     [[nodiscard]] LoadStep next_release() const;
-    [[nodiscard]] double left_after_release() const;
     void cut_release_or_fail(const LoadStep& step, const NewtonReport& report);
     [[noreturn]] void fail(const std::string& what) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "common/index.hpp"
 
@@ -197,14 +198,19 @@ double ContactInterface::contact_behind(const Tip& tip, double distance, const E
                                         const Jumps& jumps, const Eigen::VectorXd& u) const {
     constexpr double least = std::numeric_limits<double>::min();  // the status decides the sign, not rounding
     double contact = -std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, int>> open;  // gaps may be bounds: the most that -c g can be, and the multiplier
     const auto& keys = operators_.keys();
     for (int k = 0; k < multipliers(); ++k) {
         if (keys[at(k)].crack != tip.crack || std::abs(tip.s - keys[at(k)].s) < distance) continue;
         if (is_closed(status_[at(k)]))
             contact = std::max({contact, traction[k], least});
-        else if (-augmentation_[k] * jumps.gap[k] > contact)  // the gap may be a bound, and is read where it counts
-            contact = std::max(contact, std::min(-augmentation_[k] * operators_.gap(k, u), -least));
+        else
+            open.emplace_back(-augmentation_[k] * jumps.gap[k], k);
     }
+    if (contact > 0.0 || open.empty()) return contact;
+    std::swap(open.front(), *std::ranges::max_element(open));  // hardly another one needs to be read
+    for (const auto& [most, k] : open)
+        if (most > contact) contact = std::max(contact, std::min(-augmentation_[k] * operators_.gap(k, u), -least));
     return contact;
 }
 

@@ -51,22 +51,26 @@ MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vec
 
 void FaceOperators::number_shears(const std::vector<CrackSection>& cracks) {
     shear_of_.assign(at(multipliers()), -1);
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(multipliers()), rough = all;  // faces that they act on, mm
-    for (const FaceStation& station : stations_) {
-        for (const auto& [multiplier, value] : functions_at(station)) {
-            if (multiplier < 0) continue;
-            all[multiplier] += station.weight * value;
-            if (!is_smooth(*cracks[at(station.crack)].contact, station.s)) rough[multiplier] += station.weight * value;
-        }
-    }
+    for (int k = 0; k < multipliers(); ++k) friction_[k] = cracks[at(keys_[at(k)].crack)].contact->friction;
+    if (std::ranges::any_of(cracks, [](const auto& crack) { return crack.contact && !crack.contact->smooth.empty(); }))
+        friction_.array() *= rough_shares(cracks).array();
     for (int k = 0; k < multipliers(); ++k) {
-        const ContactSection& contact = *cracks[at(keys_[at(k)].crack)].contact;
-        friction_[k] = contact.friction;
-        if (!contact.smooth.empty()) friction_[k] *= std::clamp(rough[k] / all[k], 0.0, 1.0);
         if (friction_[k] == 0.0) continue;
         shear_of_[at(k)] = tractions();
         with_shear_.push_back(k);
     }
+}
+
+Eigen::VectorXd FaceOperators::rough_shares(const std::vector<CrackSection>& cracks) const {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(multipliers()), smooth = all;  // mm
+    for (const FaceStation& station : stations_) {
+        for (const auto& [multiplier, value] : functions_at(station)) {
+            if (multiplier < 0) continue;
+            all[multiplier] += station.weight * value;
+            if (is_smooth(*cracks[at(station.crack)].contact, station.s)) smooth[multiplier] += station.weight * value;
+        }
+    }
+    return 1.0 - (all.array() > 0.0).select(smooth.cwiseQuotient(all), 0.0).array().max(0.0).min(1.0);
 }
 
 void FaceOperators::assemble(const EnrichedMesh& mesh) {

@@ -88,6 +88,8 @@ private:
     [[nodiscard]] MultiplierSpace space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
                                            const CrackSection& section) const;
     void number_shears(const std::vector<CrackSection>& cracks);
+    /// Per multiplier: of the faces that it acts on the part that is not smooth.
+    [[nodiscard]] Eigen::VectorXd rough_shares(const std::vector<CrackSection>& cracks) const;
     void assemble(const EnrichedMesh& mesh);
     void keep_open_without_faces();
 

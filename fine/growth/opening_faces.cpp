@@ -24,9 +24,7 @@ void OpeningFaces::hold(double share, Eigen::VectorXd& load) const {
     if (!jumps_.empty() && share != 0.0) load(jumps_) -= share * held_;
 }
 
-void OpeningFaces::begin(const Eigen::VectorXd& first_step) {
-    if (!jumps_.empty()) first_step_ = gather(first_step, jumps_);
-}
+void OpeningFaces::begin(const Eigen::VectorXd& first_step) { first_step_ = gather(first_step, jumps_); }
 
 double OpeningFaces::release(const Eigen::VectorXd& move, double share) {
     if (jumps_.empty()) return 0.0;

@@ -30,6 +30,9 @@ public:
     /// Takes the share of the forces that still holds the faces from what is in need of balance, N/mm.
     void hold(double share, Eigen::VectorXd& load) const;
 
+    /// Forces are held back.
+    [[nodiscard]] bool any() const { return !jumps_.empty(); }
+
     /// Newton's first step on the way to an equilibrium, of all unknowns, mm; not a number where it is not known: such
     /// an unknown counts as linear.
     void begin(const Eigen::VectorXd& first_step);

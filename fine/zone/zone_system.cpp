@@ -106,7 +106,7 @@ void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
 }
 
 void ZoneSystem::linearise() {
-    if (steps_ == 1) note_first_step();
+    if (steps_ == 1 && memory_.opening.any()) note_first_step();
     {
         const Stopwatch watch(constitutive_s_);
         bulk_->evaluate(trial_.displacement);
