@@ -25,6 +25,9 @@ public:
     }
     [[nodiscard]] const std::vector<char>& flags() const { return flags_; }
 
+    /// More ids: none of the new ones is in the set.
+    void widen(std::integral auto size) { flags_.resize(at(size), 0); }
+
     /// How many ids there are, inside and outside.
     [[nodiscard]] int size() const { return static_cast<int>(flags_.size()); }
 

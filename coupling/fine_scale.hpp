@@ -16,6 +16,10 @@ public:
     /// A new zone (Fig. 3a, or an extension); what it shares with the old one keeps its points and history.
     virtual void set_patch(const Patch& patch) = 0;
 
+    /// Whether increments are known beyond a set_patch() with longer cracks and no tip functions (MovedField): what
+    /// predictors start from.
+    [[nodiscard]] virtual bool keeps_increments() const { return true; }
+
     /// Asks for the response to boundary displacements; returns at once where the transport allows.
     virtual void request(const PatchDisplacement& displacement) = 0;
 

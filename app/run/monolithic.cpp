@@ -54,7 +54,7 @@ public:
 
     coarse::Residual linearise() override {
         zone_.linearise();
-        const coupling::PatchResponse response = zone_.measure();
+        response_ = zone_.measure();
         residual_ = load_factor_ * structure_load_ - structure_.elements().internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         off_target_ = target_ - controlled_.at(trial_, load_factor_);
@@ -64,7 +64,7 @@ public:
         }
         result.scale = (load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff();
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
-        coarse::add_zone(result, response);
+        coarse::add_zone(result, response_);
         return result;
     }
 
@@ -146,6 +146,9 @@ public:
     }
 
     [[nodiscard]] double load_factor() const override { return load_factor_; }
+    [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override {
+        return response_.digest.yielding_points;
+    }
 
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
         Eigen::VectorXd u = trial_;
@@ -257,6 +260,7 @@ private:
     const coarse::Structure& structure_;
     const coarse::Scene& scene_;
     fine::ZoneSystem& zone_;
+    coupling::PatchResponse response_;
     SparseMatrix stiffness_;
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
     coarse::LinearReading controlled_;

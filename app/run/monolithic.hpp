@@ -12,6 +12,7 @@ public:
     std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
                                               const Eigen::VectorXd& committed, double load_factor) override;
     void extend_zone(const coupling::Patch& patch) override { zone_.set_patch(patch); }
+    [[nodiscard]] bool keeps_increments() const override { return true; }
     std::unique_ptr<coarse::Equilibrium> resume(const coarse::Structure& structure, const coupling::Patch* patch,
                                                 const Eigen::VectorXd& committed,
                                                 const coupling::ZoneSnapshot& zone) override;

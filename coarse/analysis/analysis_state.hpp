@@ -10,6 +10,7 @@
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/load/load_controller.hpp"
+#include "coarse/model/mesh_refinement.hpp"
 #include "coarse/structure/coarse_effort.hpp"
 #include "common/index_set.hpp"
 #include "coupling/zone_snapshot.hpp"
@@ -44,6 +45,8 @@ struct AnalysisState {
         std::vector<double> x, y;  // mm, one value per point
     };
     std::vector<Polyline> cracks;         // one per crack of the case
+    MeshSplits splits;                    // of the mesh of the start, that it followed the tips with
+    ElementSet settled;                   // elements that are split no more
     ElementSet in_zone;                   // elements inside the zone
     ElementSet far;                       // far elements; the choice shows in the last bits
     Eigen::VectorXd displacement;         // of all unknowns of the mesh, mm; zero inside the zone

@@ -14,20 +14,20 @@ namespace stria::coarse {
 
 bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
 
-std::unique_ptr<Scene> CrackGrowth::next(const CrackedBody& body, double load_factor,
-                                         const std::vector<TipResult>& reached, const std::vector<CycleResult>& last) {
-    if (growth_.law != GrowthLaw::Prescribed && last.empty()) return nullptr;  // no cycle has told a rate yet
+GrownScene CrackGrowth::next(const CrackedBody& body, double load_factor, const std::vector<TipResult>& reached,
+                             const std::vector<CycleResult>& last) {
+    if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
     require_drive(last);
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
-    std::unique_ptr<Scene> longer;
+    GrownScene grown;
     if (!is_over(nominal, load_factor, last))
-        longer =
-            scene_of(present, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
+        grown =
+            with_cracks(body, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
                                             directing(present.input.cracks, present.enriched.tips, nominal, reached),
                                             advances(growth_, last, nominal.size())));
-    ended_ = !longer;
-    return longer;
+    ended_ = !grown.longer;
+    return grown;
 }
 
 // What drives the tips has been measured.
@@ -67,19 +67,25 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, double load_fac
     return false;
 }
 
-std::unique_ptr<Scene> CrackGrowth::scene_of(const Scene& present, std::vector<CrackSection> cracks) const {
+GrownScene CrackGrowth::with_cracks(const CrackedBody& body, std::vector<CrackSection> cracks) const {
     try {
+        const Scene& present = body.scene();
         Case input = present.input;
         input.cracks = std::move(cracks);
-        auto next = std::make_unique<Scene>(make_scene(input, present.mesh));
+        GrownScene grown;
+        grown.longer = std::make_unique<Scene>(make_scene(input, present.mesh));
         constexpr int as_fine_as_it_is = 1;
-        require_room(next->mesh, next->enriched, as_fine_as_it_is);
-        if (next->enriched.tips.size() == present.enriched.tips.size()) return next;
+        require_room(present.mesh, grown.longer->enriched, as_fine_as_it_is);
+        if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) {
+            grown.finer = body.finer_about_tips_of(*grown.longer);
+            if (grown.finer) *grown.longer = make_scene(input, grown.finer->scene.mesh);
+            return grown;
+        }
         note_("the next advance takes a crack out of the body: growth ends here");
     } catch (const CaseError& error) {
         note_(fmt::format("growth ends here: {}", error.what()));
     }
-    return nullptr;
+    return {};
 }
 
 void CrackGrowth::count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const {

@@ -9,6 +9,12 @@
 
 namespace stria::coarse {
 
+/// What a growth of the cracks makes of a scene.
+struct GrownScene {
+    std::unique_ptr<Scene> longer;      // null: growth ends the run
+    std::unique_ptr<FinerScene> finer;  // the present cracks on the mesh of `longer`; null: it is the present mesh
+};
+
 class CrackGrowth {
 public:
     /// `note` must outlive it. `ended`: growth has ended the run already.
@@ -21,12 +27,11 @@ public:
     [[nodiscard]] bool is_due(const LoadStep& reached) const;
 
     /// The scene with each tip advanced by the law, from what it went through in the `last` cycle, in the direction
-    /// that the tips `reached` give (one per tip each). Null before the first cycle of a law of da/dN has ended, and
-    /// where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack would leave the body or
-    /// meet another one. Throws NumericalFailure where K_op drives the growth and was lost.
-    [[nodiscard]] std::unique_ptr<Scene> next(const CrackedBody& body, double load_factor,
-                                              const std::vector<TipResult>& reached,
-                                              const std::vector<CycleResult>& last);
+    /// that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first cycle of a law
+    /// of da/dN has ended, and where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack
+    /// would leave the body or meet another one. Throws NumericalFailure where K_op drives the growth and was lost.
+    [[nodiscard]] GrownScene next(const CrackedBody& body, double load_factor, const std::vector<TipResult>& reached,
+                                  const std::vector<CycleResult>& last);
 
     /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before.
     void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const;
@@ -35,7 +40,7 @@ private:
     void require_drive(const std::vector<CycleResult>& last) const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, double load_factor,
                                const std::vector<CycleResult>& last) const;
-    [[nodiscard]] std::unique_ptr<Scene> scene_of(const Scene& present, std::vector<CrackSection> cracks) const;
+    [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, std::vector<CrackSection> cracks) const;
 
     GrowthSection growth_;
     const Note& note_;

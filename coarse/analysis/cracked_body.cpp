@@ -7,6 +7,7 @@
 #include "coarse/load/load_scale.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/error.hpp"
+#include "common/integration/parts_of_elements.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
@@ -39,19 +40,22 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
     if (from != nullptr) go_on_from(*from);
-    const ElementSet in_zone = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
-    if (structure_ && !serves(in_zone)) structure_.reset();  // two factors at once would take twice the memory
-    condense_onto(in_zone, from != nullptr ? &from->far : nullptr);
+    in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
+    if (from == nullptr) settled_ = ElementSet(in_zone_.size());
+    if (structure_ && !serves(in_zone_)) structure_.reset();  // two factors at once would take twice the memory
+    condense_onto(in_zone_, from != nullptr ? &from->far : nullptr);
 }
 
 void CrackedBody::go_on_from(const AnalysisState& state) {
     Case input = scene_->input;
     for (std::size_t k = 0; k < input.cracks.size(); ++k) input.cracks[k].points = points_of(state.cracks.at(k));
-    if (input != scene_->input) {
+    splits_ = state.splits;
+    settled_ = state.settled;
+    if (input != scene_->input || !splits_.empty()) {
         if (input.growth && input.growth->retain == Retain::All)
             throw CaseError(
                 "--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
-        grown_ = std::make_unique<Scene>(make_scene(input, scene_->mesh));
+        grown_ = std::make_unique<Scene>(make_scene(input, split_again(scene_->mesh, splits_)));
         scene_ = grown_.get();
         nominal_displacement_ = {};
     }
@@ -63,12 +67,14 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
 
 void CrackedBody::write(AnalysisState& state) const {
     for (const CrackSection& crack : scene_->input.cracks) state.cracks.push_back(polyline_of(crack));
-    state.in_zone = structure_->in_zone();
+    state.splits = splits_;
+    state.settled = settled_;
+    state.in_zone = in_zone_;
     state.far = far_;
     state.nominal = nominal_;
 }
 
-bool CrackedBody::has_zone() const { return !structure_->in_zone().none(); }
+bool CrackedBody::has_zone() const { return !in_zone_.none(); }
 
 // Of the first tip.
 double CrackedBody::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
@@ -77,7 +83,7 @@ double CrackedBody::load_scale() const {
     return target_of_unit(scene_->input.load, stress_intensities(nominal_), grown());
 }
 
-bool CrackedBody::knows_far_body() const { return factors_.far && factors_.far->far() == far_; }
+bool CrackedBody::knows_far_body() const { return factors_.far && factors_.far->is_of(far_); }
 
 bool CrackedBody::serves(const ElementSet& in_zone) const {
     return structure_ && &structure_->scene() == scene_ && structure_->in_zone() == in_zone;
@@ -85,6 +91,7 @@ bool CrackedBody::serves(const ElementSet& in_zone) const {
 
 void CrackedBody::condense_onto(const ElementSet& in_zone, const ElementSet* far) {
     const std::shared_ptr<const NearFactor> near = factors_.near;
+    in_zone_ = in_zone;
     if (!serves(in_zone)) {  // else the nominal one does
         far_ = far != nullptr ? *far : far_elements(*scene_, in_zone, far_);
         note_if_large("condensing the structure onto the zone's boundary");
@@ -120,10 +127,47 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     return std::move(nominal.structure);
 }
 
+std::unique_ptr<FinerScene> CrackedBody::finer_about_tips_of(const Scene& longer) const {
+    if (longer.input.fine.refine == 1) return nullptr;
+    ElementSet whole = settled_;
+    whole |= elements_with_more_than_jumps(*scene_);
+    if (!asks_for_more(longer.mesh, disks_about_tips(longer, largest_K_I_, Room::None), whole)) return nullptr;
+    RefinedMesh refined = refine(longer.mesh, disks_about_tips(longer, largest_K_I_, Room::ToGrow), whole);
+    Scene finer = make_scene(scene_->input, std::move(refined.mesh));
+    if (!scene_->enriched.left_tips.empty()) finer = with_functions_left(std::move(finer), scene_->enriched);
+    return std::make_unique<FinerScene>(std::move(finer), std::move(refined.splits), std::move(refined.part_of));
+}
+
+// At nodes that structure and zone share it is the structure that knows the displacement.
+void CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd& displacement) {
+    const EnrichedMesh &before = scene_->enriched, &now = finer.scene.enriched;
+    std::vector<int> of_zone = finer.part_of, of_structure = finer.part_of;
+    for (int e = 0; e < std::ssize(finer.part_of); ++e) {
+        const int whole = finer.part_of[at(e)];
+        if (whole >= 0) (in_zone_.contains(whole) ? of_structure : of_zone)[at(e)] = -1;
+    }
+    Eigen::VectorXd inside = on_parts(before, displacement, now, of_zone, Eigen::VectorXd::Zero(now.unknowns));
+    displacement =
+        carry_over(before, displacement, now, on_parts(before, displacement, now, of_structure, std::move(inside)));
+    for (ElementSet* set : {&in_zone_, &settled_, &far_}) set->widen(now.elements.size());
+    for (int e = 0; e < std::ssize(finer.part_of); ++e)
+        if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // far_elements() sees that none of them is far
+    structure_.reset();
+    splits_.insert(splits_.end(), finer.splits.begin(), finer.splits.end());
+    grown_ = std::make_unique<Scene>(std::move(finer.scene));
+    scene_ = grown_.get();
+}
+
+void CrackedBody::note_flow(const std::vector<std::int32_t>& yielding_points) {
+    if (yielding_points.empty()) return;
+    std::size_t place = 0;
+    for (int e = 0; e < in_zone_.size(); ++e)
+        if (in_zone_.contains(e) && yielding_points.at(place++) > 0) settled_.insert(e);
+}
+
 // What a longer crack changes the functions of is fine before the functions change: its state is kept.
 ElementSet CrackedBody::zone_about(const Scene& longer) {
-    const ElementSet now = structure_->in_zone();
-    ElementSet in_zone = has_zone() ? with_changed_functions(now, scene_->enriched, longer.enriched) : now;
+    ElementSet in_zone = has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer.enriched) : in_zone_;
     far_ = far_elements(longer, in_zone, far_);
     std::unique_ptr<Structure> body = take_nominal_of(longer);
     if (!has_zone()) structure_ = std::move(body);
@@ -144,6 +188,7 @@ Eigen::VectorXd CrackedBody::take(std::unique_ptr<Scene> longer, const ElementSe
     }
     Eigen::VectorXd carried =
         carry_over(before, displacement, longer->enriched, Eigen::VectorXd::Zero(longer->enriched.unknowns));
+    if (scene_->input.fine.refine > 1) settled_ |= elements_with_more_than_jumps(*scene_);
     scene_ = longer.get();
     condense_onto(in_zone);
     grown_ = std::move(longer);

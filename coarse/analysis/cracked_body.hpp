@@ -7,6 +7,7 @@
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/analysis/listener.hpp"
 #include "coarse/fracture/nominal_solution.hpp"
+#include "coarse/zone/tip_refinement.hpp"
 
 namespace stria::coarse {
 
@@ -18,6 +19,7 @@ public:
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const Structure& structure() const { return *structure_; }
+    [[nodiscard]] const ElementSet& in_zone() const { return in_zone_; }
     [[nodiscard]] bool has_zone() const;
 
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip.
@@ -32,6 +34,17 @@ public:
     /// Condenses what is not in the zone onto the zone's boundary, with whatever serves of the factors before. `far`:
     /// null: as near_elements.hpp chooses.
     void condense_onto(const ElementSet& in_zone, const ElementSet* far = nullptr);
+
+    /// The present cracks on smaller elements, where the tips of `longer`, on the present mesh, come near to large
+    /// ones. Null: they do not. Elements in which metal has flowed, or tips have been, stay whole.
+    [[nodiscard]] std::unique_ptr<FinerScene> finer_about_tips_of(const Scene& longer) const;
+
+    /// Turns to it. The displacement of the present mesh, mm, becomes that of the new one, the same field. What has
+    /// been split joins the zone. There is no structure until take() or condense_onto().
+    void take_finer(FinerScene finer, Eigen::VectorXd& displacement);
+
+    /// Metal has flowed in an increment: points per element of the zone, ascending.
+    void note_flow(const std::vector<std::int32_t>& yielding_points);
 
     /// The zone that longer cracks want: what it holds now, the elements whose functions they change, and what eq. (3)
     /// wants about the tips, whose nominal solution is that of the longer cracks from here on.
@@ -57,7 +70,10 @@ private:
     std::unique_ptr<Scene> grown_;  // the present one, once a crack has grown
     CoarseEffort& effort_;
     const Note& note_;
-    ElementSet far_;  // near_elements.hpp
+    ElementSet in_zone_;
+    ElementSet far_;      // near_elements.hpp
+    ElementSet settled_;  // metal has flowed there, or a tip has left its functions
+    MeshSplits splits_;   // of the mesh of the start
     StructureFactors factors_;
     std::unique_ptr<Structure> structure_;
     std::vector<TipResult> nominal_;

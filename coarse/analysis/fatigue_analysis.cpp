@@ -203,11 +203,10 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
 // without them.
 bool FatigueAnalysis::grow(const LoadStep& reached) {
-    std::unique_ptr<Scene> longer = growth_->next(body_, model_.load_factor(), reached_tips_, last_cycle_);
-    if (!longer) return true;
-    model_.lengthen_cracks(std::move(longer));
+    GrownScene grown = growth_->next(body_, model_.load_factor(), reached_tips_, last_cycle_);
+    if (!grown.longer) return true;
+    if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
     controller_.set_scale(body_.load_scale());
-    controller_.forget_increments();
     release_ = {.cycle = reached.cycle, .held = 1.0};
     return release_new_faces();
 }
@@ -223,6 +222,7 @@ bool FatigueAnalysis::release_new_faces() {
         }
         if (zone_must_grow(step)) continue;
         accept(step, report, {});
+        controller_.committed_besides(step.cycle);
         release_.advance();
         if (release_.held > 0.0 && !listener_.released_in_part()) return false;
     }

@@ -7,6 +7,7 @@
 
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/integration/moved_field.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
@@ -89,6 +90,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     increment.zone = equilibrium_->commit(step.reversal);
     is_behind_ = true;
     increment.equilibrium = equilibrium_.get();
+    body_.note_flow(equilibrium_->yielding_points());
     increment.tips =
         fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.opening_at());
     add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
@@ -107,17 +109,63 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
 
 // What becomes fine because of the longer cracks is fine before the functions change. Without a zone nobody sees what
 // the growth releases.
-void TwoScaleModel::lengthen_cracks(std::unique_ptr<Scene> longer) {
+bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
     refresh_displacement();
+    const EnrichedMesh &before = body_.scene().enriched, &after = grown.longer->enriched;
+    const bool kept = !grown.finer && factory_.keeps_increments() && MovedField::can_move(before, after);
+    std::vector<Eigen::VectorXd> increments;
+    std::vector<double> load_increments;
+    if (kept) {
+        increments = increments_on(after);
+        load_increments = equilibrium_->state().load_increments;
+    }
+    if (grown.finer) split_elements(std::move(*grown.finer));
     const bool has_zone = body_.has_zone();
-    const ElementSet in_zone = body_.zone_about(*longer);
+    const ElementSet in_zone = body_.zone_about(*grown.longer);
     if (!has_zone)
         work_.released = std::numeric_limits<double>::quiet_NaN();
-    else if (in_zone != body_.structure().in_zone())
+    else if (in_zone != body_.in_zone())
         factory_.extend_zone(patch_of(in_zone, gamma_of(body_.scene(), in_zone)));
-    displacement_ = body_.take(std::move(longer), in_zone, displacement_);
+    displacement_ = body_.take(std::move(grown.longer), in_zone, displacement_);
     couple();
+    if (kept) take_up_increments(increments, load_increments);
+    return kept;
+}
+
+// What Gamma will be is near: there the structure tells how it moved.
+std::vector<Eigen::VectorXd> TwoScaleModel::increments_on(const EnrichedMesh& longer) const {
+    const Structure& structure = body_.structure();
+    const EnrichedMesh& mesh = body_.scene().enriched;
+    const EquilibriumState state = equilibrium_->state();
+    std::vector<Eigen::VectorXd> increments;
+    for (std::size_t k = 0; k < state.increments.size(); ++k) {
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+        structure.expand_near(state.increments[k], state.load_increments[k], u);
+        u(structure.gamma()) = state.increments[k];
+        increments.push_back(carry_over(mesh, u, longer, Eigen::VectorXd::Zero(longer.unknowns)));
+    }
+    return increments;
+}
+
+void TwoScaleModel::take_up_increments(const std::vector<Eigen::VectorXd>& whole, const std::vector<double>& of_load) {
+    EquilibriumState state = equilibrium_->state();
+    state.increments.clear();
+    state.whole_increments.clear();
+    for (const Eigen::VectorXd& increment : whole)
+        state.increments.push_back(gather(increment, body_.structure().gamma()));
+    state.load_increments = of_load;
+    equilibrium_->restore(state);
+}
+
+// Each field goes on as it is; what the smaller elements do to equilibrium shows with the release of the new faces.
+void TwoScaleModel::split_elements(FinerScene finer) {
+    const std::vector<int> part_of = finer.part_of;
+    body_.take_finer(std::move(finer), displacement_);
+    coupling::Patch patch = patch_of(body_.in_zone(), gamma_of(body_.scene(), body_.in_zone()));
+    for (const int e : patch.mesh.element_ids) patch.part_of.push_back(part_of[at(e)]);
+    factory_.extend_zone(patch);
+    ++effort_.counts.mesh_splits;
 }
 
 // Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "coarse/analysis/cracked_body.hpp"
+#include "coarse/analysis/crack_growth.hpp"
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"
@@ -37,8 +37,9 @@ public:
     /// They and their neighbours join the zone; the trial state is lost.
     void extend_zone(const std::vector<int>& yielding);
 
-    /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed.
-    void lengthen_cracks(std::unique_ptr<Scene> longer);
+    /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed. False
+    /// where increments are not known any more, for predictors.
+    [[nodiscard]] bool lengthen_cracks(GrownScene grown);
 
     /// Of the present equilibrium and of the guard; what was before them is in the run's own record.
     [[nodiscard]] CoarseEffort effort() const;
@@ -47,6 +48,9 @@ public:
 
 private:
     void couple(const AnalysisState* from = nullptr);
+    void split_elements(FinerScene finer);
+    [[nodiscard]] std::vector<Eigen::VectorXd> increments_on(const EnrichedMesh& longer) const;
+    void take_up_increments(const std::vector<Eigen::VectorXd>& whole, const std::vector<double>& of_load);
     void refresh_displacement();
     [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
 

@@ -29,6 +29,9 @@ public:
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
     [[nodiscard]] double load_factor() const override { return trial_.load_factor; }
+    [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override {
+        return response_.digest.yielding_points;
+    }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return expanded_.whole(trial_); }
     [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return expanded_.near(trial_); }
     [[nodiscard]] MachineReading machine_reading() const override;

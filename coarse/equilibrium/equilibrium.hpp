@@ -87,6 +87,9 @@ public:
     /// Of the trial state.
     [[nodiscard]] virtual double load_factor() const = 0;
 
+    /// How many points flow in the trial state, per element of the zone, ascending; empty without one.
+    [[nodiscard]] virtual const std::vector<std::int32_t>& yielding_points() const = 0;
+
     /// Displacement of the whole mesh, of the trial state; unknowns inside the zone are zero. Dear on a large mesh.
     [[nodiscard]] virtual Eigen::VectorXd structure_displacement() const = 0;
 

@@ -26,6 +26,9 @@ public:
     /// The zone takes more elements, with their functions as they are; make() is to follow before anyone asks it.
     virtual void extend_zone(const coupling::Patch& patch) = 0;
 
+    /// As coupling::FineScale.
+    [[nodiscard]] virtual bool keeps_increments() const = 0;
+
     /// As make(), but the zone goes on from a snapshot; Equilibrium::restore() is to follow.
     virtual std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
                                                 const Eigen::VectorXd& committed,
@@ -45,6 +48,7 @@ public:
     std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                       const Eigen::VectorXd& committed, double load_factor) override;
     void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
+    [[nodiscard]] bool keeps_increments() const override { return fine_ != nullptr && fine_->keeps_increments(); }
     std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
                                         const Eigen::VectorXd& committed, const coupling::ZoneSnapshot& zone) override;
     coupling::ZoneState zone_state() override { return fine_->state(); }

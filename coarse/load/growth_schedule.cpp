@@ -7,8 +7,4 @@ bool grows_at(const GrowthSection& growth, const LoadStep& step) {
     return extreme && step.cycle % growth.every == 0;
 }
 
-double planned_growth(const GrowthSection& growth, const LoadSection& load) {
-    return growth.increment * (cycle_count(load) / growth.every);
-}
-
 }  // namespace stria::coarse

@@ -63,11 +63,17 @@ Predictor LoadController::predictor(int cycle, double to) const {
     return last * increment > 0.0 ? Predictor(increment / last) : Predictor();
 }
 
+void LoadController::remember(const LoadPosition::Taken& last) {
+    std::vector<LoadPosition::Taken>& taken = position_.taken;
+    taken.insert(taken.begin(), last);
+    if (taken.size() > remembered_) taken.pop_back();
+}
+
+void LoadController::committed_besides(int cycle) { remember({cycle, position_.reached, position_.reached}); }
+
 void LoadController::accepted() {
     const LoadStep step = *next();
-    std::vector<LoadPosition::Taken>& taken = position_.taken;
-    taken.insert(taken.begin(), {step.cycle, position_.reached, step.target.value});
-    if (taken.size() > remembered_) taken.pop_back();
+    remember({step.cycle, position_.reached, step.target.value});
     position_.reached = step.target.value;
     if (position_.reached == stop(position_.increments + 1)) ++position_.increments;
     if (position_.increments == steps_) {

@@ -54,6 +54,9 @@ public:
 
     void accepted();
 
+    /// An increment has been committed at the load that is reached, which is no step of the history.
+    void committed_besides(int cycle);
+
     /// Increments taken so far are of no use to predict from: their unknowns are gone.
     void forget_increments() { position_.taken.clear(); }
 
@@ -73,6 +76,7 @@ private:
     [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Predictor predictor(int cycle, double to) const;
+    void remember(const LoadPosition::Taken& last);
 
     Control control_;
     std::vector<Leg> legs_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <numeric>
 
 #include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
@@ -32,101 +33,115 @@ bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     return distance <= disk.radius && longest > disk.growth * distance;
 }
 
-/// What the disks ask for, and larger elements that touch any of it; of those only the ones that may be split at once.
-ElementSet elements_to_split(const Mesh& mesh, const std::vector<RefinedDisk>& disks) {
+/// Of each element the larger ones that share a corner with it.
+std::vector<std::vector<int>> larger_neighbours(const Mesh& mesh) {
     const auto around = elements_around_nodes(mesh);
-    const auto for_larger_neighbours = [&](int element, const auto& visit) {
-        for (const int node : mesh.elements[at(element)]) {
+    std::vector<std::vector<int>> larger(mesh.elements.size());
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        for (const int node : mesh.elements[at(e)]) {
             for (const int other : around[at(node)])
-                if (mesh.level[at(other)] < mesh.level[at(element)]) visit(other);
+                if (mesh.level[at(other)] < mesh.level[at(e)]) larger[at(e)].push_back(other);
         }
-    };
+    }
+    return larger;
+}
+
+/// Those that stay whole, and those that a larger neighbour which stays whole does not let be split.
+ElementSet held_whole(const Mesh& mesh, const std::vector<std::vector<int>>& larger, ElementSet never) {
+    never.widen(mesh.elements.size());
+    if (never.none()) return never;
+    std::vector<int> by_size(mesh.elements.size());
+    std::iota(by_size.begin(), by_size.end(), 0);
+    std::ranges::stable_sort(by_size, {}, [&](int e) { return mesh.level[at(e)]; });
+    for (const int e : by_size)
+        if (std::ranges::any_of(larger[at(e)], [&](int other) { return never.contains(other); })) never.insert(e);
+    return never;
+}
+
+/// What the disks ask for, and larger elements that touch any of it; of those only the ones that may be split at once.
+ElementSet elements_to_split(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
+    const auto larger = larger_neighbours(mesh);
+    const ElementSet whole = held_whole(mesh, larger, never);
     ElementSet asked(mesh.elements.size()), now = asked;
     std::vector<int> waiting;
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
-        if (std::ranges::any_of(disks, [&](const RefinedDisk& disk) { return is_too_large(mesh, e, disk); }))
-            waiting.push_back(e);
+        const auto asks = [&](const RefinedDisk& disk) { return is_too_large(mesh, e, disk); };
+        if (!whole.contains(e) && std::ranges::any_of(disks, asks)) waiting.push_back(e);
     }
     while (!waiting.empty()) {
         const int e = waiting.back();
         waiting.pop_back();
         if (asked.contains(e)) continue;
         asked.insert(e);
-        now.insert(e);
-        for_larger_neighbours(e, [&](int larger) {
-            waiting.push_back(larger);
-            now.erase(e);
-        });
+        if (larger[at(e)].empty()) now.insert(e);
+        waiting.insert(waiting.end(), larger[at(e)].begin(), larger[at(e)].end());
     }
     return now;
 }
 
+Mesh with_levels(Mesh mesh) {
+    mesh.level.resize(mesh.elements.size(), 0);
+    return mesh;
+}
+
 class Splitter {
 public:
-    explicit Splitter(Mesh mesh) : mesh_(std::move(mesh)) { mesh_.level.assign(mesh_.elements.size(), 0); }
+    explicit Splitter(Mesh mesh) : mesh_(with_levels(std::move(mesh))) {
+        for (const HangingNode& hanging : mesh_.hanging)
+            middle_[std::minmax(hanging.ends[0], hanging.ends[1])] = hanging.node;
+    }
 
-    /// False where nothing was split.
-    bool split(const std::vector<RefinedDisk>& disks) {
-        const ElementSet chosen = elements_to_split(mesh_, disks);
-        if (chosen.none()) return false;
-        const double elements = static_cast<double>(mesh_.elements.size()) + 3.0 * chosen.count();
-        require_memory(fmt::format("fine.refine: a mesh of {} elements", elements), elements * bytes_of_element);
-        Mesh next = mesh_;
-        next.elements.clear();
-        next.level.clear();
-        next.insert.clear();
-        std::vector<int> first(mesh_.elements.size());  // new number of each element, or of its first part
-        for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
-            first[at(e)] = static_cast<int>(next.elements.size());
-            const bool parts = chosen.contains(e);
-            if (parts)
-                append_parts(e, next);
-            else
-                next.elements.push_back(mesh_.elements[at(e)]);
-            next.level.resize(next.elements.size(), mesh_.level[at(e)] + (parts ? 1 : 0));
-            if (mesh_.in_insert(e)) {
-                for (auto n = at(first[at(e)]); n < next.elements.size(); ++n)
-                    next.insert.push_back(static_cast<int>(n));
-            }
+    [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+
+    /// Elements that share no corner with a larger one. Returns the element of each part that is new.
+    std::vector<int> split(const std::vector<int>& elements) {
+        const double after = static_cast<double>(mesh_.elements.size() + 3 * elements.size());
+        require_memory(fmt::format("fine.refine: a mesh of {} elements", after), after * bytes_of_element);
+        std::map<int, int> second;  // by element: its second part
+        std::vector<int> part_of;
+        for (const int e : elements) {
+            second[e] = static_cast<int>(mesh_.elements.size());
+            append_parts(e);
+            part_of.insert(part_of.end(), {e, e, e});
+            if (mesh_.in_insert(e)) mesh_.insert.insert(mesh_.insert.end(), {second[e], second[e] + 1, second[e] + 2});
         }
-        for (auto& [name, edges] : next.boundary) edges = follow(edges, chosen, first);
-        mesh_ = std::move(next);
+        for (auto& [name, edges] : mesh_.boundary) edges = follow(edges, second);
         find_hanging_nodes();
-        return true;
+        return part_of;
     }
 
     Mesh take() { return std::move(mesh_); }
 
 private:
     // Part k lies at corner k, and its edges k and k - 1 on those of the whole.
-    void append_parts(int element, Mesh& next) {
+    void append_parts(int element) {
         std::array<int, 4> n = mesh_.elements[at(element)], m{};
-        for (int k = 0; k < 4; ++k) m[at(k)] = middle(edge_of(mesh_, element, k), next);
-        const auto c = static_cast<int>(next.nodes.size());
-        next.nodes.push_back(centre(mesh_, element));
-        next.elements.push_back({n[0], m[0], c, m[3]});
-        next.elements.push_back({m[0], n[1], m[1], c});
-        next.elements.push_back({c, m[1], n[2], m[2]});
-        next.elements.push_back({m[3], c, m[2], n[3]});
+        for (int k = 0; k < 4; ++k) m[at(k)] = middle(edge_of(mesh_, element, k));
+        const auto c = static_cast<int>(mesh_.nodes.size());
+        mesh_.nodes.push_back(centre(mesh_, element));
+        mesh_.elements[at(element)] = {n[0], m[0], c, m[3]};
+        mesh_.elements.push_back({m[0], n[1], m[1], c});
+        mesh_.elements.push_back({c, m[1], n[2], m[2]});
+        mesh_.elements.push_back({m[3], c, m[2], n[3]});
+        mesh_.level.resize(mesh_.elements.size(), ++mesh_.level[at(element)]);
     }
 
-    int middle(const Edge& edge, Mesh& next) {
-        const auto [found, added] = middle_.try_emplace(edge, static_cast<int>(next.nodes.size()));
-        if (added) next.nodes.push_back((next.nodes[at(edge.first)] + next.nodes[at(edge.second)]) / 2.0);
+    int middle(const Edge& edge) {
+        const auto [found, added] = middle_.try_emplace(edge, static_cast<int>(mesh_.nodes.size()));
+        if (added) mesh_.nodes.push_back((mesh_.nodes[at(edge.first)] + mesh_.nodes[at(edge.second)]) / 2.0);
         return found->second;
     }
 
-    static std::vector<BoundaryEdge> follow(const std::vector<BoundaryEdge>& edges, const ElementSet& chosen,
-                                            const std::vector<int>& first) {
+    static std::vector<BoundaryEdge> follow(const std::vector<BoundaryEdge>& edges, const std::map<int, int>& second) {
         std::vector<BoundaryEdge> result;
         for (const auto& [element, edge] : edges) {
-            const int start = first[at(element)];
-            if (!chosen.contains(element)) {
-                result.push_back({start, edge});
+            const auto parts = second.find(element);
+            if (parts == second.end()) {
+                result.push_back({element, edge});
                 continue;
             }
-            result.push_back({start + edge, edge});
-            result.push_back({start + (edge + 1) % 4, edge});
+            for (const int part : {edge, (edge + 1) % 4})
+                result.push_back({part == 0 ? element : parts->second + part - 1, edge});
         }
         return result;
     }
@@ -150,10 +165,29 @@ private:
 
 }  // namespace
 
-Mesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks) {
+RefinedMesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks, ElementSet never) {
     Splitter splitter(std::move(mesh));
-    while (splitter.split(disks)) {
+    RefinedMesh refined;
+    refined.part_of.assign(splitter.mesh().elements.size(), -1);
+    while (true) {
+        const std::vector<int> chosen = elements_to_split(splitter.mesh(), disks, never).members();
+        if (chosen.empty()) break;
+        for (const int e : chosen)
+            if (refined.part_of[at(e)] < 0) refined.part_of[at(e)] = e;
+        for (const int e : splitter.split(chosen)) refined.part_of.push_back(refined.part_of[at(e)]);
+        refined.splits.push_back(chosen);
     }
+    refined.mesh = splitter.take();
+    return refined;
+}
+
+bool asks_for_more(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
+    return !elements_to_split(with_levels(mesh), disks, never).none();
+}
+
+Mesh split_again(Mesh mesh, const MeshSplits& splits) {
+    Splitter splitter(std::move(mesh));
+    for (const std::vector<int>& elements : splits) splitter.split(elements);
     return splitter.take();
 }
 

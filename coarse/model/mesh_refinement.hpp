@@ -5,6 +5,7 @@
 
 #include "common/fem/mesh.hpp"
 #include "common/geometry/vec2.hpp"
+#include "common/index_set.hpp"
 
 namespace stria::coarse {
 
@@ -18,9 +19,25 @@ struct RefinedDisk {
     double growth;
 };
 
-/// Splits elements of an unsplit mesh as the disks ask, and more of them so that elements which share as much as a
-/// corner differ by one level at most: the ends of an edge with a hanging node never hang themselves. Old nodes keep
-/// their numbers, the parts of an element take its place, boundary edges and inserts follow.
-Mesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks);
+/// Elements that were split at once, ascending, time after time; each time by the numbers of the mesh that there was.
+using MeshSplits = std::vector<std::vector<int>>;
+
+struct RefinedMesh {
+    Mesh mesh;
+    MeshSplits splits;
+    std::vector<int> part_of;  // per element: that of the mesh before of which it is a part; -1: it was there itself
+};
+
+/// Splits elements as the disks ask, and more of them so that elements which share as much as a corner differ by one
+/// level at most: the ends of an edge with a hanging node never hang themselves. Nodes and elements keep their numbers;
+/// the part at an element's first corner takes its number, the other three come last. Boundary edges and inserts
+/// follow. `never`: elements that stay whole, and with them what would need them split (none: empty).
+RefinedMesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks, ElementSet never = {});
+
+/// Whether refine() would split anything.
+bool asks_for_more(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never);
+
+/// The mesh that came of the same splits before.
+Mesh split_again(Mesh mesh, const MeshSplits& splits);
 
 }  // namespace stria::coarse

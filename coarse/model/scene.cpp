@@ -123,7 +123,7 @@ Scene make_scene(const Case& input, Mesh mesh) {
 
 Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
     EnrichedMesh& mesh = scene.enriched;
-    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    for (std::size_t node = 0; node < before.nodes.size(); ++node) {
         for (Term term : before.terms[node]) {
             if (term.kind != Term::Kind::Tip && term.kind != Term::Kind::Left) continue;
             const Tip& tip = before.tip_of(term);

@@ -190,10 +190,13 @@ void members(auto& archive, Is<FaceRelease> auto& m) {
 }
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, in_zone, far, displacement, load_factor, largest_force, signal, cycle, last_cycle, nominal, counts,
-           growth_ended, release, load, work, equilibrium, zone] = m;
-    auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings] = counts;
+    auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, signal, cycle, last_cycle,
+           nominal, counts, growth_ended, release, load, work, equilibrium, zone] = m;
+    auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
+        counts;
     archive("cracks", cracks);
+    archive("splits", splits);
+    archive("settled", settled);
     archive("in_zone", in_zone);
     archive("far", far);
     archive("displacement", displacement);
@@ -209,6 +212,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("warnings", yield_warnings);
     archive("release_cuts", release_cuts);
     archive("flowing_rings", flowing_rings);
+    archive("mesh_splits", mesh_splits);
     archive("growth_ended", growth_ended);
     archive("release", release);
     archive("load", load);

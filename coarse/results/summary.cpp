@@ -57,7 +57,8 @@ Json to_json(const Summary& summary) {
                         {"step_cuts", summary.step_cuts},
                         {"zone_extensions", summary.counts.zone_extensions},
                         {"yield_warnings", summary.counts.yield_warnings},
-                        {"flowing_rings", summary.counts.flowing_rings}};
+                        {"flowing_rings", summary.counts.flowing_rings},
+                        {"mesh_splits", summary.counts.mesh_splits}};
     for (const coupling::NamedWorkCount& count : coupling::named_work_counts)
         object.push_back({count.name, summary.work.*count.value});
     object.push_back({"points_of_ranks", list_of(summary.points_of_ranks)});

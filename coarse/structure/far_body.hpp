@@ -26,7 +26,9 @@ public:
     /// `far`: its elements (near_elements.hpp). All of them are plain.
     FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds);
 
-    [[nodiscard]] const ElementSet& far() const { return far_; }
+    /// Its elements are those, on its mesh or on one with others of its elements split.
+    [[nodiscard]] bool is_of(const ElementSet& far) const { return far_.members() == far.members(); }
+    [[nodiscard]] bool contains(int element) const { return element < far_.size() && far_.contains(element); }
 
     /// Unknowns of the mesh in the order of elimination: those that only far elements see, and those of the rim, which
     /// ascend. All are standard unknowns, and none is prescribed.

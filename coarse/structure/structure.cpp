@@ -16,7 +16,7 @@ template <class Make> auto timed(double& seconds, const Make& make) {
 std::shared_ptr<const FarBody> far_body(const Scene& scene, const ElementSet& far, StructureFactors& known,
                                         StructureSeconds& seconds) {
     if (far.none()) return nullptr;
-    if (known.far && known.far->far() != far) known = {};
+    if (known.far && !known.far->is_of(far)) known = {};
     return known.far ? known.far : std::make_shared<const FarBody>(scene, far, seconds);
 }
 

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const Scene& scene() const { return elements_.scene(); }
     [[nodiscard]] const CoarseElements& elements() const { return elements_; }
     [[nodiscard]] const ElementSet& in_zone() const { return elements_.in_zone(); }
-    [[nodiscard]] bool is_far(int element) const { return far_ && far_->far().contains(element); }
+    [[nodiscard]] bool is_far(int element) const { return far_ && far_->contains(element); }
     [[nodiscard]] StructureFactors factors() const { return {far_, near_}; }
 
     /// Gamma (gamma.hpp): unknowns of the whole mesh, ascending.

@@ -16,6 +16,13 @@ std::map<int, std::vector<int>> elements_of_ranks(const EnrichedMesh& zone, cons
     return elements;
 }
 
+std::vector<int> of_elements(const std::vector<int>& part_of, const std::vector<int>& elements) {
+    std::vector<int> own;
+    for (const int e : elements)
+        if (!part_of.empty()) own.push_back(part_of[at(e)]);
+    return own;
+}
+
 Seams find_seams(const Patch& patch, const std::vector<RankPart>& parts) {
     std::vector<int> seen(at(patch.mesh.unknowns), 0);
     for (const RankPart& part : parts)
@@ -58,7 +65,8 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
                                    .opening_at = patch.opening_at,
                                    .contact_at = patch.contact_at,
                                    .ahead = patch.ahead,
-                                   .slip_at = patch.slip_at});
+                                   .slip_at = patch.slip_at,
+                                   .part_of = of_elements(patch.part_of, elements)});
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});
     }
     divided.seams = find_seams(patch, divided.parts);

@@ -8,6 +8,7 @@
 
 #include "common/error.hpp"
 #include "common/integration/element_operator.hpp"
+#include "common/integration/parts_of_elements.hpp"
 #include "coupling/ranks/merged_reports.hpp"
 #include "coupling/ranks/zone_partition.hpp"
 
@@ -34,11 +35,11 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
 void FineRanks::set_patch(const Patch& patch) {
     if (owner_.empty()) {
         owner_ = shared_out(patch.mesh);
-    } else if (const auto rank_of = share_on(patch.mesh, owner_)) {
+    } else if (const auto rank_of = share_on(patch.mesh, owner_, patch.part_of)) {
         owner_ = by_id(patch.mesh, *rank_of);
     } else {
         // Who has lost all elements once idles for good: what it knows is no more true.
-        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(parts_.size()), patch_.mesh));
+        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(parts_.size()), patch_.mesh, patch.part_of));
         move_history();
     }
     take(patch, known_displacement(patch), nullptr);
@@ -68,7 +69,8 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
     if (seams_.kept.empty()) return next.displacement;
     Eigen::VectorXd known = patch_.displacement;
     known(seams_.kept) = committed_;
-    return carry_over(patch_.mesh, known, next.mesh, next.displacement);
+    return carry_over(patch_.mesh, known, next.mesh,
+                      on_parts(patch_.mesh, known, next.mesh, next.part_of, next.displacement));
 }
 
 /// `snapshot`: null where the ranks know themselves what has been.

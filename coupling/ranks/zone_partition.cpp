@@ -75,10 +75,13 @@ void tie_together(const EnrichedMesh& mesh, const std::vector<int>& element, Uni
     }
 }
 
-std::vector<Group> groups_of(const EnrichedMesh& zone, const EnrichedMesh& before) {
+std::vector<Group> groups_of(const EnrichedMesh& zone, const EnrichedMesh& before, const std::vector<int>& part_of) {
     Union sets(zone.elements.size());
     std::map<int, int> element;  // by id
     for (int e = 0; e < std::ssize(zone.elements); ++e) element[zone.element_ids[at(e)]] = e;
+    JoinByKey of_whole(sets);
+    for (int e = 0; e < std::ssize(part_of); ++e)
+        if (part_of[at(e)] >= 0) of_whole(part_of[at(e)], e);
     for (const EnrichedMesh* mesh : {&zone, &before}) {
         std::vector<int> in_zone;
         for (const int id : mesh->element_ids) in_zone.push_back(element.at(id));
@@ -197,14 +200,16 @@ std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<G
 
 }  // namespace
 
-std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before) {
-    std::vector<Group> groups = groups_of(zone, before);
+std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before,
+                           const std::vector<int>& part_of) {
+    std::vector<Group> groups = groups_of(zone, before, part_of);
     bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
     return ranks_of_elements(zone, groups);
 }
 
-std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners) {
-    std::vector<Group> groups = groups_of(zone, {});
+std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners,
+                                         const std::vector<int>& part_of) {
+    std::vector<Group> groups = groups_of(zone, {}, part_of);
     if (!keep_owners(zone, owners, groups)) return std::nullopt;
     join_neighbours(zone, groups);
     return ranks_of_elements(zone, groups);

@@ -12,12 +12,16 @@ namespace stria::coupling {
 /// The rank of each element. Elements that see jump or tip unknowns of a crack, or carry pieces of it, stay together:
 /// contact, multipliers and tip functions live with one rank. So do those around a hanging node: the ends of its edge
 /// come with them. And so do those of which that is true in `before`, the zone that it was (empty: none), for history
-/// moves under it. What is left to choose is bisected by centres into parts of about equally many elements. Where there
-/// are more ranks than can be used, the last have no element.
-std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before = {});
+/// moves under it. So do the parts of an element that has been split: `part_of` as in Patch. What is left to choose is
+/// bisected by centres into parts of about equally many elements. Where there are more ranks than can be used, the last
+/// have no element.
+std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before = {},
+                           const std::vector<int>& part_of = {});
 
-/// The same where elements have a rank already, by id in `owners`, and keep it, for their history lives there; what is
-/// new joins a neighbour's rank. Nothing where elements of several ranks have to come together.
-std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners);
+/// The same where elements have a rank already, by id in `owners`, and keep it, for their history lives there; parts
+/// have that of their whole; what is new joins a neighbour's rank. Nothing where elements of several ranks have to come
+/// together.
+std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners,
+                                         const std::vector<int>& part_of = {});
 
 }  // namespace stria::coupling

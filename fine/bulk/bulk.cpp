@@ -76,7 +76,7 @@ void Bulk::carry_history(const Bulk& old) {
     counts_ = old.counts();
     history_.set_half_cycle_ended(old.history_.half_cycle_ended());
     for (int e = 0; e < elements_.count(); ++e) {
-        if (const std::optional<int> found = old.elements_.find(elements_.mesh().element_ids[at(e)]))
+        if (const std::optional<int> found = old.elements_.find(elements_.mesh(), e))
             carry_history(old, *found, e);
         else
             begin_elastic(e);

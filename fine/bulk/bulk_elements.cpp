@@ -45,15 +45,20 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, 
     }
 }
 
-std::optional<int> BulkElements::find(int id) const {
-    const auto found = element_of_id_.find(id);
-    return found != element_of_id_.end() ? std::optional(found->second) : std::nullopt;
+std::optional<int> BulkElements::find(const EnrichedMesh& later, int element) const {
+    const auto found = element_of_id_.find(later.element_ids[at(element)]);
+    if (found == element_of_id_.end()) return std::nullopt;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int node = mesh_.elements[at(found->second)][k], later_node = later.elements[at(element)][k];
+        if (mesh_.node_ids[at(node)] != later.node_ids[at(later_node)]) return std::nullopt;
+    }
+    return found->second;
 }
 
 // While a tip stands in the element nothing jumps there yet, and the weights stay.
 std::optional<std::vector<IntegrationPoint>> BulkElements::points_kept(const EnrichedMesh& later, int element,
                                                                        const CrackPiece* cut) const {
-    const std::optional<int> own = find(later.element_ids[at(element)]);
+    const std::optional<int> own = find(later, element);
     if (!own) return std::nullopt;
     std::vector<IntegrationPoint> points = op(*own).points;
     const int old_piece = piece_[at(*own)];

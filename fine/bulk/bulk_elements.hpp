@@ -30,8 +30,8 @@ public:
     /// Elastic stiffness of each element, 2f x 2f where it has f functions, N/mm2.
     [[nodiscard]] const std::vector<Eigen::MatrixXd>& stiffness() const { return stiffness_; }
 
-    /// The element with an id of the whole mesh.
-    [[nodiscard]] std::optional<int> find(int id) const;
+    /// The element that one of a later mesh is: the same id, and the same corners, for it may have been split.
+    [[nodiscard]] std::optional<int> find(const EnrichedMesh& later, int element) const;
 
     /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the
     /// crack, `cut`, has newly cut it (docs/equations.md, growth).

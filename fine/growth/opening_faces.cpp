@@ -20,6 +20,11 @@ void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, co
     held_ = gather(held, jumps_);
 }
 
+void OpeningFaces::follow(const EnrichedMesh& before, const EnrichedMesh& next) {
+    if (any())
+        *this = OpeningFaces(carry_over(before, held(before.unknowns), next, Eigen::VectorXd::Zero(next.unknowns)));
+}
+
 void OpeningFaces::hold(double share, Eigen::VectorXd& load) const {
     if (!jumps_.empty() && share != 0.0) load(jumps_) -= share * held_;
 }

@@ -27,6 +27,9 @@ public:
     /// counts.
     void open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held);
 
+    /// The same faces on a mesh whose elements have been split.
+    void follow(const EnrichedMesh& before, const EnrichedMesh& next);
+
     /// Takes the share of the forces that still holds the faces from what is in need of balance, N/mm.
     void hold(double share, Eigen::VectorXd& load) const;
 

@@ -1,11 +1,15 @@
 #include "fine/zone/zone_memory.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <ranges>
 #include <utility>
 
 #include "common/error.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
+#include "common/integration/moved_field.hpp"
+#include "common/integration/parts_of_elements.hpp"
 
 namespace stria::fine {
 
@@ -20,12 +24,76 @@ void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const cou
     memory.frozen.keep_closed(before, next.mesh, carry_over(before, u, next.mesh, next.displacement));
 }
 
+namespace {
+
+/// Tractions on new faces as they were behind the old tip, linear between two multipliers there.
+class MovedTractions {
+public:
+    MovedTractions(const EnrichedMesh& before, const ContactInterface& old, const EnrichedMesh& next,
+                   const ContactInterface& contact)
+        : old_(old), contact_(contact), from_(at(contact.multipliers())) {
+        const auto& keys = old.operators().keys();
+        for (int k = 0; k < contact.multipliers(); ++k) {
+            const FaceOperators::Key& own = contact.operators().keys()[at(k)];
+            const Vec2 behind = own.x - move_of_nearest_tip(before, next, own.x);
+            double nearest = std::numeric_limits<double>::infinity();
+            for (int j = 0; j < std::ssize(keys); ++j) {
+                if (keys[at(j)].crack != own.crack) continue;
+                const bool has_next = j + 1 < std::ssize(keys) && keys[at(j + 1)].crack == own.crack;
+                const int second = has_next ? j + 1 : j;
+                const Vec2 &a = keys[at(j)].x, &b = keys[at(second)].x;
+                const double distance = distance_to_segment(behind, a, b);
+                if (distance >= nearest) continue;
+                nearest = distance;
+                const double length = (b - a).squaredNorm();
+                from_[at(k)] = {j, second, length > 0.0 ? std::clamp((behind - a).dot(b - a) / length, 0.0, 1.0) : 0.0};
+            }
+        }
+    }
+
+    [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& traction) const {
+        Eigen::VectorXd moved = Eigen::VectorXd::Zero(contact_.tractions());
+        for (int k = 0; k < contact_.multipliers(); ++k) {
+            const auto& [first, second, part] = from_[at(k)];
+            if (first < 0) continue;
+            moved[k] = (1.0 - part) * traction[first] + part * traction[second];
+            const int shear = contact_.shear_of(k), a = old_.shear_of(first), b = old_.shear_of(second);
+            if (shear >= 0 && a >= 0 && b >= 0) moved[shear] = (1.0 - part) * traction[a] + part * traction[b];
+        }
+        return moved;
+    }
+
+private:
+    struct Between {
+        int first = -1, second = -1;  // multipliers of the old faces; -1: none
+        double part = 0.0;            // of the second
+    };
+    const ContactInterface &old_, &contact_;
+    std::vector<Between> from_;
+};
+
+/// Increments known about the old tips as guesses about the new ones.
+void move_increments(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface& old_contact,
+                     const EnrichedMesh& next, const ContactInterface& contact) {
+    const MovedField field(before, next);
+    const MovedTractions tractions(before, old_contact, next, contact);
+    std::vector<ZoneUnknowns> moved;
+    for (const ZoneUnknowns& increment : memory.increments.all())
+        moved.push_back({field.of(increment.displacement), tractions.of(increment.traction)});
+    memory.increments.clear();
+    for (ZoneUnknowns& increment : moved | std::views::reverse) memory.increments.push(std::move(increment));
+}
+
+}  // namespace
+
 void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
                     const coupling::Patch& next, const ContactInterface& contact) {
     ZoneUnknowns carried{next.displacement, Eigen::VectorXd::Zero(contact.tractions())};
     if (old_contact != nullptr) {
         const ZoneUnknowns& committed = memory.committed;
-        carried.displacement = carry_over(before, committed.displacement, next.mesh, next.displacement);
+        carried.displacement =
+            carry_over(before, committed.displacement, next.mesh,
+                       on_parts(before, committed.displacement, next.mesh, next.part_of, next.displacement));
         for (int k = 0; k < contact.multipliers(); ++k) {
             const FaceOperators::Key& own = contact.operators().keys()[at(k)];
             const auto same = [&](const FaceOperators::Key& key) { return key.is_at(own.crack, own.x); };
@@ -38,7 +106,10 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
         }
     }
     memory.committed = std::move(carried);
-    memory.increments.clear();
+    if (old_contact != nullptr && next.part_of.empty() && MovedField::can_move(before, next.mesh))
+        move_increments(memory, before, *old_contact, next.mesh, contact);
+    else
+        memory.increments.clear();
 }
 
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out) {

@@ -23,11 +23,12 @@ struct ZoneMemory {
     OpeningFaces opening = {};
 };
 
-/// `next` is to follow `before`: functions that it lacks leave their displacement behind (docs/method.md, section 7).
+/// `next`, with longer cracks on the same elements, is to follow `before`: functions that it lacks leave their
+/// displacement behind (docs/method.md, section 7).
 void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next);
 
-/// Turns to the unknowns of a new mesh and of its faces. No increment is known any more. `old_contact`: null at the
-/// start, when nothing is carried.
+/// Turns to the unknowns of a new mesh and of its faces. Increments go along with the tips (MovedField), or are
+/// forgotten where they cannot. `old_contact`: null at the start, when nothing is carried.
 void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
                     const coupling::Patch& next, const ContactInterface& contact);
 

@@ -20,13 +20,17 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
     const std::unique_ptr<Bulk> old = std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
-    if (old) keep_displacement(memory_, patch_.mesh, patch);
+    const bool grows = old && patch.part_of.empty();  // elements are split, or cracks are longer, never both at once
+    if (grows) keep_displacement(memory_, patch_.mesh, patch);
     make_contact(patch);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
     bulk_ = std::make_unique<Bulk>(patch.mesh, make_law(), elastic_, rule(), old.get(), memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
-    if (old) open_new_faces(before);
+    if (grows)
+        open_new_faces(before);
+    else if (old)
+        memory_.opening.follow(before, patch_.mesh);
 }
 
 std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {

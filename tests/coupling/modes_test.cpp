@@ -35,6 +35,16 @@ const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.siz
                                              "solver.tolerance=1e-12", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
                                              "load.steps=14",          "growth.increment=0.25"};
 
+/// Small elements follow the tip of a crack that grows.
+const std::vector<std::string> following_scene{"mesh.grading=[]",
+                                               "mesh.size=7.4",
+                                               "fine.refine=8",
+                                               "fine.radius=1.0",
+                                               "solver.tolerance=1e-12",
+                                               "load.steps=6",
+                                               "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
+                                               "growth.increment=0.6"};
+
 /// An inclined crack whose faces slide against friction while they are closed.
 const std::vector<std::string> sliding_scene{
     "mesh.grading=[{at=[[20.0,100.0]], size=0.3, outer_size=0.6, radius=3.0, growth=0.25}]",
@@ -221,19 +231,23 @@ INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
                          testing::Values(SettingsOfCase{"graded", small_scene},
                                          SettingsOfCase{"refined", refined_scene},
                                          SettingsOfCase{"growing", growing_scene},
+                                         SettingsOfCase{"following", following_scene},
                                          SettingsOfCase{"sliding", sliding_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
-INSTANTIATE_TEST_SUITE_P(Sceneries, SharedZone,
-                         testing::Values(SettingsOfCase{"graded", small_scene},
-                                         SettingsOfCase{"refined", refined_scene},
-                                         SettingsOfCase{"extended", extended_scene},
-                                         SettingsOfCase{"growing", growing_scene},
-                                         SettingsOfCase{"sliding", sliding_scene}),
-                         [](const auto& scenery) { return std::string(scenery.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Sceneries, SharedZone,
+    testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
+                    SettingsOfCase{"extended", extended_scene}, SettingsOfCase{"growing", growing_scene},
+                    SettingsOfCase{"following", following_scene}, SettingsOfCase{"sliding", sliding_scene}),
+    [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {
     EXPECT_EQ(direct->extensions > 0, std::string(GetParam().name) == "extended");
+}
+
+TEST_P(SharedZone, SplitsElementsWhereItsSceneSays) {
+    EXPECT_EQ(direct->mesh_splits > 0, std::string(GetParam().name) == "following");
 }
 
 /// history.csv by columns; empty cells are NaN.

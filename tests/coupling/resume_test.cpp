@@ -57,11 +57,17 @@ const StoppedRun small{"Small",
                         "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.4"},
                        13};
 
-/// Within a zone that holds its way already: the whole run keeps its structure's factor, what resumes makes it anew.
+/// Within a zone that holds its way for now: the whole run keeps its structure's factor, what resumes makes it anew.
 const StoppedRun within{"Within",
                         {"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.growth=0.25", "load.steps=6",
                          "load.blocks=[{cycles=4, max=50.0, ratio=-1.0}]", "growth.increment=0.2"},
                         20};
+
+/// Small elements follow the tip: some have been split before the stop, and others are after it.
+const StoppedRun followed{"Followed",
+                          {"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.radius=1.0", "load.steps=6",
+                           "load.blocks=[{cycles=5, max=50.0, ratio=-1.0}]", "growth.increment=0.6"},
+                          20};
 
 /// An inclined crack whose faces slide against friction; stopped while they do, and while K_slip is measured.
 const StoppedRun sliding{"Sliding",
@@ -255,7 +261,7 @@ TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,
-                                         halved, displaced, elastic),
+                                         followed, halved, displaced, elastic),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -278,7 +284,7 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
     expect_same_to_rounding(2, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, sliding_growing),
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, followed, sliding_growing),
                          testing::PrintToStringParamName());
 
 }  // namespace

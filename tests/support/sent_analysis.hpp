@@ -35,7 +35,7 @@ struct RunHistory {
     std::vector<Followed> increments;
     std::vector<std::pair<coarse::LoadStep, coarse::NewtonReport>> attempts;
     std::vector<coarse::TipResult> nominal;  // elastic, for the load factor 1
-    int cuts = 0, extensions = 0, yield_warnings = 0;
+    int cuts = 0, extensions = 0, yield_warnings = 0, mesh_splits = 0;
     std::int64_t full_checks = 0, checks_by_bound = 0;
 
     [[nodiscard]] const Followed& at_load(double factor) const {  // for the first time
@@ -72,6 +72,7 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     const coarse::CoarseEffort effort = analysis.effort();
     history.extensions = effort.counts.zone_extensions;
     history.yield_warnings = effort.counts.yield_warnings;
+    history.mesh_splits = effort.counts.mesh_splits;
     history.full_checks = effort.work.structure_checks_full;
     history.checks_by_bound = effort.work.structure_checks_by_bound;
     return history;

@@ -18,7 +18,7 @@ namespace stria::test {
 namespace {
 
 Mesh refined_square(int n, const Vec2& centre, int levels, double radius = 0.3, double growth = 0.2) {
-    return coarse::refine(square_mesh(n), {{centre, centre, radius, levels, growth}});
+    return coarse::refine(square_mesh(n), {{centre, centre, radius, levels, growth}}).mesh;
 }
 
 TEST(RefinedMesh, FillsTheBodyAndKeepsItsBoundary) {
@@ -152,7 +152,8 @@ TEST(RefinedMesh, HomogeneousStressIsExact) {
         const Vec2 tip(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
         const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
         const Mesh mesh =
-            coarse::refine(k % 3 == 0 ? distorted(square_mesh(6), 0.02) : square_mesh(6), {{tip, tip, 0.15, 3, 0.2}});
+            coarse::refine(k % 3 == 0 ? distorted(square_mesh(6), 0.02) : square_mesh(6), {{tip, tip, 0.15, 3, 0.2}})
+                .mesh;
         const Eigen::Matrix2d stress = 100.0 * along * along.transpose();
         const std::vector<Vec2> crack{tip - 2.0 * along, k % 2 == 0 ? tip : Vec2(tip + 2.0 * along)};
         coarse::Scene scene = make_scene(mesh, cracked(mesh, crack, 6), steel, boundary_tractions(mesh, stress));

@@ -44,7 +44,8 @@ Patch small_patch() {
             .opening_at = {0.25},
             .contact_at = {{0.25, 1.0}},
             .ahead = {0.125},
-            .slip_at = {{0.25, 0.5}, {}}};
+            .slip_at = {{0.25, 0.5}, {}},
+            .part_of = {7}};
 }
 
 PatchResponse small_response() {

@@ -45,6 +45,7 @@ public:
     coupling::StepReport commit(bool) override { return {}; }
     void rollback() override {}
     [[nodiscard]] double load_factor() const override { return load_; }
+    [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override { return none_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
     [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return nothing_; }
     [[nodiscard]] MachineReading machine_reading() const override { return {}; }
@@ -52,6 +53,7 @@ public:
     void restore(const EquilibriumState&) override {}
 
 private:
+    std::vector<std::int32_t> none_;
     double load_ = 0.0, residual_ = 0.0, correction_ = 0.0;
     Eigen::VectorXd nothing_;
 };

@@ -67,12 +67,16 @@ TEST(RefinedScene, TakesItsRadiusFromTheLoadHistory) {
     EXPECT_GT(elements_at(70.0), elements_at(10.0));
 }
 
-TEST(RefinedScene, GoesWithThePlannedGrowth) {
+TEST(RefinedScene, HasRoomToGrowWhateverTheLengthOfTheRun) {
     Case input = plate(2);
-    const Vec2 tip = refined_scene(input).enriched.tips.at(0).position, ahead = tip + Vec2(5.0, 0.0);
+    input.fine.radius = 4.0;
+    const Vec2 tip = refined_scene(input).enriched.tips.at(0).position, ahead = tip + Vec2(5.2, 0.0);
     EXPECT_NEAR(size_at(refined_scene(input), ahead), 1.0, 1e-12);
-    input.growth = GrowthSection{.increment = 1.25};  // in each of four cycles
-    EXPECT_NEAR(size_at(refined_scene(input), ahead), 0.5, 1e-12);
+    input.growth = GrowthSection{.increment = 1.25};
+    const Scene room = refined_scene(input);
+    EXPECT_NEAR(size_at(room, ahead), 0.5, 1e-12);
+    input.load.blocks[0].cycles *= 100;
+    EXPECT_EQ(refined_scene(input).mesh.elements, room.mesh.elements);
 }
 
 TEST(RefinedScene, RefusesACrackShorterThanTheElementAtItsTip) {

@@ -1,0 +1,62 @@
+#include "coarse/zone/tip_refinement.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "coarse/model/tip_reach.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+const CrackPiece& piece_at(const EnrichedMesh& mesh, const Tip& tip) {
+    const auto of_crack = [&](const CrackPiece& piece) { return piece.crack == tip.crack; };
+    const auto first = std::ranges::find_if(mesh.pieces, of_crack);
+    return tip.upper < 0 ? *first : *(std::find_if_not(first, mesh.pieces.end(), of_crack) - 1);
+}
+
+/// Ahead of a tip, mm.
+double room_ahead(const Case& input, double radius) {
+    constexpr double most = 0.25;  // of the radius: each element of the zone is paid for
+    constexpr int steps = 20;
+    return input.growth ? std::min(steps * input.growth->increment, most * radius) : 0.0;
+}
+
+}  // namespace
+
+std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<double>& K_I, Room room) {
+    const EnrichedMesh& mesh = scene.enriched;
+    const FineSection& fine = scene.input.fine;
+    const int levels = std::countr_zero(static_cast<unsigned>(fine.refine));
+    std::vector<RefinedDisk> disks;
+    for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
+        const Tip& tip = mesh.tips[t];
+        const int element = piece_at(mesh, tip).element;
+        const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
+        const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
+        const double radius = std::max(zone_radius(fine, scene.input.material, K_I[t]), 3.0 * smallest);
+        const double way = room == Room::ToGrow ? room_ahead(scene.input, radius) : 0.0;
+        disks.push_back({tip.position, tip.position + way * tip.direction, radius, levels, fine.growth});
+    }
+    return disks;
+}
+
+ElementSet elements_with_more_than_jumps(const Scene& scene) {
+    const EnrichedMesh& mesh = scene.enriched;
+    ElementSet found(mesh.elements.size());
+    const auto is_of_tip = [](const Term& term) { return term.kind != Term::Kind::Heaviside; };
+    const auto sees_tip = [&](int node) { return std::ranges::any_of(mesh.terms[at(node)], is_of_tip); };
+    for (int e = 0; e < found.size(); ++e)
+        if (std::ranges::any_of(mesh.elements[at(e)], sees_tip)) found.insert(e);
+    for (const Tip& tip : mesh.tips) found.insert(piece_at(mesh, tip).element);
+    for (const CrackPiece& piece : mesh.pieces) {
+        if (!scene.input.cracks[at(piece.crack)].contact) continue;
+        found.insert(piece.element);
+        if (piece.neighbour >= 0) found.insert(piece.neighbour);
+    }
+    return found;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,87 @@
+#include "coarse/model/mesh_refinement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::coarse {
+namespace {
+
+const std::vector<RefinedDisk> left = {{{0.2, 0.5}, {0.2, 0.5}, 0.12, 3, 0.0}};
+const std::vector<RefinedDisk> further = {{{0.45, 0.52}, {0.6, 0.55}, 0.12, 3, 0.0}};
+
+double area(const Mesh& body, int element) {
+    const auto& n = body.elements[at(element)];
+    const Vec2 a = body.nodes[at(n[2])] - body.nodes[at(n[0])], b = body.nodes[at(n[3])] - body.nodes[at(n[1])];
+    return (a.x() * b.y() - a.y() * b.x()) / 2.0;
+}
+
+void expect_sound(const Mesh& body) {
+    double sum = 0.0;
+    for (int e = 0; e < std::ssize(body.elements); ++e) sum += area(body, e);
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    for (const auto& around : elements_around_nodes(body)) {
+        const auto [least, most] = std::ranges::minmax(around, {}, [&](int e) { return body.level[at(e)]; });
+        EXPECT_LE(body.level[at(most)] - body.level[at(least)], 1);
+    }
+    for (const auto& [node, ends, larger] : body.hanging)
+        EXPECT_EQ(body.nodes[at(node)], (body.nodes[at(ends[0])] + body.nodes[at(ends[1])]) / 2.0);
+    for (const auto& [name, edges] : body.boundary) {
+        double length = 0.0;
+        for (const auto& [element, edge] : edges) {
+            const auto& n = body.elements[at(element)];
+            length += (body.nodes[at(n[at((edge + 1) % 4)])] - body.nodes[at(n[at(edge)])]).norm();
+        }
+        EXPECT_NEAR(length, 1.0, 1e-12) << name;
+    }
+}
+
+TEST(MeshRefinement, GoesOnWhereAMeshIsSplitAlready) {
+    const Mesh once = refine(test::distorted(test::square_mesh(5), 0.02), left).mesh;
+    const RefinedMesh twice = refine(once, further);
+    expect_sound(twice.mesh);
+    EXPECT_GT(twice.mesh.elements.size(), once.elements.size());
+    for (std::size_t e = 0; e < once.elements.size(); ++e)
+        EXPECT_EQ(twice.part_of[e] < 0, twice.mesh.elements[e] == once.elements[e]) << e;
+    std::vector<double> parts(once.elements.size(), 0.0);
+    for (int e = 0; e < std::ssize(twice.mesh.elements); ++e)
+        if (twice.part_of[at(e)] >= 0) parts.at(at(twice.part_of[at(e)])) += area(twice.mesh, e);
+    for (int e = 0; e < std::ssize(once.elements); ++e) {
+        if (parts[at(e)] == 0.0) continue;
+        EXPECT_NEAR(parts[at(e)], area(once, e), 1e-14) << e;
+    }
+    EXPECT_FALSE(asks_for_more(twice.mesh, further, {}));
+}
+
+TEST(MeshRefinement, ComesOutTheSameAgain) {
+    const Mesh start = test::square_mesh(5);
+    const RefinedMesh first = refine(start, left), second = refine(first.mesh, further);
+    MeshSplits all = first.splits;
+    all.insert(all.end(), second.splits.begin(), second.splits.end());
+    const Mesh again = split_again(start, all);
+    EXPECT_EQ(again.elements, second.mesh.elements);
+    EXPECT_EQ(again.nodes, second.mesh.nodes);
+    EXPECT_EQ(again.level, second.mesh.level);
+    EXPECT_EQ(again.hanging.size(), second.mesh.hanging.size());
+}
+
+// What stays whole holds its neighbours back as well, lest they are smaller than half.
+TEST(MeshRefinement, LeavesElementsWhole) {
+    const Mesh start = refine(test::square_mesh(5), left).mesh;
+    ElementSet never(start.elements.size());
+    for (int e = 0; e < std::ssize(start.elements); ++e) {
+        const Vec2 middle =
+            (start.nodes[at(start.elements[at(e)][0])] + start.nodes[at(start.elements[at(e)][2])]) / 2.0;
+        if (start.level[at(e)] == 0 && std::abs(middle.x() - 0.5) < 0.11) never.insert(e);
+    }
+    ASSERT_FALSE(never.none());
+    const RefinedMesh around = refine(start, further, never);
+    expect_sound(around.mesh);
+    for (const int e : never.members()) EXPECT_EQ(around.mesh.elements[at(e)], start.elements[at(e)]);
+    EXPECT_FALSE(around.splits.empty());
+    EXPECT_LT(around.mesh.elements.size(), refine(start, further).mesh.elements.size());
+    EXPECT_FALSE(asks_for_more(around.mesh, further, never));
+}
+
+}  // namespace
+}  // namespace stria::coarse
