@@ -1,39 +1,61 @@
 #include "common/integration/element_field.hpp"
 
+#include <algorithm>
+
 #include "common/fem/shape_q4.hpp"
 #include "common/index.hpp"
 
 namespace stria {
 
-ElementField::ElementField(const EnrichedMesh& mesh, int element, const CrackPiece* cut)
-    : basis_(mesh, element, cut != nullptr) {
-    if (cut != nullptr) sides_ = cut_element(basis_.corners(), *cut);
-}
-
-std::vector<ElementField::Share> ElementField::at_place(const Vec2& x) const {
-    std::vector<Share> shares;
-    add(x, is_cut() ? sides_->side_of(x) : 0, 1.0, shares);
-    return shares;
-}
-
-std::vector<ElementField::Share> ElementField::half_jump(const Vec2& x) const {
-    std::vector<Share> shares;
-    add(x, 1, 0.5, shares);
-    add(x, -1, -0.5, shares);
-    return shares;
-}
-
-void ElementField::add(const Vec2& x, int side, double factor, std::vector<Share>& shares) const {
-    BasisValues at_x;
-    basis_.evaluate(map_to_parent(basis_.corners(), x), x, side, at_x);
-    for (int f = 0; f < basis_.functions(); ++f)
-        shares.push_back({basis_.unknowns()[at(2 * f)], factor * at_x.value[f]});
-}
-
-Vec2 sum_of(const std::vector<ElementField::Share>& shares, const Eigen::VectorXd& values) {
+Vec2 sum_of(const Shares& shares, const Eigen::VectorXd& values) {
     Vec2 sum = Vec2::Zero();
     for (const auto& [unknown, weight] : shares) sum += weight * values.segment<2>(unknown);
     return sum;
+}
+
+ElementField::ElementField(const EnrichedMesh& mesh, int element, const CrackPiece* cut)
+    : basis_(mesh, element, cut != nullptr), own_side_(cut != nullptr ? 0 : mesh.element_side[at(element)]) {
+    if (cut != nullptr) sides_ = cut_element(basis_.corners(), *cut);
+}
+
+// The boundary itself is on no side.
+int ElementField::side_of(const Vec2& x) const {
+    constexpr double inwards = 1e-6;
+    const auto& corners = basis_.corners();
+    return sides_->side_of(x + inwards * ((corners[0] + corners[1] + corners[2] + corners[3]) / 4.0 - x));
+}
+
+Shares ElementField::on_side(const Vec2& x, int side) const {
+    BasisValues at_x;
+    basis_.evaluate(map_to_parent(basis_.corners(), x), x, side, at_x);
+    Shares shares;
+    for (int f = 0; f < basis_.functions(); ++f) shares.push_back({basis_.unknowns()[at(2 * f)], at_x.value[f]});
+    return shares;
+}
+
+FieldAtNode::FieldAtNode(const Vec2& x, const std::vector<Term>& terms) : x_(x) {
+    const auto jump = std::ranges::find(terms, Term::Kind::Heaviside, &Term::kind);
+    if (jump != terms.end()) own_side_ = jump->shift > 0.0 ? 1 : -1;
+}
+
+void FieldAtNode::add(const ElementField& element) {
+    if (element.is_cut()) {
+        for (const int side : {-1, 1}) sides_[side > 0 ? 1 : 0] = element.on_side(x_, side);
+        standard_ = sides_[(own_side_ != 0 ? own_side_ : element.side_of(x_)) > 0 ? 1 : 0];
+        return;
+    }
+    const int side = element.own_side();
+    Shares shares = element.on_side(x_, side);
+    if (side == 0 || own_side_ == 0 || side == own_side_) standard_ = shares;
+    if (side != 0) sides_[side > 0 ? 1 : 0] = std::move(shares);
+}
+
+std::optional<Shares> FieldAtNode::half_jump() const {
+    if (!sides_[0] || !sides_[1]) return std::nullopt;
+    Shares shares;
+    for (const auto& [unknown, weight] : *sides_[1]) shares.push_back({unknown, weight / 2.0});
+    for (const auto& [unknown, weight] : *sides_[0]) shares.push_back({unknown, -weight / 2.0});
+    return shares;
 }
 
 }  // namespace stria

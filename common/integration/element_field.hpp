@@ -1,7 +1,7 @@
-// The displacement in an element as a combination of its unknowns, each side of the crack continued over the whole of
-// it.
+// The displacement that one mesh has at a node of another, as a combination of its unknowns, on either side of a crack.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,30 +10,53 @@
 
 namespace stria {
 
+/// What an unknown counts; `unknown` is that of the component x, the next one that of y.
+struct Share {
+    int unknown;
+    double weight;
+};
+using Shares = std::vector<Share>;
+
+/// mm, of displacements in mm.
+Vec2 sum_of(const Shares& shares, const Eigen::VectorXd& values);
+
+/// The displacement in an element, each side of a crack inside it continued over the whole of it.
 class ElementField {
 public:
     /// `cut`: the piece of a crack inside the element, or null. The mesh must outlive it.
     ElementField(const EnrichedMesh& mesh, int element, const CrackPiece* cut);
 
-    /// What an unknown counts; `unknown` is that of the component x, the next one that of y.
-    struct Share {
-        int unknown;
-        double weight;
-    };
-
     [[nodiscard]] bool is_cut() const { return sides_.has_value(); }
-    [[nodiscard]] std::vector<Share> at_place(const Vec2& x) const;
-    /// Half of the jump, continued to `x`: the amplitude of a Heaviside term. Of a cut element.
-    [[nodiscard]] std::vector<Share> half_jump(const Vec2& x) const;
+    /// Of an element that a crack runs along: +1, -1; else 0.
+    [[nodiscard]] int own_side() const { return own_side_; }
+    /// Side of a place in a cut element, or on its boundary.
+    [[nodiscard]] int side_of(const Vec2& x) const;
+    [[nodiscard]] Shares on_side(const Vec2& x, int side) const;
 
 private:
-    void add(const Vec2& x, int side, double factor, std::vector<Share>& shares) const;
-
     ElementBasis basis_;
+    int own_side_;
     std::optional<CutElement> sides_;
 };
 
-/// mm, of displacements in mm.
-Vec2 sum_of(const std::vector<ElementField::Share>& shares, const Eigen::VectorXd& values);
+/// What the unknowns of a node are, as the elements tell that hold its place. One whose place is on a crack that runs
+/// along element edges has its displacement from one side, and its jump from both.
+class FieldAtNode {
+public:
+    /// `terms`: of the node.
+    FieldAtNode(const Vec2& x, const std::vector<Term>& terms);
+
+    void add(const ElementField& element);
+
+    [[nodiscard]] const std::optional<Shares>& standard() const { return standard_; }
+    /// Half of the jump: the amplitude of a Heaviside term. Nothing where only one side is known.
+    [[nodiscard]] std::optional<Shares> half_jump() const;
+
+private:
+    Vec2 x_;
+    int own_side_ = 0;  // of a node that jumps
+    std::optional<Shares> standard_;
+    std::array<std::optional<Shares>, 2> sides_;  // minus, plus
+};
 
 }  // namespace stria

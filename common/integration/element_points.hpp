@@ -23,7 +23,7 @@ enum class MeanDilatation { Nowhere, WithoutTipFunctions, Everywhere };
 
 /// How an element is integrated.
 struct IntegrationRule {
-    int subcells = 1;        // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
+    int subcells = 1;                      // sub-quadrangles per edge (the paper's fine scale: Fig. 1)
     std::optional<int> far_subcells = {};  // in a zone, of elements that no crack cuts or points at; absent: as many
     int singular_gauss = 2;  // points per direction in an uncut sub-quadrangle, with tip functions; without them 2
     int tip_points = 6;      // per direction in triangles that end at a tip

@@ -25,9 +25,9 @@ public:
         tree_.init(elements.begin(), elements.end(), boxes.begin(), boxes.end());
     }
 
-    /// -1: none.
-    [[nodiscard]] int element_at(const Vec2& x) const {
-        Query query{mesh_, x};
+    /// One or, on an edge, several.
+    [[nodiscard]] std::vector<int> elements_at(const Vec2& x) const {
+        Query query{mesh_, x, {}};
         Eigen::BVIntersect(tree_, query);
         return query.found;
     }
@@ -41,16 +41,17 @@ private:
     struct Query {
         const EnrichedMesh& mesh;
         Vec2 x;
-        int found = -1;
+        std::vector<int> found;
 
-        [[nodiscard]] bool intersectVolume(const Eigen::AlignedBox2d& box) const { return box.contains(x); }
+        [[nodiscard]] bool intersectVolume(const Eigen::AlignedBox2d& box) const {
+            return box.squaredExteriorDistance(x) <= 1e-12 * box.sizes().squaredNorm();
+        }
         bool intersectObject(int element) {
             QuadNodes corners;
             for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
             constexpr double edge = 1.0 + 1e-6;
-            if (map_to_parent(corners, x).lpNorm<Eigen::Infinity>() > edge) return false;
-            found = element;
-            return true;
+            if (map_to_parent(corners, x).lpNorm<Eigen::Infinity>() <= edge) found.push_back(element);
+            return false;  // go on
         }
     };
 
@@ -61,7 +62,7 @@ private:
 /// The rows of a node's unknowns.
 class Rows {
 public:
-    void add(int unknown, const std::vector<ElementField::Share>& shares) {
+    void add(int unknown, const Shares& shares) {
         for (const auto& [column, weight] : shares)
             for (const int c : {0, 1}) entries_.emplace_back(unknown + c, column + c, weight);
     }
@@ -94,20 +95,25 @@ MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to) {
     const std::vector<int> piece = piece_of_elements(from);
     Rows rows;
     for (int node = 0; node < std::ssize(to.nodes); ++node) {
-        const Vec2 behind = to.nodes[at(node)] - move_of_nearest_tip(from, to, to.nodes[at(node)]);
-        const int element = places.element_at(behind);
-        if (element < 0) {
-            const int nearest = places.node_nearest_to(behind);
-            if (!to.follows(node, 0) && !from.follows(nearest, 0))
-                rows.add(to.unknown(node, 0, 0), {{from.unknown(nearest, 0, 0), 1.0}});
-            continue;
+        const Vec2 here = to.nodes[at(node)];
+        Vec2 x = here - move_of_nearest_tip(from, to, here);
+        std::vector<int> found = places.elements_at(x);
+        if (found.empty()) found = places.elements_at(x = here);  // at the body's boundary, or at the zone's
+        if (found.empty()) {
+            const int nearest = places.node_nearest_to(here);
+            x = from.nodes[at(nearest)];
+            found = places.elements_at(x);
         }
-        const int p = piece[at(element)];
-        const ElementField field(from, element, p >= 0 ? &from.pieces[at(p)] : nullptr);
-        if (!to.follows(node, 0)) rows.add(to.unknown(node, 0, 0), field.at_place(behind));
         const auto& terms = to.terms[at(node)];
-        for (int term = 1; term <= std::ssize(terms) && field.is_cut(); ++term)
-            if (!to.follows(node, term)) rows.add(to.unknown(node, term, 0), field.half_jump(behind));
+        FieldAtNode field(x, terms);
+        for (const int element : found) {
+            const int p = piece[at(element)];
+            field.add(ElementField(from, element, p >= 0 ? &from.pieces[at(p)] : nullptr));
+        }
+        if (!to.follows(node, 0) && field.standard()) rows.add(to.unknown(node, 0, 0), *field.standard());
+        const std::optional<Shares> jump = field.half_jump();
+        for (int term = 1; term <= std::ssize(terms) && jump; ++term)
+            if (!to.follows(node, term)) rows.add(to.unknown(node, term, 0), *jump);
     }
     weights_ = rows.matrix(to.unknowns, from.unknowns);
 }

@@ -1,0 +1,66 @@
+#include "common/integration/moved_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coarse/model/mesh_refinement.hpp"
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria {
+namespace {
+
+/// A linear field, and a linear jump across the crack, both written as of the tip.
+Eigen::VectorXd field_of_tip(const EnrichedMesh& mesh) {
+    const Vec2 tip = mesh.tips.at(0).position;
+    Eigen::Matrix2d gradient, opening;
+    gradient << 0.3, -0.2, 0.5, 0.7;
+    opening << -0.4, 0.0, 0.1, 0.0;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+        const Vec2 x = mesh.nodes[at(node)] - tip, jump = opening * x;
+        const auto jumps = std::ranges::find(mesh.terms[at(node)], Term::Kind::Heaviside, &Term::kind);
+        const bool on_crack = std::abs(x.y()) < 1e-12 && jumps != mesh.terms[at(node)].end();
+        const double side = on_crack ? jumps->shift : x.y() > 0.0 ? 1.0 : -1.0;
+        if (term == 0) u.segment<2>(unknown) = gradient * x + (x.x() < 0.0 ? Vec2(side * jump) : Vec2::Zero());
+        if (term > 0) u.segment<2>(unknown) = jump;
+    }
+    return u;
+}
+
+class MovedFieldAt : public testing::TestWithParam<double> {};
+
+// In the middle of elements, and along their edges.
+INSTANTIATE_TEST_SUITE_P(Height, MovedFieldAt, testing::Values(0.47, 0.5));
+
+TEST_P(MovedFieldAt, GoesAlongWithTheTip) {
+    const double y = GetParam();
+    const Mesh body = coarse::refine(test::square_mesh(8), {{{0.45, y}, {0.6, y}, 0.15, 2, 0.0}}).mesh;
+    const auto with_crack_to = [&](double x) { return test::cracked(body, {{-1.0, y}, {x, y}}, 0); };
+    const EnrichedMesh from = with_crack_to(0.50), to = with_crack_to(0.53125);
+    ASSERT_TRUE(MovedField::can_move(from, to));
+    const Eigen::VectorXd moved = MovedField(from, to).of(field_of_tip(from)), wanted = field_of_tip(to);
+    int compared = 0, jumps = 0;
+    for (const auto& [node, term, unknown] : to.own_unknowns()) {
+        const Vec2 x = to.nodes[at(node)];
+        if (x.x() < 0.04 || (std::abs(x.y() - y) < 0.13 && x.x() > 0.4)) continue;  // no mesh behind; the jump's end
+        EXPECT_LT((moved.segment<2>(unknown) - wanted.segment<2>(unknown)).norm(), 1e-12)
+            << x.transpose() << " " << term;
+        ++compared;
+        jumps += term > 0 ? 1 : 0;
+    }
+    EXPECT_GT(compared, 100);
+    EXPECT_GT(jumps, 5);
+}
+
+TEST(MovedField, IsThatOfTheNearestTip) {
+    const Mesh body = test::square_mesh(9);
+    const auto with_crack = [&](double left, double right) {
+        return test::cracked(body, {{left, 0.5}, {right, 0.5}}, 0);
+    };
+    const EnrichedMesh from = with_crack(0.4, 0.6), to = with_crack(0.3, 0.65);
+    EXPECT_LT((move_of_nearest_tip(from, to, {0.2, 0.5}) - Vec2(-0.1, 0.0)).norm(), 1e-12);
+    EXPECT_LT((move_of_nearest_tip(from, to, {0.6, 0.4}) - Vec2(0.05, 0.0)).norm(), 1e-12);
+    EXPECT_FALSE(MovedField::can_move(from, test::cracked(body, {{0.3, 0.5}, {0.65, 0.5}}, 6)));
+}
+
+}  // namespace
+}  // namespace stria
