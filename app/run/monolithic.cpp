@@ -140,8 +140,7 @@ public:
             }
             increments_.push({std::move(whole), state.load_increments[back]});
         }
-        if (state.whole.size() > 0) committed_ = state.whole;
-        trial_ = committed_;
+        trial_ = committed_ = state.whole.size() > 0 ? state.whole : committed_;
         committed_load_factor_ = load_factor_ = state.load_factor;
     }
 

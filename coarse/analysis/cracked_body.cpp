@@ -127,15 +127,31 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     return std::move(nominal.structure);
 }
 
-std::unique_ptr<FinerScene> CrackedBody::finer_about_tips_of(const Scene& longer) const {
-    if (longer.input.fine.refine == 1) return nullptr;
+ElementSet CrackedBody::whole_elements() const {
     ElementSet whole = settled_;
     whole |= elements_with_more_than_jumps(*scene_);
+    return whole;
+}
+
+std::unique_ptr<FinerScene> CrackedBody::finer_about_tips_of(const Scene& longer) const {
+    if (longer.input.fine.refine == 1) return nullptr;
+    const ElementSet whole = whole_elements();
     if (!asks_for_more(longer.mesh, disks_about_tips(longer, largest_K_I_, Room::None), whole)) return nullptr;
-    RefinedMesh refined = refine(longer.mesh, disks_about_tips(longer, largest_K_I_, Room::ToGrow), whole);
-    Scene finer = make_scene(scene_->input, std::move(refined.mesh));
-    if (!scene_->enriched.left_tips.empty()) finer = with_functions_left(std::move(finer), scene_->enriched);
-    return std::make_unique<FinerScene>(std::move(finer), std::move(refined.splits), std::move(refined.part_of));
+    return finer(disks_about_tips(longer, largest_K_I_, Room::ToGrow), whole);
+}
+
+std::unique_ptr<FinerScene> CrackedBody::finer_about_flow(const std::vector<int>& flowing) const {
+    if (scene_->input.fine.refine == 1) return nullptr;
+    const ElementSet whole = whole_elements();
+    const std::vector<RefinedDisk> disks = disks_about_flow(*scene_, flowing);
+    return asks_for_more(scene_->mesh, disks, whole) ? finer(disks, whole) : nullptr;
+}
+
+std::unique_ptr<FinerScene> CrackedBody::finer(const std::vector<RefinedDisk>& disks, const ElementSet& whole) const {
+    RefinedMesh refined = refine(scene_->mesh, disks, whole);
+    Scene scene = make_scene(scene_->input, std::move(refined.mesh));
+    if (!scene_->enriched.left_tips.empty()) scene = with_functions_left(std::move(scene), scene_->enriched);
+    return std::make_unique<FinerScene>(std::move(scene), std::move(refined.splits), std::move(refined.part_of));
 }
 
 // At nodes that structure and zone share it is the structure that knows the displacement.

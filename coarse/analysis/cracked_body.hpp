@@ -39,6 +39,9 @@ public:
     /// ones. Null: they do not. Elements in which metal has flowed, or tips have been, stay whole.
     [[nodiscard]] std::unique_ptr<FinerScene> finer_about_tips_of(const Scene& longer) const;
 
+    /// The same where elements that would flow are larger than a small share of their distance from the tips.
+    [[nodiscard]] std::unique_ptr<FinerScene> finer_about_flow(const std::vector<int>& flowing) const;
+
     /// Turns to it. The displacement of the present mesh, mm, becomes that of the new one, the same field. What has
     /// been split joins the zone. There is no structure until take() or condense_onto().
     void take_finer(FinerScene finer, Eigen::VectorXd& displacement);
@@ -58,6 +61,9 @@ public:
     void write(AnalysisState& state) const;
 
 private:
+    [[nodiscard]] ElementSet whole_elements() const;
+    [[nodiscard]] std::unique_ptr<FinerScene> finer(const std::vector<RefinedDisk>& disks,
+                                                    const ElementSet& whole) const;
     [[nodiscard]] bool knows_far_body() const;
     [[nodiscard]] bool serves(const ElementSet& in_zone) const;
     [[nodiscard]] double grown() const;

@@ -103,7 +103,13 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
     rollback();
     refresh_displacement();
     ++effort_.counts.zone_extensions;
-    body_.condense_onto(with_ring(body_.scene(), body_.structure().in_zone(), yielding));
+    std::vector<int> joining = yielding;
+    if (std::unique_ptr<FinerScene> finer = body_.finer_about_flow(yielding)) {
+        for (int e = 0; e < std::ssize(finer->part_of); ++e)
+            if (std::ranges::binary_search(yielding, finer->part_of[at(e)])) joining.push_back(e);
+        split_elements(std::move(*finer));
+    }
+    body_.condense_onto(with_ring(body_.scene(), body_.in_zone(), joining));
     couple();
 }
 
@@ -112,37 +118,35 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
 bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
     refresh_displacement();
-    const EnrichedMesh &before = body_.scene().enriched, &after = grown.longer->enriched;
-    const bool kept = !grown.finer && factory_.keeps_increments() && MovedField::can_move(before, after);
-    std::vector<Eigen::VectorXd> increments;
-    std::vector<double> load_increments;
-    if (kept) {
-        increments = increments_on(after);
-        load_increments = equilibrium_->state().load_increments;
-    }
+    const EnrichedMesh& after = grown.longer->enriched;
+    const bool kept =
+        !grown.finer && factory_.keeps_increments() && MovedField::can_move(body_.scene().enriched, after);
     if (grown.finer) split_elements(std::move(*grown.finer));
     const bool has_zone = body_.has_zone();
     const ElementSet in_zone = body_.zone_about(*grown.longer);
+    const EquilibriumState known = equilibrium_->state();
+    const std::vector<Eigen::VectorXd> increments =
+        kept ? increments_on(after, known, in_zone != body_.in_zone()) : std::vector<Eigen::VectorXd>();
     if (!has_zone)
         work_.released = std::numeric_limits<double>::quiet_NaN();
     else if (in_zone != body_.in_zone())
         factory_.extend_zone(patch_of(in_zone, gamma_of(body_.scene(), in_zone)));
     displacement_ = body_.take(std::move(grown.longer), in_zone, displacement_);
     couple();
-    if (kept) take_up_increments(increments, load_increments);
+    if (kept) take_up_increments(increments, known.load_increments);
     return kept;
 }
 
-// What Gamma will be is near: there the structure tells how it moved.
-std::vector<Eigen::VectorXd> TwoScaleModel::increments_on(const EnrichedMesh& longer) const {
+// Where Gamma moves, it comes to be where elements were near: there the structure tells how it moved.
+std::vector<Eigen::VectorXd> TwoScaleModel::increments_on(const EnrichedMesh& longer, const EquilibriumState& known,
+                                                          bool gamma_moves) const {
     const Structure& structure = body_.structure();
     const EnrichedMesh& mesh = body_.scene().enriched;
-    const EquilibriumState state = equilibrium_->state();
     std::vector<Eigen::VectorXd> increments;
-    for (std::size_t k = 0; k < state.increments.size(); ++k) {
+    for (std::size_t k = 0; k < known.increments.size(); ++k) {
         Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
-        structure.expand_near(state.increments[k], state.load_increments[k], u);
-        u(structure.gamma()) = state.increments[k];
+        if (gamma_moves) structure.expand_near(known.increments[k], known.load_increments[k], u);
+        u(structure.gamma()) = known.increments[k];
         increments.push_back(carry_over(mesh, u, longer, Eigen::VectorXd::Zero(longer.unknowns)));
     }
     return increments;

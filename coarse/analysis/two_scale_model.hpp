@@ -34,7 +34,7 @@ public:
 
     /// Elements outside the zone that the trial state takes beyond yield, ascending.
     [[nodiscard]] std::vector<int> elements_beyond_yield() { return guard_.elements_beyond(*equilibrium_); }
-    /// They and their neighbours join the zone; the trial state is lost.
+    /// They and their neighbours join the zone, split where they are large (fine.refine); the trial state is lost.
     void extend_zone(const std::vector<int>& yielding);
 
     /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed. False
@@ -49,7 +49,8 @@ public:
 private:
     void couple(const AnalysisState* from = nullptr);
     void split_elements(FinerScene finer);
-    [[nodiscard]] std::vector<Eigen::VectorXd> increments_on(const EnrichedMesh& longer) const;
+    [[nodiscard]] std::vector<Eigen::VectorXd> increments_on(const EnrichedMesh& longer, const EquilibriumState& known,
+                                                             bool gamma_moves) const;
     void take_up_increments(const std::vector<Eigen::VectorXd>& whole, const std::vector<double>& of_load);
     void refresh_displacement();
     [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;

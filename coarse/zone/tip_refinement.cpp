@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "coarse/model/tip_reach.hpp"
+#include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -17,11 +19,18 @@ const CrackPiece& piece_at(const EnrichedMesh& mesh, const Tip& tip) {
     return tip.upper < 0 ? *first : *(std::find_if_not(first, mesh.pieces.end(), of_crack) - 1);
 }
 
-/// Ahead of a tip, mm.
-double room_ahead(const Case& input, double radius) {
+/// How often an element at a tip is split.
+int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
+
+/// How far small elements lie ahead of a tip that grows, mm: as far as metal flows, because it is never split again.
+double way_ahead(const Case& input, double K_I, double radius, Room room) {
     constexpr double most = 0.25;  // of the radius: each element of the zone is paid for
     constexpr int steps = 20;
-    return input.growth ? std::min(steps * input.growth->increment, most * radius) : 0.0;
+    if (!input.growth) return 0.0;
+    const double flows =
+        input.material.yield_stress ? forward_zone(K_I, *input.material.yield_stress, input.model.plane) : 0.0;
+    return std::min(flows, radius) +
+           (room == Room::ToGrow ? std::min(steps * input.growth->increment, most * radius) : 0.0);
 }
 
 }  // namespace
@@ -29,7 +38,7 @@ double room_ahead(const Case& input, double radius) {
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<double>& K_I, Room room) {
     const EnrichedMesh& mesh = scene.enriched;
     const FineSection& fine = scene.input.fine;
-    const int levels = std::countr_zero(static_cast<unsigned>(fine.refine));
+    const int levels = levels_of(fine);
     std::vector<RefinedDisk> disks;
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
         const Tip& tip = mesh.tips[t];
@@ -37,8 +46,23 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
         const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
         const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
         const double radius = std::max(zone_radius(fine, scene.input.material, K_I[t]), 3.0 * smallest);
-        const double way = room == Room::ToGrow ? room_ahead(scene.input, radius) : 0.0;
+        const double way = way_ahead(scene.input, K_I[t], radius, room);
         disks.push_back({tip.position, tip.position + way * tip.direction, radius, levels, fine.growth});
+    }
+    return disks;
+}
+
+std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing) {
+    constexpr double size_to_distance = 0.25;
+    std::vector<RefinedDisk> disks;
+    for (const Tip& tip : scene.enriched.tips)
+        disks.push_back({tip.position, tip.position, 0.0, levels_of(scene.input.fine),
+                         std::max(scene.input.fine.growth, size_to_distance)});
+    for (const int e : flowing) {
+        const Vec2 place = centre(scene.mesh, e);
+        const auto distance = [&](const RefinedDisk& disk) { return (disk.from - place).norm(); };
+        const auto nearest = std::ranges::min_element(disks, {}, distance);
+        if (nearest != disks.end()) nearest->radius = std::max(nearest->radius, distance(*nearest));
     }
     return disks;
 }

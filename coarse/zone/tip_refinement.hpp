@@ -10,14 +10,18 @@ namespace stria::coarse {
 
 /// How far small elements lie ahead of a tip.
 enum class Room {
-    None,   // those about the tip as it stands
-    ToGrow  // where cracks grow, the next steps of it too, so that not each of them splits elements
+    None,   // where cracks grow, as far as metal flows about the tip as it stands
+    ToGrow  // and the next steps of growth, so that not each of them splits elements
 };
 
 /// One disk per tip: the radius of its zone, and at least the elements about its own, so that tip functions end within
 /// the smallest elements. How long the run will be does not show: it may be resumed with more cycles. `K_I`: the
 /// largest of the load history, one per tip, MPa sqrt(mm).
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<double>& K_I, Room room);
+
+/// One disk per tip as far as those elements reach that flow and are nearest to it: there no element is larger than a
+/// quarter of its distance from the tip.
+std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing);
 
 /// Elements whose functions an exact copy on their parts cannot be made of: those that see tip functions, hold a tip,
 /// or have faces that may touch.

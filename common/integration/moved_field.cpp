@@ -59,6 +59,25 @@ private:
     Eigen::KdBVH<double, 2, int> tree_;
 };
 
+/// Of elements, as they are asked for.
+class Fields {
+public:
+    explicit Fields(const EnrichedMesh& mesh)
+        : mesh_(mesh), piece_(piece_of_elements(mesh)), fields_(mesh.elements.size()) {}
+
+    const ElementField& of(int element) {
+        std::optional<ElementField>& field = fields_[at(element)];
+        const int p = piece_[at(element)];
+        if (!field) field.emplace(mesh_, element, p >= 0 ? &mesh_.pieces[at(p)] : nullptr);
+        return *field;
+    }
+
+private:
+    const EnrichedMesh& mesh_;
+    std::vector<int> piece_;
+    std::vector<std::optional<ElementField>> fields_;
+};
+
 /// The rows of a node's unknowns.
 class Rows {
 public:
@@ -92,7 +111,7 @@ Vec2 move_of_nearest_tip(const EnrichedMesh& from, const EnrichedMesh& to, const
 
 MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to) {
     const Places places(from);
-    const std::vector<int> piece = piece_of_elements(from);
+    Fields fields(from);
     Rows rows;
     for (int node = 0; node < std::ssize(to.nodes); ++node) {
         const Vec2 here = to.nodes[at(node)];
@@ -106,10 +125,8 @@ MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to) {
         }
         const auto& terms = to.terms[at(node)];
         FieldAtNode field(x, terms);
-        for (const int element : found) {
-            const int p = piece[at(element)];
-            field.add(ElementField(from, element, p >= 0 ? &from.pieces[at(p)] : nullptr));
-        }
+        if (terms.empty()) found.resize(1);  // what does not jump has one value
+        for (const int element : found) field.add(fields.of(element));
         if (!to.follows(node, 0) && field.standard()) rows.add(to.unknown(node, 0, 0), *field.standard());
         const std::optional<Shares> jump = field.half_jump();
         for (int term = 1; term <= std::ssize(terms) && jump; ++term)

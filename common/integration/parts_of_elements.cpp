@@ -1,6 +1,7 @@
 #include "common/integration/parts_of_elements.hpp"
 
 #include <map>
+#include <optional>
 
 #include "common/index.hpp"
 #include "common/integration/element_field.hpp"
@@ -8,30 +9,48 @@
 namespace stria {
 namespace {
 
-/// Of each corner of parts, what the wholes say there.
-std::map<int, FieldAtNode> fields_at_corners(const EnrichedMesh& from, const EnrichedMesh& to,
-                                             const std::vector<int>& part_of) {
-    std::map<int, int> element_of_id;
-    for (int e = 0; e < std::ssize(from.elements); ++e) element_of_id[from.element_ids[at(e)]] = e;
-    const std::vector<int> piece = piece_of_elements(from);
-    std::map<int, FieldAtNode> fields;
-    for (int e = 0; e < std::ssize(to.elements); ++e) {
-        const auto whole = element_of_id.find(part_of[at(e)]);
-        if (whole == element_of_id.end()) continue;
-        const int p = piece[at(whole->second)];
-        const ElementField field(from, whole->second, p >= 0 ? &from.pieces[at(p)] : nullptr);
-        for (const int node : to.elements[at(e)])
-            fields.try_emplace(node, to.nodes[at(node)], to.terms[at(node)]).first->second.add(field);
+class FieldsAtCorners {
+public:
+    FieldsAtCorners(const EnrichedMesh& from, const EnrichedMesh& to, const std::vector<int>& part_of)
+        : from_(from), to_(to), piece_(piece_of_elements(from)) {
+        for (int e = 0; e < std::ssize(from.elements); ++e) element_of_id_[from.element_ids[at(e)]] = e;
+        for (int e = 0; e < std::ssize(to.elements); ++e)
+            add(e, part_of[at(e)], [](const FieldAtNode*) { return true; });
+        // Where a crack runs along edges, elements beyond it that were not split know the other side.
+        for (int e = 0; e < std::ssize(to.elements); ++e)
+            if (part_of[at(e)] < 0)
+                add(e, to.element_ids[at(e)], [](const FieldAtNode* known) { return known && !known->half_jump(); });
     }
-    return fields;
-}
+
+    [[nodiscard]] const std::map<int, FieldAtNode>& all() const { return fields_; }
+
+private:
+    template <class Wanted> void add(int element, int id_before, const Wanted& wanted) {
+        const auto found = element_of_id_.find(id_before);
+        if (found == element_of_id_.end()) return;
+        std::optional<ElementField> field;
+        for (const int node : to_.elements[at(element)]) {
+            const auto known = fields_.find(node);
+            if (!wanted(known != fields_.end() ? &known->second : nullptr)) continue;
+            const int p = piece_[at(found->second)];
+            if (!field) field.emplace(from_, found->second, p >= 0 ? &from_.pieces[at(p)] : nullptr);
+            fields_.try_emplace(node, to_.nodes[at(node)], to_.terms[at(node)]).first->second.add(*field);
+        }
+    }
+
+    const EnrichedMesh &from_, &to_;
+    std::vector<int> piece_;
+    std::map<int, int> element_of_id_;
+    std::map<int, FieldAtNode> fields_;
+};
 
 }  // namespace
 
 Eigen::VectorXd on_parts(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                          const std::vector<int>& part_of, Eigen::VectorXd initial) {
     if (part_of.empty()) return initial;
-    for (const auto& [node, field] : fields_at_corners(from, to, part_of)) {
+    const FieldsAtCorners fields(from, to, part_of);
+    for (const auto& [node, field] : fields.all()) {
         if (!to.follows(node, 0) && field.standard())
             initial.segment<2>(to.unknown(node, 0, 0)) = sum_of(*field.standard(), values);
         const std::optional<Shares> jump = field.half_jump();

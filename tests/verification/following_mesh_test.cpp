@@ -1,0 +1,108 @@
+// Small elements that follow the tips of growing cracks, against meshes that were small along the whole way from the
+// start.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "coarse/model/tip_reach.hpp"
+#include "coarse/specimen/specimen.hpp"
+#include "coarse/zone/tip_refinement.hpp"
+#include "tests/support/sent_analysis.hpp"
+
+namespace stria::test {
+namespace {
+
+struct Grown {
+    std::vector<coarse::CycleResult> cycles;
+    std::vector<coarse::TipResult> nominal;
+    std::vector<Vec2> crack;
+    std::size_t elements = 0;
+    double at_tip = 0.0;  // diagonal of the tip's element, mm
+    int splits = 0;
+};
+
+Grown grow(const Case& input, const coarse::Scene& scene) {
+    use_one_thread();
+    fine::FineModel fine(input);
+    coarse::CondensedFactory factory(&fine, input);
+    Grown grown;
+    coarse::Listener listener;
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
+        grown.cycles.insert(grown.cycles.end(), increment.cycles.begin(), increment.cycles.end());
+        grown.elements = structure.scene().mesh.elements.size();
+        grown.at_tip = coarse::tip_element_size(structure.scene().enriched, structure.scene().enriched.tips[0]);
+        grown.crack = structure.scene().input.cracks[0].points;
+    };
+    coarse::FatigueAnalysis analysis(scene, factory, listener);
+    analysis.run();
+    grown.nominal = analysis.nominal();
+    grown.splits = analysis.effort().counts.mesh_splits;
+    return grown;
+}
+
+/// As small within `radius` of the line from one point to another as the case wants it at the tip.
+coarse::Scene small_along(const Case& input, const Vec2& from, const Vec2& to, double radius) {
+    const coarse::Scene start = coarse::refined_scene(input);
+    const int levels = *std::ranges::max_element(start.mesh.level);
+    const Mesh body = coarse::make_mesh(input.mesh, input.cracks);
+    return coarse::make_scene(input, coarse::refine(body, {{from, to, radius, levels, 0.0}}).mesh);
+}
+
+/// Wakes of a few steps, opening loads by contact 0.5 mm behind the tip.
+Case growing(double increment, int cycles, const std::string& plane) {
+    return sent_case({"mesh.grading=[]", "mesh.size=4.0", "fine.refine=16", "fine.radius=1.5", "model.plane=" + plane,
+                      fmt::format("load.blocks=[{{cycles={}, max=60.0, ratio=0.0}}]", cycles), "load.steps=16",
+                      "load.grading=0.6", fmt::format("growth.increment={}", increment), "closure.distance=0.5"});
+}
+
+class FollowingMesh : public testing::TestWithParam<const char*> {};
+
+TEST_P(FollowingMesh, GivesWhatAMeshThatIsSmallAlongTheWayGives) {
+    const Case input = growing(0.25, 6, GetParam());
+    const Grown following = grow(input, coarse::refined_scene(input));
+    const Grown planned = grow(input, small_along(input, {20.0, 100.0}, {21.5, 100.0}, 1.5));
+    const coarse::CycleResult &own = following.cycles.back(), &other = planned.cycles.back();
+    std::cout << fmt::format(
+        "{:7} {} elements after {} splits, {} planned; K_op/K_max {:.4f} and {:.4f}, opening range "
+        "{:.6e} and {:.6e}, J {:.5f} and {:.5f}\n",
+        GetParam(), following.elements, following.splits, planned.elements, own.opening.K_op / own.K_max,
+        other.opening.K_op / other.K_max, own.opening_range(), other.opening_range(), own.J_max, other.J_max);
+    EXPECT_GE(following.splits, 2);
+    EXPECT_NEAR(following.at_tip, planned.at_tip, 1e-9);
+    EXPECT_EQ(planned.splits, 0);
+    EXPECT_GT(other.opening.K_op, 0.0);
+    EXPECT_NEAR(own.opening.K_op / own.K_max, other.opening.K_op / other.K_max, 0.002);
+    EXPECT_NEAR(own.opening_range() / other.opening_range(), 1.0, 1e-3);
+    EXPECT_NEAR(own.J_max / other.J_max, 1.0, 1e-3);
+    EXPECT_NEAR(own.K_max / other.K_max, 1.0, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Plane, FollowingMesh, testing::Values("stress", "strain"),
+                         [](const auto& plane) { return std::string(plane.param); });
+
+// A kink of 45 degrees turns back across the load, out of any strip along its first direction.
+TEST(FollowingMeshOfAKinkedCrack, GoesWhereAMeshThatIsSmallEverywhereGoesLong) {
+    Case input = growing(0.25, 12, "stress");
+    input.cracks[0].points = {{0.0, 98.0}, {15.0, 98.0}, {17.0, 100.0}};
+    const Grown following = grow(input, coarse::refined_scene(input));
+    const Grown everywhere = grow(input, small_along(input, {15.0, 98.0}, {21.0, 101.0}, 4.0));
+    ASSERT_EQ(following.crack.size(), everywhere.crack.size());
+    double off = 0.0;
+    for (std::size_t k = 0; k < following.crack.size(); ++k)
+        off = std::max(off, (following.crack[k] - everywhere.crack[k]).norm());
+    const coarse::CycleResult &own = following.cycles.back(), &other = everywhere.cycles.back();
+    std::cout << fmt::format("{} elements after {} splits, {} everywhere; path off by {:.2e} mm, K {:.4f} and {:.4f}, "
+                             "K_op/K_max {:.4f} and {:.4f}\n",
+                             following.elements, following.splits, everywhere.elements, off, own.K_max, other.K_max,
+                             own.opening.K_op / own.K_max, other.opening.K_op / other.K_max);
+    EXPECT_GE(following.splits, 3);
+    EXPECT_NEAR(following.at_tip, everywhere.at_tip, 1e-9);
+    EXPECT_LT(off, 0.02);
+    EXPECT_NEAR(own.K_max / other.K_max, 1.0, 0.005);
+    EXPECT_NEAR(own.opening.K_op / own.K_max, other.opening.K_op / other.K_max, 0.01);
+}
+
+}  // namespace
+}  // namespace stria::test
