@@ -5,9 +5,12 @@
 
 #include "app/run/coarse_run.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
+#include "coarse/load/load_history.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/zone/tip_refinement.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
+#include "common/memory.hpp"
 
 namespace stria {
 namespace {
@@ -39,6 +42,21 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
 
+/// Small elements follow the tips: what there will be of them.
+void print_way(const coarse::Scene& scene, const std::vector<double>& K_I) {
+    const Case& input = scene.input;
+    if (!input.growth || input.fine.refine == 1) return;
+    const int cycles = coarse::cycle_count(input.load);
+    const double way = input.growth->increment * (cycles / input.growth->every);
+    const coarse::ElementsOfAWay after = coarse::elements_after(scene, K_I, way);
+    const int subcells = subcells_elsewhere(input.fine);
+    const double points = 4.0 * subcells * subcells * after.split;
+    fmt::print("# growth: at most {:.4g} mm in {} cycles, {} increments; after it about {} elements, {} of them split, "
+               "{:.0f} points, {:.0f} MB\n",
+               way, cycles, cycles * input.load.steps, after.all, after.split, points,
+               1e-6 * (after.all * bytes_of_element + points * bytes_of_point));
+}
+
 }  // namespace
 
 int check(const RunOptions& options) {
@@ -54,9 +72,9 @@ int check(const RunOptions& options) {
         return 0;
     }
     print_zone_estimate(scene, nominal);
-    for (const std::string& warning :
-         coarse::mesh_warnings(scene, coarse::largest_K_I(input.load, coarse::unit_response(nominal))))
-        fmt::print("# warning: {}\n", warning);
+    const std::vector<double> K_I = coarse::largest_K_I(input.load, coarse::unit_response(nominal));
+    print_way(scene, K_I);
+    for (const std::string& warning : coarse::mesh_warnings(scene, K_I)) fmt::print("# warning: {}\n", warning);
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "coarse/equilibrium/carried_increments.hpp"
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/integration/moved_field.hpp"
@@ -121,45 +122,19 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const EnrichedMesh& after = grown.longer->enriched;
     const bool kept =
         !grown.finer && factory_.keeps_increments() && MovedField::can_move(body_.scene().enriched, after);
+    std::optional<CarriedIncrements> increments;
     if (grown.finer) split_elements(std::move(*grown.finer));
     const bool has_zone = body_.has_zone();
     const ElementSet in_zone = body_.zone_about(*grown.longer);
-    const EquilibriumState known = equilibrium_->state();
-    const std::vector<Eigen::VectorXd> increments =
-        kept ? increments_on(after, known, in_zone != body_.in_zone()) : std::vector<Eigen::VectorXd>();
+    if (kept) increments.emplace(body_.structure(), equilibrium_->state(), after, in_zone != body_.in_zone());
     if (!has_zone)
         work_.released = std::numeric_limits<double>::quiet_NaN();
     else if (in_zone != body_.in_zone())
         factory_.extend_zone(patch_of(in_zone, gamma_of(body_.scene(), in_zone)));
     displacement_ = body_.take(std::move(grown.longer), in_zone, displacement_);
     couple();
-    if (kept) take_up_increments(increments, known.load_increments);
+    if (increments) equilibrium_->restore(increments->added_to(equilibrium_->state(), body_.structure()));
     return kept;
-}
-
-// Where Gamma moves, it comes to be where elements were near: there the structure tells how it moved.
-std::vector<Eigen::VectorXd> TwoScaleModel::increments_on(const EnrichedMesh& longer, const EquilibriumState& known,
-                                                          bool gamma_moves) const {
-    const Structure& structure = body_.structure();
-    const EnrichedMesh& mesh = body_.scene().enriched;
-    std::vector<Eigen::VectorXd> increments;
-    for (std::size_t k = 0; k < known.increments.size(); ++k) {
-        Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
-        if (gamma_moves) structure.expand_near(known.increments[k], known.load_increments[k], u);
-        u(structure.gamma()) = known.increments[k];
-        increments.push_back(carry_over(mesh, u, longer, Eigen::VectorXd::Zero(longer.unknowns)));
-    }
-    return increments;
-}
-
-void TwoScaleModel::take_up_increments(const std::vector<Eigen::VectorXd>& whole, const std::vector<double>& of_load) {
-    EquilibriumState state = equilibrium_->state();
-    state.increments.clear();
-    state.whole_increments.clear();
-    for (const Eigen::VectorXd& increment : whole)
-        state.increments.push_back(gather(increment, body_.structure().gamma()));
-    state.load_increments = of_load;
-    equilibrium_->restore(state);
 }
 
 // Each field goes on as it is; what the smaller elements do to equilibrium shows with the release of the new faces.

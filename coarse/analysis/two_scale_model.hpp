@@ -49,9 +49,6 @@ public:
 private:
     void couple(const AnalysisState* from = nullptr);
     void split_elements(FinerScene finer);
-    [[nodiscard]] std::vector<Eigen::VectorXd> increments_on(const EnrichedMesh& longer, const EquilibriumState& known,
-                                                             bool gamma_moves) const;
-    void take_up_increments(const std::vector<Eigen::VectorXd>& whole, const std::vector<double>& of_load);
     void refresh_displacement();
     [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
 

@@ -52,6 +52,14 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
     return disks;
 }
 
+ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way) {
+    std::vector<RefinedDisk> disks = disks_about_tips(scene, K_I, Room::ToGrow);
+    for (std::size_t t = 0; t < disks.size(); ++t) disks[t].to += way * scene.enriched.tips[t].direction;
+    const Mesh mesh = refine(scene.mesh, disks).mesh;
+    const auto is_split = [](int level) { return level > 0; };
+    return {static_cast<int>(std::ssize(mesh.elements)), static_cast<int>(std::ranges::count_if(mesh.level, is_split))};
+}
+
 std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing) {
     constexpr double size_to_distance = 0.25;
     std::vector<RefinedDisk> disks;

@@ -19,6 +19,13 @@ enum class Room {
 /// largest of the load history, one per tip, MPa sqrt(mm).
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<double>& K_I, Room room);
 
+/// How many elements small ones make of a scene's mesh once each tip has gone straight on by `way`, mm, and how many of
+/// them are split.
+struct ElementsOfAWay {
+    int all, split;
+};
+ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way);
+
 /// One disk per tip as far as those elements reach that flow and are nearest to it: there no element is larger than a
 /// quarter of its distance from the tip.
 std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing);
