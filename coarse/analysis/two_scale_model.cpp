@@ -120,13 +120,14 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
     refresh_displacement();
     const EnrichedMesh& after = grown.longer->enriched;
-    const bool kept =
-        !grown.finer && factory_.keeps_increments() && MovedField::can_move(body_.scene().enriched, after);
+    const bool kept = factory_.keeps_increments() && MovedField::can_move(body_.scene().enriched, after);
     std::optional<CarriedIncrements> increments;
+    if (kept && grown.finer) increments.emplace(body_.structure(), equilibrium_->state(), after, true);
     if (grown.finer) split_elements(std::move(*grown.finer));
     const bool has_zone = body_.has_zone();
     const ElementSet in_zone = body_.zone_about(*grown.longer);
-    if (kept) increments.emplace(body_.structure(), equilibrium_->state(), after, in_zone != body_.in_zone());
+    if (kept && !increments)
+        increments.emplace(body_.structure(), equilibrium_->state(), after, in_zone != body_.in_zone());
     if (!has_zone)
         work_.released = std::numeric_limits<double>::quiet_NaN();
     else if (in_zone != body_.in_zone())

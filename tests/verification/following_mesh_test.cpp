@@ -62,7 +62,7 @@ class FollowingMesh : public testing::TestWithParam<const char*> {};
 TEST_P(FollowingMesh, GivesWhatAMeshThatIsSmallAlongTheWayGives) {
     const Case input = growing(0.25, 6, GetParam());
     const Grown following = grow(input, coarse::refined_scene(input));
-    const Grown planned = grow(input, small_along(input, {20.0, 100.0}, {21.5, 100.0}, 1.5));
+    const Grown planned = grow(input, small_along(input, {20.0, 100.0}, {22.5, 100.0}, 1.5));
     const coarse::CycleResult &own = following.cycles.back(), &other = planned.cycles.back();
     std::cout << fmt::format(
         "{:7} {} elements after {} splits, {} planned; K_op/K_max {:.4f} and {:.4f}, opening range "
