@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/charts/bar_chart.hpp"
 #include "app/charts/chart.hpp"
 
 namespace stria::study {
@@ -16,6 +17,7 @@ namespace {
 
 using charts::BarChart;
 using charts::Curve;
+using charts::Figure;
 using charts::LineChart;
 using charts::svg;
 
@@ -201,11 +203,8 @@ Figure sizes_along_axes(const Report& report) {
 }  // namespace
 
 std::vector<Figure> figures(const Report& report) {
-    std::vector<Figure> all = {error_against_time(report), results_along_axes(report), openings(report),
-                               time_along_axes(report), sizes_along_axes(report)};
-    for (Figure& figure : all) std::erase(figure.charts, "");
-    std::erase_if(all, [](const Figure& figure) { return figure.charts.empty(); });
-    return all;
+    return {error_against_time(report), results_along_axes(report), openings(report), time_along_axes(report),
+            sizes_along_axes(report)};
 }
 
 }  // namespace stria::study

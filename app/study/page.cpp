@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/charts/chart.hpp"
+#include "app/charts/drawing.hpp"
+#include "app/charts/page.hpp"
 #include "app/study/figures.hpp"
 
 namespace stria::study {
@@ -13,22 +14,6 @@ namespace stria::study {
 namespace {
 
 using charts::escaped;
-
-constexpr const char* style = R"(
-body { margin: 2rem auto; max-width: 76rem; padding: 0 1rem; font: 15px/1.45 sans-serif; color: #222; background: #fff; }
-h1 { font-size: 1.5rem; margin-bottom: .3rem; }
-h2 { font-size: 1.15rem; margin: 2rem 0 .3rem; border-bottom: 1px solid #ccc; }
-p { margin: .3rem 0; max-width: 60rem; }
-.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr)); gap: 1rem; align-items: start; }
-svg { width: 100%; height: auto; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
-caption { text-align: left; padding: .3rem 0; }
-th, td { padding: .2rem .6rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
-th { border-bottom: 1px solid #222; vertical-align: bottom; }
-td.word, th.word { text-align: left; }
-tr.bad td { background: #fdf0e6; }
-)";
 
 struct Column {
     std::string head;
@@ -127,17 +112,9 @@ std::string introduction(const Report& report) {
 }  // namespace
 
 std::string page(const Report& report) {
-    std::string text = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                                   "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}</title>\n"
-                                   "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
-                                   escaped(report.title), style, escaped(report.title));
-    text += introduction(report) + complaints(report);
-    for (const Figure& figure : figures(report)) {
-        text += fmt::format("<h2>{}</h2>\n", escaped(figure.title));
-        if (!figure.sentence.empty()) text += fmt::format("<p>{}</p>\n", escaped(figure.sentence));
-        text += fmt::format("<div class=\"charts\">\n{}</div>\n", fmt::join(figure.charts, ""));
-    }
-    return text + "<h2>Variants</h2>\n" + table_of(report) + "</body>\n</html>\n";
+    std::string body = introduction(report) + complaints(report);
+    for (charts::Figure& figure : figures(report)) body += section(std::move(figure));
+    return charts::page(report.title, body + "<h2>Variants</h2>\n" + table_of(report));
 }
 
 }  // namespace stria::study
