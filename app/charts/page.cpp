@@ -86,7 +86,7 @@ std::string slides(const std::vector<std::string>& svgs, const std::vector<std::
 
 std::string section(Figure figure) {
     std::erase(figure.charts, "");
-    if (figure.charts.empty()) return "";
+    if (figure.charts.empty() && figure.tables.empty()) return "";
     std::string text = fmt::format("<h2>{}</h2>\n", escaped(figure.title));
     if (!figure.sentence.empty()) text += fmt::format("<p>{}</p>\n", escaped(figure.sentence));
     text += fmt::format("<div class=\"charts\">\n{}</div>\n", fmt::join(figure.charts, ""));

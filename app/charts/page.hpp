@@ -11,7 +11,7 @@ struct Figure {
     std::string title;
     std::string sentence = {};             // how to read them; may be empty
     std::vector<std::string> charts = {};  // SVG, or what `captioned` and `slides` make of it
-    std::string tables = {};               // HTML: links to what all of them show
+    std::string tables = {};               // HTML under them: links to what they show, or what is not drawn
 };
 
 /// A chart with what belongs under it, as HTML. Empty where the chart is.
@@ -21,7 +21,7 @@ std::string captioned(const std::string& svg, const std::string& caption);
 std::string slides(const std::vector<std::string>& svgs, const std::vector<std::string>& names, std::size_t shown,
                    const std::string& caption);
 
-/// With a heading; empty where the figure has no chart.
+/// With a heading; empty where the figure has neither a chart nor a table.
 std::string section(Figure figure);
 
 /// Under a heading that is the title too. `body`: HTML.

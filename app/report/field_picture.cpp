@@ -46,6 +46,9 @@ Window window_of(const FieldCells& field) {
     for (std::size_t cell = 0; cell < field.cells.size(); ++cell)
         if (field.strain[cell] > flowed)
             for (const int point : field.cells[cell]) window.enclose(field.points[at(point)]);
+    // A picture is no taller than it is wide.
+    const double excess = 0.5 * ((window.y.high - window.y.low) - (window.x.high - window.x.low));
+    if (excess > 0.0) window.x = {window.x.low - excess, window.x.high + excess};
     window.widen(room * std::max(window.x.high - window.x.low, window.y.high - window.y.low));
     return window;
 }

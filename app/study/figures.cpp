@@ -10,6 +10,7 @@
 
 #include "app/charts/bar_chart.hpp"
 #include "app/charts/chart.hpp"
+#include "app/charts/drawing.hpp"
 
 namespace stria::study {
 
@@ -68,7 +69,8 @@ bool spans_decades(const std::vector<Curve>& curves, std::vector<double> Curve::
 }
 
 /// Points in the order of the axis `along`, a curve for each combination of the other axes.
-std::vector<Curve> curves_along(const Report& report, std::size_t along, const Number& x, const Number& y) {
+std::vector<Curve> curves_along(const Report& report, std::size_t along, const Number& x, const Number& y,
+                                bool name_points = false) {
     std::vector<Curve> curves;
     for (const Row& row : report.rows) {
         Settings others = row.settings;
@@ -78,6 +80,7 @@ std::vector<Curve> curves_along(const Report& report, std::size_t along, const N
         if (curve == curves.end()) curve = curves.insert(curves.end(), {.name = name});
         curve->x.push_back(x(row));
         curve->y.push_back(y(row));
+        if (name_points) curve->points.push_back(row.settings[along].value);
     }
     return curves;
 }
@@ -107,26 +110,53 @@ void add_along_axes(const Report& report, const std::string& label, const Number
     }
 }
 
+/// Of all variants that have one, from 0; NaN where none has.
+double largest_error(const Report& report, const std::string& result) {
+    double largest = NAN;
+    for (const Row& row : report.rows) largest = std::fmax(largest, row.error(result));
+    return largest;
+}
+
+/// Errors at the level of rounding are said to be that: a curve through them would look like a result.
 Figure error_against_time(const Report& report) {
     Figure figure{.title = "Error against time",
-                  .sentence = "Relative errors; nothing is shown of a variant that is its own reference."};
-    for (const Quantity& result : results()) {
-        std::vector<Curve> curves = curves_along(report, 0, value_of("total"), error_of(result.name));
-        figure.charts.push_back(svg(LineChart{.title = fmt::format("Error of {}", result.name),
-                                              .x_label = "total time, s",
-                                              .log_x = true,
-                                              .log_y = true,
-                                              .curves = std::move(curves)}));
+                  .sentence = "Relative errors, each with its variant; nothing is shown of a variant that is its own "
+                              "reference."};
+    std::string rounded;
+    for (const auto& group : {results(), endings()}) {
+        for (const Quantity& result : group) {
+            const double largest = largest_error(report, result.name);
+            if (largest <= rounding) {
+                rounded += fmt::format("{}{} ({:.1g})", rounded.empty() ? "" : ", ", result.name, largest);
+                continue;
+            }
+            LineChart chart{.title = fmt::format("Error of {}", result.name),
+                            .x_label = "total time, s",
+                            .log_x = true,
+                            .log_y = true,
+                            .curves = curves_along(report, 0, value_of("total"), error_of(result.name), true)};
+            figure.charts.push_back(svg(chart));
+        }
     }
+    if (!rounded.empty())
+        figure.tables = charts::escaped(fmt::format("Equal to rounding, with the largest error: {}.", rounded));
     return figure;
 }
 
 Figure results_along_axes(const Report& report) {
-    Figure figure{.title = "Results",
+    Figure figure{.title = "Results at the extremes of the load",
                   .sentence = "J, K, CTOD, CMOD and plastic zone at the largest load, contact at the smallest; "
                               "openings are means along the crack."};
     for (const Quantity& result : results())
         add_along_axes(report, labelled(result.name, result.unit), value_of(result.name), false, figure);
+    return figure;
+}
+
+Figure endings_along_axes(const Report& report) {
+    Figure figure{.title = "At the end of the run",
+                  .sentence = "The first tip after the last cycle; a life where growth has ended the run."};
+    for (const Quantity& ending : endings())
+        add_along_axes(report, labelled(ending.name, ending.unit), value_of(ending.name), false, figure);
     return figure;
 }
 
@@ -203,8 +233,8 @@ Figure sizes_along_axes(const Report& report) {
 }  // namespace
 
 std::vector<Figure> figures(const Report& report) {
-    return {error_against_time(report), results_along_axes(report), openings(report), time_along_axes(report),
-            sizes_along_axes(report)};
+    return {endings_along_axes(report), error_against_time(report), results_along_axes(report),
+            openings(report),           time_along_axes(report),    sizes_along_axes(report)};
 }
 
 }  // namespace stria::study

@@ -8,7 +8,7 @@
 
 namespace stria::study {
 
-/// Errors against time, results along each axis, openings, time by phase, sizes and traffic.
+/// The ends of the runs, errors against time, results along each axis, openings, time by phase, sizes and traffic.
 std::vector<charts::Figure> figures(const Report& report);
 
 }  // namespace stria::study

@@ -31,7 +31,8 @@ std::vector<Column> shown_columns(const Report& report) {
                                {"interface", "unknowns", "interface_unknowns"},
                                {"zone", "unknowns", "fine_unknowns"},
                                {"traffic", "MB", "bytes", 1e-6}};
-    for (const Quantity& result : results()) all.push_back({result.name, result.unit, result.name});
+    for (const auto& group : {endings(), results()})
+        for (const Quantity& result : group) all.push_back({result.name, result.unit, result.name});
     std::erase_if(all, [&](const Column& column) {
         return std::ranges::none_of(report.rows,
                                     [&](const Row& row) { return std::isfinite(row.outcome.value(column.quantity)); });
@@ -41,15 +42,19 @@ std::vector<Column> shown_columns(const Report& report) {
 
 std::vector<Quantity> shown_errors(const Report& report) {
     std::vector<Quantity> shown;
-    for (const Quantity& result : results())
-        if (std::ranges::any_of(report.rows, [&](const Row& row) { return row.errors.contains(result.name); }))
-            shown.push_back(result);
+    for (const auto& group : {endings(), results()})
+        for (const Quantity& result : group)
+            if (std::ranges::any_of(report.rows, [&](const Row& row) { return row.errors.contains(result.name); }))
+                shown.push_back(result);
     return shown;
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
 
-std::string percent(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", 100.0 * value) : ""; }
+std::string percent(double error) {
+    if (!std::isfinite(error)) return "";
+    return error > 0.0 && error <= rounding ? "rounding" : fmt::format("{:.3g}", 100.0 * error);
+}
 
 std::string head_of(const Report& report, const std::vector<Column>& columns, const std::vector<Quantity>& errors) {
     std::string text = "<thead><tr><th scope=\"col\" class=\"word\">run</th>";
