@@ -231,7 +231,7 @@ def write_closure(options):
     print(f"alpha = {values['alpha']:.3f}, Smax/sigma0 = {options.stress:g}: NASGRO equation; K_op / K_max at R = 0: {newman(0.0, values['alpha'], options.stress):.4f}")
     if options.paris:
         C, m = options.paris
-        ratios = sorted({round(R, 3) for R in table.columns["R"]})
+        ratios = sorted({round(R, 2) for R in table.columns["R"]})
         rates = [10.0 ** (-7.0 + 0.25 * k) for k in range(17)]  # mm per cycle
         rate_table(ratios, C, m, values["alpha"], options.stress, rates, options.english).write(f"{prefix}-rates.csv")
 
