@@ -24,7 +24,8 @@ p { margin: .3rem 0; max-width: 60rem; }
   align-items: start; }
 .charts > .slides { grid-column: 1 / -1; }
 .slides .charts { margin-top: .5rem; }
-figure { margin: 0; break-inside: avoid; }
+figure { margin: 0; }
+svg, figure:not(.slides) { break-inside: avoid; }
 figcaption { font-size: 13px; overflow-wrap: anywhere; }
 svg { display: block; width: 100%; height: auto; }
 input[type=range] { width: 100%; }

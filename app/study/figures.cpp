@@ -47,13 +47,30 @@ std::optional<double> number_in(const std::string& text) {
 }
 
 bool is_numeric(const Axis& axis) {
-    return std::ranges::all_of(axis.values, [](const std::string& value) { return number_in(value).has_value(); });
+    return std::ranges::all_of(differing_parts(axis.values),
+                               [](const std::string& value) { return number_in(value).has_value(); });
+}
+
+/// What tells a value from the others of its axis.
+std::string part_of(const Axis& axis, const std::string& value) {
+    const auto place = static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
+    return place < axis.values.size() ? differing_parts(axis.values)[place] : value;
 }
 
 /// Where the row stands on an axis: its number, or the place of its word.
 double place_on(const Axis& axis, const std::string& value) {
-    if (is_numeric(axis)) return *number_in(value);
+    if (is_numeric(axis)) return number_in(part_of(axis, value)).value_or(NAN);
     return static_cast<double>(std::ranges::find(axis.values, value) - axis.values.begin());
+}
+
+/// The key; with an ellipsis where the values have more in common than that.
+std::string label_of(const Axis& axis) {
+    const std::string& value = axis.values.front();
+    const std::string part = part_of(axis, value);
+    if (part == value) return axis.key;
+    const std::size_t start = value.find(part);
+    const std::string before = value.substr(0, start), word = before.substr(before.find_last_of("{[, ") + 1);
+    return axis.key + ": " + (word.empty() ? "..." : word + "...");
 }
 
 bool spans_decades(const std::vector<Curve>& curves, std::vector<double> Curve::*coordinate) {
@@ -80,7 +97,7 @@ std::vector<Curve> curves_along(const Report& report, std::size_t along, const N
         if (curve == curves.end()) curve = curves.insert(curves.end(), {.name = name});
         curve->x.push_back(x(row));
         curve->y.push_back(y(row));
-        if (name_points) curve->points.push_back(row.settings[along].value);
+        if (name_points) curve->points.push_back(part_of(report.axes[along], row.settings[along].value));
     }
     return curves;
 }
@@ -100,13 +117,14 @@ void add_along_axes(const Report& report, const std::string& label, const Number
         std::vector<Curve> curves = curves_along(report, k, x, y);
         const bool log_x = !words && spans_decades(curves, &Curve::x);
         const bool log_y = is_size && spans_decades(curves, &Curve::y);
-        figure.charts.push_back(svg(LineChart{.title = label,
-                                              .x_label = axis.key,
-                                              .words = words ? axis.values : std::vector<std::string>(),
-                                              .log_x = log_x,
-                                              .log_y = log_y,
-                                              .from_zero = is_size,
-                                              .curves = std::move(curves)}));
+        figure.charts.push_back(
+            svg(LineChart{.title = label,
+                          .x_label = label_of(axis),
+                          .words = words ? differing_parts(axis.values) : std::vector<std::string>(),
+                          .log_x = log_x,
+                          .log_y = log_y,
+                          .from_zero = is_size,
+                          .curves = std::move(curves)}));
     }
 }
 
@@ -181,10 +199,11 @@ Figure openings(const Report& report) {
                        profiles(report, &Outcome::at_minimum, "Opening at the smallest load, mm")}};
 }
 
-/// The values alone: beside a bar there is no room for keys.
-std::string values_of(const Settings& settings) {
+/// What tells the row from the others, alone: beside a bar there is no room for keys.
+std::string parts_of(const Report& report, const Settings& settings) {
     std::string text;
-    for (const Setting& setting : settings) text += (text.empty() ? "" : ", ") + setting.value;
+    for (std::size_t k = 0; k < settings.size(); ++k)
+        text += (k == 0 ? "" : ", ") + part_of(report.axes[k], settings[k].value);
     return text;
 }
 
@@ -199,7 +218,7 @@ std::string time_by_phase(const Report& report) {
         const Outcome& run = row.outcome;
         const double points = run.value("fine_constitutive"), contact = run.value("fine_contact");
         const double fronts = run.value("fine_factor");
-        chart.bars.push_back({.name = values_of(row.settings),
+        chart.bars.push_back({.name = parts_of(report, row.settings),
                               .lengths = {run.value("mesh") + run.value("setup"), points, contact, fronts,
                                           run.value("exchange") - points - contact - fronts, run.value("coarse_solve"),
                                           run.value("output")}});
