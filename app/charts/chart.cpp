@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <numeric>
 
 #include "app/charts/drawing.hpp"
@@ -127,15 +126,24 @@ std::string dashed_stroke(std::size_t number) {
                        colour_class(number), dashes[number % dashes.size()]);
 }
 
+/// The line ends where a point is missing, and begins anew behind it; a point by itself is a dot.
+std::string strokes_through(const std::vector<Point>& points, const Plane& plane) {
+    std::string path;
+    const auto follows = [&](std::size_t k) { return k > 0 && points[k].number == points[k - 1].number + 1; };
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        path += fmt::format("{}{:.1f} {:.1f}", follows(k) ? 'L' : 'M', plane.x(points[k].x), plane.y(points[k].y));
+        if (!follows(k) && (k + 1 == points.size() || !follows(k + 1))) path += "h1";
+    }
+    return path;
+}
+
 std::string line_through(const Curve& curve, std::size_t number, const std::vector<Point>& points, const Plane& plane) {
-    std::vector<std::string> corners;
-    for (const Point& point : points)
-        corners.push_back(fmt::format("{:.1f},{:.1f}", plane.x(point.x), plane.y(point.y)));
+    const std::string path = strokes_through(points, plane);
     if (curve.filled)
-        return fmt::format("<polygon points=\"{}\" class=\"{}\" stroke=\"currentColor\" fill=\"currentColor\" "
+        return fmt::format("<path d=\"{}z\" class=\"{}\" stroke=\"currentColor\" fill=\"currentColor\" "
                            "fill-opacity=\"0.25\"/>\n",
-                           fmt::join(corners, " "), colour_class(number));
-    return fmt::format("<polyline points=\"{}\" fill=\"none\" {}/>\n", fmt::join(corners, " "), dashed_stroke(number));
+                           path, colour_class(number));
+    return fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", path, dashed_stroke(number));
 }
 
 std::string markers_of(const Curve& curve, std::size_t number, const std::vector<Point>& points, const Plane& plane) {

@@ -8,7 +8,7 @@ namespace stria::charts {
 
 struct Curve {
     std::string name;
-    std::vector<double> x = {}, y = {};    // points with a value that is not finite are left out
+    std::vector<double> x = {}, y = {};    // points with a value that is not finite are left out, and end the line
     bool markers = true;                   // at each point, where there are no more than can be told apart
     bool line = true;                      // from point to point
     bool filled = false;                   // an area: the line closes and bears no marker

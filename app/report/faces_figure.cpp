@@ -20,7 +20,7 @@ constexpr std::size_t most_frames = 30, most_stations = 120, most_cracks = 4;
 constexpr double micrometres = 1e3;
 constexpr double seen = 1e-6;     // of the largest opening: less of slip is rounding
 constexpr double touched = 1e-3;  // of the largest pressure: less has hardly touched
-constexpr double closed = 1e-9;   // mm: an opening below it is rounding
+constexpr double closed = 1e-6;   // mm: an opening below it is rounding
 constexpr double near_tip = 0.15, as_wide = 0.5;
 
 using States = std::vector<FaceState>;
@@ -98,8 +98,9 @@ std::string name_of(const RunRecord& run, const FaceState& state) {
     const auto found = std::ranges::find(increments, state.increment);
     if (found == increments.end()) return fmt::format("increment {}", state.increment);
     const auto row = static_cast<std::size_t>(found - increments.begin());
-    return fmt::format("increment {}: cycle {}, load factor {:.5g}, a = {:.6g} mm", state.increment,
-                       run.history["cycle"][row], run.history["load_factor"][row], run.history["a"][row]);
+    const double a = run.history["a"][row];
+    return fmt::format("increment {}: cycle {}, load factor {:.5g}{}", state.increment, run.history["cycle"][row],
+                       run.history["load_factor"][row], std::isnan(a) ? "" : fmt::format(", a = {:.6g} mm", a));
 }
 
 charts::Sheet sheet_of(const States& states, int crack) {

@@ -17,8 +17,9 @@ namespace {
 using charts::Range;
 using Point = FieldCells::Point;
 
-// Of the largest strain in the picture: what is below the first has hardly flowed.
-constexpr std::array levels = {0.003, 0.03, 0.1, 0.3};
+// Of the largest strain in the picture, and then rounded: what is below the first has hardly flowed.
+constexpr std::array shares = {0.003, 0.03, 0.1, 0.3};
+using Levels = std::array<double, shares.size()>;
 constexpr double flowed = 1e-7;      // strain: less is rounding
 constexpr double room = 0.15;        // about what has flowed, of its extent
 constexpr double open_share = 0.04;  // of the picture's width: the largest displacement in it
@@ -62,6 +63,9 @@ std::vector<std::size_t> cells_in(const FieldCells& field, const Window& window)
     return shown;
 }
 
+/// 1, 2 or 5 times a power of ten, no more than the value.
+double rounded_down(double value) { return charts::log_ticks({value, value}).front(); }
+
 /// Displacement of a picture: less its mean, so large that the crack is seen open.
 struct Warp {
     Point mean{0.0, 0.0};
@@ -82,14 +86,22 @@ Warp warp_of(const FieldCells& field, const std::vector<std::size_t>& shown, dou
     warp.mean = {warp.mean.x / count, warp.mean.y / count};
     for_points([&](Point u) { largest = std::fmax(largest, std::hypot(u.x - warp.mean.x, u.y - warp.mean.y)); });
     const double wanted = open_share * width / largest;
-    if (std::isfinite(wanted)) warp.scale = charts::log_ticks({wanted, wanted}).front();  // a round number
+    if (std::isfinite(wanted)) warp.scale = rounded_down(wanted);
     return warp;
 }
 
+Levels levels_of(const FieldCells& field, const std::vector<std::size_t>& shown) {
+    double largest = flowed;
+    for (const std::size_t cell : shown) largest = std::max(largest, field.strain[cell]);
+    Levels levels;
+    std::ranges::transform(shares, levels.begin(), [&](double share) { return rounded_down(share * largest); });
+    return levels;
+}
+
 /// The class of a strain: 0 has not flowed.
-std::size_t level_of(double strain, double largest) {
+std::size_t class_of(double strain, const Levels& levels) {
     if (strain <= flowed) return 0;
-    return 1 + at(std::ranges::count_if(levels, [&](double level) { return strain > level * largest; }));
+    return 1 + at(std::ranges::count_if(levels, [&](double level) { return strain > level; }));
 }
 
 /// From millimetres to pixels, the same for both directions.
@@ -116,36 +128,36 @@ std::string outline(const FieldCells& field, std::size_t cell, const Warp& warp,
     return text + "z";
 }
 
-std::string legend(double largest, double y) {
+std::string legend_of(const Levels& levels, double y) {
     std::string text;
     double x = charts::left;
-    for (std::size_t level = 1; level <= levels.size() + 1; ++level) {
+    for (std::size_t number = 1; number <= levels.size() + 1; ++number) {
         text += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"11\" class=\"l{}\" "
                             "fill=\"currentColor\"/>\n",
-                            x, y - 9.0, level);
-        const std::string name = level == 1 ? fmt::format("&lt; {:.2g}", levels[0] * largest)
-                                            : fmt::format("&gt; {:.2g}", levels[level - 2] * largest);
-        text += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n", x + 18.0, y, name);
+                            x, y - 9.0, number);
+        const std::string name =
+            number == 1 ? fmt::format("< {:g}", levels[0]) : fmt::format("> {:g}", levels[number - 2]);
+        text += charts::text_at(x + 18.0, y, "start", name);
         x += 78.0;
     }
     return text;
 }
 
 /// The cells of each level as one path, in a frame that cuts off what sticks out of the window.
-std::string paths(const FieldCells& field, const std::vector<std::size_t>& shown, const Warp& warp, double largest,
-                  const Plan& plan) {
-    std::array<std::string, levels.size() + 2> outlines;
+std::string paths(const FieldCells& field, const std::vector<std::size_t>& shown, const Warp& warp,
+                  const Levels& levels, const Plan& plan) {
+    std::array<std::string, shares.size() + 2> outlines;
     for (const std::size_t cell : shown)
-        outlines[level_of(field.strain[cell], largest)] += outline(field, cell, warp, plan);
+        outlines[class_of(field.strain[cell], levels)] += outline(field, cell, warp, plan);
     const double top = plan.y(plan.y.ticks().back()), tall = plan.y(plan.y.ticks().front()) - top;
     std::string text = fmt::format("<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
                                    "viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\">\n",
                                    charts::left, top, picture_width, tall);
-    for (std::size_t level = 0; level < outlines.size(); ++level)
-        if (!outlines[level].empty())
+    for (std::size_t number = 0; number < outlines.size(); ++number)
+        if (!outlines[number].empty())
             text += fmt::format("<path class=\"l{0}\" d=\"{1}\" fill=\"currentColor\" stroke=\"currentColor\" "
                                 "stroke-width=\"0.3\"/>\n",
-                                level, outlines[level]);
+                                number, outlines[number]);
     return text + "</svg>\n";
 }
 
@@ -155,15 +167,14 @@ std::string picture(const FieldCells& field) {
     const Plan plan = plan_of(window);
     const std::vector<std::size_t> shown = cells_in(field, window);
     const Warp warp = warp_of(field, shown, window.x.high - window.x.low);
-    double largest = 0.0;
-    for (const std::size_t cell : shown) largest = std::max(largest, field.strain[cell]);
-    std::string body = paths(field, shown, warp, largest, plan);
+    const Levels levels = levels_of(field, shown);
+    std::string body = paths(field, shown, warp, levels, plan);
     const double bottom = plan.y(window.y.low);
     const std::vector<std::string> labels = charts::tick_labels(plan.x.ticks());
     for (std::size_t k = 0; k < labels.size(); ++k)
         body += charts::text_at(plan.x(plan.x.ticks()[k]), bottom + 15.0, "middle", labels[k]);
     body += charts::text_at(charts::left + 0.5 * picture_width, bottom + 31.0, "middle", "x, mm");
-    body += legend(largest, bottom + 52.0);
+    body += legend_of(levels, bottom + 52.0);
     const std::string title =
         fmt::format("Cycle {}, load factor {:.4g}, displacement x {:g}", field.cycle, field.load_factor, warp.scale);
     return charts::framed(title, bottom + 62.0, body);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/charts/bar_chart.hpp"
 #include "app/charts/sheet.hpp"
+#include "app/report/time_chart.hpp"
 
 namespace stria::report {
 
@@ -141,17 +141,10 @@ Figure convergence(const RunRecord& run, const Rows& rows) {
     return figure;
 }
 
-/// Phases that do not overlap; points, contact and fronts are parts of what the structure waits for.
 Figure timing(const RunRecord& run) {
-    const auto phase = [&](const char* name) { return run.summary.number(std::string("timing.") + name); };
-    const double points = phase("fine_constitutive"), contact = phase("fine_contact"), fronts = phase("fine_factor");
-    charts::BarChart chart{.title = "Time by phase",
-                           .x_label = "s",
-                           .parts = {"setup", "points", "contact", "fronts", "wire", "coarse solve", "output"}};
+    charts::BarChart chart = time_chart("Time by phase");
     chart.bars.push_back(
-        {.name = "this run",
-         .lengths = {phase("mesh") + phase("setup"), points, contact, fronts,
-                     phase("exchange") - points - contact - fronts, phase("coarse_solve"), phase("output")}});
+        time_bar("this run", [&](const std::string& phase) { return run.summary.number("timing." + phase); }));
     Sheet sheet{.name = "timing"};
     for (const auto& [name, value] : run.summary.numbers)
         if (name.starts_with("timing.")) sheet.columns.push_back({name.substr(7), {value}});

@@ -18,6 +18,7 @@ void try_report(const RunOptions& options) {
     if (!options.report || !std::filesystem::exists(folder / "history.csv")) return;
     try {
         write_report(folder);
+        if (!options.quiet) fmt::print("page in {}/report.html\n", options.output_directory);
     } catch (const std::exception& problem) {
         fmt::print(stderr, "warning: no report.html: {}\n", problem.what());
     }

@@ -47,15 +47,19 @@ std::string sentence_on_opening_loads(const RunRecord& run) {
          std::ranges::none_of(run.input->cracks, [](const CrackSection& crack) { return crack.contact.has_value(); })))
         return "";
     const auto lost = std::ranges::count_if(run.cycles["K_op"], [](double K) { return std::isnan(K); });
-    return lost > 0 ? fmt::format("{} cycles have no K_op: closed all cycle, or no trial equilibrium tells it.", lost)
-                    : "";
+    return lost > 0
+               ? fmt::format("{} rows of cycles.csv have no K_op: closed all cycle, or no trial equilibrium tells it.",
+                             lost)
+               : "";
 }
 
 std::string sentence_on_balance(const RunRecord& run) {
-    const double error = std::abs(last_of(run.history, "balance_error"));
-    const double work = std::abs(last_of(run.history, "external_work"));
-    return error > large_error * work
-               ? fmt::format("The work balance is open by {:.2g} % of the work of the loads.", 100.0 * error / work)
+    if (!run.history.columns.contains("external_work")) return "";
+    double most = 0.0;
+    for (const double work : run.history["external_work"]) most = std::fmax(most, std::abs(work));
+    const double share = std::abs(last_of(run.history, "balance_error")) / most;
+    return share > large_error
+               ? fmt::format("The work balance is open by {:.2g} % of the largest work of the loads.", 100.0 * share)
                : "";
 }
 

@@ -19,6 +19,16 @@ std::string text_of(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+void require_columns(const NumberTable& table, const std::filesystem::path& path,
+                     std::initializer_list<const char*> names) {
+    if (table.columns.empty())
+        throw CaseError(fmt::format("{} holds no run: there is no {} in it", path.parent_path().string(),
+                                    path.filename().string()));
+    for (const char* name : names)
+        if (!table.columns.contains(name))
+            throw CaseError(fmt::format("{} is no table of a run: it has no column {}", path.string(), name));
+}
+
 /// An older version may have written it, or its spectrum may lie elsewhere: a report can do without.
 std::optional<Case> read_back(const std::filesystem::path& path) {
     try {
@@ -51,9 +61,9 @@ RunRecord read_run(const std::filesystem::path& folder) {
     RunRecord run;
     run.folder = folder;
     run.history = read_table(folder / "history.csv");
-    if (run.history.columns.empty())
-        throw CaseError(fmt::format("{} holds no run: there is no history.csv in it", folder.string()));
+    require_columns(run.history, folder / "history.csv", {"increment", "cycle", "load_factor", "tip", "a"});
     run.cycles = read_table(folder / "cycles.csv");
+    if (!run.cycles.columns.empty()) require_columns(run.cycles, folder / "cycles.csv", {"cycle", "tip"});
     run.resolved = text_of(folder / "case.resolved.toml");
     run.input = read_back(folder / "case.resolved.toml");
     run.summary = read_json(folder / "summary.json");

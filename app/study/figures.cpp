@@ -8,15 +8,14 @@
 #include <functional>
 #include <optional>
 
-#include "app/charts/bar_chart.hpp"
 #include "app/charts/chart.hpp"
 #include "app/charts/drawing.hpp"
+#include "app/report/time_chart.hpp"
 
 namespace stria::study {
 
 namespace {
 
-using charts::BarChart;
 using charts::Curve;
 using charts::Figure;
 using charts::LineChart;
@@ -207,22 +206,13 @@ std::string parts_of(const Report& report, const Settings& settings) {
     return text;
 }
 
-/// Phases of the total that do not overlap; a part of `exchange` is the zone's work, the rest waiting and the wire.
 std::string time_by_phase(const Report& report) {
     std::string keys;
     for (const Axis& axis : report.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
-    BarChart chart{.title = "Time by phase for " + keys,
-                   .x_label = "s",
-                   .parts = {"setup", "points", "contact", "fronts", "wire", "coarse solve", "output"}};
-    for (const Row& row : report.rows) {
-        const Outcome& run = row.outcome;
-        const double points = run.value("fine_constitutive"), contact = run.value("fine_contact");
-        const double fronts = run.value("fine_factor");
-        chart.bars.push_back({.name = parts_of(report, row.settings),
-                              .lengths = {run.value("mesh") + run.value("setup"), points, contact, fronts,
-                                          run.value("exchange") - points - contact - fronts, run.value("coarse_solve"),
-                                          run.value("output")}});
-    }
+    charts::BarChart chart = report::time_chart("Time by phase for " + keys);
+    for (const Row& row : report.rows)
+        chart.bars.push_back(report::time_bar(parts_of(report, row.settings),
+                                              [&](const std::string& phase) { return row.outcome.value(phase); }));
     return svg(chart);
 }
 

@@ -114,7 +114,17 @@ TEST(Chart, FramesShareTheirAxesAndOneOfThemIsShown) {
     EXPECT_EQ(occurrences(text, "class=\"frame\" data-k=\"0\""), 1);
     EXPECT_EQ(occurrences(text, "class=\"frame shown\" data-k=\"1\""), 1);
     EXPECT_EQ(occurrences(text, ">10</text>"), 1);
-    EXPECT_EQ(occurrences(text, "446.0,230.0"), 1);  // the lower one reaches a tenth of the height
+    EXPECT_EQ(occurrences(text, "446.0 230.0"), 1);  // the lower one reaches a tenth of the height
+}
+
+TEST(Chart, LinesEndWhereAPointIsMissing) {
+    const Curve curve{.name = "", .x = {0, 1, 2, 3, 4, 5}, .y = {1, 1, NAN, 1, NAN, 1}, .markers = false};
+    const std::string text = svg(LineChart{.title = "t", .curves = {curve}});
+    const std::size_t start = text.rfind("<path d=\"");
+    const std::string path = text.substr(start, text.find("fill", start) - start);
+    EXPECT_EQ(occurrences(path, "M"), 3);
+    EXPECT_EQ(occurrences(path, "L"), 1);
+    EXPECT_EQ(occurrences(path, "h1"), 2);  // points by themselves
 }
 
 TEST(Chart, CurvesOfManyPointsBearNoMarkers) {

@@ -108,9 +108,9 @@ TEST(Report, NumbersAreThoseOfTheTablesToTheLastDigit) {
 
 TEST(Report, GrowthRatesAreSecantsAtTheMeanOfTheirRanges) {
     const test::TemporaryFolder folder;
-    std::ofstream(folder / "history.csv") << "increment,tip\n";
-    std::ofstream(folder / "cycles.csv") << "tip,a,da,dN,K_max,K_min,dK_eff\n"
-                                            "0,10,0,0,300,-30,200\n1,5,0,0,9,9,9\n0,10.5,0.5,1000,310,10,220\n";
+    std::ofstream(folder / "history.csv") << "increment,cycle,load_factor,tip,a\n";
+    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n"
+                                            "1,0,10,0,0,300,-30,200\n1,1,5,0,0,9,9,9\n2,0,10.5,0.5,1000,310,10,220\n";
     const charts::Sheet rates = growth_rates(read_run(folder / ""), 0);
     EXPECT_EQ(rates["a"], (std::vector<double>{10.25}));
     EXPECT_EQ(rates["dadN"], (std::vector<double>{0.0005}));
@@ -179,6 +179,8 @@ TEST(Report, SaysFirstWhatTheReaderHasToKnow) {
 
 TEST(Report, AFolderWithoutARunIsASentence) {
     const test::TemporaryFolder folder;
+    EXPECT_THROW(write_report(folder / ""), CaseError);
+    std::ofstream(folder / "history.csv") << "increment,J\n1,2\n";
     EXPECT_THROW(write_report(folder / ""), CaseError);
 }
 
