@@ -31,8 +31,9 @@ std::string sentence_on_status(const RunRecord& run) {
     const double increment = last_of(run.history, "increment");
     const std::string until =
         std::isnan(increment) ? "no increment yet" : fmt::format("results up to increment {}", increment);
-    return status == "not ended" ? "The run has not ended, or was cut off: " + until + "."
-                                 : fmt::format("The run is {}: {}.", status, until);
+    if (status == "failed") return "The run has failed: " + until + ".";
+    if (status == "interrupted") return "The run was interrupted: " + until + ".";
+    return "The run has not ended, or was cut off: " + until + ".";
 }
 
 /// "n increments ..." where the summary counts any.

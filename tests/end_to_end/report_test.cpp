@@ -63,6 +63,20 @@ TEST_F(ReportOfARun, IsTheSameMadeAgain) {
     EXPECT_NE(said().find("holds no run"), std::string::npos) << said();
 }
 
+TEST_F(ReportOfARun, IsMadeWhereTheNumbersFail) {
+    ASSERT_EQ(run({"--set", "material.yield_stress=100", "--set", "solver.max_iterations=2", "--set",
+                   "solver.max_cuts=0", "--set", "load.steps=8"}),
+              3)
+        << said();
+    EXPECT_NE(page().find("The run has failed"), std::string::npos);
+}
+
+TEST_F(ReportOfARun, IsMadeOfComponentsStartedByHand) {
+    std::ofstream(folder / "case.toml") << growing_plate;
+    ASSERT_EQ(run_program("stria-coarse", {folder / "case.toml", "-o", folder / "out"}, folder / "log"), 0) << said();
+    EXPECT_NE(page().find("A plate that breaks"), std::string::npos);
+}
+
 TEST_F(ReportOfARun, IsLeftOutOnRequestAndMadeOfAnUnfinishedRun) {
     ASSERT_EQ(run({"--no-report"}), 0) << said();
     EXPECT_FALSE(std::filesystem::exists(folder / "out/report.html"));

@@ -10,7 +10,9 @@
 
 #include "app/report/cycle_figures.hpp"
 #include "app/report/face_states.hpp"
+#include "app/report/field_picture.hpp"
 #include "app/report/report_page.hpp"
+#include "coarse/fields/vtk_files.hpp"
 #include "common/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -170,11 +172,55 @@ TEST(Report, SaysFirstWhatTheReaderHasToKnow) {
         << R"({"status": "failed", "flowing_rings": 3, "yield_warnings": 0, "warnings": ["tip 0: a <sentence>"]})";
     const std::vector<std::string> warnings = warnings_of(read_run(folder / ""));
     ASSERT_EQ(warnings.size(), 3);
-    EXPECT_EQ(warnings[0], "The run is failed: results up to increment 40.");
+    EXPECT_EQ(warnings[0], "The run has failed: results up to increment 40.");
     EXPECT_EQ(warnings[1], "tip 0: a <sentence>");
     EXPECT_EQ(warnings[2].substr(0, 12), "3 increments");
     const std::string page = page_of(read_run(folder / ""));
     EXPECT_LT(page.find("a &lt;sentence&gt;"), page.find("<svg"));
+}
+
+TEST(Report, WarnsOfAWorkBalanceThatIsOpenBesideTheLargestWork) {
+    const test::TemporaryFolder folder;
+    const auto warns = [&](const char* error) {
+        std::ofstream(folder / "history.csv")
+            << "increment,cycle,load_factor,tip,a,external_work,balance_error\n1,0,1,0,5,-200,0\n2,1,0,0,5,0.1,"
+            << error << '\n';
+        std::ofstream(folder / "summary.json") << R"({"status": "done"})";
+        return !warnings_of(read_run(folder / "")).empty();
+    };
+    EXPECT_TRUE(warns("-2.1"));
+    EXPECT_FALSE(warns("1.9"));
+}
+
+/// Two squares of 1 mm, one above the other; they part at y = 1 by 0.002 mm.
+coarse::FieldData opened_pair(double strain) {
+    coarse::FieldData data;
+    for (const double y : {0.0, 1.0, 1.0, 2.0})
+        for (const double x : {0.0, 1.0}) data.points.emplace_back(x, y, 0.0);
+    coarse::FieldArray displacement{"displacement", 3, {}};
+    for (int point = 0; point < 8; ++point)
+        displacement.values.insert(displacement.values.end(), {0.0, point < 4 ? -0.001 : 0.001, 0.0});
+    data.add_cell(coarse::CellType::Quad, {0, 1, 3, 2});
+    data.add_cell(coarse::CellType::Quad, {4, 5, 7, 6});
+    data.point_arrays = {displacement};
+    data.cell_arrays = {{"accumulated_plastic_strain", 1, {strain, 0.0}}};
+    data.whole_arrays = {{"load_factor", 1, {50.0}}, {"cycle", 1, {7.0}}};
+    return data;
+}
+
+TEST(Report, DrawsWhatHasFlowedWithTheCrackOpen) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "fields");
+    coarse::write_vtkhdf(folder / "fields/step_00001.hdf", opened_pair(0.0));
+    coarse::write_vtkhdf(folder / "fields/step_00002.hdf", opened_pair(0.02));
+    write_long_run(folder, 2, 2);
+    const std::vector<std::string> charts = field_picture(read_run(folder / "")).charts;
+    ASSERT_EQ(charts.size(), 2);
+    EXPECT_EQ(charts[0], "");  // nothing has flowed
+    EXPECT_EQ(count(charts[1], "<title>Cycle 7, load factor 50, displacement x 50</title>"), 1);
+    EXPECT_EQ(count(charts[1], "<path class=\"l5\""), 1);
+    EXPECT_EQ(count(charts[1], "<path class=\"l0\""), 1);
+    EXPECT_EQ(count(charts[1], "&gt; 0.005"), 1);  // 30 % of 0.02, rounded down
 }
 
 TEST(Report, AFolderWithoutARunIsASentence) {
