@@ -55,7 +55,7 @@ tr.bad td { background-color: var(--alarm); }
 }
 )";
 
-// Moves the sliders; a page without a script shows the first frame.
+// Moves the sliders; without scripts a page shows one frame.
 constexpr const char* script = R"(
 for (const figure of document.querySelectorAll('.slides')) {
   const slider = figure.querySelector('input');
