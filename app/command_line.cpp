@@ -23,6 +23,7 @@ void add_manners(CLI::App& app, RunOptions& options) {
     app.add_flag("--force", options.force, "Write into a folder that holds results");
     app.add_flag("--quiet", options.quiet, "Say nothing but errors");
     app.add_flag("--verbose", options.verbose, "Say more");
+    app.add_flag("!--no-report", options.report, "Write no report.html");
 }
 
 void add_run_options(CLI::App& app, RunOptions& options) {
@@ -62,11 +63,15 @@ void add_study_options(CLI::App& app, study::StudyOptions& options) {
     add_manners(app, options.run);
 }
 
-/// Words of the command line that have a meaning, but not yet: nothing is ever silently ignored.
-void add_not_yet(CLI::App& app) {
-    app.add_subcommand("report", "Not in this version")->prefix_command()->callback([] {
-        throw CaseError("report is not in this version");
-    });
+void add_report_options(CLI::App& app, RunOptions& options) {
+    app.add_option("folder", options.output_directory, "The folder of a run, ended or not")
+        ->required()
+        ->type_name("DIR");
+    app.add_flag("--quiet", options.quiet, "Say nothing but errors");
+}
+
+/// A word that belongs to the script: nothing is ever silently ignored.
+void add_test(CLI::App& app) {
     app.add_subcommand("test", "Build and run the tests: a command of the script ./stria alone")
         ->prefix_command()
         ->callback([] { throw CaseError("test is a command of the script ./stria at the top of the source tree"); });
@@ -114,7 +119,9 @@ std::optional<Command> parse_stria(int argc, const char* const* argv) {
     CLI::App* explain = app.add_subcommand("explain", "Explain a key of the case file, or all");
     explain->add_option("key", command.key, "A key such as material.young, or a section");
     explain->add_flag("--markdown", command.markdown, "The whole reference as docs/case-reference.md has it");
-    add_not_yet(app);
+    CLI::App* report = app.add_subcommand("report", "Write report.html anew from the files of a run");
+    add_report_options(*report, command.run);
+    add_test(app);
     check_command(app, argc, argv);
     if (!parse(app, argc, argv)) return std::nullopt;
     command.name = app.get_subcommands().front()->get_name();

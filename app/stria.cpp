@@ -1,6 +1,7 @@
 // The program `stria`: the commands a user types.
 #include "app/command_line.hpp"
 #include "app/process/exit_code.hpp"
+#include "app/report/report.hpp"
 #include "app/run/check.hpp"
 #include "app/run/launch.hpp"
 #include "app/run/run.hpp"
@@ -13,9 +14,17 @@ namespace {
 
 int run(stria::RunOptions options) {
     stria::claim_output_directory(options);
-    if (options.mode != "mpi") return stria::run_in_process(options);
-    options.force = true;  // the folder is ours now
-    return stria::launch(options);
+    return stria::report::with_report(options, [&] {
+        if (options.mode != "mpi") return stria::run_in_process(options);
+        options.force = true;  // the folder is ours now
+        return stria::launch(options);
+    });
+}
+
+int report(const stria::RunOptions& options) {
+    stria::report::write_report(options.output_directory);
+    if (!options.quiet) fmt::print("{}/report.html\n", options.output_directory);
+    return stria::Done;
 }
 
 int explain(const stria::Command& command) {
@@ -28,6 +37,7 @@ int work(int argc, const char* const* argv) {
     if (!command) return stria::Done;
     if (command->name == "check") return stria::check(command->run);
     if (command->name == "study") return stria::study::run_study(command->study);
+    if (command->name == "report") return report(command->run);
     if (command->name == "explain") return explain(*command);
     return run(command->run);
 }

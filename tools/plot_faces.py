@@ -43,12 +43,15 @@ def draw(folder, picture, crack, amplification, zoom):
     s_max, opening_max, _ = faces_at(folder, by_load[largest], crack)
     s_min, opening_min, pressure = faces_at(folder, by_load[smallest], crack)
     tip = s_min[-1]
+    # Behind a machined notch faces are written, and drawn, from its end on.
+    mouth = s_min[0] if s_min[0] > 0.1 * tip else 0.0
+    zoom = min(zoom, 0.5 * (tip - mouth))
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.7), constrained_layout=True)
     draw_faces(left, s_max, opening_max, amplification, blue, f"largest load ({largest:g})")
     draw_faces(left, s_min, opening_min, amplification, red, f"smallest load ({smallest:g})")
     top = amplification * max(opening_max) / 2.0
-    left.set(xlim=(0.0, 1.28 * tip), ylim=(-2.35 * top, 1.7 * top), xlabel="arc length from the mouth, mm", yticks=[])
+    left.set(xlim=(mouth, tip + 0.28 * (tip - mouth)), ylim=(-2.35 * top, 1.7 * top), xlabel="arc length from the mouth, mm", yticks=[])
     left.set_title(f"crack faces, opening x {amplification:g}", fontsize=10)
     left.spines["left"].set_visible(False)
     left.legend(loc="upper left")
@@ -61,7 +64,7 @@ def draw(folder, picture, crack, amplification, zoom):
     inset.axhline(0.0, color="0.8", lw=0.6, zorder=0)
 
     right.plot(s_min, pressure, color=red, lw=1.8)
-    right.set(xlim=(0.0, tip), ylim=(-0.03 * max(pressure), 1.15 * max(pressure)), xlabel="arc length from the mouth, mm")
+    right.set(xlim=(mouth, tip), ylim=(-0.03 * max(pressure), 1.15 * max(pressure)), xlabel="arc length from the mouth, mm")
     right.set_ylabel("contact pressure, MPa", color=red)
     right.tick_params(axis="y", colors=red)
     right.set_title(f"smallest load ({smallest:g})", fontsize=10)
@@ -74,7 +77,7 @@ def draw(folder, picture, crack, amplification, zoom):
     edge = max((s for s, p in zip(s_min, pressure) if p > 0.0), default=None)
     if edge is not None:
         right.axvline(edge, color="0.6", lw=0.9, ls=(0, (4, 3)))
-        right.text(edge - 0.25, 0.05 * max(pressure), f"closed up to {edge:.2f} mm", ha="right", color="0.35")
+        right.text(edge - 0.0125 * (tip - mouth), 0.05 * max(pressure), f"closed up to {edge:.2f} mm", ha="right", color="0.35")
     figure.savefig(picture, dpi=140)
 
 

@@ -29,6 +29,14 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
     summary.work.history_moves = fine.history_moves();
 }
 
+/// "life N = 264000 cycles, a = 13 mm"; empty before the first cycle has ended, and where the crack does not grow.
+std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
+    const coarse::Scene& scene = analysis.structure().scene();
+    if (!scene.input.growth || N == 0.0 || analysis.nominal().empty()) return "";
+    return fmt::format("{}N = {:.6g} cycles, a = {:.6g} mm", analysis.life_is_over() ? "life " : "", N,
+                       analysis.nominal().front().a);
+}
+
 }  // namespace
 
 coarse::Scene scene_of(const RunOptions& options, const Case& input) {
@@ -90,7 +98,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     };
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
         recorder->record(increment, structure, running->closure());
-        progress_.accepted(increment);
+        progress_.accepted(increment, recorder->N());
     };
     listener.reached = [&](const coarse::LoadStep& step) {
         if (running->finished()) return true;  // that one is written with the summary
@@ -130,7 +138,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     // Last of all: who resumes what is cut off before this line comes here again.
     if (done) write_checkpoint(analysis, *recorder);
     if (done)
-        progress_.finished(directory_.string(), seconds());
+        progress_.finished(directory_.string(), seconds(), cycles_passed(analysis, recorder->N()));
     else
         progress_.note(fmt::format("interrupted: {}; --resume goes on from there", last_checkpoint()));
     return done ? Done : Interrupted;
@@ -185,6 +193,8 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
                       .output = output,
                       .checkpoint = checkpoint_s_,
                       .total = seconds()};
+    summary.N = recorder.N();
+    if (analysis.life_is_over()) summary.life = summary.N;
     summary.last = recorder.last_rows();
     summary.warnings = warnings_;
     write_json(directory_ / "summary.json", coarse::to_json(summary));

@@ -87,6 +87,7 @@ void append_common_options(const RunOptions& options, std::vector<std::string>& 
 std::vector<std::string> component_command(const RunOptions& options, const std::string& program) {
     std::vector<std::string> command = {program};
     append_common_options(options, command);
+    command.emplace_back("--no-report");  // who starts the components writes it, whatever becomes of them
     return command;
 }
 
@@ -194,6 +195,7 @@ int launch_logged(const RunOptions& options, const std::string& log) {
     std::vector<std::string> command = {programs_folder() + "/stria", "run"};
     append_common_options(options, command);
     command.insert(command.end(), {"--mode", options.mode, "--fine", std::to_string(options.fine_ranks)});
+    if (!options.report) command.emplace_back("--no-report");
     try {
         return wait_for(start(command, log.c_str()));
     } catch (const ComponentLost&) {

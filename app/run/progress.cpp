@@ -29,15 +29,16 @@ void Progress::attempted(const coarse::LoadStep& step, const coarse::NewtonRepor
     std::fflush(stdout);
 }
 
-void Progress::accepted(const coarse::Increment& increment) {
+void Progress::accepted(const coarse::Increment& increment, double N) {
     ++done_;
     if (quiet_) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const double left = elapsed / (done_ - done_before_) * std::max(0, increments_ - done_);
     const double a = increment.tips.empty() ? 0.0 : increment.tips.front().a;
     const std::string line = fmt::format(
-        "increment {:4}  cycle {:4}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  {:6.1f} s left",
-        increment.number, increment.step.cycle, increment.load_factor, a, increment.newton.count(), elapsed, left);
+        "increment {:4}  cycle {:4}  N {:9.6g}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  "
+        "{:6.1f} s left",
+        increment.number, increment.step.cycle, N, increment.load_factor, a, increment.newton.count(), elapsed, left);
     if (terminal_) {
         fmt::print("\r{}", line);
         live_ = true;
@@ -47,10 +48,10 @@ void Progress::accepted(const coarse::Increment& increment) {
     std::fflush(stdout);
 }
 
-void Progress::finished(const std::string& directory, double seconds) {
+void Progress::finished(const std::string& directory, double seconds, const std::string& passed) {
     if (quiet_) return;
     end_live_line();
-    fmt::print("done in {:.1f} s: results in {}\n", seconds, directory);
+    fmt::print("done in {:.1f} s: {}{}results in {}\n", seconds, passed, passed.empty() ? "" : "; ", directory);
     std::fflush(stdout);
 }
 

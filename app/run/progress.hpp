@@ -17,8 +17,10 @@ public:
     /// The run goes on after this increment.
     void resumed(int increment) { done_before_ = done_ = increment; }
     void attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report);
-    void accepted(const coarse::Increment& increment);
-    void finished(const std::string& directory, double seconds);
+    /// `N`: cycles so far, with all that the computed ones stand for.
+    void accepted(const coarse::Increment& increment, double N);
+    /// `passed`: what the run has come to, in words; may be empty.
+    void finished(const std::string& directory, double seconds, const std::string& passed);
 
 private:
     void end_live_line();

@@ -1,6 +1,8 @@
 #include "app/run/run_files.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace stria {
@@ -15,10 +17,17 @@ void collect(const nlohmann::json& object, const std::string& prefix, JsonObject
             into.numbers[prefix + key] = value.get<double>();
         else if (value.is_string())
             into.words[prefix + key] = value.get<std::string>();
+        else if (value.is_array() && std::ranges::all_of(value, [](const auto& item) { return item.is_string(); }))
+            into.lists[prefix + key] = value.get<std::vector<std::string>>();
     }
 }
 
 }  // namespace
+
+double JsonObject::number(const std::string& path) const {
+    const auto found = numbers.find(path);
+    return found != numbers.end() ? found->second : std::numeric_limits<double>::quiet_NaN();
+}
 
 JsonObject read_json(const std::filesystem::path& path) {
     JsonObject object;

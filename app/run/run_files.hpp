@@ -1,16 +1,22 @@
-// The files of a run read back: summary.json as numbers and words by their path.
+// The files of a run read back: summary.json as numbers, words and lists of words by their path.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace stria {
 
-/// The members of a JSON object; those of objects within it as "timing.setup". Lists and null are left out.
+/// The members of a JSON object; those of objects within it as "timing.setup". Lists of anything but words and null are
+/// left out.
 struct JsonObject {
     std::map<std::string, double> numbers;
     std::map<std::string, std::string> words;
+    std::map<std::string, std::vector<std::string>> lists;
+
+    /// NaN where it is missing.
+    [[nodiscard]] double number(const std::string& path) const;
 };
 
 /// Empty where there is no such file or it holds no JSON object.

@@ -15,6 +15,7 @@ struct RunOptions {
     bool resume = false;  // go on from its checkpoint
     bool quiet = false;
     bool verbose = false;
+    bool report = true;                  // report.html at the end
     std::vector<std::string> overrides;  // key=value
 };
 

@@ -9,13 +9,15 @@
 #include <optional>
 
 #include "app/charts/chart.hpp"
+#include "app/charts/drawing.hpp"
+#include "app/report/time_chart.hpp"
 
 namespace stria::study {
 
 namespace {
 
-using charts::BarChart;
 using charts::Curve;
+using charts::Figure;
 using charts::LineChart;
 using charts::svg;
 
@@ -44,13 +46,30 @@ std::optional<double> number_in(const std::string& text) {
 }
 
 bool is_numeric(const Axis& axis) {
-    return std::ranges::all_of(axis.values, [](const std::string& value) { return number_in(value).has_value(); });
+    return std::ranges::all_of(differing_parts(axis.values),
+                               [](const std::string& value) { return number_in(value).has_value(); });
+}
+
+/// What tells a value from the others of its axis.
+std::string part_of(const Axis& axis, const std::string& value) {
+    const auto place = static_cast<std::size_t>(std::ranges::find(axis.values, value) - axis.values.begin());
+    return place < axis.values.size() ? differing_parts(axis.values)[place] : value;
 }
 
 /// Where the row stands on an axis: its number, or the place of its word.
 double place_on(const Axis& axis, const std::string& value) {
-    if (is_numeric(axis)) return *number_in(value);
+    if (is_numeric(axis)) return number_in(part_of(axis, value)).value_or(NAN);
     return static_cast<double>(std::ranges::find(axis.values, value) - axis.values.begin());
+}
+
+/// The key; with an ellipsis where the values have more in common than that.
+std::string label_of(const Axis& axis) {
+    const std::string& value = axis.values.front();
+    const std::string part = part_of(axis, value);
+    if (part == value) return axis.key;
+    const std::size_t start = value.find(part);
+    const std::string before = value.substr(0, start), word = before.substr(before.find_last_of("{[, ") + 1);
+    return axis.key + ": " + (word.empty() ? "..." : word + "...");
 }
 
 bool spans_decades(const std::vector<Curve>& curves, std::vector<double> Curve::*coordinate) {
@@ -66,7 +85,8 @@ bool spans_decades(const std::vector<Curve>& curves, std::vector<double> Curve::
 }
 
 /// Points in the order of the axis `along`, a curve for each combination of the other axes.
-std::vector<Curve> curves_along(const Report& report, std::size_t along, const Number& x, const Number& y) {
+std::vector<Curve> curves_along(const Report& report, std::size_t along, const Number& x, const Number& y,
+                                bool name_points = false) {
     std::vector<Curve> curves;
     for (const Row& row : report.rows) {
         Settings others = row.settings;
@@ -76,6 +96,7 @@ std::vector<Curve> curves_along(const Report& report, std::size_t along, const N
         if (curve == curves.end()) curve = curves.insert(curves.end(), {.name = name});
         curve->x.push_back(x(row));
         curve->y.push_back(y(row));
+        if (name_points) curve->points.push_back(part_of(report.axes[along], row.settings[along].value));
     }
     return curves;
 }
@@ -95,36 +116,64 @@ void add_along_axes(const Report& report, const std::string& label, const Number
         std::vector<Curve> curves = curves_along(report, k, x, y);
         const bool log_x = !words && spans_decades(curves, &Curve::x);
         const bool log_y = is_size && spans_decades(curves, &Curve::y);
-        figure.charts.push_back(svg(LineChart{.title = label,
-                                              .x_label = axis.key,
-                                              .words = words ? axis.values : std::vector<std::string>(),
-                                              .log_x = log_x,
-                                              .log_y = log_y,
-                                              .from_zero = is_size,
-                                              .curves = std::move(curves)}));
+        figure.charts.push_back(
+            svg(LineChart{.title = label,
+                          .x_label = label_of(axis),
+                          .words = words ? differing_parts(axis.values) : std::vector<std::string>(),
+                          .log_x = log_x,
+                          .log_y = log_y,
+                          .from_zero = is_size,
+                          .curves = std::move(curves)}));
     }
 }
 
+/// Of all variants that have one, from 0; NaN where none has.
+double largest_error(const Report& report, const std::string& result) {
+    double largest = NAN;
+    for (const Row& row : report.rows) largest = std::fmax(largest, row.error(result));
+    return largest;
+}
+
+/// Errors at the level of rounding are said to be that: a curve through them would look like a result.
 Figure error_against_time(const Report& report) {
     Figure figure{.title = "Error against time",
-                  .sentence = "Relative errors; nothing is shown of a variant that is its own reference."};
-    for (const Quantity& result : results()) {
-        std::vector<Curve> curves = curves_along(report, 0, value_of("total"), error_of(result.name));
-        figure.charts.push_back(svg(LineChart{.title = fmt::format("Error of {}", result.name),
-                                              .x_label = "total time, s",
-                                              .log_x = true,
-                                              .log_y = true,
-                                              .curves = std::move(curves)}));
+                  .sentence = "Relative errors, each with its variant; nothing is shown of a variant that is its own "
+                              "reference."};
+    std::string rounded;
+    for (const auto& group : {results(), endings()}) {
+        for (const Quantity& result : group) {
+            const double largest = largest_error(report, result.name);
+            if (largest <= rounding) {
+                rounded += fmt::format("{}{} ({:.1g})", rounded.empty() ? "" : ", ", result.name, largest);
+                continue;
+            }
+            LineChart chart{.title = fmt::format("Error of {}", result.name),
+                            .x_label = "total time, s",
+                            .log_x = true,
+                            .log_y = true,
+                            .curves = curves_along(report, 0, value_of("total"), error_of(result.name), true)};
+            figure.charts.push_back(svg(chart));
+        }
     }
+    if (!rounded.empty())
+        figure.tables = charts::escaped(fmt::format("Equal to rounding, with the largest error: {}.", rounded));
     return figure;
 }
 
 Figure results_along_axes(const Report& report) {
-    Figure figure{.title = "Results",
+    Figure figure{.title = "Results at the extremes of the load",
                   .sentence = "J, K, CTOD, CMOD and plastic zone at the largest load, contact at the smallest; "
                               "openings are means along the crack."};
     for (const Quantity& result : results())
         add_along_axes(report, labelled(result.name, result.unit), value_of(result.name), false, figure);
+    return figure;
+}
+
+Figure endings_along_axes(const Report& report) {
+    Figure figure{.title = "At the end of the run",
+                  .sentence = "The first tip after the last cycle; a life where growth has ended the run."};
+    for (const Quantity& ending : endings())
+        add_along_axes(report, labelled(ending.name, ending.unit), value_of(ending.name), false, figure);
     return figure;
 }
 
@@ -149,29 +198,21 @@ Figure openings(const Report& report) {
                        profiles(report, &Outcome::at_minimum, "Opening at the smallest load, mm")}};
 }
 
-/// The values alone: beside a bar there is no room for keys.
-std::string values_of(const Settings& settings) {
+/// What tells the row from the others, alone: beside a bar there is no room for keys.
+std::string parts_of(const Report& report, const Settings& settings) {
     std::string text;
-    for (const Setting& setting : settings) text += (text.empty() ? "" : ", ") + setting.value;
+    for (std::size_t k = 0; k < settings.size(); ++k)
+        text += (k == 0 ? "" : ", ") + part_of(report.axes[k], settings[k].value);
     return text;
 }
 
-/// Phases of the total that do not overlap; a part of `exchange` is the zone's work, the rest waiting and the wire.
 std::string time_by_phase(const Report& report) {
     std::string keys;
     for (const Axis& axis : report.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
-    BarChart chart{.title = "Time by phase for " + keys,
-                   .x_label = "s",
-                   .parts = {"setup", "points", "contact", "fronts", "wire", "coarse solve", "output"}};
-    for (const Row& row : report.rows) {
-        const Outcome& run = row.outcome;
-        const double points = run.value("fine_constitutive"), contact = run.value("fine_contact");
-        const double fronts = run.value("fine_factor");
-        chart.bars.push_back({.name = values_of(row.settings),
-                              .lengths = {run.value("mesh") + run.value("setup"), points, contact, fronts,
-                                          run.value("exchange") - points - contact - fronts, run.value("coarse_solve"),
-                                          run.value("output")}});
-    }
+    charts::BarChart chart = report::time_chart("Time by phase for " + keys);
+    for (const Row& row : report.rows)
+        chart.bars.push_back(report::time_bar(parts_of(report, row.settings),
+                                              [&](const std::string& phase) { return row.outcome.value(phase); }));
     return svg(chart);
 }
 
@@ -201,11 +242,8 @@ Figure sizes_along_axes(const Report& report) {
 }  // namespace
 
 std::vector<Figure> figures(const Report& report) {
-    std::vector<Figure> all = {error_against_time(report), results_along_axes(report), openings(report),
-                               time_along_axes(report), sizes_along_axes(report)};
-    for (Figure& figure : all) std::erase(figure.charts, "");
-    std::erase_if(all, [](const Figure& figure) { return figure.charts.empty(); });
-    return all;
+    return {endings_along_axes(report), error_against_time(report), results_along_axes(report),
+            openings(report),           time_along_axes(report),    sizes_along_axes(report)};
 }
 
 }  // namespace stria::study

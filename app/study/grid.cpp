@@ -31,6 +31,23 @@ bool is_plain(char c) {
            std::string_view("._+-=").find(c) != std::string_view::npos;
 }
 
+/// Of a number or a word.
+bool in_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("._+-").find(c) != std::string_view::npos;
+}
+
+/// How many characters all have in common, from wherever `letter` counts.
+std::size_t shared_text(const std::vector<std::string>& values, auto letter) {
+    std::size_t shared = values.front().size();
+    for (const std::string& value : values) {
+        shared = std::min(shared, value.size());
+        for (std::size_t k = 0; k < shared; ++k)
+            if (letter(value, k) != letter(values.front(), k)) shared = k;
+    }
+    return shared;
+}
+
 }  // namespace
 
 std::vector<std::string> split_list(std::string_view text) {
@@ -125,6 +142,22 @@ std::string to_text(const Settings& settings) {
     std::vector<std::string> parts;
     for (const Setting& setting : settings) parts.push_back(setting.key + '=' + setting.value);
     return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<std::string> differing_parts(const std::vector<std::string>& values) {
+    if (values.size() < 2) return values;
+    std::size_t before = shared_text(values, [](const std::string& text, std::size_t k) { return text[k]; });
+    std::size_t behind =
+        shared_text(values, [](const std::string& text, std::size_t k) { return text[text.size() - 1 - k]; });
+    const std::string& first = values.front();
+    while (before > 0 && in_word(first[before - 1])) --before;
+    while (behind > 0 && in_word(first[first.size() - behind])) --behind;
+    std::vector<std::string> parts;
+    for (const std::string& value : values) {
+        if (before + behind >= value.size()) return values;
+        parts.push_back(value.substr(before, value.size() - before - behind));
+    }
+    return parts;
 }
 
 std::string folder_name(int number, int count, const Settings& settings) {

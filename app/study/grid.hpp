@@ -45,6 +45,10 @@ Settings replaced(Settings settings, const Settings& by);
 /// "fine.beta=4, mesh.size=2"
 std::string to_text(const Settings& settings);
 
+/// What tells the values apart: without the text that all of them begin and end with, but no number or word is cut.
+/// "[{max=50, ratio=0}]" and "[{max=50, ratio=0.5}]": "0" and "0.5".
+std::vector<std::string> differing_parts(const std::vector<std::string>& values);
+
 /// "03-fine.beta=4-mesh.size=2": the number with as many digits as `count` needs, at least two, and no character that
 /// a shell or a file system minds.
 std::string folder_name(int number, int count, const Settings& settings);

@@ -48,6 +48,9 @@ constexpr std::array<Quantity, 9> result_list = {{{"J", "N/mm"},
                                                   {"opening_at_max", "mm"},
                                                   {"opening_at_min", "mm"}}};
 
+constexpr std::array<Quantity, 5> ending_list = {
+    {{"a_end", "mm"}, {"N_end", "cycles"}, {"K_op_end", "MPa sqrt(mm)"}, {"U_end", ""}, {"life", "cycles"}}};
+
 void keep(Outcome& outcome, const std::string& name, double value) {
     if (std::isfinite(value)) outcome.values[name] = value;
 }
@@ -132,6 +135,15 @@ void read_faces(const std::filesystem::path& folder, const NumberTable& history,
     keep(outcome, "contact_edge", contact_edge(faces, last_minimum));
 }
 
+void read_endings(const std::filesystem::path& folder, Outcome& outcome) {
+    keep(outcome, "life", read_json(folder / "summary.json").number("life"));
+    const NumberTable cycles = read_table(folder / "cycles.csv");
+    if (cycles.rows == 0) return;
+    const std::size_t last = rows_of_first_tip(cycles).back();
+    for (const char* name : {"a", "N", "K_op", "U"})
+        if (cycles.columns.contains(name)) keep(outcome, std::string(name) + "_end", cycles[name][last]);
+}
+
 void read_results(const std::filesystem::path& folder, Outcome& outcome) {
     const NumberTable history = read_table(folder / "history.csv");
     if (history.rows == 0) return;
@@ -148,6 +160,7 @@ std::span<const Quantity> sizes() { return size_list; }
 std::span<const Quantity> phases() { return phase_list; }
 std::span<const Quantity> work() { return work_list; }
 std::span<const Quantity> results() { return result_list; }
+std::span<const Quantity> endings() { return ending_list; }
 
 double Outcome::value(const std::string& name) const {
     const auto found = values.find(name);
@@ -157,7 +170,9 @@ double Outcome::value(const std::string& name) const {
 Outcome read_outcome(const std::filesystem::path& folder) {
     Outcome outcome;
     read_summary(folder, outcome);
-    if (outcome.status == "done") read_results(folder, outcome);
+    if (outcome.status != "done") return outcome;
+    read_results(folder, outcome);
+    read_endings(folder, outcome);
     return outcome;
 }
 
@@ -168,8 +183,9 @@ double relative_error(double value, double reference) {
 
 std::map<std::string, double> errors(const Outcome& outcome, const Outcome& reference) {
     std::map<std::string, double> all;
-    for (const Quantity& result : results())
-        all[result.name] = relative_error(outcome.value(result.name), reference.value(result.name));
+    for (const auto& group : {results(), endings()})
+        for (const Quantity& result : group)
+            all[result.name] = relative_error(outcome.value(result.name), reference.value(result.name));
     if (!reference.at_maximum.s.empty())
         all["opening_at_max"] = relative_error(outcome.at_maximum, reference.at_maximum);
     if (!reference.at_minimum.s.empty())

@@ -24,6 +24,10 @@ std::span<const Quantity> work();
 /// Results of the first tip: from history.csv, contact edge and openings from faces.csv. Those that can have an error.
 std::span<const Quantity> results();
 
+/// What fatigue asks of the end of a run, of the first tip: from the last row of cycles.csv, and life from
+/// summary.json. They can have an error too.
+std::span<const Quantity> endings();
+
 struct Outcome {
     std::string status = "not run";  // "done", "failed", ...
     std::string message;             // why it is not done

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/charts/chart.hpp"
+#include "app/charts/drawing.hpp"
+#include "app/charts/page.hpp"
 #include "app/study/figures.hpp"
 
 namespace stria::study {
@@ -13,22 +14,6 @@ namespace stria::study {
 namespace {
 
 using charts::escaped;
-
-constexpr const char* style = R"(
-body { margin: 2rem auto; max-width: 76rem; padding: 0 1rem; font: 15px/1.45 sans-serif; color: #222; background: #fff; }
-h1 { font-size: 1.5rem; margin-bottom: .3rem; }
-h2 { font-size: 1.15rem; margin: 2rem 0 .3rem; border-bottom: 1px solid #ccc; }
-p { margin: .3rem 0; max-width: 60rem; }
-.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr)); gap: 1rem; align-items: start; }
-svg { width: 100%; height: auto; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
-caption { text-align: left; padding: .3rem 0; }
-th, td { padding: .2rem .6rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }
-th { border-bottom: 1px solid #222; vertical-align: bottom; }
-td.word, th.word { text-align: left; }
-tr.bad td { background: #fdf0e6; }
-)";
 
 struct Column {
     std::string head;
@@ -46,7 +31,8 @@ std::vector<Column> shown_columns(const Report& report) {
                                {"interface", "unknowns", "interface_unknowns"},
                                {"zone", "unknowns", "fine_unknowns"},
                                {"traffic", "MB", "bytes", 1e-6}};
-    for (const Quantity& result : results()) all.push_back({result.name, result.unit, result.name});
+    for (const auto& group : {endings(), results()})
+        for (const Quantity& result : group) all.push_back({result.name, result.unit, result.name});
     std::erase_if(all, [&](const Column& column) {
         return std::ranges::none_of(report.rows,
                                     [&](const Row& row) { return std::isfinite(row.outcome.value(column.quantity)); });
@@ -56,15 +42,19 @@ std::vector<Column> shown_columns(const Report& report) {
 
 std::vector<Quantity> shown_errors(const Report& report) {
     std::vector<Quantity> shown;
-    for (const Quantity& result : results())
-        if (std::ranges::any_of(report.rows, [&](const Row& row) { return row.errors.contains(result.name); }))
-            shown.push_back(result);
+    for (const auto& group : {endings(), results()})
+        for (const Quantity& result : group)
+            if (std::ranges::any_of(report.rows, [&](const Row& row) { return row.errors.contains(result.name); }))
+                shown.push_back(result);
     return shown;
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
 
-std::string percent(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", 100.0 * value) : ""; }
+std::string percent(double error) {
+    if (!std::isfinite(error)) return "";
+    return error > 0.0 && error <= rounding ? "rounding" : fmt::format("{:.3g}", 100.0 * error);
+}
 
 std::string head_of(const Report& report, const std::vector<Column>& columns, const std::vector<Quantity>& errors) {
     std::string text = "<thead><tr><th scope=\"col\" class=\"word\">run</th>";
@@ -127,17 +117,9 @@ std::string introduction(const Report& report) {
 }  // namespace
 
 std::string page(const Report& report) {
-    std::string text = fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                                   "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}</title>\n"
-                                   "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
-                                   escaped(report.title), style, escaped(report.title));
-    text += introduction(report) + complaints(report);
-    for (const Figure& figure : figures(report)) {
-        text += fmt::format("<h2>{}</h2>\n", escaped(figure.title));
-        if (!figure.sentence.empty()) text += fmt::format("<p>{}</p>\n", escaped(figure.sentence));
-        text += fmt::format("<div class=\"charts\">\n{}</div>\n", fmt::join(figure.charts, ""));
-    }
-    return text + "<h2>Variants</h2>\n" + table_of(report) + "</body>\n</html>\n";
+    std::string body = introduction(report) + complaints(report);
+    for (charts::Figure& figure : figures(report)) body += section(std::move(figure));
+    return charts::page(report.title, body + "<h2>Variants</h2>\n" + table_of(report));
 }
 
 }  // namespace stria::study

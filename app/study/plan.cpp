@@ -25,8 +25,10 @@ std::map<std::string, double> read_reference_values(const std::vector<std::strin
     for (const std::string& text : given) {
         for (const Setting& setting : parse_settings(text, "--reference-value")) {
             std::string names;
-            for (const Quantity& result : results()) names += (names.empty() ? "" : ", ") + std::string(result.name);
-            if (std::ranges::none_of(results(), [&](const Quantity& result) { return result.name == setting.key; }))
+            for (const auto& group : {results(), endings()})
+                for (const Quantity& result : group) names += (names.empty() ? "" : ", ") + std::string(result.name);
+            const auto is_it = [&](const Quantity& result) { return result.name == setting.key; };
+            if (std::ranges::none_of(results(), is_it) && std::ranges::none_of(endings(), is_it))
                 throw CaseError(
                     fmt::format("--reference-value {}: is no result; must be one of {}", setting.key, names));
             const std::string complaint =

@@ -22,6 +22,9 @@ std::vector<std::string> columns(const std::vector<Axis>& axes, bool with_errors
         names.emplace_back("reference");
     }
     names.insert(names.end(), {"folder", "message"});
+    for (const Quantity& ending : endings()) names.emplace_back(ending.name);
+    if (with_errors)
+        for (const Quantity& ending : endings()) names.push_back(std::string("error_") + ending.name);
     return names;
 }
 
@@ -38,6 +41,9 @@ std::vector<Cell> cells(const Row& row, bool with_errors) {
     }
     line.emplace_back(row.folder);
     line.emplace_back(row.outcome.message);
+    for (const Quantity& ending : endings()) line.emplace_back(row.outcome.value(ending.name));
+    if (with_errors)
+        for (const Quantity& ending : endings()) line.emplace_back(row.error(ending.name));
     return line;
 }
 

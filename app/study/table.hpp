@@ -10,6 +10,9 @@
 
 namespace stria::study {
 
+/// Relative: an error up to it says no more than that results are equal.
+inline constexpr double rounding = 1e-9;
+
 struct Row {
     int number = 0;  // from 1; 0: a reference that is no variant
     Settings settings = {};

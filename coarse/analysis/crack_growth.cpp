@@ -47,9 +47,11 @@ void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
         lost - last.begin()));
 }
 
+bool CrackGrowth::is_driven(const std::vector<CycleResult>& last) const { return fastest_rate(growth_, last) > 0.0; }
+
 bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, double load_factor,
                           const std::vector<CycleResult>& last) const {
-    if (!last.empty() && fastest_rate(growth_, last) <= 0.0) {
+    if (!last.empty() && !is_driven(last)) {
         note_("nothing drives a tip any more: the crack is arrested");
         return true;
     }

@@ -24,6 +24,9 @@ public:
     /// Growth has ended the run.
     [[nodiscard]] bool ended() const { return ended_; }
 
+    /// A tip grows by the law, from what the tips went through in the `last` cycle.
+    [[nodiscard]] bool is_driven(const std::vector<CycleResult>& last) const;
+
     [[nodiscard]] bool is_due(const LoadStep& reached) const;
 
     /// The scene with each tip advanced by the law, from what it went through in the `last` cycle, in the direction

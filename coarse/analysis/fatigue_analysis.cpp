@@ -42,6 +42,8 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     effort_.counts = from->counts;
 }
 
+bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() && growth_->is_driven(last_cycle_); }
+
 AnalysisState FatigueAnalysis::state() const {
     AnalysisState state;
     body_.write(state);

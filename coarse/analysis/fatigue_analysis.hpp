@@ -25,6 +25,9 @@ public:
     /// Nothing is left to do.
     [[nodiscard]] bool finished() const { return release_.held == 0.0 && !next(); }
 
+    /// Growth has ended the run, and not by arrest: the cycles up to now are the life.
+    [[nodiscard]] bool life_is_over() const;
+
     /// Between increments: where the listener is told that a load has been reached or that none will be, and after
     /// run() has returned.
     [[nodiscard]] AnalysisState state() const;

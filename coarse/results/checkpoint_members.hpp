@@ -32,7 +32,7 @@ void members(auto& archive, Is<FieldWriter::Step> auto& m) {
 }
 
 void members(auto& archive, Is<RecorderState> auto& m) {
-    auto& [history_rows, cycle_rows, face_rows, closure_rows, fields, cycle_iterations, cycle_s] = m;
+    auto& [history_rows, cycle_rows, face_rows, closure_rows, fields, cycle_iterations, cycle_s, N] = m;
     archive("history_rows", history_rows);
     archive("cycle_rows", cycle_rows);
     archive("face_rows", face_rows);
@@ -40,6 +40,7 @@ void members(auto& archive, Is<RecorderState> auto& m) {
     archive("fields", fields);
     archive("cycle_iterations", cycle_iterations);
     archive("cycle_s", cycle_s);
+    archive("N", N);
 }
 
 void members(auto& archive, Is<OpeningLoads> auto& m) {

@@ -33,6 +33,7 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
         closure_.emplace(table(directory / "closure.csv", closure_columns(), from, from ? from->closure_rows : 0));
     if (from == nullptr) return;
     cycle_iterations_ = from->cycle_iterations;
+    N_ = from->N;
     cycle_start_s_ = -from->cycle_s;
 }
 
@@ -45,7 +46,8 @@ RecorderState RunRecorder::state() const {
             .closure_rows = closure_ ? closure_->rows() : 0,
             .fields = fields_.steps(),
             .cycle_iterations = cycle_iterations_,
-            .cycle_s = seconds() - cycle_start_s_};
+            .cycle_s = seconds() - cycle_start_s_,
+            .N = N_};
 }
 
 void RunRecorder::record(const Increment& increment, const Structure& structure, const ClosureMeter& closure) {
@@ -81,8 +83,11 @@ void RunRecorder::record_history(const Increment& increment, const Scene& presen
 }
 
 void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& closure) {
+    // One of its cycles passes for all tips.
+    if (!increment.cycles.empty()) N_ += increment.cycles.front().dN;
     for (int t = 0; t < std::ssize(increment.cycles); ++t) {
         CycleRow row = cycle_row(increment, t);
+        row.N = N_;
         row.newton_iterations = cycle_iterations_;
         row.wall_s = seconds() - cycle_start_s_;
         cycles_.row(cells_of(row));

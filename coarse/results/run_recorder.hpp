@@ -21,6 +21,7 @@ struct RecorderState {
     std::vector<FieldWriter::Step> fields;
     int cycle_iterations = 0;
     double cycle_s = 0.0;  // that the cycle has taken so far
+    double N = 0.0;        // cycles, with all that the computed ones stand for
 };
 
 class RunRecorder {
@@ -37,6 +38,8 @@ public:
 
     [[nodiscard]] const std::vector<HistoryRow>& last_rows() const { return last_; }
     [[nodiscard]] const coupling::StepReport& last_zone() const { return zone_; }
+    /// Cycles up to now, with all that the computed ones stand for.
+    [[nodiscard]] double N() const { return N_; }
     [[nodiscard]] double output_seconds() const { return output_s_; }
 
 private:
@@ -59,6 +62,7 @@ private:
     std::vector<HistoryRow> last_;
     coupling::StepReport zone_;
     int cycle_iterations_ = 0;
+    double N_ = 0.0;
     double output_s_ = 0.0, cycle_start_s_ = 0.0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -61,6 +61,8 @@ Json to_json(const Summary& summary) {
                         {"mesh_splits", summary.counts.mesh_splits}};
     for (const coupling::NamedWorkCount& count : coupling::named_work_counts)
         object.push_back({count.name, summary.work.*count.value});
+    object.push_back({"N", summary.N});
+    object.push_back({"life", summary.life ? Json(*summary.life) : Json()});
     object.push_back({"points_of_ranks", list_of(summary.points_of_ranks)});
     object.push_back({"multipliers_of_ranks", list_of(summary.multipliers_of_ranks)});
     object.push_back({"tips", tips});

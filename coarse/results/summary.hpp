@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,9 @@ struct Summary {
     std::int64_t multipliers = 0;  // of contact
     std::int64_t step_cuts = 0;    // halved increments, growth included
     RunCounts counts;
-    coupling::WorkCounts work;                                        // of both components
+    double N = 0.0;              // cycles, with all that the computed ones stand for
+    std::optional<double> life;  // N, where growth has ended the run, and not by arrest
+    coupling::WorkCounts work;   // of both components
     std::vector<std::int64_t> points_of_ranks, multipliers_of_ranks;  // of each fine rank
     Timing timing;
     std::vector<HistoryRow> last;       // last row of each tip

@@ -59,6 +59,7 @@ struct CycleRow {
     double forward_zone_axis = missing, cyclic_zone_axis = missing;                // mm
     double K_op_contact = missing, K_op_offset = missing, K_op_tension = missing;  // MPa sqrt(mm)
     double opening_range = missing;                                                // mm
+    double N = missing;                                                            // cycles so far, the sum of dN
 };
 
 /// One cycle, tip and distance behind it.

@@ -41,6 +41,10 @@ double number_in(std::string_view cell) {
 }  // namespace
 
 NumberTable read_table(const std::filesystem::path& path) {
+    return read_table(path, [](double) { return true; });
+}
+
+NumberTable read_table(const std::filesystem::path& path, const std::function<bool(double)>& wanted) {
     NumberTable table;
     std::ifstream file(path);
     std::string line;
@@ -49,8 +53,10 @@ NumberTable read_table(const std::filesystem::path& path) {
     std::vector<std::vector<double>*> columns;
     for (const std::string_view name : cells_of(line)) columns.push_back(&table.columns[std::string(name)]);
     while (std::getline(file, line)) {
+        const std::string_view text = line;
+        if (trimmed(text).empty() || !wanted(number_in(without_quotes(trimmed(text.substr(0, text.find(',')))))))
+            continue;
         const std::vector<std::string_view> cells = cells_of(line);
-        if (trimmed(line).empty()) continue;
         table.cut_off = cells.size() != columns.size();
         if (table.cut_off) break;
         for (std::size_t k = 0; k < cells.size(); ++k) columns[k]->push_back(number_in(cells[k]));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,5 +21,8 @@ struct NumberTable {
 
 /// The first line names the columns; empty lines are passed over. Without columns where there is no such file.
 NumberTable read_table(const std::filesystem::path& path);
+
+/// Of the rows alone whose first cell is `wanted`: a long table need not be held as a whole.
+NumberTable read_table(const std::filesystem::path& path, const std::function<bool(double)>& wanted);
 
 }  // namespace stria

@@ -63,6 +63,15 @@ TEST_F(Study, LeavesAPageThatNeedsNothingElse) {
         EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
 
+TEST_F(Study, SaysOfErrorsAtTheLevelOfRoundingThatTheyAre) {
+    ASSERT_EQ(run({"--over", "load.steps=2,4", "--mode", "inprocess", "--reference", "load.steps=8"}), 0) << said();
+    const std::string page = text_of(folder / "out/study.html");
+    EXPECT_NE(page.find("Equal to rounding, with the largest error: J"), std::string::npos);
+    EXPECT_EQ(page.find("Error of J"), std::string::npos);
+    EXPECT_NE(page.find("<h2>At the end of the run</h2>"), std::string::npos);
+    EXPECT_EQ(table()["N_end"], (std::vector<double>{1, 1}));
+}
+
 TEST_F(Study, AVariantThatFailsIsARowAndTheOthersGoOn) {
     EXPECT_EQ(
         run({"--over", "crack.0.points=[[30.0,20.0],[40.0,20.0]],[[0.0,20.0],[6.0,20.0]]", "--mode", "inprocess"}), 2);

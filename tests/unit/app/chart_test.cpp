@@ -1,4 +1,5 @@
 // Scales, ticks and the SVG made of them.
+#include "app/charts/bar_chart.hpp"
 #include "app/charts/chart.hpp"
 #include "app/charts/scale.hpp"
 
@@ -94,6 +95,47 @@ TEST(Chart, PlacesWordsSideBySide) {
     const std::string text = svg(chart);
     EXPECT_EQ(occurrences(text, ">mpi</text>"), 1);
     EXPECT_EQ(occurrences(text, ">monolithic</text>"), 1);
+}
+
+TEST(Chart, NamesItsPoints) {
+    LineChart chart{.title = "Error", .curves = {{.name = "", .x = {1, NAN, 3}, .y = {3, 4, 5}}}};
+    chart.curves.front().points = {"p=1", "p=2", "p=3"};
+    const std::string text = svg(chart);
+    EXPECT_EQ(occurrences(text, ">p=1</text>"), 1);
+    EXPECT_EQ(occurrences(text, ">p=2</text>"), 0);
+    EXPECT_EQ(occurrences(text, "p=3: 3, 5</title>"), 1);
+}
+
+TEST(Chart, FramesShareTheirAxesAndOneOfThemIsShown) {
+    LineChart chart{.title = "Faces", .shown = 1};
+    for (const double height : {1.0, 10.0})
+        chart.frames.push_back({.name = "", .curves = {{.name = "", .x = {0, 1}, .y = {0, height}, .markers = false}}});
+    const std::string text = svg(chart);
+    EXPECT_EQ(occurrences(text, "class=\"frame\" data-k=\"0\""), 1);
+    EXPECT_EQ(occurrences(text, "class=\"frame shown\" data-k=\"1\""), 1);
+    EXPECT_EQ(occurrences(text, ">10</text>"), 1);
+    EXPECT_EQ(occurrences(text, "446.0 230.0"), 1);  // the lower one reaches a tenth of the height
+}
+
+TEST(Chart, LinesEndWhereAPointIsMissing) {
+    const Curve curve{.name = "", .x = {0, 1, 2, 3, 4, 5}, .y = {1, 1, NAN, 1, NAN, 1}, .markers = false};
+    const std::string text = svg(LineChart{.title = "t", .curves = {curve}});
+    const std::size_t start = text.rfind("<path d=\"");
+    const std::string path = text.substr(start, text.find("fill", start) - start);
+    EXPECT_EQ(occurrences(path, "M"), 3);
+    EXPECT_EQ(occurrences(path, "L"), 1);
+    EXPECT_EQ(occurrences(path, "h1"), 2);  // points by themselves
+}
+
+TEST(Chart, CurvesOfManyPointsBearNoMarkers) {
+    Curve curve{.name = "many"};
+    for (int k = 0; k < 1000; ++k) {
+        curve.x.push_back(k);
+        curve.y.push_back(k);
+    }
+    EXPECT_EQ(occurrences(svg(LineChart{.title = "t", .curves = {curve}}), "<circle"), 0);
+    curve.line = false;
+    EXPECT_EQ(occurrences(svg(LineChart{.title = "t", .curves = {curve}}), "h0M"), 999);
 }
 
 TEST(Chart, StacksThePartsOfABar) {

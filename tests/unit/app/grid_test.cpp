@@ -66,5 +66,15 @@ TEST(StudyGrid, NamesFoldersSoThatNobodyMinds) {
     EXPECT_LE(folder_name(1, 2, {{"key", std::string(400, 'x')}}).size(), 255);
 }
 
+TEST(StudyGrid, TellsLongValuesApartByWhatDiffers) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(differing_parts({"[{max=300.0,ratio=-1.0}]", "[{max=300.0,ratio=0.0}]"}), (Words{"-1.0", "0.0"}));
+    EXPECT_EQ(differing_parts({"[[0,20],[6,20]]", "[[0,20],[86,20]]"}), (Words{"6", "86"}));
+    EXPECT_EQ(differing_parts({"mpi", "monolithic"}), (Words{"mpi", "monolithic"}));
+    EXPECT_EQ(differing_parts({"[1]", "[1]"}), (Words{"[1]", "[1]"}));
+    EXPECT_EQ(differing_parts({"[]", "[1]"}), (Words{"[]", "[1]"}));
+    EXPECT_EQ(differing_parts({"12", "120"}), (Words{"12", "120"}));
+}
+
 }  // namespace
 }  // namespace stria::study

@@ -57,6 +57,21 @@ TEST(StudyOutcome, TakesContactAndOpeningsFromTheFacesOfTheFirstCrack) {
     EXPECT_DOUBLE_EQ(run.value("opening_at_max"), 0.2);
 }
 
+TEST(StudyOutcome, TakesTheEndOfTheRunFromTheLastCycleOfTheFirstTip) {
+    const test::TemporaryFolder folder;
+    write_run(folder, "done");
+    write(folder / "cycles.csv",
+          "cycle,tip,a,K_op,U,N\n1,0,10,90,0.8,1\n1,1,5,9,9,9\n2,0,11,100,0.7,2000\n2,1,5,9,9,9\n");
+    const Outcome run = read_outcome(folder / "");
+    EXPECT_EQ(run.value("a_end"), 11.0);
+    EXPECT_EQ(run.value("N_end"), 2000.0);
+    EXPECT_EQ(run.value("K_op_end"), 100.0);
+    EXPECT_EQ(run.value("U_end"), 0.7);
+    EXPECT_TRUE(std::isnan(run.value("life")));  // the load history has ended the run
+    write(folder / "summary.json", R"({"status": "done", "life": 2000})");
+    EXPECT_EQ(read_outcome(folder / "").value("life"), 2000.0);
+}
+
 TEST(StudyOutcome, DividesWorkByNewtonIterations) {
     const Outcome run = outcome_of_done_run();
     EXPECT_EQ(run.value("fine_points"), 100.0);

@@ -1,0 +1,40 @@
+// What a run has left in its folder, as far as a report needs it: of a finished run or of one that goes on or broke
+// off.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/run_files.hpp"
+#include "common/case/case.hpp"
+#include "common/io/number_table.hpp"
+
+namespace stria::report {
+
+struct RunRecord {
+    std::filesystem::path folder;
+    std::string resolved;       // text of case.resolved.toml
+    std::optional<Case> input;  // what it says, where this version understands it
+    JsonObject summary;         // empty as long as the run has not ended
+    NumberTable history, cycles;
+
+    [[nodiscard]] std::string title() const;
+    /// "done", "failed", "interrupted"; "not ended" without a summary.
+    [[nodiscard]] std::string status() const;
+    /// At least 1: rows of a scene without tips count as those of tip 0.
+    [[nodiscard]] std::size_t tips() const;
+};
+
+/// Throws CaseError where the folder holds no run.
+RunRecord read_run(const std::filesystem::path& folder);
+
+/// Rows of that tip, in their order.
+std::vector<std::size_t> rows_of_tip(const NumberTable& table, std::size_t tip);
+
+/// Those rows of a column; NaN where the table has no such column.
+std::vector<double> values_of(const NumberTable& table, const std::string& column,
+                              const std::vector<std::size_t>& rows);
+
+}  // namespace stria::report
