@@ -12,7 +12,7 @@ Scene refined_scene(const Case& input) {
     require_room(scene.mesh, scene.enriched, input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
-    if (!input.fine.radius) K_I = largest_K_I(input.load, unit_response(solve_nominal(scene)));
+    if (!input.fine.radius || input.growth) K_I = largest_K_I(input.load, unit_response(solve_nominal(scene)));
     return make_scene(input, refine(scene.mesh, disks_about_tips(scene, K_I, Room::ToGrow)).mesh);
 }
 
