@@ -28,15 +28,20 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
         K_I.push_back(tip.K_I * largest);
         fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
                    K_I.size(), K_I.back(), largest);
-        if (scene.input.material.yield_stress) {
-            fmt::print(
-                "#   radius of the zone, eq. (3): {:.4g} mm\n",
-                coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
+        if (const double yield_stress = scene.yield_stress_at_tips()[K_I.size() - 1]; std::isfinite(yield_stress)) {
+            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm\n",
+                       coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), yield_stress));
         }
     }
     const int elements = coarse::select_zone(scene, K_I).count();
     const int subcells = subcells_elsewhere(scene.input.fine);
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
+}
+
+void print_warnings(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
+    for (const std::string& warning :
+         coarse::mesh_warnings(scene, coarse::largest_K_I(scene.input.load, coarse::unit_response(nominal))))
+        fmt::print("# warning: {}\n", warning);
 }
 
 }  // namespace
@@ -49,14 +54,12 @@ int check(const RunOptions& options) {
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
+    print_warnings(scene, nominal);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
         return 0;
     }
     print_zone_estimate(scene, nominal);
-    for (const std::string& warning :
-         coarse::mesh_warnings(scene, coarse::largest_K_I(input.load, coarse::unit_response(nominal))))
-        fmt::print("# warning: {}\n", warning);
     return 0;
 }
 

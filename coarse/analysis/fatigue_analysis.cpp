@@ -15,7 +15,7 @@ namespace {
 /// Where forces drive a body that yields, its limit load may be what is in the way. `moved`: its loaded boundary, mm.
 /// No equilibrium of a body that bears its load moves a boundary by a tenth of the body.
 std::string limit_load_hint(const Scene& scene, double moved) {
-    const bool may_have = scene.input.material.yield_stress && !scene.unit_force.isZero(0.0);
+    const bool may_have = scene.materials.may_yield() && !scene.unit_force.isZero(0.0);
     if (!may_have || scene.input.load.control != Control::Load) return "";
     constexpr auto remedy = "load.control = \"displacement\" goes past its limit load";
     if (moved < 0.1 * scene.input.mesh.width) return fmt::format("; if the body bears no more, {}", remedy);
@@ -28,7 +28,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver),
-      closure_(ClosureMeter(scene.input.closure, scene.input.material, scene.input.cracks, body_.largest_K_I()),
+      closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.largest_K_I()),
                from != nullptr ? from->signal : std::vector<double>()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {

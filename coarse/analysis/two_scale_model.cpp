@@ -15,7 +15,7 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
                              EquilibriumFactory& factory, CoarseEffort& effort, const Note& note,
                              const AnalysisState* from)
     : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
-      guard_(body.scene().input.material), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+      guard_(body.scene().materials), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
     const Stopwatch watch(effort_.setup_s);
     if (from == nullptr) {
         couple();

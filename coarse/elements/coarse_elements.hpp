@@ -13,6 +13,11 @@
 
 namespace stria::coarse {
 
+/// Of a plain element (plain_operator.hpp), with the mean dilatation that its material wants.
+[[nodiscard]] inline PlainOperator plain_operator(const Scene& scene, int element) {
+    return stria::plain_operator(scene.enriched, element, scene.mean_dilatation(element) != MeanDilatation::Nowhere);
+}
+
 class CoarseElements {
 public:
     /// `in_zone`: elements that the fine component owns; all others are coarse. `far`: coarse elements that no
@@ -57,7 +62,6 @@ private:
 
     const Scene* scene_;
     ElementSet in_zone_;
-    bool mean_dilatation_;
     std::vector<int> near_;
     std::vector<int> supported_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
@@ -69,7 +73,7 @@ template <class Visit> void CoarseElements::visit_operator(int element, Visit&& 
     if (!plain_.empty() && plain_place_[at(element)] >= 0)
         visit(plain_[at(plain_place_[at(element)])]);
     else if (is_plain(scene_->enriched, element))
-        visit(plain_operator(scene_->enriched, element, mean_dilatation_));
+        visit(plain_operator(*scene_, element));
     else
         visit(*std::ranges::lower_bound(enriched_, element, {}, &ElementOperator::element));
 }

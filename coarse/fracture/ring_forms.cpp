@@ -18,7 +18,8 @@ void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic,
 }
 
 RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings) {
-    return {scene.enriched, scene.enriched.tips[at(tip)], scene.elastic, rings};
+    const Tip& about = scene.enriched.tips[at(tip)];
+    return {scene.enriched, about, scene.elastic(about), rings};
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ void RingForms::weigh_points(const CoarseElements& elements) {
 void RingForms::weigh_unknowns(const CoarseElements& elements) {
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
-    const MandelMatrix elastic = scene.elastic.stiffness();
+    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
     RingSums geometry = sums_about(scene, tip_, rings_);
     interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
     elements.for_each(elements_, [&](const auto& op) {
@@ -76,7 +77,7 @@ void RingForms::weigh_unknowns(const CoarseElements& elements) {
 std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
-    const MandelMatrix elastic = scene.elastic.stiffness();
+    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
     std::vector<DomainIntegral> result(rings_.size());
     std::size_t element = 0;
     auto weight = weights_.begin();

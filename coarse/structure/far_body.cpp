@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "coarse/elements/coarse_elements.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
@@ -34,13 +35,11 @@ ReducedLoad FarBody::reduce(const Eigen::VectorXd& load) const {
 
 SparseMatrix FarBody::assemble(const Scene& scene, const IndexLists& of_elements, StructureSeconds& seconds) const {
     const Stopwatch watch(seconds.assembly);
-    const bool averaged = mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere;
-    const MandelMatrix elastic = scene.elastic.stiffness();
     SparseMatrix lower = lower_pattern(of_elements, static_cast<int>(inner_.size() + rim_.size()));
     std::size_t k = 0;
     for (int e = 0; e < far_.size(); ++e)
         if (far_.contains(e))
-            add_to_lower(lower, of_elements[k++], plain_operator(scene.enriched, e, averaged).stiffness(elastic));
+            add_to_lower(lower, of_elements[k++], plain_operator(scene, e).stiffness(scene.stiffness(e)));
     return lower;
 }
 

@@ -16,7 +16,7 @@ constexpr std::ptrdiff_t most_states = 24;  // then all but the pivot is learnt 
 }  // namespace
 
 FarStressBound::FarStressBound(const Structure& structure)
-    : structure_(&structure), far_(structure.factors().far), weight_(smallest_far_weight(structure)) {}
+    : structure_(&structure), far_(structure.factors().far), response_(largest_far_response(structure)) {}
 
 bool FarStressBound::turn_to(const Structure& structure) {
     if (structure.factors().far != far_) return false;
@@ -42,7 +42,7 @@ FarStressBound::Coordinates FarStressBound::resolve(Eigen::VectorXd& displacemen
 
 double FarStressBound::stress_of(const Eigen::VectorXd& remainder) const {
     const double twice_energy = remainder.dot(structure_->far_force(remainder));
-    return std::sqrt(3.0 * structure_->scene().elastic.shear_modulus() * std::max(0.0, twice_energy) / weight_);
+    return std::sqrt(response_ * std::max(0.0, twice_energy));
 }
 
 double FarStressBound::bound_beside(const Known& known, double scale, const Coordinates& place) const {
@@ -56,7 +56,7 @@ double FarStressBound::bound_beside(const Known& known, double scale, const Coor
 }
 
 double FarStressBound::at(const Eigen::VectorXd& rim_displacement, double load_factor) const {
-    if (weight_ == infinite) return 0.0;
+    if (response_ == 0.0) return 0.0;
     if (load_factor != 0.0 && pivot_.size() == 0) return infinite;
     Eigen::VectorXd remainder = rim_displacement;
     const Coordinates place = resolve(remainder, load_factor);

@@ -24,8 +24,8 @@ public:
     /// Turns to another structure if it has the same far body: all that was learnt is true of it. Else false.
     [[nodiscard]] bool turn_to(const Structure& structure);
 
-    /// Upper bound of the von Mises stress in far elements, inserts left out, MPa. Infinite while nothing comparable
-    /// has been learnt. `rim_displacement`: on Structure::rim(), of a state in equilibrium.
+    /// Upper bound of the von Mises stress in far elements, measured as structure_stresses.hpp does, MPa. Infinite
+    /// while nothing comparable has been learnt. `rim_displacement`: on Structure::rim(), of a state in equilibrium.
     [[nodiscard]] double at(const Eigen::VectorXd& rim_displacement, double load_factor) const;
 
     /// Learns from such a state and its largest far stress. Costs an expansion of the far body and a look at its
@@ -53,7 +53,7 @@ private:
 
     const Structure* structure_;
     std::shared_ptr<const FarBody> far_;
-    double weight_;  // smallest, of a far point
+    double response_;  // of a far point's stress to energy (structure_stresses.hpp)
     Eigen::VectorXd pivot_;
     double pivot_stress_ = 0.0;
     std::vector<Mode> modes_;

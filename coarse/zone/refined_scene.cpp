@@ -23,7 +23,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& unrefined, const std::vec
         const Tip& tip = mesh.tips[t];
         const double smallest = tip_element_size(mesh, tip) / fine.refine;
         disks.push_back({tip.position, tip.position + way * tip.direction,
-                         std::max(zone_radius(fine, unrefined.input.material, K_I[t]), 3.0 * smallest),
+                         std::max(zone_radius(fine, unrefined.yield_stress_at_tips()[t], K_I[t]), 3.0 * smallest),
                          std::countr_zero(static_cast<unsigned>(fine.refine)), fine.growth});
     }
     return disks;
@@ -32,7 +32,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& unrefined, const std::vec
 }  // namespace
 
 Scene refined_scene(const Case& input) {
-    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks));
+    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks, input.regions));
     require_room(scene.mesh, scene.enriched, input.fine.refine);
     if (input.fine.refine == 1) return scene;
     const double way = input.growth ? planned_growth(*input.growth, input.load) : 0.0;

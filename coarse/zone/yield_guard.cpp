@@ -13,8 +13,7 @@ constexpr int most_unpaid = 8;
 
 }  // namespace
 
-YieldGuard::YieldGuard(const MaterialSection& material)
-    : limit_(material.yield_stress ? *material.yield_stress * (1.0 + 1e-9) : std::numeric_limits<double>::infinity()) {}
+YieldGuard::YieldGuard(const Materials& materials) : limit_(materials.weakest_yield_stress() * (1.0 + 1e-9)) {}
 
 void YieldGuard::turn_to(const Structure& structure, const Eigen::VectorXd& elastic) {
     structure_ = &structure;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/case/case.hpp"
 #include "common/mandel.hpp"
+#include "common/material/materials.hpp"
 
 namespace stria::fine {
 
@@ -77,5 +77,9 @@ public:
 /// yield stress is given. `substeps`: of a strain increment at points that flow. Throws CaseError for parameters that
 /// make no law.
 std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps = 1);
+
+/// The laws of a body, by material.
+using MaterialLaws = std::vector<std::unique_ptr<MaterialLaw>>;
+[[nodiscard]] MaterialLaws make_material_laws(const Materials& materials, int substeps = 1);
 
 }  // namespace stria::fine

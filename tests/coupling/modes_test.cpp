@@ -45,6 +45,13 @@ const std::vector<std::string> sliding_scene{
     "load.steps=12",
     "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
 
+/// The plastic zone reaches into a weaker metal ahead, and from there into a strip that never yields.
+const std::vector<std::string> layered_scene{
+    mesh_at_tip(0.3), "mesh.size=10.0", "solver.tolerance=1e-12",
+    "region=[{outline=[[21.0,0.0],[23.0,200.0]], material={young=120e3, poisson=0.34, yield_stress=150.0, "
+    "isotropic={law='voce', Q=80.0, b=20.0}, kinematic=[{C=5e3, gamma=30.0}]}}, "
+    "{outline=[[23.0,0.0],[50.0,90.0],[50.0,200.0],[23.0,200.0]], material={young=300e3, poisson=0.2}}]"};
+
 struct SettingsOfCase {
     const char* name;
     std::vector<std::string> settings;
@@ -221,16 +228,16 @@ INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
                          testing::Values(SettingsOfCase{"graded", small_scene},
                                          SettingsOfCase{"refined", refined_scene},
                                          SettingsOfCase{"growing", growing_scene},
-                                         SettingsOfCase{"sliding", sliding_scene}),
+                                         SettingsOfCase{"sliding", sliding_scene},
+                                         SettingsOfCase{"layered", layered_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
-INSTANTIATE_TEST_SUITE_P(Sceneries, SharedZone,
-                         testing::Values(SettingsOfCase{"graded", small_scene},
-                                         SettingsOfCase{"refined", refined_scene},
-                                         SettingsOfCase{"extended", extended_scene},
-                                         SettingsOfCase{"growing", growing_scene},
-                                         SettingsOfCase{"sliding", sliding_scene}),
-                         [](const auto& scenery) { return std::string(scenery.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Sceneries, SharedZone,
+    testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
+                    SettingsOfCase{"extended", extended_scene}, SettingsOfCase{"growing", growing_scene},
+                    SettingsOfCase{"sliding", sliding_scene}, SettingsOfCase{"layered", layered_scene}),
+    [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {
     EXPECT_EQ(direct->extensions > 0, std::string(GetParam().name) == "extended");

@@ -78,6 +78,15 @@ const StoppedRun sliding_growing{"SlidingGrowing",
                                   "growth.increment=0.3"},
                                  27};
 
+/// Flow in two metals and a strip that never yields; the crack grows out of the one into the other.
+const StoppedRun layered{
+    "Layered",
+    {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+     "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3",
+     "region=[{outline=[[20.4,0.0],[23.0,200.0]], material={young=120e3, poisson=0.34, yield_stress=150.0, "
+     "kinematic=[{C=5e3, gamma=30.0}]}}, {outline=[[23.0,0.0],[50.0,200.0]], material={young=300e3, poisson=0.2}}]"},
+    27};
+
 /// Half way of an increment that was halved.
 const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
@@ -255,7 +264,7 @@ TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,
-                                         halved, displaced, elastic),
+                                         halved, displaced, elastic, layered),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -278,7 +287,7 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
     expect_same_to_rounding(2, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, sliding_growing),
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, sliding_growing, layered),
                          testing::PrintToStringParamName());
 
 }  // namespace

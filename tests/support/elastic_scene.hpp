@@ -12,7 +12,7 @@ inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elastici
     coarse::Scene scene;
     scene.mesh = std::move(mesh);
     scene.enriched = std::move(enriched);
-    scene.elastic = elastic;
+    scene.materials = Materials({.young = elastic.young, .poisson = elastic.poisson}, elastic.plane);
     scene.loads = std::move(loads);
     coarse::put_loads_on_unknowns(scene);
     return scene;

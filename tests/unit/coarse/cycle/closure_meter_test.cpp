@@ -58,8 +58,9 @@ TEST(ClosureMeter, CountsOnlyContactBeyondItsDistances) {
     EXPECT_EQ(closed(meter.signal(with_reach(meter, 0.3), {})), (std::vector<bool>{1, 1, 0}));
     EXPECT_EQ(closed(meter.signal(with_reach(meter, 0.1), {})), (std::vector<bool>{0, 1, 0}));
     EXPECT_EQ(closed(meter.signal(with_reach(meter, -1.0), {})), (std::vector<bool>{0, 0, 0}));
-    EXPECT_NEAR(ClosureMeter(loaded().closure, loaded().material, loaded().cracks, {500.0}).distances(0)[0],
-                0.1 * 3.14159265 / 16.0 * 25.0 / 9.0, 1e-6);
+    EXPECT_NEAR(
+        ClosureMeter(loaded().closure, {*loaded().material.yield_stress}, loaded().cracks, {500.0}).distances(0)[0],
+        0.1 * 3.14159265 / 16.0 * 25.0 / 9.0, 1e-6);
 }
 
 TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
@@ -166,8 +167,13 @@ TEST(ClosureMeter, AsksForSlipWhereThereIsFrictionAndAProfile) {
     smooth.cracks[0].contact->friction = 0.0;
     no_table.closure.profile.clear();
     for (const Case& input : {smooth, no_table}) {
-        EXPECT_EQ(ClosureMeter(input.closure, input.material, input.cracks, {500.0}).signals().slip, 0U);
-        EXPECT_TRUE(ClosureMeter(input.closure, input.material, input.cracks, {500.0}).slip_at().empty());
+        EXPECT_EQ(ClosureMeter(input.closure, {input.material.yield_stress.value_or(INFINITY)}, input.cracks, {500.0})
+                      .signals()
+                      .slip,
+                  0U);
+        EXPECT_TRUE(ClosureMeter(input.closure, {input.material.yield_stress.value_or(INFINITY)}, input.cracks, {500.0})
+                        .slip_at()
+                        .empty());
     }
 }
 

@@ -81,7 +81,7 @@ TEST_P(FarStress, NearUnknownsAreThoseOfTheWhole) {
 TEST_P(FarStress, FarForceIsThatOfTheFarElements) {
     const State s = state(random_gamma(1e-4), 0.0);
     double energy = 0.0;
-    const MandelMatrix elastic = scene.elastic.stiffness();
+    const MandelMatrix elastic = scene.materials.elastic(0).stiffness();
     structure.elements().for_each([&](const auto& op) {
         if (!structure.is_far(op.element)) return;
         const auto local = gather(s.whole, op.unknowns);

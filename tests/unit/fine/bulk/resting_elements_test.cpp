@@ -14,7 +14,8 @@ using fine::RestingElements;
 class Rest : public testing::Test {
 protected:
     Rest() {
-        for (const ElementOperator& op : plate.elements.operators()) bound.add_element(op);
+        for (const ElementOperator& op : plate.elements.operators())
+            bound.add_element(op, plate.elastic.shear_modulus());
     }
     [[nodiscard]] std::vector<int> would_yield(double strain) {
         return resting.would_yield(plate.stretched(strain), plate.elements, history, bound);
@@ -22,7 +23,7 @@ protected:
 
     PlatePoints plate;
     PointHistory history = plate.history();
-    fine::ElasticBound bound{plate.elastic.shear_modulus()};
+    fine::ElasticBound bound;
     RestingElements resting{plate.elements.operators(), Eigen::VectorXd::Zero(plate.mesh.unknowns)};
 };
 
