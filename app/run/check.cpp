@@ -22,15 +22,17 @@ void print_handbook(const coarse::NominalSolution& nominal) {
 }
 
 void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
-    const double largest = coarse::largest_load_factor(scene.input.load, coarse::unit_response(nominal));
-    std::vector<double> K_I;
-    for (const coarse::TipResult& tip : nominal.tips) {
-        K_I.push_back(tip.K_I * largest);
+    const coarse::UnitResponse unit = coarse::unit_response(nominal);
+    const double largest = coarse::largest_load_factor(scene.input.load, unit);
+    const std::vector<double> K_I = coarse::largest_K_I(scene.input.load, unit);
+    for (std::size_t t = 0; t < K_I.size(); ++t) {
         fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
-                   K_I.size(), K_I.back(), largest);
-        if (const double yield_stress = scene.yield_stress_at_tips()[K_I.size() - 1]; std::isfinite(yield_stress)) {
+                   t + 1, K_I[t], largest);
+        if (scene.initial_stress().any())
+            fmt::print("#   of it {:.5g} MPa sqrt(mm) by the initial stress\n", unit.K_initial[t]);
+        if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {
             fmt::print("#   radius of the zone, eq. (3): {:.4g} mm\n",
-                       coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), yield_stress));
+                       coarse::subdivision_radius(scene.input.fine.beta, K_I[t], yield_stress));
         }
     }
     const int elements = coarse::select_zone(scene, K_I).count();

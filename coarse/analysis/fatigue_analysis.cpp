@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <utility>
 
+#include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
 
@@ -64,6 +65,7 @@ CoarseEffort FatigueAnalysis::effort() const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
+    if (effort_.counts.increments == 0 && body_.scene().initial_stress().any()) settle_initial_stress();
     if (!release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         std::optional<NewtonReport> found = solve_equilibrium(*step);
@@ -75,6 +77,20 @@ void FatigueAnalysis::run() {
         if (growth_ && growth_->is_due(*step) && !grow(*step)) return;
         if (!listener_.reached(*step)) return;
     }
+}
+
+// Equilibrium without load: what follows differs from it by the load's alone.
+void FatigueAnalysis::settle_initial_stress() {
+    LoadStep step;
+    step.settles = true;
+    NewtonReport report;
+    do {
+        report = attempt(step);
+        if (!report.converged)
+            fail("the initial stress finds no equilibrium: " + report.failure + "; it may be more than the body bears");
+    } while (zone_must_grow(step));
+    accept(step, report, {});
+    judge_settled_stress(body_.scene(), model_.work().stored, listener_.note);
 }
 
 std::optional<LoadStep> FatigueAnalysis::next() const {
@@ -175,7 +191,10 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     increment.number = ++effort_.counts.increments;
     increment.opening_changes = std::move(changes);
     increment.signal = closure_.commit(step, report);
-    for (const TipResult& tip : body_.nominal()) increment.nominal_K.push_back(tip.K_I);
+    for (const TipResult& tip : body_.nominal()) {
+        increment.nominal_K.push_back(tip.K_I);
+        increment.K_initial.push_back(tip.K_initial);
+    }
     reached_tips_ = increment.tips;
     note_flowing_rings(increment);
     cycle_meter_.add(increment);

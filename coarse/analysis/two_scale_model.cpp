@@ -93,6 +93,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
         fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.opening_at());
     add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
                   increment.zone);
+    if (step.settles) begin_here(work_);
     increment.work = work_;
     return increment;
 }

@@ -22,6 +22,7 @@ CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const Ele
     make_enriched_operators();
     keep_plain_operators();
     find_supported();
+    if (scene.initial_stress().any()) integrate_initial_stress();
 }
 
 void CoarseElements::make_enriched_operators() {
@@ -53,6 +54,21 @@ void CoarseElements::find_supported() {
     for_each_unknowns([&](int element, std::span<const int> unknowns) {
         if (std::ranges::any_of(unknowns, [&](int unknown) { return prescribed.contains(unknown); }))
             supported_.push_back(element);
+    });
+}
+
+void CoarseElements::integrate_initial_stress() {
+    initial_.load = Eigen::VectorXd::Zero(scene_->enriched.unknowns);
+    for_each([&](const auto& op) {
+        auto force = gather(initial_.load, op.unknowns);
+        force.setZero();
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const Mandel stress = scene_->initial_stress(op.element, op.points[q].x);
+            op.add_force(stress, q, force);
+            initial_.energy += op.points[q].weight * scene_->elastic(op.element).energy(stress);
+        }
+        for (std::size_t k = 0; k < op.unknowns.size(); ++k)
+            initial_.load[op.unknowns[k]] -= force[static_cast<Eigen::Index>(k)];
     });
 }
 

@@ -47,9 +47,18 @@ public:
     template <class Visit> void for_each_unknowns(Visit&& visit) const;
     template <class Visit> void for_each_near_unknowns(Visit&& visit) const;
 
-    /// Internal force on all unknowns of the whole mesh, N/mm, at the displacement `u` of the whole mesh, mm. It is
-    /// integrated from stresses: K u would round badly where u is mostly a rigid motion.
+    /// Internal force on all unknowns of the whole mesh, N/mm, at the displacement `u` of the whole mesh, mm, without
+    /// that of the initial stress. It is integrated from stresses: K u would round badly where u is mostly a rigid
+    /// motion.
     [[nodiscard]] Eigen::VectorXd internal_force(const Eigen::VectorXd& u) const;
+
+    /// What an initial stress does before anything has moved.
+    struct Initial {
+        Eigen::VectorXd
+            load;             // on all unknowns of the whole mesh, N/mm: minus its internal force; empty: there is none
+        double energy = 0.0;  // N (per mm of thickness)
+    };
+    [[nodiscard]] const Initial& initial() const { return initial_; }
 
     /// Stiffness over all unknowns of the whole mesh, MPa: the monolithic yardstick.
     [[nodiscard]] SparseMatrix stiffness() const;
@@ -59,6 +68,7 @@ private:
     void make_enriched_operators();
     void keep_plain_operators();
     void find_supported();
+    void integrate_initial_stress();
 
     const Scene* scene_;
     ElementSet in_zone_;
@@ -67,6 +77,7 @@ private:
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
     std::vector<PlainOperator> plain_;       // of near ones that are, ascending; empty: made on demand
     std::vector<int> plain_place_;           // per element: in plain_, or -1
+    Initial initial_;
 };
 
 template <class Visit> void CoarseElements::visit_operator(int element, Visit&& visit) const {

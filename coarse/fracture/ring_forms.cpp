@@ -101,4 +101,24 @@ std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, co
     return result;
 }
 
+std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseElements& elements,
+                                                                  const Eigen::VectorXd& u) const {
+    const Scene& scene = elements.scene();
+    const Elasticity& elastic = scene.elastic(scene.enriched.tips[at(tip_)]);
+    const MandelMatrix stiffness = elastic.stiffness();
+    RingSums sums = sums_about(scene, tip_, rings_);
+    elements.for_each(elements.near(), [&](const auto& op) {
+        if (!sums.enter(op.element, true)) return;
+        const auto local = gather(u, op.unknowns);
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const Vec2& x = op.points[q].x;
+            const Mandel stress = scene.initial_stress(op.element, x) + stiffness * op.strain(local, q);
+            sums.add(op.points[q], stress, op.displacement_gradient(local, q), elastic.energy(stress));
+            sums.add_initial(op.points[q], stress,
+                             scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
+        }
+    });
+    return {sums.values().begin(), sums.values().end()};
+}
+
 }  // namespace stria::coarse

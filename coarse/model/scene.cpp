@@ -4,6 +4,7 @@
 #include <map>
 
 #include "coarse/model/enrichment.hpp"
+#include "coarse/specimen/initial_field.hpp"
 #include "coarse/specimen/regions.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/error.hpp"
@@ -113,6 +114,7 @@ Scene make_scene(const Case& input, Mesh mesh) {
     scene.materials = Materials(input);
     scene.mesh = std::move(mesh);
     scene.mesh.material = materials_of_elements(scene.mesh, input.regions);
+    if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
     scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));

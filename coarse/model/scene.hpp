@@ -51,6 +51,11 @@ struct Scene {
     [[nodiscard]] const MandelMatrix& stiffness(int element) const {
         return materials.stiffness(mesh.material_of(element));
     }
+    [[nodiscard]] const InitialStress& initial_stress() const { return materials.initial_stress(); }
+    /// In an element, MPa.
+    [[nodiscard]] Mandel initial_stress(int element, const Vec2& x) const {
+        return initial_stress().at(x, mesh.material_of(element));
+    }
     /// What of its stress counts against the weakest yield stress (materials.hpp): nothing in the insert of a pin.
     [[nodiscard]] double stress_weight(int element) const {
         return mesh.in_insert(element) ? 0.0 : materials.stress_weight(mesh.material_of(element));

@@ -25,7 +25,7 @@ FarBody::FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds) 
 }
 
 ReducedLoad FarBody::reduce(const Eigen::VectorXd& load) const {
-    constexpr std::size_t most = 5;  // a structure has no more of them
+    constexpr std::size_t most = 6;  // a structure has no more of them
     const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) { return answer.load == load; });
     if (known != answers_.end()) return known->reduced;
     if (answers_.size() == most) answers_.erase(answers_.begin());

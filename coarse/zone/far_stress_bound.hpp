@@ -7,7 +7,8 @@
 // and by the triangle inequality the stress is at most |lambda| sigma_p + sum |a_k| sigma_k + sigma(d). Of d the far
 // energy W is known, and a point that stands for the area w can have no more of it than W:
 // sigma(d)^2 <= 6 G W / w, as the energy density is at least sigma^2 / (6 G). A state looked at before, scaled to the
-// same load factor, may take the place of lambda p: the sum is then over what distinguishes the two.
+// same load factor, may take the place of lambda p: the sum is then over what distinguishes the two. With an initial
+// stress it may, unscaled, and only it: the stress is then affine in the load factor and u.
 #pragma once
 
 #include <vector>
@@ -28,8 +29,11 @@ public:
     /// while nothing comparable has been learnt. `rim_displacement`: on Structure::rim(), of a state in equilibrium.
     [[nodiscard]] double at(const Eigen::VectorXd& rim_displacement, double load_factor) const;
 
+    /// The pivot: displacement and largest far stress of the load factor 1 without an initial stress.
+    void learn_pivot(const Eigen::VectorXd& rim_displacement, double largest_stress);
+
     /// Learns from such a state and its largest far stress. Costs an expansion of the far body and a look at its
-    /// elements; not for the pivot, the first state under load.
+    /// elements; not for the first state under load, which is the pivot where there is none and no initial stress.
     void learn(const Eigen::VectorXd& rim_displacement, double load_factor, double largest_stress);
 
 private:
@@ -53,6 +57,7 @@ private:
 
     const Structure* structure_;
     std::shared_ptr<const FarBody> far_;
+    bool affine_;      // there is an initial stress
     double response_;  // of a far point's stress to energy (structure_stresses.hpp)
     Eigen::VectorXd pivot_;
     double pivot_stress_ = 0.0;

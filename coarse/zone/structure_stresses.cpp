@@ -16,13 +16,22 @@ double stress_bound(const ElementOperator&, const MandelMatrix&, double, const E
     return std::numeric_limits<double>::infinity();
 }
 
+/// `initial`: null where only the displacement counts.
 template <class Operator>
-double largest_stress(const Operator& op, const MandelMatrix& elastic, const Eigen::VectorXd& u) {
+double largest_stress(const Operator& op, const MandelMatrix& elastic, const Eigen::VectorXd& u, const Scene* initial) {
     const auto local = gather(u, op.unknowns);
     double largest = 0.0;
-    for (std::size_t q = 0; q < op.points.size(); ++q)
-        largest = std::max(largest, von_mises(elastic * op.strain(local, q)));
+    for (std::size_t q = 0; q < op.points.size(); ++q) {
+        Mandel stress = elastic * op.strain(local, q);
+        if (initial != nullptr) stress += initial->initial_stress(op.element, op.points[q].x);
+        largest = std::max(largest, von_mises(stress));
+    }
     return largest;
+}
+
+/// Whose initial stress counts; null: there is none.
+const Scene* initial_of(const Structure& structure) {
+    return structure.scene().initial_stress().any() ? &structure.scene() : nullptr;
 }
 
 /// Calls visit(op, weight, elastic stiffness) with what counts of its stress, where any of it does.
@@ -37,29 +46,32 @@ template <class Visit> auto where_it_counts(const Structure& structure, const Vi
 }  // namespace
 
 std::vector<int> elements_beyond(double stress, const Structure& structure, const Eigen::VectorXd& u) {
+    const Scene* initial = initial_of(structure);
     std::vector<int> found;
     structure.elements().for_each(where_it_counts(structure, [&](const auto& op, double weight, const auto& elastic) {
-        if (weight * largest_stress(op, elastic, u) > stress) found.push_back(op.element);
+        if (weight * largest_stress(op, elastic, u, initial) > stress) found.push_back(op.element);
     }));
     return found;
 }
 
 std::vector<int> near_elements_beyond(double stress, const Structure& structure, const Eigen::VectorXd& u) {
+    const Scene* initial = initial_of(structure);
     std::vector<int> found;
     const auto look_at = [&](const auto& op, double weight, const MandelMatrix& elastic) {
         const double of_unit_strain = structure.scene().elastic(op.element).largest_von_mises();
-        if (weight * stress_bound(op, elastic, of_unit_strain, gather(u, op.unknowns)) > stress &&
-            weight * largest_stress(op, elastic, u) > stress)
-            found.push_back(op.element);
+        const bool may =
+            initial != nullptr || weight * stress_bound(op, elastic, of_unit_strain, gather(u, op.unknowns)) > stress;
+        if (may && weight * largest_stress(op, elastic, u, initial) > stress) found.push_back(op.element);
     };
     structure.elements().for_each(structure.elements().near(), where_it_counts(structure, look_at));
     return found;
 }
 
-double largest_far_stress(const Structure& structure, const Eigen::VectorXd& u) {
+double largest_far_stress(const Structure& structure, const Eigen::VectorXd& u, StressPart part) {
+    const Scene* initial = part == StressPart::Whole ? initial_of(structure) : nullptr;
     double largest = 0.0;
     structure.elements().for_each(where_it_counts(structure, [&](const auto& op, double weight, const auto& elastic) {
-        if (structure.is_far(op.element)) largest = std::max(largest, weight * largest_stress(op, elastic, u));
+        if (structure.is_far(op.element)) largest = std::max(largest, weight * largest_stress(op, elastic, u, initial));
     }));
     return largest;
 }

@@ -8,14 +8,17 @@
 
 namespace stria::coarse {
 
-/// Coarse elements whose von Mises stress exceeds a limit at some point, ascending. `u`: of the whole mesh.
+/// With the initial stress, or of a displacement alone.
+enum class StressPart { Whole, OfDisplacement };
+
+/// Coarse elements whose whole von Mises stress exceeds a limit at some point, ascending. `u`: of the whole mesh.
 std::vector<int> elements_beyond(double stress, const Structure& structure, const Eigen::VectorXd& u);
 
 /// Of near elements alone.
 std::vector<int> near_elements_beyond(double stress, const Structure& structure, const Eigen::VectorXd& u);
 
 /// Largest von Mises stress of far elements, MPa; 0 where there are none.
-double largest_far_stress(const Structure& structure, const Eigen::VectorXd& u);
+double largest_far_stress(const Structure& structure, const Eigen::VectorXd& u, StressPart part);
 
 /// Largest 3 G / w over far points that stand for the area w, stresses measured as above, MPa/mm2: the square of a
 /// point's von Mises stress is at most this times twice the energy. 0 where there are none.

@@ -20,7 +20,9 @@ void YieldGuard::turn_to(const Structure& structure, const Eigen::VectorXd& elas
     if (limit_ == std::numeric_limits<double>::infinity() || (far_ && far_->turn_to(structure))) return;
     unpaid_ = 0;
     far_.emplace(structure);
-    if (elastic.size() > 0) far_->learn(gather(elastic, structure.rim()), 1.0, largest_far_stress(structure, elastic));
+    if (elastic.size() > 0)
+        far_->learn_pivot(gather(elastic, structure.rim()),
+                          largest_far_stress(structure, elastic, StressPart::OfDisplacement));
 }
 
 std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
@@ -35,7 +37,7 @@ std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     }
     ++work_.structure_checks_full;
     const Eigen::VectorXd whole = equilibrium.structure_displacement();
-    const double largest = largest_far_stress(*structure_, whole);
+    const double largest = largest_far_stress(*structure_, whole, StressPart::Whole);
     if (largest > limit_) return stria::coarse::elements_beyond(limit_, *structure_, whole);
     if (unpaid_ < most_unpaid) {
         far_->learn(rim, equilibrium.load_factor(), largest);

@@ -1,5 +1,5 @@
 // What a body is made of: material 0 is that of the case, k that of its k-th region. An element is of one material
-// (EnrichedMesh::material_of).
+// (EnrichedMesh::material_of). With it comes the stress that the body has before any load.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,15 @@
 
 #include "common/index.hpp"
 #include "common/material/elasticity.hpp"
+#include "common/material/initial_stress.hpp"
 
 namespace stria {
 
 class Materials {
 public:
     Materials() = default;
-    explicit Materials(const Case& input) : Materials(input.material, input.model.plane) {
+    explicit Materials(const Case& input) : initial_stress_(input) {
+        add(input.material, input.model.plane);
         for (const RegionSection& region : input.regions) add(region.material, input.model.plane);
     }
     /// A body of one.
@@ -24,6 +26,8 @@ public:
     [[nodiscard]] const MaterialSection& section(int material) const { return sections_[at(material)]; }
     [[nodiscard]] const Elasticity& elastic(int material) const { return elastic_[at(material)]; }
     [[nodiscard]] const MandelMatrix& stiffness(int material) const { return stiffness_[at(material)]; }
+
+    [[nodiscard]] const InitialStress& initial_stress() const { return initial_stress_; }
 
     /// MPa; infinite where the material never yields.
     [[nodiscard]] double yield_stress(int material) const {
@@ -52,6 +56,7 @@ private:
         weakest_ = std::min(weakest_, yield_stress(count() - 1));
     }
 
+    InitialStress initial_stress_;
     std::vector<MaterialSection> sections_;
     std::vector<Elasticity> elastic_;
     std::vector<MandelMatrix> stiffness_;

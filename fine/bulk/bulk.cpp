@@ -70,7 +70,8 @@ void Bulk::remember(coupling::ZoneSnapshot& out) const {
 void Bulk::begin_elastic(int e) {
     const ElementOperator& op = elements_.op(e);
     const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
-    for (std::size_t q = 0; q < op.points.size(); ++q) history_.begin(e, q, op.strain(u, q));
+    for (std::size_t q = 0; q < op.points.size(); ++q)
+        history_.begin(e, q, op.strain(u, q), elements_.initial_stress(e, op.points[q].x));
 }
 
 void Bulk::carry_history(const Bulk& old) {
@@ -251,12 +252,7 @@ double Bulk::energy_since_rest(int e) const {
     return moved.dot(committed_force_.of(e) + 0.5 * elements_.stiffness()[at(e)] * moved);
 }
 
-ElementSet Bulk::may_rest() const {
-    ElementSet may = resting_.may_rest();
-    for (int e = 0; e < may.size(); ++e)
-        if (!history_.law(e).can_yield()) may.insert(e);
-    return may;
-}
+ElementSet Bulk::may_rest() const { return resting_.may_rest(history_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
     resting_.rest(elements, displacement, operators());

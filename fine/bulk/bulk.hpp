@@ -21,8 +21,8 @@ namespace stria::fine {
 class Bulk {
 public:
     /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
-    /// newly cut them, and the points' states; the others start from sigma = C eps(displacement) (docs/equations.md,
-    /// growth). `displacement`: committed. `laws`: one per material.
+    /// newly cut them, and the points' states; the others start from the initial stress + C eps(displacement)
+    /// (docs/equations.md, growth). `displacement`: committed. `laws`: one per material.
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
          const Bulk* old, const Eigen::VectorXd& displacement);
 

@@ -34,6 +34,10 @@ public:
     }
     [[nodiscard]] const std::vector<ElementOperator>& operators() const { return operators_; }
     [[nodiscard]] const ElementOperator& op(int element) const { return operators_[at(element)]; }
+    /// In an element, MPa.
+    [[nodiscard]] Mandel initial_stress(int element, const Vec2& x) const {
+        return materials_.initial_stress().at(x, mesh_.material_of(element));
+    }
 
     /// Elastic stiffness of each element, 2f x 2f where it has f functions, N/mm2.
     [[nodiscard]] const std::vector<Eigen::MatrixXd>& stiffness() const { return stiffness_; }

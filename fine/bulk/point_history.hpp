@@ -90,8 +90,10 @@ public:
 
     // How a history starts: committed states; rollback() when all are written.
 
-    /// Of a point that has been elastic up to a total strain.
-    void begin(int e, std::size_t q, const Mandel& strain) { law(e).begin(strain, first_committed(e) + q, points()); }
+    /// Of a point that has been elastic up to a total strain, from an initial stress on.
+    void begin(int e, std::size_t q, const Mandel& strain, const Mandel& initial) {
+        law(e).begin(strain, initial, first_committed(e) + q, points());
+    }
     /// Adds a share of the state of a point of another history with the same laws, in the same material.
     void add_share(int e, std::size_t q, double share, const PointHistory& other, int from, std::size_t from_q);
     /// All numbers of a state, in the order of the law.

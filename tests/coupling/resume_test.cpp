@@ -84,7 +84,9 @@ const StoppedRun layered{
     {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
      "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3",
      "region=[{outline=[[20.4,0.0],[23.0,200.0]], material={young=120e3, poisson=0.34, yield_stress=150.0, "
-     "kinematic=[{C=5e3, gamma=30.0}]}}, {outline=[[23.0,0.0],[50.0,200.0]], material={young=300e3, poisson=0.2}}]"},
+     "kinematic=[{C=5e3, gamma=30.0}]}, initial_stress={yy=20.0}}, {outline=[[23.0,0.0],[50.0,200.0]], "
+     "material={young=300e3, poisson=0.2}}]",
+     "initial_stress={sigma_y={at=[0.0,12.5,25.0,37.5,50.0], stress=[20.0,0.0,-20.0,0.0,20.0]}}"},
     27};
 
 /// Half way of an increment that was halved.

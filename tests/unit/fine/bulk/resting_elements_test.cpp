@@ -29,16 +29,16 @@ protected:
 
 TEST_F(Rest, IsForThoseThatStayedElasticForAWholeCycle) {
     resting.count_half_cycle(history);
-    EXPECT_TRUE(resting.may_rest().none());
+    EXPECT_TRUE(resting.may_rest(history).none());
     history.set_plastic(3, 0, true);
     resting.count_half_cycle(history);
-    EXPECT_EQ(resting.may_rest().count(), plate.elements.count() - 1);
-    EXPECT_FALSE(resting.may_rest().contains(3));
+    EXPECT_EQ(resting.may_rest(history).count(), plate.elements.count() - 1);
+    EXPECT_FALSE(resting.may_rest(history).contains(3));
     history.set_plastic(3, 0, false);
     resting.count_half_cycle(history);
-    EXPECT_FALSE(resting.may_rest().contains(3));
+    EXPECT_FALSE(resting.may_rest(history).contains(3));
     resting.count_half_cycle(history);
-    EXPECT_TRUE(resting.may_rest().contains(3));
+    EXPECT_TRUE(resting.may_rest(history).contains(3));
 }
 
 TEST_F(Rest, EndsWhereTheStateMeetsTheYieldCriterion) {
