@@ -26,7 +26,9 @@ double energy_as_given(const Scene& scene) {
 
 void judge_settled_stress(const Scene& scene, double stored, const Note& note) {
     constexpr double least = 0.25;
-    const double share = stored / energy_as_given(scene);
+    const double given = energy_as_given(scene);
+    if (given == 0.0) return;
+    const double share = stored / given;
     note(fmt::format("initial stress: equilibrium leaves {:.3g} % of its energy", 100.0 * share));
     if (scene.input.initial_stress && share < least)
         throw CaseError(fmt::format("initial_stress: equilibrium without load leaves {:.3g} % of its energy: the field "

@@ -13,7 +13,7 @@ protected:
     CycleMeterTest() {
         Case input;
         input.material.yield_stress = 300.0;
-        closure = ClosureMeter(input.closure, {input.material.yield_stress.value_or(INFINITY)}, input.cracks, {500.0});
+        closure = ClosureMeter(input.closure, {300.0}, input.cracks, {500.0});
         meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
     }
 
@@ -98,7 +98,7 @@ TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
     input.closure.profile = {0.5};
     input.cracks.resize(1);
     input.cracks[0].contact = ContactSection{0.3};
-    closure = ClosureMeter(input.closure, {input.material.yield_stress.value_or(INFINITY)}, input.cracks, {500.0});
+    closure = ClosureMeter(input.closure, {300.0}, input.cracks, {500.0});
     meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
     go(0, 20.0, 1.0, true);
     const auto slides = [](int distance, double load) { return OpeningChange{0, 2 + distance, true, load}; };

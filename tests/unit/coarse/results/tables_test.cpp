@@ -50,7 +50,7 @@ TEST(Tables, PutValuesUnderTheirColumns) {
 TEST(Tables, LeaveSlipEmptyWhereNobodyMeasuresIt) {
     Case input;
     input.closure.profile = {0.5};
-    const ClosureMeter closure(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter closure(input.closure, {300.0}, input.cracks, {500.0});
     Increment increment;
     increment.cycles.resize(1);
     increment.cycles[0].contact = {{.K_op = 80.0}, {.K_op = 90.0}};
