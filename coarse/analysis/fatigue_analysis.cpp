@@ -86,8 +86,11 @@ void FatigueAnalysis::settle_initial_stress() {
     NewtonReport report;
     do {
         report = attempt(step);
-        if (!report.converged)
-            fail("the initial stress finds no equilibrium: " + report.failure + "; it may be more than the body bears");
+        if (!report.converged) {
+            listener_.stuck();
+            throw NumericalFailure("the initial stress finds no equilibrium without load: " + report.failure +
+                                   "; it may be more than the body bears");
+        }
     } while (zone_must_grow(step));
     accept(step, report, {});
     judge_settled_stress(body_.scene(), model_.work().stored, listener_.note);

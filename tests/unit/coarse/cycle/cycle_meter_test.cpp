@@ -23,6 +23,7 @@ protected:
         increment.step.cycle = cycle;
         increment.step.target.value = increment.load_factor = load;
         increment.nominal_K = {10.0 * a};
+        if (initial_K != 0.0) increment.K_initial = {initial_K};
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
@@ -36,7 +37,21 @@ protected:
 
     ClosureMeter closure;
     CycleMeter meter;
+    double initial_K = 0.0;
 };
+
+TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
+    initial_K = 50.0;
+    go(0, 20.0, 1.0, false);
+    go(1, -10.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = -6.0}});
+    go(1, 20.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = -4.0}});
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_initial, 50.0);
+    EXPECT_EQ(cycle.K_max, 250.0);
+    EXPECT_EQ(cycle.K_min, -50.0);
+    EXPECT_EQ(cycle.opening.K_cl, -10.0);
+    EXPECT_EQ(cycle.opening.K_op, 10.0);
+}
 
 TEST_F(CycleMeterTest, MeasuresFromMaximumToMaximum) {
     go(0, 20.0, 1.0, false);

@@ -114,6 +114,39 @@ TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
     }
 }
 
+/// Of two materials, of which one is twice as strong and one never yields; with a stress before any load.
+TEST_P(FarStress, BoundHoldsWithSeveralMaterialsAndInitialStress) {
+    Case several = input();
+    several.regions.resize(2);
+    several.regions[0] = {.outline = {{20.0, -1.0}, {30.0, 41.0}}, .material = several.material, .initial_stress = {}};
+    several.regions[0].material.yield_stress = 600.0;
+    several.regions[0].initial_stress = MisfitStress{.xx = 20.0, .yy = -40.0, .xy = 5.0};
+    several.regions[1] = {.outline = {{30.0, -1.0}, {41.0, 41.0}}, .material = several.material, .initial_stress = {}};
+    several.regions[1].material.yield_stress.reset();
+    several.regions[1].material.young = 600e3;
+    const Scene stressed = refined_scene(several);
+    const Structure body(stressed, zone_of(stressed));
+    FarStressBound bound(body);
+    const auto looked_at = [&](const Eigen::VectorXd& gamma, double load_factor, double initial, StressPart part) {
+        State s{body.expand(gamma, load_factor, initial), {}, load_factor, 0.0};
+        s.rim = gather(s.whole, body.rim());
+        s.largest_far = largest_far_stress(body, s.whole, part);
+        return s;
+    };
+    const State pivot = looked_at(random_gamma(0.0), 1.0, 0.0, StressPart::OfDisplacement);
+    bound.learn_pivot(pivot.rim, pivot.largest_far);
+    EXPECT_EQ(bound.at(pivot.rim, 1.0), std::numeric_limits<double>::infinity());
+    std::uniform_real_distribution<double> any(-50.0, 50.0);
+    for (int k = 0; k < 40; ++k) {
+        const State s = looked_at(random_gamma(k % 3 == 0 ? 1e-3 : 1e-5), k % 5 == 0 ? 0.0 : any(generator), 1.0,
+                                  StressPart::Whole);
+        EXPECT_GE(bound.at(s.rim, s.load_factor), s.largest_far * (1.0 - 1e-9)) << k;
+        if (k % 4 != 1) continue;
+        bound.learn(s.rim, s.load_factor, s.largest_far);
+        EXPECT_LE(bound.at(s.rim, s.load_factor), 1.03 * s.largest_far) << k;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Planes, FarStress, testing::Values(PlaneState::Strain, PlaneState::Stress),
                          [](const auto& test) { return test.param == PlaneState::Strain ? "strain" : "stress"; });
 

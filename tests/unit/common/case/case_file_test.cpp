@@ -274,7 +274,7 @@ TEST_F(CaseFile, RefusesRegionsAndStressThatAreNone) {
     EXPECT_EQ(with("stress = [1.0, -1.0, 1.0]", "stress = [1.0, -1.0]"),
               "case.toml:38: initial_stress.sigma_y.stress = [1.0, -1.0] must have one number per place of at");
     EXPECT_EQ(complaint(complete + "[initial_stress]\n"),
-              "case.toml:27: initial_stress needs sigma_x, sigma_y, file or grid");
+              "case.toml:26: initial_stress needs sigma_x, sigma_y, file or grid");
     EXPECT_NE(with("file = \"grid.csv\"", "file = \"nowhere.csv\"").find("initial_stress.file: cannot be read"),
               std::string::npos);
     EXPECT_NE(complaint(complete + "[regions]\nsteel = [[0, 0], [1, 1]]\n").find("[[region]]"), std::string::npos);
