@@ -72,9 +72,12 @@ Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, dou
 
 void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, double initial,
                             Eigen::VectorXd& u) const {
-    const Eigen::VectorXd interior = load_at(load_factor, initial).interior;
-    const Eigen::VectorXd x =
-        leaf_.expand_above(interior.tail(interior.size() - numbering_.far_count()), on_free_places(gamma_displacement));
+    const auto near = [&](const ReducedLoad& load) {
+        return load.interior.tail(load.interior.size() - numbering_.far_count());
+    };
+    Eigen::VectorXd load = load_factor * near(loads_.unit());
+    if (initial != 0.0) load += initial * near(loads_.initial());
+    const Eigen::VectorXd x = leaf_.expand_above(load, on_free_places(gamma_displacement));
     Eigen::Index k = 0;
     for (const int unknown : near_unknowns()) u[unknown] = x[k++];
     impose(near_supports_, load_factor, u);

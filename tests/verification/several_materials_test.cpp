@@ -187,6 +187,12 @@ TEST(SeveralMaterials, KOfACrackInOneOfTwoIsThatOfItsEnergyRelease) {
     EXPECT_GT(energy, 0.0);
     const double released = (std::get<1>(solve(a + step)) - std::get<1>(solve(a - step))) / (2.0 * step);
     EXPECT_NEAR(released, tip.J, 0.01 * tip.J);
+    // The same the other way round: the tip lies in the region.
+    Case other = graded_to_tips(edge_crack(a, 3.0, End::Pulled), 0.005);
+    other.regions = {region_of({{-1.0, -1.0}, {0.6, 4.0}}, young, poisson)};
+    other.material.young = 70e3;
+    other.material.poisson = 0.33;
+    EXPECT_NEAR(ElasticSolution(other).tips[0].K_I, tip.K_I, 1e-9 * tip.K_I);
     const ElasticSolution alone(graded_to_tips(edge_crack(a, 3.0, End::Pulled), 0.005));
     EXPECT_GT(tip.K_I, 1.1 * alone.tips[0].K_I);  // the soft layer gives way
 }
@@ -233,6 +239,8 @@ TEST(SeveralMaterials, TheGuardKnowsWhereAnElementIs) {
     Case input = pulled_two(300.0, 100.0);
     const RunHistory history = run_direct(input);
     EXPECT_GT(history.extensions, 0);
+    // A quarter of 800 elements yields, and a disk of 113 mm2 is fine from the start: 16 points each.
+    EXPECT_LT(history.increments.back().zone.points, 500 * 16);
     EXPECT_EQ(run_direct(pulled_two(300.0, 300.0)).extensions, 0);
 }
 
