@@ -82,14 +82,12 @@ Measurement measure(int elements) {
     };
     coarse::Scene scene;
     scene.input = plate(elements);
-    scene.elastic = elasticity_of(scene.input.material, scene.input.model.plane);
+    scene.materials = Materials(scene.input);
     scene.mesh = coarse::make_mesh(scene.input.mesh, scene.input.cracks);
     scene.loads = coarse::resolve_boundaries(scene.mesh, scene.input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
     lap();
-    scene.enriched = coarse::enrich(scene.mesh, scene.input.cracks,
-                                    coarse::choose_enrichment(scene.input.fine, scene.input.material,
-                                                              scene.input.cracks, scene.input.growth.has_value()));
+    scene.enriched = coarse::enrich(scene.mesh, scene.input.cracks, coarse::choose_enrichment(scene.input));
     coarse::put_loads_on_unknowns(scene);
     lap();
     const coarse::Structure structure(scene);

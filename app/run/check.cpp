@@ -25,16 +25,17 @@ void print_handbook(const coarse::NominalSolution& nominal) {
 }
 
 void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
-    const double largest = coarse::largest_load_factor(scene.input.load, coarse::unit_response(nominal));
-    std::vector<double> K_I;
-    for (const coarse::TipResult& tip : nominal.tips) {
-        K_I.push_back(tip.K_I * largest);
+    const coarse::UnitResponse unit = coarse::unit_response(nominal);
+    const double largest = coarse::largest_load_factor(scene.input.load, unit);
+    const std::vector<double> K_I = coarse::largest_K_I(scene.input.load, unit);
+    for (std::size_t t = 0; t < K_I.size(); ++t) {
         fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
-                   K_I.size(), K_I.back(), largest);
-        if (scene.input.material.yield_stress) {
-            fmt::print(
-                "#   radius of the zone, eq. (3): {:.4g} mm\n",
-                coarse::subdivision_radius(scene.input.fine.beta, K_I.back(), *scene.input.material.yield_stress));
+                   t + 1, K_I[t], largest);
+        if (scene.initial_stress().any())
+            fmt::print("#   of it {:.5g} MPa sqrt(mm) by the initial stress\n", unit.K_initial[t]);
+        if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {
+            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm\n",
+                       coarse::subdivision_radius(scene.input.fine.beta, K_I[t], yield_stress));
         }
     }
     const int elements = coarse::select_zone(scene, K_I).count();
@@ -57,6 +58,10 @@ void print_way(const coarse::Scene& scene, const std::vector<double>& K_I) {
                1e-6 * (after.all * bytes_of_element + points * bytes_of_point));
 }
 
+void print_warnings(const coarse::Scene& scene, const std::vector<double>& K_I) {
+    for (const std::string& warning : coarse::mesh_warnings(scene, K_I)) fmt::print("# warning: {}\n", warning);
+}
+
 }  // namespace
 
 int check(const RunOptions& options) {
@@ -67,14 +72,14 @@ int check(const RunOptions& options) {
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
+    const std::vector<double> K_I = coarse::largest_K_I(input.load, coarse::unit_response(nominal));
+    print_warnings(scene, K_I);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
         return 0;
     }
     print_zone_estimate(scene, nominal);
-    const std::vector<double> K_I = coarse::largest_K_I(input.load, coarse::unit_response(nominal));
     print_way(scene, K_I);
-    for (const std::string& warning : coarse::mesh_warnings(scene, K_I)) fmt::print("# warning: {}\n", warning);
     return 0;
 }
 

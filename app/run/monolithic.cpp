@@ -27,16 +27,17 @@ public:
         held_.assign(at(scene_.enriched.unknowns), 0);
         for (const auto& p : scene_.prescribed) held_[at(p.unknown)] = 1;
         hold_unused();
+        const Eigen::VectorXd& initial = structure.elements().initial().load;
+        initial_load_ = initial.size() > 0 ? initial : Eigen::VectorXd::Zero(scene_.enriched.unknowns).eval();
         structure_load_ = scene_.unit_force;  // the zone carries the load on its own unknowns
-        for (int i = 0; i < std::ssize(whole_); ++i) {
+        for (int i = 0; i < std::ssize(whole_); ++i)
             if (!std::ranges::binary_search(zone.patch().boundary, i)) structure_load_[whole_[at(i)]] = 0.0;
-        }
     }
 
     void begin(const coarse::Target& target, const Predictor& predictor) override {
         const bool by_load = target.control == Control::Load;
         controlled_ = by_load ? coarse::LinearReading::load_factor(scene_.enriched.unknowns)
-                              : coarse::LinearReading{scene_.mean_displacement, 0.0};
+                              : coarse::LinearReading{scene_.mean_displacement, 0.0, 0.0};
         target_ = target.value;
         trial_ = committed_;
         load_factor_ = committed_load_factor_;
@@ -55,14 +56,15 @@ public:
     coarse::Residual linearise() override {
         zone_.linearise();
         response_ = zone_.measure();
-        residual_ = load_factor_ * structure_load_ - structure_.elements().internal_force(trial_);
+        residual_ = load_factor_ * structure_load_ + initial_load_ - structure_.elements().internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         off_target_ = target_ - controlled_.at(trial_, load_factor_);
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
             if (held_[at(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
         }
-        result.scale = (load_factor_ * scene_.unit_force).cwiseAbs().maxCoeff();
+        result.scale = std::max((load_factor_ * scene_.unit_force).lpNorm<Eigen::Infinity>(),
+                                initial_load_.lpNorm<Eigen::Infinity>());
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         coarse::add_zone(result, response_);
         return result;
@@ -164,10 +166,11 @@ public:
 
     [[nodiscard]] coarse::MachineReading machine_reading() const override {
         Eigen::VectorXd forces = coarse::forces_on_prescribed(structure_.elements(), trial_);
-        std::vector<double> zone_force(at(scene_.enriched.unknowns), 0.0);
-        for (int i = 0; i < std::ssize(whole_); ++i) zone_force[at(whole_[at(i)])] = -zone_.load()[i];
+        std::vector<double> other(at(scene_.enriched.unknowns), 0.0);
+        for (int i = 0; i < scene_.enriched.unknowns; ++i) other[at(i)] = -initial_load_[i];
+        for (int i = 0; i < std::ssize(whole_); ++i) other[at(whole_[at(i)])] -= zone_.load()[i];
         for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
-            forces[static_cast<Eigen::Index>(k)] += zone_force[at(scene_.prescribed[k].unknown)];
+            forces[static_cast<Eigen::Index>(k)] += other[at(scene_.prescribed[k].unknown)];
         double imposed_force = 0.0;
         for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
             imposed_force += scene_.prescribed[k].value * forces[static_cast<Eigen::Index>(k)];
@@ -264,7 +267,7 @@ private:
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
     coarse::LinearReading controlled_;
     double target_ = 0.0, off_target_ = 0.0;
-    Eigen::VectorXd structure_load_, committed_, trial_, residual_, correction_;
+    Eigen::VectorXd structure_load_, initial_load_, committed_, trial_, residual_, correction_;
     double committed_load_factor_, load_factor_;
     struct Increment {
         Eigen::VectorXd displacement;

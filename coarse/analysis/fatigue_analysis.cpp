@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <utility>
 
+#include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 /// Where forces drive a body that yields, its limit load may be what is in the way. `moved`: its loaded boundary, mm.
 /// No equilibrium of a body that bears its load moves a boundary by a tenth of the body.
 std::string limit_load_hint(const Scene& scene, double moved) {
-    const bool may_have = scene.input.material.yield_stress && !scene.unit_force.isZero(0.0);
+    const bool may_have = scene.materials.may_yield() && !scene.unit_force.isZero(0.0);
     if (!may_have || scene.input.load.control != Control::Load) return "";
     constexpr auto remedy = "load.control = \"displacement\" goes past its limit load";
     if (moved < 0.1 * scene.input.mesh.width) return fmt::format("; if the body bears no more, {}", remedy);
@@ -28,7 +29,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver),
-      closure_(ClosureMeter(scene.input.closure, scene.input.material, scene.input.cracks, body_.largest_K_I()),
+      closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.largest_K_I()),
                from != nullptr ? from->signal : std::vector<double>()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
@@ -66,6 +67,7 @@ CoarseEffort FatigueAnalysis::effort() const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
+    if (effort_.counts.increments == 0 && body_.scene().initial_stress().any()) settle_initial_stress();
     if (!release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         std::optional<NewtonReport> found = solve_equilibrium(*step);
@@ -77,6 +79,23 @@ void FatigueAnalysis::run() {
         if (growth_ && growth_->is_due(*step) && !grow(*step)) return;
         if (!listener_.reached(*step)) return;
     }
+}
+
+// Equilibrium without load: what follows differs from it by the load's alone.
+void FatigueAnalysis::settle_initial_stress() {
+    LoadStep step;
+    step.settles = true;
+    NewtonReport report;
+    do {
+        report = attempt(step);
+        if (!report.converged) {
+            listener_.stuck();
+            throw NumericalFailure("the initial stress finds no equilibrium without load: " + report.failure +
+                                   "; it may be more than the body bears");
+        }
+    } while (zone_must_grow(step));
+    accept(step, report, {});
+    judge_settled_stress(body_.scene(), model_.work().stored, listener_.note);
 }
 
 std::optional<LoadStep> FatigueAnalysis::next() const {
@@ -177,7 +196,10 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     increment.number = ++effort_.counts.increments;
     increment.opening_changes = std::move(changes);
     increment.signal = closure_.commit(step, report);
-    for (const TipResult& tip : body_.nominal()) increment.nominal_K.push_back(tip.K_I);
+    for (const TipResult& tip : body_.nominal()) {
+        increment.nominal_K.push_back(tip.K_I);
+        increment.K_initial.push_back(tip.K_initial);
+    }
     reached_tips_ = increment.tips;
     note_flowing_rings(increment);
     cycle_meter_.add(increment);

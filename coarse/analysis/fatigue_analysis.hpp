@@ -44,6 +44,7 @@ public:
     [[nodiscard]] CoarseEffort effort() const;
 
 private:
+    void settle_initial_stress();
     [[nodiscard]] std::optional<LoadStep> next() const;
     [[nodiscard]] std::optional<NewtonReport> solve_equilibrium(const LoadStep& step);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);

@@ -17,7 +17,7 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
                              EquilibriumFactory& factory, CoarseEffort& effort, const Note& note,
                              const AnalysisState* from)
     : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
-      guard_(body.scene().input.material), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+      guard_(body.scene().materials), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
     const Stopwatch watch(effort_.setup_s);
     if (from == nullptr) {
         couple();
@@ -96,6 +96,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
         fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.opening_at());
     add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
                   increment.zone);
+    if (step.settles) begin_here(work_);
     increment.work = work_;
     return increment;
 }

@@ -28,6 +28,7 @@ public:
     [[nodiscard]] Increment commit(const LoadStep& step, const NewtonReport& report);
 
     [[nodiscard]] double load_factor() const { return load_factor_; }  // committed
+    [[nodiscard]] const WorkBalance& work() const { return work_; }    // likewise
     /// Of the trial state: mean, along the load's direction, mm.
     [[nodiscard]] double loaded_displacement() const { return equilibrium_->machine_reading().displacement; }
     [[nodiscard]] double trial_load_factor() const { return equilibrium_->load_factor(); }

@@ -61,14 +61,13 @@ Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::si
 
 }  // namespace
 
-ClosureMeter::ClosureMeter(const ClosureSection& closure, const MaterialSection& material,
+ClosureMeter::ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
                            const std::vector<CrackSection>& cracks, const std::vector<double>& largest_K_I)
     : tension_(closure.tension || closure.definition == OpeningDefinition::Tension),
       slip_(!closure.profile.empty() && has_friction(cracks)) {
-    for (const double K_I : largest_K_I) {
-        const double yield_stress = material.yield_stress.value_or(INFINITY);
+    for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
         std::vector<double> distances{
-            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K_I, yield_stress))};
+            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, largest_K_I[t], yield_stress[t]))};
         distances.insert(distances.end(), closure.profile.begin(), closure.profile.end());
         distance_.push_back(std::move(distances));
     }

@@ -33,9 +33,9 @@ class ClosureMeter {
 public:
     ClosureMeter() = default;
 
-    /// `largest_K_I`: of the load history, MPa sqrt(mm), one per tip. The yield stress gives the default distance.
-    /// Sliding is measured where there is friction and a profile is asked for.
-    ClosureMeter(const ClosureSection& closure, const MaterialSection& material,
+    /// `largest_K_I`: of the load history, MPa sqrt(mm), one per tip. It gives the default distance, with the yield
+    /// stress there, MPa, one per tip. Sliding is measured where there is friction and a profile is asked for.
+    ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
                  const std::vector<CrackSection>& cracks, const std::vector<double>& largest_K_I);
 
     /// Signals per tip, in this order: contact beyond each of distances(tip), the default one first; compression ahead

@@ -9,9 +9,8 @@
 namespace stria::coarse {
 namespace {
 
-/// K_op: of the last contact that is lost. K_cl: of the first that is made on the way down.
-void note_change(OpeningLoads& loads, const OpeningChange& change, double nominal_K, bool unloading) {
-    const double K = nominal_K * change.load_factor;
+/// K_op: of the last contact that is lost. K_cl: of the first that is made on the way down. `K`: where it changes.
+void note_change(OpeningLoads& loads, const OpeningChange& change, double K, bool unloading) {
     if (!change.closes) {
         loads.K_op = K;
         loads.lost = std::isnan(K);
@@ -21,8 +20,8 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double nomina
 }
 
 /// Of the first slip in a half cycle.
-void note_slip(double& K_slip, const OpeningChange& change, double nominal_K) {
-    if (change.closes && std::isnan(K_slip)) K_slip = nominal_K * change.load_factor;
+void note_slip(double& K_slip, const OpeningChange& change, double K) {
+    if (change.closes && std::isnan(K_slip)) K_slip = K;
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ void CycleMeter::begin(int cycle) {
         tip.cycle.K_slip_unloading.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
-        tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor;
+        tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor + start.K_initial;
         tip.cycle.J_max = start.J;
         tip.cycle.CTOD.include(start.CTOD);
         tip.cycle.opening_behind.include(start.opening);
@@ -78,8 +77,9 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({increment.nominal_K[t], tip.J, tip.CTOD, tip.opening, tip.CMOD, increment.load_factor,
-                             growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
+        now_.last.push_back({increment.nominal_K[t], increment.initial_K(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
+                             increment.load_factor, growing ? tip.plastic_zone : 0.0,
+                             growing ? tip.plastic_zone_axis : 0.0});
         if (now_.length.size() <= t) now_.length.push_back(tip.a);
     }
 }
@@ -87,21 +87,22 @@ void CycleMeter::add(const Increment& increment) {
 void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const {
     CycleResult& cycle = tip.cycle;
     const TipResult& result = increment.tips[t];
-    const double K = increment.nominal_K[t] * increment.load_factor;
+    const double K = increment.K_at(t, increment.load_factor);
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
         if (s >= signals_.first_slip()) {
             std::vector<double>& K_slip = unloading ? cycle.K_slip_unloading : cycle.K_slip;
-            note_slip(K_slip[s - signals_.first_slip()], change, increment.nominal_K[t]);
+            note_slip(K_slip[s - signals_.first_slip()], change, increment.K_at(t, change.load_factor));
             continue;
         }
-        note_change(tip.signal[s], change, increment.nominal_K[t], unloading);
+        note_change(tip.signal[s], change, increment.K_at(t, change.load_factor), unloading);
         tip.changed[s] = 1;
     }
     for (std::size_t s = 0; s < tip.was_open.size(); ++s)
         if (increment.signal.empty() || increment.signal[t * signals_.all() + s] <= 0.0) tip.was_open[s] = 1;
     cycle.a = result.a;
+    cycle.K_initial = increment.initial_K(t);
     cycle.K_max = std::max(cycle.K_max, K);
     cycle.K_min = std::min(cycle.K_min, K);
     cycle.J_max = std::max(cycle.J_max, result.J);
@@ -125,7 +126,8 @@ std::vector<CycleResult> CycleMeter::finish() {
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(of_signal(tip, s));
         if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
         cycle.offset.K_op = now_.last[t].nominal_K *
-                            compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
+                                compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth) +
+                            now_.last[t].K_initial;
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
                         : definition_ == OpeningDefinition::Offset ? cycle.offset
                                                                    : cycle.tension;

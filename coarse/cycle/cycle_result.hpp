@@ -39,8 +39,9 @@ struct CycleResult {
     OpeningLoads tension, offset;
     // Likewise, MPa sqrt(mm); NaN where nothing begins to slide; empty: nobody measures.
     std::vector<double> K_slip, K_slip_unloading;
-    OpeningLoads opening;  // by the definition asked for
-    double dN = 1.0;       // cycles that it stands for
+    OpeningLoads opening;    // by the definition asked for
+    double dN = 1.0;         // cycles that it stands for
+    double K_initial = 0.0;  // of the initial stress alone, which the other K contain; at the end, MPa sqrt(mm)
 
     [[nodiscard]] double CTOD_range() const { return CTOD.range(); }
     [[nodiscard]] double opening_range() const { return opening_behind.range(); }

@@ -24,8 +24,15 @@ struct Increment {
     coupling::StepReport zone;
     std::vector<TipResult> tips;
     std::vector<double> nominal_K;    // K_1(a) of every tip: elastic, traction-free faces, load factor 1, this length
+    std::vector<double> K_initial;    // likewise of the initial stress without load; empty: there is none
     WorkBalance work;                 // so far
     std::vector<CycleResult> cycles;  // one per tip where a cycle ends here
+
+    [[nodiscard]] double initial_K(std::size_t tip) const { return K_initial.empty() ? 0.0 : K_initial[tip]; }
+    /// Nominal K of a tip at a load factor, that of the initial stress included.
+    [[nodiscard]] double K_at(std::size_t tip, double at_load_factor) const {
+        return nominal_K[tip] * at_load_factor + initial_K(tip);
+    }
 };
 
 }  // namespace stria::coarse

@@ -9,20 +9,20 @@ namespace {
 
 IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
     IntegrationRule rule = elastic_rule(scene.enriched, element, cut);
-    rule.mean_dilatation = mean_dilatation(scene.input.material, scene.elastic);
+    rule.mean_dilatation = scene.mean_dilatation(element);
     return rule;
 }
 
 }  // namespace
 
 CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const ElementSet& far)
-    : scene_(&scene), in_zone_(std::move(in_zone)),
-      mean_dilatation_(mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere) {
+    : scene_(&scene), in_zone_(std::move(in_zone)) {
     for (int e = 0; e < in_zone_.size(); ++e)
         if (!in_zone_.contains(e) && !far.contains(e)) near_.push_back(e);
     make_enriched_operators();
     keep_plain_operators();
     find_supported();
+    if (scene.initial_stress().any()) integrate_initial_stress();
 }
 
 void CoarseElements::make_enriched_operators() {
@@ -44,7 +44,7 @@ void CoarseElements::keep_plain_operators() {
     for (const int e : near_) {
         if (!is_plain(scene_->enriched, e)) continue;
         plain_place_[at(e)] = static_cast<int>(plain_.size());
-        plain_.push_back(plain_operator(scene_->enriched, e, mean_dilatation_));
+        plain_.push_back(plain_operator(*scene_, e));
     }
 }
 
@@ -57,22 +57,35 @@ void CoarseElements::find_supported() {
     });
 }
 
+void CoarseElements::integrate_initial_stress() {
+    initial_.load = Eigen::VectorXd::Zero(scene_->enriched.unknowns);
+    for_each([&](const auto& op) {
+        auto force = gather(initial_.load, op.unknowns);
+        force.setZero();
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const Mandel stress = scene_->initial_stress(op.element, op.points[q].x);
+            op.add_force(stress, q, force);
+            initial_.energy += op.points[q].weight * scene_->elastic(op.element).energy(stress);
+        }
+        for (std::size_t k = 0; k < op.unknowns.size(); ++k)
+            initial_.load[op.unknowns[k]] -= force[static_cast<Eigen::Index>(k)];
+    });
+}
+
 Eigen::VectorXd CoarseElements::internal_force(const Eigen::VectorXd& u) const {
-    const MandelMatrix elastic = scene_->elastic.stiffness();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(scene_->enriched.unknowns);
     for_each([&](const auto& op) {
-        const auto force = elastic_force(op, gather(u, op.unknowns), elastic);
+        const auto force = elastic_force(op, gather(u, op.unknowns), scene_->stiffness(op.element));
         for (std::size_t k = 0; k < op.unknowns.size(); ++k) sum[op.unknowns[k]] += force[static_cast<Eigen::Index>(k)];
     });
     return sum;
 }
 
 SparseMatrix CoarseElements::stiffness() const {
-    const MandelMatrix elastic = scene_->elastic.stiffness();
     IndexLists of_elements;
     for_each_unknowns([&](int, std::span<const int> unknowns) { of_elements.append(unknowns); });
     SparseMatrix lower = lower_pattern(of_elements, scene_->enriched.unknowns);
-    for_each([&](const auto& op) { add_to_lower(lower, op.unknowns, op.stiffness(elastic)); });
+    for_each([&](const auto& op) { add_to_lower(lower, op.unknowns, op.stiffness(scene_->stiffness(op.element))); });
     return lower.selfadjointView<Eigen::Lower>();
 }
 

@@ -13,6 +13,11 @@
 
 namespace stria::coarse {
 
+/// Of a plain element (plain_operator.hpp), with the mean dilatation that its material wants.
+[[nodiscard]] inline PlainOperator plain_operator(const Scene& scene, int element) {
+    return stria::plain_operator(scene.enriched, element, scene.mean_dilatation(element) != MeanDilatation::Nowhere);
+}
+
 class CoarseElements {
 public:
     /// `in_zone`: elements that the fine component owns; all others are coarse. `far`: coarse elements that no
@@ -42,9 +47,18 @@ public:
     template <class Visit> void for_each_unknowns(Visit&& visit) const;
     template <class Visit> void for_each_near_unknowns(Visit&& visit) const;
 
-    /// Internal force on all unknowns of the whole mesh, N/mm, at the displacement `u` of the whole mesh, mm. It is
-    /// integrated from stresses: K u would round badly where u is mostly a rigid motion.
+    /// Internal force on all unknowns of the whole mesh, N/mm, at the displacement `u` of the whole mesh, mm, without
+    /// that of the initial stress. It is integrated from stresses: K u would round badly where u is mostly a rigid
+    /// motion.
     [[nodiscard]] Eigen::VectorXd internal_force(const Eigen::VectorXd& u) const;
+
+    /// What an initial stress does before anything has moved.
+    struct Initial {
+        Eigen::VectorXd
+            load;             // on all unknowns of the whole mesh, N/mm: minus its internal force; empty: there is none
+        double energy = 0.0;  // N (per mm of thickness)
+    };
+    [[nodiscard]] const Initial& initial() const { return initial_; }
 
     /// Stiffness over all unknowns of the whole mesh, MPa: the monolithic yardstick.
     [[nodiscard]] SparseMatrix stiffness() const;
@@ -54,22 +68,23 @@ private:
     void make_enriched_operators();
     void keep_plain_operators();
     void find_supported();
+    void integrate_initial_stress();
 
     const Scene* scene_;
     ElementSet in_zone_;
-    bool mean_dilatation_;
     std::vector<int> near_;
     std::vector<int> supported_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
     std::vector<PlainOperator> plain_;       // of near ones that are, ascending; empty: made on demand
     std::vector<int> plain_place_;           // per element: in plain_, or -1
+    Initial initial_;
 };
 
 template <class Visit> void CoarseElements::visit_operator(int element, Visit&& visit) const {
     if (!plain_.empty() && plain_place_[at(element)] >= 0)
         visit(plain_[at(plain_place_[at(element)])]);
     else if (is_plain(scene_->enriched, element))
-        visit(plain_operator(scene_->enriched, element, mean_dilatation_));
+        visit(plain_operator(*scene_, element));
     else
         visit(*std::ranges::lower_bound(enriched_, element, {}, &ElementOperator::element));
 }

@@ -11,7 +11,7 @@ Eigen::VectorXd forces_on_prescribed(const CoarseElements& elements, const Eigen
         row[at(scene.prescribed[k].unknown)] = static_cast<int>(k);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(std::ssize(scene.prescribed));
     elements.for_each(elements.supported(), [&](const auto& op) {
-        const auto force = elastic_force(op, gather(u, op.unknowns), scene.elastic.stiffness());
+        const auto force = elastic_force(op, gather(u, op.unknowns), scene.stiffness(op.element));
         for (std::size_t k = 0; k < op.unknowns.size(); ++k) {
             const int own = row[at(op.unknowns[k])];
             if (own >= 0) forces[own] += force[static_cast<Eigen::Index>(k)];
@@ -22,10 +22,9 @@ Eigen::VectorXd forces_on_prescribed(const CoarseElements& elements, const Eigen
 
 Eigen::VectorXd load_of_imposed(const CoarseElements& elements, const Eigen::VectorXd& imposed) {
     const Scene& scene = elements.scene();
-    const MandelMatrix elastic = scene.elastic.stiffness();
     Eigen::VectorXd load = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     elements.for_each(elements.supported(), [&](const auto& op) {
-        const auto reaction = (op.stiffness(elastic) * gather(imposed, op.unknowns)).eval();
+        const auto reaction = (op.stiffness(scene.stiffness(op.element)) * gather(imposed, op.unknowns)).eval();
         for (std::size_t i = 0; i < op.unknowns.size(); ++i)
             load[op.unknowns[i]] -= reaction[static_cast<Eigen::Index>(i)];
     });

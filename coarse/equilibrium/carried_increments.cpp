@@ -15,7 +15,7 @@ CarriedIncrements::CarriedIncrements(const Structure& structure, EquilibriumStat
         unknown_before_.push_back(static_cast<int>(number));
     for (std::size_t k = 0; k < known_.increments.size(); ++k) {
         Eigen::VectorXd& u = displacement_.emplace_back(Eigen::VectorXd::Zero(mesh.unknowns));
-        if (gamma_moves) structure.expand_near(known_.increments[k], known_.load_increments[k], u);
+        if (gamma_moves) structure.expand_near(known_.increments[k], known_.load_increments[k], 0.0, u);
         u(structure.gamma()) = known_.increments[k];
     }
 }

@@ -18,8 +18,10 @@ CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling:
                                            EquilibriumSections input, const Eigen::VectorXd& committed,
                                            double load_factor)
     : structure_(structure), fine_(fine), input_(std::move(input)),
-      largest_unit_force_(largest(structure.scene().unit_force)), committed_{gather(committed, structure.gamma()),
-                                                                             load_factor},
+      largest_unit_force_(largest(structure.scene().unit_force)),
+      largest_initial_force_(largest(structure.elements().initial().load)), committed_{gather(committed,
+                                                                                              structure.gamma()),
+                                                                                       load_factor},
       trial_(committed_), increments_(remembered_increments(input_.steps)), expanded_(structure) {
     const Scene& scene = structure.scene();
     for (std::size_t k = 0; k < scene.prescribed.size(); ++k) {
@@ -59,10 +61,10 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
 
 Residual CondensedEquilibrium::linearise() {
     const Eigen::VectorXd u = on_free(trial_.displacement);
-    residual_ = trial_.load_factor * structure_.loads().unit().boundary;
+    residual_ = trial_.load_factor * structure_.loads().unit().boundary + structure_.loads().initial().boundary;
     off_target_ = target_ - controlled_.at(u, trial_.load_factor);
     Residual result;
-    result.scale = std::abs(trial_.load_factor) * largest_unit_force_;
+    result.scale = std::max(std::abs(trial_.load_factor) * largest_unit_force_, largest_initial_force_);
     result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_.displacement), 1e-300});
     if (fine_ == nullptr) return result;
     ask_zone(u);

@@ -56,7 +56,7 @@ private:
     const Structure& structure_;
     coupling::FineScale* fine_;
     EquilibriumSections input_;
-    double largest_unit_force_;
+    double largest_unit_force_, largest_initial_force_;  // N/mm
     std::vector<Held> held_;
     LinearReading controlled_;  // on the free places
     double target_ = 0.0, off_target_ = 0.0;

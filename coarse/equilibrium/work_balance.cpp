@@ -31,6 +31,10 @@ void add_increment(WorkBalance& balance, const Structure& structure, const Eigen
     balance.imposed_force = imposed_force;
 }
 
+void begin_here(WorkBalance& balance) {
+    balance.at_start = balance.stored + balance.dissipated + balance.released - balance.external;
+}
+
 void restart(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u) {
     balance.load_displacement = load_displacement(structure, u, balance.load_factor);
 }

@@ -14,19 +14,24 @@ struct WorkBalance {
     double by_friction = 0.0;  // its share
     double released = 0.0;     // by faces that growth has opened; NaN where a crack grew without a zone to see it
 
+    double at_start = 0.0;  // stored and dissipated when the initial stress had come to equilibrium: nobody's work
+
     // Where the last increment ended.
     double load_factor = 0.0;
     double load_displacement = 0.0;  // what the structure's unit loads do work on, N
     double imposed_force = 0.0;      // what unit imposed displacements do work against, N
 
     /// What trapezoids and backward Euler leave over: of second order in the increments.
-    [[nodiscard]] double error() const { return external - stored - dissipated - released; }
+    [[nodiscard]] double error() const { return external + at_start - stored - dissipated - released; }
 };
 
 /// Adds an increment that ended at `u` (of the whole mesh; Gamma is looked at). `imposed_force`: what unit imposed
 /// displacements do work against there, N.
 void add_increment(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u, double load_factor,
                    double imposed_force, const coupling::StepReport& zone);
+
+/// The initial stress has come to equilibrium: the balance begins here.
+void begin_here(WorkBalance& balance);
 
 /// The structure has given elements to the zone, at the committed `u`.
 void restart(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u);

@@ -46,12 +46,13 @@ public:
                  const std::vector<coupling::FaceSample>& faces)
         : structure_(structure), mesh_(structure.scene().enriched), u_(u), whole_(mesh_.elements.size()),
           shared_(mesh_.nodes.size(), -1) {
-        const MandelMatrix elastic = structure.scene().elastic.stiffness();
         structure.elements().for_each([&](const auto& op) {
+            const MandelMatrix& elastic = structure.scene().stiffness(op.element);
             const auto local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
-                mean({op.element, op.points[q].side})
-                    .add(op.points[q].weight, elastic * op.strain(local, q), Mandel::Zero(), 0.0);
+                const Mandel stress =
+                    structure.scene().initial_stress(op.element, op.points[q].x) + elastic * op.strain(local, q);
+                mean({op.element, op.points[q].side}).add(op.points[q].weight, stress, Mandel::Zero(), 0.0);
             }
         });
         if (zone != nullptr) add_zone(*zone);

@@ -40,7 +40,7 @@ std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainI
         if (share.tip == t)
             total[at(share.number)] += {share.J, share.interaction_I, share.interaction_II, share.interaction_T};
     }
-    const double modulus = scene.elastic.plane_modulus();
+    const double modulus = scene.elastic(scene.enriched.tips[at(t)]).plane_modulus();
     std::vector<RingValues> values;
     for (const DomainIntegral& sum : total) {
         values.push_back({sum.J, modulus / 2.0 * sum.interaction_I, modulus / 2.0 * sum.interaction_II,

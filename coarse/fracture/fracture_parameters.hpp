@@ -21,6 +21,7 @@ struct TipResult {
     double opening = std::numeric_limits<double>::quiet_NaN();  // mm, at a stated distance behind the tip
     double contact_length = 0.0;                                // mm
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;         // mm
+    double K_initial = 0.0;  // of a nominal solution: K_I of the initial stress alone, MPa sqrt(mm)
 };
 
 /// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:

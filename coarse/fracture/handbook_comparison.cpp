@@ -57,10 +57,11 @@ std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) 
     const std::vector<TipResult>& tips = nominal.tips;
     const Specimen& specimen = find_specimen(scene.input.mesh.specimen);
     const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    if (!scene.input.regions.empty()) return {};
     if (specimen.handbook_K == nullptr || !loaded || !is_standard_crack(scene) || !is_standard_load(scene)) return {};
 
     const double load = loaded->resultant.norm(), width = scene.input.mesh.width, a = tips.front().a;
-    const double modulus = scene.elastic.plane_modulus();
+    const double modulus = scene.elastic(scene.enriched.tips.front()).plane_modulus();
     std::vector<HandbookLine> lines;
     const double K = specimen.handbook_K(width, a, load);
     lines.push_back({"K_I at the load factor 1", "MPa sqrt(mm)", K, tips.front().K_I});

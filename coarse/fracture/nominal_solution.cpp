@@ -2,16 +2,35 @@
 
 namespace stria::coarse {
 
+namespace {
+
+Eigen::VectorXd near_displacement(const Structure& body, double load_factor, double initial) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(body.scene().enriched.unknowns);
+    body.expand_near({}, load_factor, initial, u);
+    return u;
+}
+
+std::vector<TipResult> tips_of(const Structure& body, const Eigen::VectorXd& unit) {
+    const StructureRings rings(body);
+    std::vector<TipResult> tips = fracture_parameters(rings, unit, rings.integrals_of_displacement(unit), {});
+    if (!body.scene().initial_stress().any()) return tips;
+    const Eigen::VectorXd alone = near_displacement(body, 0.0, 1.0);
+    const std::vector<TipResult> initial = fracture_parameters(rings, alone, rings.integrals(alone), {});
+    for (std::size_t t = 0; t < tips.size(); ++t) tips[t].K_initial = initial[t].K_I;
+    return tips;
+}
+
+}  // namespace
+
 NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
     Eigen::VectorXd u = body->expand({}, 1.0);
-    std::vector<TipResult> tips = fracture_parameters(*body, u, {});
+    std::vector<TipResult> tips = tips_of(*body, u);
     return {std::move(body), std::move(u), std::move(tips)};
 }
 
 NominalSolution solve_nominal_near(std::unique_ptr<Structure> body) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(body->scene().enriched.unknowns);
-    body->expand_near({}, 1.0, u);
-    std::vector<TipResult> tips = fracture_parameters(*body, u, {});
+    Eigen::VectorXd u = near_displacement(*body, 1.0, 0.0);
+    std::vector<TipResult> tips = tips_of(*body, u);
     return {std::move(body), std::move(u), std::move(tips)};
 }
 
@@ -24,7 +43,10 @@ std::vector<double> stress_intensities(const std::vector<TipResult>& tips) {
 }
 
 UnitResponse unit_response(const NominalSolution& nominal) {
+    std::vector<double> K_initial;
+    for (const TipResult& tip : nominal.tips) K_initial.push_back(tip.K_initial);
     return {.K_I = stress_intensities(nominal.tips),
+            .K_initial = std::move(K_initial),
             .mean_displacement = nominal.structure->loads().mean_displacement().per_load_factor,
             .largest_displacement = nominal.displacement.lpNorm<Eigen::Infinity>()};
 }

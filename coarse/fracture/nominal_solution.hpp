@@ -1,4 +1,5 @@
-// The nominal solution: the linear elastic body with traction-free cracks at the load factor 1. Its K_I is K_1(a).
+// The nominal solution: the linear elastic body with traction-free cracks at the load factor 1, without an initial
+// stress. Its K_I is K_1(a). What the initial stress does alone is K_initial(a).
 #pragma once
 
 #include <memory>

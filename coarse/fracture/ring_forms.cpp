@@ -18,7 +18,8 @@ void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic,
 }
 
 RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings) {
-    return {scene.enriched, scene.enriched.tips[at(tip)], scene.elastic, rings};
+    const Tip& about = scene.enriched.tips[at(tip)];
+    return {scene.enriched, about, scene.elastic(about), rings};
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ void RingForms::weigh_points(const CoarseElements& elements) {
 void RingForms::weigh_unknowns(const CoarseElements& elements) {
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
-    const MandelMatrix elastic = scene.elastic.stiffness();
+    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
     RingSums geometry = sums_about(scene, tip_, rings_);
     interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
     elements.for_each(elements_, [&](const auto& op) {
@@ -76,7 +77,7 @@ void RingForms::weigh_unknowns(const CoarseElements& elements) {
 std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
-    const MandelMatrix elastic = scene.elastic.stiffness();
+    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
     std::vector<DomainIntegral> result(rings_.size());
     std::size_t element = 0;
     auto weight = weights_.begin();
@@ -98,6 +99,26 @@ std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, co
         result[ring].interaction_T = sums[first + 2];
     }
     return result;
+}
+
+std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseElements& elements,
+                                                                  const Eigen::VectorXd& u) const {
+    const Scene& scene = elements.scene();
+    const Elasticity& elastic = scene.elastic(scene.enriched.tips[at(tip_)]);
+    const MandelMatrix stiffness = elastic.stiffness();
+    RingSums sums = sums_about(scene, tip_, rings_);
+    elements.for_each(elements.near(), [&](const auto& op) {
+        if (!sums.enter(op.element, true)) return;
+        const auto local = gather(u, op.unknowns);
+        for (std::size_t q = 0; q < op.points.size(); ++q) {
+            const Vec2& x = op.points[q].x;
+            const Mandel stress = scene.initial_stress(op.element, x) + stiffness * op.strain(local, q);
+            sums.add(op.points[q], stress, op.displacement_gradient(local, q), elastic.energy(stress));
+            sums.add_initial(op.points[q], stress,
+                             scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
+        }
+    });
+    return {sums.values().begin(), sums.values().end()};
 }
 
 }  // namespace stria::coarse

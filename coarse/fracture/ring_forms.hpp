@@ -16,8 +16,12 @@ public:
 
     [[nodiscard]] const std::vector<Annulus>& rings() const { return rings_; }
 
-    /// One a ring. `u`: displacement of the whole mesh, of which near elements are read.
+    /// One a ring, of a displacement alone. `u`: of the whole mesh; near elements are read.
     [[nodiscard]] std::vector<DomainIntegral> values(const CoarseElements& elements, const Eigen::VectorXd& u) const;
+
+    /// The same with the initial stress: summed point by point.
+    [[nodiscard]] std::vector<DomainIntegral> values_with_initial_stress(const CoarseElements& elements,
+                                                                         const Eigen::VectorXd& u) const;
 
 private:
     void weigh_points(const CoarseElements& elements);

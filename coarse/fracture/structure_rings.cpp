@@ -8,6 +8,13 @@ StructureRings::StructureRings(const Structure& structure) : structure_(&structu
 }
 
 RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {
+    if (!structure_->scene().initial_stress().any()) return integrals_of_displacement(u);
+    RingIntegrals integrals;
+    for (const RingForms& tip : tips_) integrals.push_back(tip.values_with_initial_stress(structure_->elements(), u));
+    return integrals;
+}
+
+RingIntegrals StructureRings::integrals_of_displacement(const Eigen::VectorXd& u) const {
     RingIntegrals integrals;
     for (const RingForms& tip : tips_) integrals.push_back(tip.values(structure_->elements(), u));
     return integrals;

@@ -19,9 +19,11 @@ public:
     [[nodiscard]] const Structure& structure() const { return *structure_; }
     [[nodiscard]] const RingForms& about(int tip) const { return tips_[at(tip)]; }
 
-    /// The structure's share in the domain integrals. `u`: displacement of the whole mesh, mm; that of near elements is
-    /// read.
+    /// The structure's share in the domain integrals, with the initial stress where there is one. `u`: displacement of
+    /// the whole mesh, mm; that of near elements is read.
     [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
+    /// The same of a displacement alone.
+    [[nodiscard]] RingIntegrals integrals_of_displacement(const Eigen::VectorXd& u) const;
 
 private:
     const Structure* structure_;

@@ -20,6 +20,7 @@ struct LoadStep {
     bool at_maximum = false, at_minimum = false,
          at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;
+    bool settles = false;  // the initial stress comes to equilibrium, without load
 };
 
 /// How far a load has come: all that a controller remembers.

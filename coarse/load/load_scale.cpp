@@ -27,7 +27,8 @@ double largest_load_factor(const LoadSection& load, const UnitResponse& nominal,
 std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown) {
     const double largest = largest_load_factor(load, nominal, grown);
     std::vector<double> K_I;
-    for (const double unit : nominal.K_I) K_I.push_back(unit * largest);
+    for (std::size_t t = 0; t < nominal.K_I.size(); ++t)
+        K_I.push_back(nominal.K_I[t] * largest + (nominal.K_initial.empty() ? 0.0 : nominal.K_initial[t]));
     return K_I;
 }
 

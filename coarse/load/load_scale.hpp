@@ -9,9 +9,10 @@ namespace stria::coarse {
 
 /// What a load history asks of the nominal body (nominal_solution.hpp), at the load factor 1.
 struct UnitResponse {
-    std::vector<double> K_I = {};       // MPa sqrt(mm), one per tip
-    double mean_displacement = 0.0;     // of the loaded boundary along its direction, mm
-    double largest_displacement = 0.0;  // largest magnitude of a component, mm
+    std::vector<double> K_I = {};        // MPa sqrt(mm), one per tip
+    std::vector<double> K_initial = {};  // likewise, of the initial stress without load; empty: there is none
+    double mean_displacement = 0.0;      // of the loaded boundary along its direction, mm
+    double largest_displacement = 0.0;   // largest magnitude of a component, mm
 };
 
 /// The target that a unit of the load history stands for. It is 1 unless K is controlled. Then it is a load factor:
@@ -23,7 +24,8 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
 /// yields bears less. Throws CaseError where the loads do not move what is controlled.
 double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
 
-/// The K_I of eq. (3), MPa sqrt(mm), one per tip: the largest nominal one of a history.
+/// The K_I of eq. (3), MPa sqrt(mm), one per tip: the largest nominal one of a history, that of the initial stress
+/// included.
 std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
 
 }  // namespace stria::coarse

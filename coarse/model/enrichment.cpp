@@ -30,6 +30,7 @@ public:
         result_.element_ids.resize(mesh.elements.size());
         std::iota(result_.node_ids.begin(), result_.node_ids.end(), 0);
         std::iota(result_.element_ids.begin(), result_.element_ids.end(), 0);
+        result_.material = mesh.material;
         result_.terms.resize(mesh.nodes.size());
         result_.element_side.assign(mesh.elements.size(), 0);
         result_.tip_exponent = tips.exponent;
@@ -139,6 +140,7 @@ private:
         Tip tip;
         tip.crack = crack;
         const std::vector<Vec2>& points = cracks_[at(crack)].points;
+        tip.material = mesh_.material_of(piece.element);
         tip.s = start ? piece.s.front() : piece.s.back();
         tip.upper = start ? -1 : 1;
         tip.position = start ? points.front() : points.back();
@@ -219,8 +221,8 @@ private:
 
 }  // namespace
 
-TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& material,
-                                const std::vector<CrackSection>& cracks, bool grows) {
+TipEnrichment choose_enrichment(const Case& input) {
+    const FineSection& fine = input.fine;
     const TipEnrichment none{0, 0.5}, single{1, 0.5};
     const TipEnrichment growing{.functions = 1, .exponent = 0.5, .none_below = 0.02};
     const TipEnrichment topological{6, 1.0 / (fine.enrichment_n.value_or(1.0) + 1.0)};
@@ -239,9 +241,9 @@ TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& 
     case Enrichment::Auto:
         break;
     }
-    if (material.yield_stress) return grows ? growing : single;
-    if (has_friction(cracks)) return near_sliding;
-    return needs_fine(fine, material, cracks) ? topological : geometrical;
+    if (may_yield(input)) return input.growth ? growing : single;
+    if (has_friction(input.cracks)) return near_sliding;
+    return needs_fine(input) ? topological : geometrical;
 }
 
 EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {

@@ -29,8 +29,7 @@ struct TipEnrichment {
 /// faces may touch; two elements around it where they have friction, which turns errors of the pressure at the tip into
 /// errors of K_II; the single function with plasticity, and none where a plastic crack grows through small elements
 /// (docs/method.md, section 2).
-TipEnrichment choose_enrichment(const FineSection& fine, const MaterialSection& material,
-                                const std::vector<CrackSection>& cracks, bool grows);
+TipEnrichment choose_enrichment(const Case& input);
 
 /// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError
 /// for cracks that the mesh cannot hold.

@@ -124,6 +124,7 @@ private:
         mesh_.elements.push_back({c, m[1], n[2], m[2]});
         mesh_.elements.push_back({m[3], c, m[2], n[3]});
         mesh_.level.resize(mesh_.elements.size(), ++mesh_.level[at(element)]);
+        if (!mesh_.material.empty()) mesh_.material.resize(mesh_.elements.size(), mesh_.material_of(element));
     }
 
     int middle(const Edge& edge) {

@@ -40,6 +40,7 @@ double largest_ring(const Scene& scene, int tip_index) {
         tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip, bend_to_element * tip_element_size(mesh, tip));
     for (const PointForce& load : scene.loads.forces)
         radius = std::min(radius, (mesh.nodes[at(load.node)] - tip.position).norm());
+    radius = std::min(radius, distance_to_interface(mesh, tip));
     return 0.95 * radius;
 }
 

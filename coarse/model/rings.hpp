@@ -8,7 +8,7 @@
 
 namespace stria::coarse {
 
-/// Outer radius of the largest ring around a tip: within its reach, and off forces.
+/// Outer radius of the largest ring around a tip: within its reach, off forces, and inside the tip's material.
 double largest_ring(const Scene& scene, int tip);
 
 /// Concentric rings within the largest one. The first is the thickest: J is taken there. Of the others those are left

@@ -4,6 +4,8 @@
 #include <map>
 
 #include "coarse/model/enrichment.hpp"
+#include "coarse/specimen/initial_field.hpp"
+#include "coarse/specimen/regions.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/error.hpp"
 #include "common/fem/quadrature.hpp"
@@ -109,12 +111,13 @@ void impose(const std::vector<PrescribedUnknown>& prescribed, double load_factor
 Scene make_scene(const Case& input, Mesh mesh) {
     Scene scene;
     scene.input = input;
-    scene.elastic = elasticity_of(input.material, input.model.plane);
+    scene.materials = Materials(input);
     scene.mesh = std::move(mesh);
+    if (scene.mesh.material.empty()) scene.mesh.material = materials_of_elements(scene.mesh, input.regions);
+    if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
     scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
-    scene.enriched = enrich(scene.mesh, input.cracks,
-                            choose_enrichment(input.fine, input.material, input.cracks, input.growth.has_value()));
+    scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
     put_loads_on_unknowns(scene);
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
         throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");

@@ -9,7 +9,8 @@
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/index_set.hpp"
-#include "common/material/elasticity.hpp"
+#include "common/integration/element_operator.hpp"
+#include "common/material/materials.hpp"
 
 namespace stria::coarse {
 
@@ -24,7 +25,7 @@ void impose(const std::vector<PrescribedUnknown>& prescribed, double load_factor
 struct Scene {
     Case input;
     Mesh mesh;
-    Elasticity elastic;
+    Materials materials;
     Loads loads;
     FreeMotions free_motions;
     EnrichedMesh enriched;
@@ -43,6 +44,32 @@ struct Scene {
     /// Per prescribed unknown, the share of its reaction in the force reported. Zero where forces load the boundary
     /// reported.
     Eigen::VectorXd pull;
+
+    /// The material of an element, or at a tip.
+    [[nodiscard]] const Elasticity& elastic(int element) const { return materials.elastic(mesh.material_of(element)); }
+    [[nodiscard]] const Elasticity& elastic(const Tip& tip) const { return materials.elastic(tip.material); }
+    [[nodiscard]] const MandelMatrix& stiffness(int element) const {
+        return materials.stiffness(mesh.material_of(element));
+    }
+    [[nodiscard]] const InitialStress& initial_stress() const { return materials.initial_stress(); }
+    /// In an element, MPa.
+    [[nodiscard]] Mandel initial_stress(int element, const Vec2& x) const {
+        return initial_stress().at(x, mesh.material_of(element));
+    }
+    /// What of its stress counts against the weakest yield stress (materials.hpp): nothing in the insert of a pin.
+    [[nodiscard]] double stress_weight(int element) const {
+        return mesh.in_insert(element) ? 0.0 : materials.stress_weight(mesh.material_of(element));
+    }
+    /// At each tip, MPa; infinite where it never yields.
+    [[nodiscard]] std::vector<double> yield_stress_at_tips() const {
+        std::vector<double> stresses;
+        for (const Tip& tip : enriched.tips) stresses.push_back(materials.yield_stress(tip.material));
+        return stresses;
+    }
+    [[nodiscard]] MeanDilatation mean_dilatation(int element) const {
+        const int material = mesh.material_of(element);
+        return stria::mean_dilatation(materials.section(material), materials.elastic(material));
+    }
 };
 
 /// Enriches and resolves a case on a mesh. Throws CaseError.

@@ -1,7 +1,9 @@
 #include "coarse/model/tip_reach.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "coarse/model/boundary_conditions.hpp"
 #include "common/geometry/segment.hpp"
@@ -35,6 +37,18 @@ double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
             const EdgeGeometry ends = edge_geometry(mesh, edge);
             distance = std::min(distance, distance_to_segment(x, ends.from, ends.to));
         }
+    }
+    return distance;
+}
+
+double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip) {
+    double distance = std::numeric_limits<double>::infinity();
+    for (int e = 0; e < std::ssize(mesh.material); ++e) {
+        if (mesh.material_of(e) == tip.material) continue;
+        const std::array<int, 4>& nodes = mesh.elements[at(e)];
+        for (std::size_t k = 0; k < 4; ++k)
+            distance = std::min(distance, distance_to_segment(tip.position, mesh.nodes[at(nodes[k])],
+                                                              mesh.nodes[at(nodes[(k + 1) % 4])]));
     }
     return distance;
 }

@@ -58,7 +58,7 @@ void members(auto& archive, Is<Extremes> auto& m) {
 
 void members(auto& archive, Is<CycleResult> auto& m) {
     auto& [a, da, K_max, K_min, J_max, CTOD, opening_behind, forward, cyclic, forward_axis, cyclic_axis, contact,
-           tension, offset, K_slip, K_slip_unloading, opening, dN] = m;
+           tension, offset, K_slip, K_slip_unloading, opening, dN, K_initial] = m;
     archive("a", a);
     archive("da", da);
     archive("K_max", K_max);
@@ -77,11 +77,12 @@ void members(auto& archive, Is<CycleResult> auto& m) {
     archive("K_slip_unloading", K_slip_unloading);
     archive("opening", opening);
     archive("dN", dN);
+    archive("K_initial", K_initial);
 }
 
 void members(auto& archive, Is<TipResult> auto& m) {
     auto& [a, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length, plastic_zone,
-           plastic_zone_axis] = m;
+           plastic_zone_axis, K_initial] = m;
     archive("a", a);
     archive("K_I", K_I);
     archive("K_II", K_II);
@@ -96,6 +97,7 @@ void members(auto& archive, Is<TipResult> auto& m) {
     archive("contact_length", contact_length);
     archive("plastic_zone", plastic_zone);
     archive("plastic_zone_axis", plastic_zone_axis);
+    archive("K_initial", K_initial);
 }
 
 void members(auto& archive, Is<CycleMemory::Path> auto& m) {
@@ -115,8 +117,9 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [nominal_K, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [nominal_K, K_initial, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
     archive("nominal_K", nominal_K);
+    archive("K_initial", K_initial);
     archive("J", J);
     archive("CTOD", CTOD);
     archive("opening", opening);
@@ -171,12 +174,14 @@ void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
 }
 
 void members(auto& archive, Is<WorkBalance> auto& m) {
-    auto& [external, stored, dissipated, by_friction, released, load_factor, load_displacement, imposed_force] = m;
+    auto& [external, stored, dissipated, by_friction, released, at_start, load_factor, load_displacement,
+           imposed_force] = m;
     archive("external", external);
     archive("stored", stored);
     archive("dissipated", dissipated);
     archive("by_friction", by_friction);
     archive("released", released);
+    archive("at_start", at_start);
     archive("load_factor", load_factor);
     archive("load_displacement", load_displacement);
     archive("imposed_force", imposed_force);

@@ -50,6 +50,7 @@ std::vector<HistoryRow> history_rows(const Increment& increment, const std::vect
         rows[t].x = tips[t].position.x();
         rows[t].y = tips[t].position.y();
         put_tip(rows[t], increment.tips[t]);
+        rows[t].K_initial = increment.initial_K(t);
     }
     return rows;
 }
@@ -80,6 +81,7 @@ CycleRow cycle_row(const Increment& increment, int tip) {
     row.K_op_contact = cycle.contact.front().K_op;
     row.K_op_offset = cycle.offset.K_op;
     row.K_op_tension = cycle.tension.K_op;
+    row.K_initial = cycle.K_initial;
     return row;
 }
 

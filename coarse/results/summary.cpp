@@ -35,7 +35,8 @@ Json last_values(const HistoryRow& row) {
                         {"plastic_zone", row.plastic_zone},
                         {"T_stress", row.T_stress},
                         {"J_spread", row.J_spread},
-                        {"K_spread", row.K_spread}};
+                        {"K_spread", row.K_spread},
+                        {"K_initial", row.K_initial}};
 }
 
 }  // namespace

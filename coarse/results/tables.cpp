@@ -70,6 +70,7 @@ constexpr std::array cycle_table{
     Column<CycleRow>{"K_op_tension", &CycleRow::K_op_tension},
     Column<CycleRow>{"opening_range", &CycleRow::opening_range},
     Column<CycleRow>{"N", &CycleRow::N},
+    Column<CycleRow>{"K_initial", &CycleRow::K_initial},
 };
 
 constexpr std::array closure_table{

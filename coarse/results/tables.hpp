@@ -34,6 +34,7 @@ struct HistoryRow {
     double T_stress = missing;                // MPa
     double J_spread = missing;                // over the rings, relative
     double K_spread = missing;                // likewise
+    double K_initial = missing;               // MPa sqrt(mm), of the summary alone
     double external_work = missing;           // N, per mm of thickness, total so far
     double stored_energy = missing;           // N
     double released_energy = missing;         // N, total so far
@@ -60,6 +61,7 @@ struct CycleRow {
     double K_op_contact = missing, K_op_offset = missing, K_op_tension = missing;  // MPa sqrt(mm)
     double opening_range = missing;                                                // mm
     double N = missing;                                                            // cycles so far, the sum of dN
+    double K_initial = missing;                                                    // MPa sqrt(mm)
 };
 
 /// One cycle, tip and distance behind it.

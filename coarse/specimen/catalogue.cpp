@@ -107,9 +107,10 @@ const Specimen& find_specimen(std::string_view name) {
         fmt::format("mesh.specimen: \"{}\" is not in the catalogue, available: {}", name, fmt::join(names, ", ")));
 }
 
-Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks) {
+Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks,
+               const std::vector<RegionSection>& regions) {
     const Specimen& specimen = find_specimen(section.specimen);
-    Mesh mesh = specimen.mesh(section);
+    Mesh mesh = specimen.mesh(section, lines_of(regions));
     const Body body = specimen.body(section);
     for (std::size_t k = 0; k < cracks.size(); ++k) {
         const std::string key = fmt::format("crack[{}].points", k + 1);

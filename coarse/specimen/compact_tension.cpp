@@ -117,9 +117,9 @@ Body compact_tension(const MeshSection& section) {
     return {Vec2(-front * W, -half_height * W), Vec2(W, half_height * W)};
 }
 
-Mesh compact_tension_mesh(const MeshSection& section) {
+Mesh compact_tension_mesh(const MeshSection& section, const MeshLines& lines) {
     const double W = section.width;
-    Mesh filled = structured_mesh(section, compact_tension(section));
+    Mesh filled = structured_mesh(section, compact_tension(section), lines);
     std::vector<int> pins;
     for (const double side : {-1.0, 1.0}) {
         const std::vector<int> pin = pin_elements(filled, Vec2(0.0, side * hole_height * W), hole_radius * W);

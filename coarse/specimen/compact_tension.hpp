@@ -11,6 +11,6 @@ Body compact_tension(const MeshSection& section);
 /// The notch is part of the crack (its `notch` length). The holes of radius 0.125 W at (0, +-0.275 W) are open but for
 /// a sector through which "pin-top" and "pin-bottom" press outwards: its nodes share their force. The mesh's elements
 /// are in or out of a hole as a whole. Sector and material within 0.2 W of a pin's middle never yield.
-Mesh compact_tension_mesh(const MeshSection& section);
+Mesh compact_tension_mesh(const MeshSection& section, const MeshLines& lines = {});
 
 }  // namespace stria::coarse

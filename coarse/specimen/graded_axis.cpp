@@ -110,14 +110,17 @@ private:
     std::vector<double> cells_;      // before each position
 };
 
-/// A cell with a given middle.
+/// A cell with a given middle; of length 0 it is a position that must be one.
 struct CentralCell {
     double middle;
     double length;
+
+    [[nodiscard]] bool is_line() const { return length == 0.0; }
 };
 
-/// Anchors that get a cell of their own, from left to right, with the length h there.
-std::vector<CentralCell> anchors_of(double length, const CellLength& h, std::span<const AxisGrading> gradings) {
+/// Anchors that get a cell of their own and lines, from left to right, with the length h there.
+std::vector<CentralCell> anchors_of(double length, const CellLength& h, std::span<const AxisGrading> gradings,
+                                    std::span<const double> lines) {
     std::vector<double> middles;
     for (const AxisGrading& grading : gradings) {
         if (grading.centred) middles.push_back(0.5 * (grading.low + grading.high));
@@ -127,9 +130,14 @@ std::vector<CentralCell> anchors_of(double length, const CellLength& h, std::spa
     for (const double middle : middles) {
         const double cell = h.size_at(middle);
         const bool sliver = middle < 0.75 * cell || length - middle < 0.75 * cell ||
-                            (!anchors.empty() && middle - anchors.back().middle < cell);
+                            (!anchors.empty() && middle - anchors.back().middle < cell) ||
+                            std::ranges::any_of(lines, [&](double x) { return std::abs(x - middle) < 0.75 * cell; });
         if (!sliver) anchors.push_back({middle, cell});
     }
+    const double rounding = 1e-9 * length;
+    for (const double line : lines)
+        if (line > rounding && line < length - rounding) anchors.push_back({line, 0.0});
+    std::ranges::sort(anchors, {}, &CentralCell::middle);
     return anchors;
 }
 
@@ -142,7 +150,8 @@ void shrink_like_neighbours(std::vector<CentralCell>& anchors, double length, co
         const bool first = gap == 0, last = gap == anchors.size();
         const double from = first ? 0.0 : anchors[gap - 1].middle, to = last ? length : anchors[gap].middle;
         const double wished = h.cells_before(to) - h.cells_before(from);
-        const double halves = 0.5 * (first ? 0 : 1) + 0.5 * (last ? 0 : 1);
+        const double halves =
+            0.5 * (first || anchors[gap - 1].is_line() ? 0 : 1) + 0.5 * (last || anchors[gap].is_line() ? 0 : 1);
         const double fitted = std::max(std::ceil(wished - halves - rounding), 1.0) + halves;
         if (!first) shrink[gap - 1] = std::min(shrink[gap - 1], wished / fitted);
         if (!last) shrink[gap] = std::min(shrink[gap], wished / fitted);
@@ -163,19 +172,20 @@ void divide(double from, double to, const CellLength& h, bool to_nearest, std::v
 
 }  // namespace
 
-std::vector<double> graded_axis(double length, double size, std::span<const AxisGrading> gradings) {
+std::vector<double> graded_axis(double length, double size, std::span<const AxisGrading> gradings,
+                                std::span<const double> lines) {
     const CellLength h(length, size, gradings);
     if (h.cells_before(length) > max_cells) {
         throw CaseError(fmt::format("mesh.size: {:.3g} cells along one axis, at most {:.0e} are allowed",
                                     h.cells_before(length), max_cells));
     }
-    std::vector<CentralCell> anchors = anchors_of(length, h, gradings);
+    std::vector<CentralCell> anchors = anchors_of(length, h, gradings, lines);
     shrink_like_neighbours(anchors, length, h);
 
     std::vector<double> positions{0.0};
     for (const CentralCell& anchor : anchors) {
-        divide(positions.back(), anchor.middle - 0.5 * anchor.length, h, false, positions);
-        positions.push_back(anchor.middle + 0.5 * anchor.length);
+        divide(positions.back(), anchor.middle - 0.5 * anchor.length, h, gradings.empty(), positions);
+        if (!anchor.is_line()) positions.push_back(anchor.middle + 0.5 * anchor.length);
     }
     divide(positions.back(), length, h, gradings.empty(), positions);
     return positions;

@@ -21,7 +21,9 @@ struct AxisGrading {
 /// Positions 0 ... length such that cells have the length h(x), the smallest of all wishes and `size`. Counts of cells
 /// are rounded up, so that no cell is longer than the largest h in it; without gradings to the nearest. An anchor
 /// nearer to an end of the axis than 3/4 of its cell, or to an anchor before it than one cell, is graded to but not
-/// centred: the cells there would be slivers. Throws CaseError if there would be more than a million positions.
-std::vector<double> graded_axis(double length, double size, std::span<const AxisGrading> gradings);
+/// centred: the cells there would be slivers. `lines`: ascending; those inside the axis are positions, and an anchor
+/// nearer to one than 3/4 of its cell is not centred. Throws CaseError if there would be more than a million positions.
+std::vector<double> graded_axis(double length, double size, std::span<const AxisGrading> gradings,
+                                std::span<const double> lines = {});
 
 }  // namespace stria::coarse

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "coarse/specimen/regions.hpp"
 #include "common/case/case.hpp"
 #include "common/fem/mesh.hpp"
 
@@ -25,7 +26,7 @@ struct Specimen {
     std::string_view name;
     std::string_view sentence;
     Body (*body)(const MeshSection&);
-    Mesh (*mesh)(const MeshSection&);
+    Mesh (*mesh)(const MeshSection&, const MeshLines&);
     // Null where no handbook formula applies. Under the resultant `load`, N per mm of thickness; sources: handbook.hpp.
     double (*handbook_K)(double width, double a, double load);  // MPa sqrt(mm)
     double (*limit_load)(double width, double a, double yield_stress, PlaneState plane);
@@ -37,8 +38,9 @@ std::span<const Specimen> specimens();
 /// Throws CaseError listing the available names.
 const Specimen& find_specimen(std::string_view name);
 
-/// Mesh of the case's specimen. Validates the mesh section and that every crack meets the body and spares the inserts
-/// around pins; throws CaseError.
-Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks);
+/// Mesh of the case's specimen, with node lines along the axis-parallel outlines of regions. Validates the mesh section
+/// and that every crack meets the body and spares the inserts around pins; throws CaseError.
+Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks,
+               const std::vector<RegionSection>& regions = {});
 
 }  // namespace stria::coarse

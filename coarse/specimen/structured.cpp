@@ -7,6 +7,7 @@
 
 #include "coarse/specimen/graded_axis.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "common/memory.hpp"
 
 namespace stria::coarse {
@@ -78,9 +79,11 @@ std::vector<AxisGrading> axis_gradings(const MeshSection& section, const Body& b
     return result;
 }
 
-std::vector<double> axis_positions(const MeshSection& section, const Body& body, int axis) {
+std::vector<double> axis_positions(const MeshSection& section, const Body& body, const MeshLines& lines, int axis) {
+    std::vector<double> from_low = lines[at(axis)];
+    for (double& line : from_low) line -= body.low[axis];
     std::vector<double> positions =
-        graded_axis(body.high[axis] - body.low[axis], section.size, axis_gradings(section, body, axis));
+        graded_axis(body.high[axis] - body.low[axis], section.size, axis_gradings(section, body, axis), from_low);
     for (double& position : positions) position += body.low[axis];
     positions.back() = body.high[axis];
     return positions;
@@ -114,9 +117,10 @@ Mesh grid_mesh(std::span<const double> xs, std::span<const double> ys) {
     return mesh;
 }
 
-Mesh structured_mesh(const MeshSection& section, const Body& body) {
+Mesh structured_mesh(const MeshSection& section, const Body& body, const MeshLines& lines) {
     validate(section, body);
-    const std::vector<double> xs = axis_positions(section, body, 0), ys = axis_positions(section, body, 1);
+    const std::vector<double> xs = axis_positions(section, body, lines, 0),
+                              ys = axis_positions(section, body, lines, 1);
     if (xs.size() * ys.size() > max_elements) {
         throw CaseError(fmt::format("mesh.size: the mesh would have {} elements, at most {} are allowed",
                                     (xs.size() - 1) * (ys.size() - 1), max_elements));
@@ -128,6 +132,8 @@ Mesh structured_mesh(const MeshSection& section, const Body& body) {
 
 Body rectangle(const MeshSection& section) { return {Vec2::Zero(), Vec2(section.width, section.height)}; }
 
-Mesh rectangle_mesh(const MeshSection& section) { return structured_mesh(section, rectangle(section)); }
+Mesh rectangle_mesh(const MeshSection& section, const MeshLines& lines) {
+    return structured_mesh(section, rectangle(section), lines);
+}
 
 }  // namespace stria::coarse

@@ -11,11 +11,12 @@ namespace stria::coarse {
 /// axis.
 Mesh grid_mesh(std::span<const double> xs, std::span<const double> ys);
 
-/// A body meshed as the section's size and gradings ask. Throws CaseError naming the key whose value is not allowed.
-Mesh structured_mesh(const MeshSection& section, const Body& body);
+/// A body meshed as the section's size and gradings ask, with the `lines` that lie in it. Throws CaseError naming the
+/// key whose value is not allowed.
+Mesh structured_mesh(const MeshSection& section, const Body& body, const MeshLines& lines = {});
 
 /// [0, width] x [0, height].
 Body rectangle(const MeshSection& section);
-Mesh rectangle_mesh(const MeshSection& section);
+Mesh rectangle_mesh(const MeshSection& section, const MeshLines& lines = {});
 
 }  // namespace stria::coarse

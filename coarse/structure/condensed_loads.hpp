@@ -16,6 +16,9 @@ public:
     /// On all unknowns of the structure: forces and imposed displacements of the load factor 1, N/mm.
     [[nodiscard]] const ReducedLoad& unit() const { return unit_; }
 
+    /// Likewise of the initial stress; zero without one.
+    [[nodiscard]] const ReducedLoad& initial() const { return initial_; }
+
     /// Mean displacement of the loaded boundary along its direction, mm.
     [[nodiscard]] const LinearReading& mean_displacement() const { return mean_displacement_; }
 
@@ -30,15 +33,16 @@ public:
     /// the coarse elements, N.
     [[nodiscard]] const LinearReading& imposed_force() const { return imposed_force_; }
 
-    /// (1/2) u . K u of the coarse elements, N (per mm of thickness), without visiting one. `tangent`: the structure's,
-    /// condensed; `u`: on the free places.
+    /// Elastic energy of the coarse elements, N (per mm of thickness), without visiting one. `tangent`: the
+    /// structure's, condensed; `u`: on the free places.
     [[nodiscard]] double stored_energy(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& u,
                                        double load_factor) const;
 
 private:
-    ReducedLoad unit_;
+    ReducedLoad unit_, initial_;
     LinearReading mean_displacement_, holding_force_, load_displacement_, imposed_force_;
-    double unit_energy_ = 0.0;  // twice the energy of the load factor 1 with the free places held, N
+    double unit_energy_ = 0.0;     // twice the energy of the load factor 1 with the free places held, N
+    double initial_energy_ = 0.0;  // that of the initial stress with the free places held, N
 };
 
 }  // namespace stria::coarse

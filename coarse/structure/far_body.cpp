@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "coarse/elements/coarse_elements.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
@@ -24,7 +25,7 @@ FarBody::FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds) 
 }
 
 ReducedLoad FarBody::reduce(const Eigen::VectorXd& load) const {
-    constexpr std::size_t most = 5;  // a structure has no more of them
+    constexpr std::size_t most = 6;  // a structure has no more of them
     const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) { return answer.load == load; });
     if (known != answers_.end()) return known->reduced;
     if (answers_.size() == most) answers_.erase(answers_.begin());
@@ -34,13 +35,11 @@ ReducedLoad FarBody::reduce(const Eigen::VectorXd& load) const {
 
 SparseMatrix FarBody::assemble(const Scene& scene, const IndexLists& of_elements, StructureSeconds& seconds) const {
     const Stopwatch watch(seconds.assembly);
-    const bool averaged = mean_dilatation(scene.input.material, scene.elastic) != MeanDilatation::Nowhere;
-    const MandelMatrix elastic = scene.elastic.stiffness();
     SparseMatrix lower = lower_pattern(of_elements, static_cast<int>(inner_.size() + rim_.size()));
     std::size_t k = 0;
     for (int e = 0; e < far_.size(); ++e)
         if (far_.contains(e))
-            add_to_lower(lower, of_elements[k++], plain_operator(scene.enriched, e, averaged).stiffness(elastic));
+            add_to_lower(lower, of_elements[k++], plain_operator(scene, e).stiffness(scene.stiffness(e)));
     return lower;
 }
 

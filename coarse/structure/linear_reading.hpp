@@ -5,17 +5,19 @@
 
 namespace stria::coarse {
 
-/// weights . u + per_load_factor * lambda. What lies inside the structure is eliminated: `per_load_factor` is the
-/// reading at the load factor 1 with the boundary held at zero.
+/// weights . u + per_load_factor * lambda + constant. What lies inside the structure is eliminated: `per_load_factor`
+/// is what the load factor 1 adds to the reading with the boundary held at zero, `constant` what the initial stress
+/// does.
 struct LinearReading {
     Eigen::VectorXd weights;  // on the free places of Gamma (structure.hpp)
     double per_load_factor = 0.0;
+    double constant = 0.0;
 
     /// The load factor itself.
-    static LinearReading load_factor(Eigen::Index unknowns) { return {Eigen::VectorXd::Zero(unknowns), 1.0}; }
+    static LinearReading load_factor(Eigen::Index unknowns) { return {Eigen::VectorXd::Zero(unknowns), 1.0, 0.0}; }
 
     [[nodiscard]] double at(const Eigen::VectorXd& u, double load_factor) const {
-        return weights.dot(u) + per_load_factor * load_factor;
+        return weights.dot(u) + per_load_factor * load_factor + constant;
     }
     [[nodiscard]] bool is_load_factor() const { return weights.isZero(0.0); }
 };

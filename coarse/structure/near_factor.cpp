@@ -18,11 +18,12 @@ bool same_bits(const SparseMatrix& a, const SparseMatrix& b) {
 
 SparseMatrix near_stiffness(const CoarseElements& elements, const IndexLists& of_elements, int unknowns,
                             const FarBody* far) {
-    const MandelMatrix elastic = elements.scene().elastic.stiffness();
+    const Scene& scene = elements.scene();
     SparseMatrix lower = lower_pattern(of_elements, unknowns);
     std::size_t k = 0;
-    elements.for_each(elements.near(),
-                      [&](const auto& op) { add_to_lower(lower, of_elements[k++], op.stiffness(elastic)); });
+    elements.for_each(elements.near(), [&](const auto& op) {
+        add_to_lower(lower, of_elements[k++], op.stiffness(scene.stiffness(op.element)));
+    });
     if (far != nullptr) add_to_lower(lower, of_elements[k], far->tangent());
     return lower;
 }

@@ -54,19 +54,30 @@ Eigen::VectorXd Structure::on_free_places(const Eigen::VectorXd& gamma_values) c
     return gather(gamma_values, free_places());
 }
 
-Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor) const {
-    const ReducedLoad& unit = loads_.unit();
+/// Load on the structure at a load factor, with a share of the initial stress.
+ReducedLoad Structure::load_at(double load_factor, double initial) const {
+    ReducedLoad load{load_factor * loads_.unit().interior, load_factor * loads_.unit().boundary};
+    if (initial == 0.0 || elements_.initial().load.size() == 0) return load;
+    load.interior += initial * loads_.initial().interior;
+    load.boundary += initial * loads_.initial().boundary;
+    return load;
+}
+
+Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor, double initial) const {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene().enriched.unknowns);
-    u(numbering_.unknowns()) =
-        leaf_.expand({load_factor * unit.interior, load_factor * unit.boundary}, on_free_places(gamma_displacement));
+    u(numbering_.unknowns()) = leaf_.expand(load_at(load_factor, initial), on_free_places(gamma_displacement));
     impose(scene().prescribed, load_factor, u);
     return u;
 }
 
-void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, Eigen::VectorXd& u) const {
-    const Eigen::VectorXd& interior = loads_.unit().interior;
-    const Eigen::VectorXd x = leaf_.expand_above(load_factor * interior.tail(interior.size() - numbering_.far_count()),
-                                                 on_free_places(gamma_displacement));
+void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, double initial,
+                            Eigen::VectorXd& u) const {
+    const auto near = [&](const ReducedLoad& load) {
+        return load.interior.tail(load.interior.size() - numbering_.far_count());
+    };
+    Eigen::VectorXd load = load_factor * near(loads_.unit());
+    if (initial != 0.0) load += initial * near(loads_.initial());
+    const Eigen::VectorXd x = leaf_.expand_above(load, on_free_places(gamma_displacement));
     Eigen::Index k = 0;
     for (const int unknown : near_unknowns()) u[unknown] = x[k++];
     impose(near_supports_, load_factor, u);

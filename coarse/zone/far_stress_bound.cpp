@@ -16,7 +16,8 @@ constexpr std::ptrdiff_t most_states = 24;  // then all but the pivot is learnt 
 }  // namespace
 
 FarStressBound::FarStressBound(const Structure& structure)
-    : structure_(&structure), far_(structure.factors().far), weight_(smallest_far_weight(structure)) {}
+    : structure_(&structure), far_(structure.factors().far), affine_(structure.scene().initial_stress().any()),
+      response_(largest_far_response(structure)) {}
 
 bool FarStressBound::turn_to(const Structure& structure) {
     if (structure.factors().far != far_) return false;
@@ -42,7 +43,7 @@ FarStressBound::Coordinates FarStressBound::resolve(Eigen::VectorXd& displacemen
 
 double FarStressBound::stress_of(const Eigen::VectorXd& remainder) const {
     const double twice_energy = remainder.dot(structure_->far_force(remainder));
-    return std::sqrt(3.0 * structure_->scene().elastic.shear_modulus() * std::max(0.0, twice_energy) / weight_);
+    return std::sqrt(response_ * std::max(0.0, twice_energy));
 }
 
 double FarStressBound::bound_beside(const Known& known, double scale, const Coordinates& place) const {
@@ -56,12 +57,16 @@ double FarStressBound::bound_beside(const Known& known, double scale, const Coor
 }
 
 double FarStressBound::at(const Eigen::VectorXd& rim_displacement, double load_factor) const {
-    if (weight_ == infinite) return 0.0;
+    if (response_ == 0.0) return 0.0;
     if (load_factor != 0.0 && pivot_.size() == 0) return infinite;
     Eigen::VectorXd remainder = rim_displacement;
     const Coordinates place = resolve(remainder, load_factor);
-    double bound = bound_beside({}, 0.0, place);
+    double bound = affine_ ? infinite : bound_beside({}, 0.0, place);
     for (const Known& known : known_) {
+        if (affine_) {
+            bound = std::min(bound, bound_beside(known, 1.0, place));
+            continue;
+        }
         const bool loaded = known.place.load_factor != 0.0;
         if (!loaded && load_factor != 0.0) continue;
         bound = std::min(bound, bound_beside(known, loaded ? load_factor / known.place.load_factor : 1.0, place));
@@ -70,13 +75,17 @@ double FarStressBound::at(const Eigen::VectorXd& rim_displacement, double load_f
 }
 
 double FarStressBound::stress_of_mode(const Eigen::VectorXd& displacement) const {
-    return largest_far_stress(*structure_, structure_->expand_far(displacement));
+    return largest_far_stress(*structure_, structure_->expand_far(displacement), StressPart::OfDisplacement);
+}
+
+void FarStressBound::learn_pivot(const Eigen::VectorXd& rim_displacement, double largest_stress) {
+    pivot_ = rim_displacement;
+    pivot_stress_ = largest_stress;
 }
 
 void FarStressBound::learn(const Eigen::VectorXd& rim_displacement, double load_factor, double largest_stress) {
     if (load_factor != 0.0 && pivot_.size() == 0) {
-        pivot_ = rim_displacement / load_factor;
-        pivot_stress_ = largest_stress / std::abs(load_factor);
+        if (!affine_) learn_pivot(rim_displacement / load_factor, largest_stress / std::abs(load_factor));
         return;
     }
     if (std::ssize(known_) == most_states) {

@@ -7,7 +7,8 @@
 // and by the triangle inequality the stress is at most |lambda| sigma_p + sum |a_k| sigma_k + sigma(d). Of d the far
 // energy W is known, and a point that stands for the area w can have no more of it than W:
 // sigma(d)^2 <= 6 G W / w, as the energy density is at least sigma^2 / (6 G). A state looked at before, scaled to the
-// same load factor, may take the place of lambda p: the sum is then over what distinguishes the two.
+// same load factor, may take the place of lambda p: the sum is then over what distinguishes the two. With an initial
+// stress it may, unscaled, and only it: the stress is then affine in the load factor and u.
 #pragma once
 
 #include <vector>
@@ -24,12 +25,15 @@ public:
     /// Turns to another structure if it has the same far body: all that was learnt is true of it. Else false.
     [[nodiscard]] bool turn_to(const Structure& structure);
 
-    /// Upper bound of the von Mises stress in far elements, inserts left out, MPa. Infinite while nothing comparable
-    /// has been learnt. `rim_displacement`: on Structure::rim(), of a state in equilibrium.
+    /// Upper bound of the von Mises stress in far elements, measured as structure_stresses.hpp does, MPa. Infinite
+    /// while nothing comparable has been learnt. `rim_displacement`: on Structure::rim(), of a state in equilibrium.
     [[nodiscard]] double at(const Eigen::VectorXd& rim_displacement, double load_factor) const;
 
+    /// The pivot: displacement and largest far stress of the load factor 1 without an initial stress.
+    void learn_pivot(const Eigen::VectorXd& rim_displacement, double largest_stress);
+
     /// Learns from such a state and its largest far stress. Costs an expansion of the far body and a look at its
-    /// elements; not for the pivot, the first state under load.
+    /// elements; not for the first state under load, which is the pivot where there is none and no initial stress.
     void learn(const Eigen::VectorXd& rim_displacement, double load_factor, double largest_stress);
 
 private:
@@ -53,7 +57,8 @@ private:
 
     const Structure* structure_;
     std::shared_ptr<const FarBody> far_;
-    double weight_;  // smallest, of a far point
+    bool affine_;      // there is an initial stress
+    double response_;  // of a far point's stress to energy (structure_stresses.hpp)
     Eigen::VectorXd pivot_;
     double pivot_stress_ = 0.0;
     std::vector<Mode> modes_;

@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "coarse/specimen/regions.hpp"
 
 namespace stria::coarse {
 namespace {
 
-constexpr double wanted = 5.0;          // elements across the forward zone
-constexpr double most_at_a_time = 2.0;  // elements
+constexpr double wanted = 5.0;            // elements across the forward zone
+constexpr double most_at_a_time = 2.0;    // elements
+constexpr double elements_in_ring = 4.0;  // across the radius of the largest one
 
 bool asks_for_opening_loads(const Case& input) {
     const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
@@ -32,6 +35,19 @@ std::string growth_warning(std::size_t tip, double increment, double element) {
         tip, increment, increment / element, element);
 }
 
+/// Rings stay inside the material of the tip: near an interface they may be thinner than the mesh shows.
+void add_ring_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+    for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
+        const Tip& tip = scene.enriched.tips[at(t)];
+        const double radius = largest_ring(scene, t);
+        const double element = tip_element_size(scene.enriched, tip) / std::numbers::sqrt2;
+        if (radius >= elements_in_ring * element) continue;
+        warnings.push_back(fmt::format("tip {}: the largest ring inside its material has a radius of {:.3g} mm, {:.2g} "
+                                       "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
+                                       t, radius, radius / element, element, elements_in_ring));
+    }
+}
+
 }  // namespace
 
 double forward_zone(double K_I, double yield_stress, PlaneState plane) {
@@ -41,11 +57,14 @@ double forward_zone(double K_I, double yield_stress, PlaneState plane) {
 
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I) {
     const Case& input = scene.input;
-    std::vector<std::string> warnings;
-    if (!input.material.yield_stress || !asks_for_opening_loads(input)) return warnings;
+    std::vector<std::string> warnings = region_warnings(scene.mesh, input.regions);
+    if (!input.regions.empty()) add_ring_warnings(scene, warnings);
+    if (!asks_for_opening_loads(input)) return warnings;
+    const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
+        if (!std::isfinite(yield_stress[t])) continue;
         const double element = tip_element_size(scene.enriched, scene.enriched.tips[t]) / std::numbers::sqrt2;
-        const double zone = forward_zone(largest_K_I[t], *input.material.yield_stress, input.model.plane);
+        const double zone = forward_zone(largest_K_I[t], yield_stress[t], input.model.plane);
         if (zone > 0.0 && zone < wanted * element)
             warnings.push_back(zone_warning(t, zone, element, input.fine.refine));
         if (input.growth && input.growth->increment >= most_at_a_time * element)

@@ -1,5 +1,7 @@
 #include "coarse/zone/refined_scene.hpp"
 
+#include <utility>
+
 #include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/specimen/specimen.hpp"
@@ -8,12 +10,14 @@
 namespace stria::coarse {
 
 Scene refined_scene(const Case& input) {
-    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks));
+    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks, input.regions));
     require_room(scene.mesh, scene.enriched, input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
     if (!input.fine.radius || input.growth) K_I = largest_K_I(input.load, unit_response(solve_nominal(scene)));
-    return make_scene(input, refine(scene.mesh, disks_about_tips(scene, K_I, Room::ToGrow)).mesh);
+    Mesh refined = refine(scene.mesh, disks_about_tips(scene, K_I, Room::ToGrow)).mesh;
+    refined.material.clear();  // small elements tell the outlines of regions better
+    return make_scene(input, std::move(refined));
 }
 
 }  // namespace stria::coarse

@@ -24,18 +24,17 @@ int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<uns
 
 /// How far ahead of a tip metal flows at its largest load, measured along the crack, mm. In plane strain it flows to
 /// the sides: the elastic stresses reach yield at most 0.47 times as far ahead as away from the tip (nu = 0.3).
-double flow_ahead(const Case& input, double K_I) {
-    if (!input.material.yield_stress) return 0.0;
-    const double away = forward_zone(K_I, *input.material.yield_stress, input.model.plane);
-    return input.model.plane == PlaneState::Strain ? 0.47 * away : away;
+double flow_ahead(PlaneState plane, double K_I, double yield_stress) {
+    const double away = forward_zone(K_I, yield_stress, plane);
+    return plane == PlaneState::Strain ? 0.47 * away : away;
 }
 
 /// How far small elements lie ahead of a tip that grows, mm: as far as metal flows, because it is never split again.
-double way_ahead(const Case& input, double K_I, double radius, Room room) {
+double way_ahead(const Case& input, double flow, double radius, Room room) {
     constexpr double most = 0.15;  // of the radius: each element of the zone is paid for
     constexpr int steps = 10;
     if (!input.growth) return 0.0;
-    return std::min(flow_ahead(input, K_I), radius) +
+    return std::min(flow, radius) +
            (room == Room::ToGrow ? std::min(steps * input.growth->increment, most * radius) : 0.0);
 }
 
@@ -45,14 +44,16 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
     const EnrichedMesh& mesh = scene.enriched;
     const FineSection& fine = scene.input.fine;
     const int levels = levels_of(fine);
+    const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     std::vector<RefinedDisk> disks;
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
         const Tip& tip = mesh.tips[t];
         const int element = piece_at(mesh, tip).element;
         const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
         const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
-        const double radius = std::max(zone_radius(fine, scene.input.material, K_I[t]), 3.0 * smallest);
-        const double way = way_ahead(scene.input, K_I[t], radius, room);
+        const double radius = std::max(zone_radius(fine, yield_stress[t], K_I[t]), 3.0 * smallest);
+        const double flow = flow_ahead(scene.input.model.plane, K_I[t], yield_stress[t]);
+        const double way = way_ahead(scene.input, flow, radius, room);
         disks.push_back({tip.position, tip.position + way * tip.direction, radius, levels, fine.growth});
     }
     return disks;

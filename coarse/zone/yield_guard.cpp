@@ -13,15 +13,16 @@ constexpr int most_unpaid = 8;
 
 }  // namespace
 
-YieldGuard::YieldGuard(const MaterialSection& material)
-    : limit_(material.yield_stress ? *material.yield_stress * (1.0 + 1e-9) : std::numeric_limits<double>::infinity()) {}
+YieldGuard::YieldGuard(const Materials& materials) : limit_(materials.weakest_yield_stress() * (1.0 + 1e-9)) {}
 
 void YieldGuard::turn_to(const Structure& structure, const Eigen::VectorXd& elastic) {
     structure_ = &structure;
     if (limit_ == std::numeric_limits<double>::infinity() || (far_ && far_->turn_to(structure))) return;
     unpaid_ = 0;
     far_.emplace(structure);
-    if (elastic.size() > 0) far_->learn(gather(elastic, structure.rim()), 1.0, largest_far_stress(structure, elastic));
+    if (elastic.size() > 0)
+        far_->learn_pivot(gather(elastic, structure.rim()),
+                          largest_far_stress(structure, elastic, StressPart::OfDisplacement));
 }
 
 std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
@@ -36,7 +37,7 @@ std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     }
     ++work_.structure_checks_full;
     const Eigen::VectorXd whole = equilibrium.structure_displacement();
-    const double largest = largest_far_stress(*structure_, whole);
+    const double largest = largest_far_stress(*structure_, whole, StressPart::Whole);
     if (largest > limit_) return stria::coarse::elements_beyond(limit_, *structure_, whole);
     if (unpaid_ < most_unpaid) {
         far_->learn(rim, equilibrium.load_factor(), largest);

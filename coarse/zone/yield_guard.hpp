@@ -11,8 +11,8 @@ namespace stria::coarse {
 
 class YieldGuard {
 public:
-    /// Nothing yields where the material has no yield stress.
-    explicit YieldGuard(const MaterialSection& material);
+    /// Nothing yields where no material has a yield stress.
+    explicit YieldGuard(const Materials& materials);
 
     /// Turns to another structure, which must outlive its checks. Where its far body is another one, the bound begins
     /// anew with `elastic`, the displacement of the whole mesh in an elastic equilibrium at the load factor 1, mm. It
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] const coupling::WorkCounts& work() const { return work_; }
 
 private:
-    double limit_;
+    double limit_;  // the weakest yield stress, MPa
     const Structure* structure_ = nullptr;
     std::optional<FarStressBound> far_;  // where something may yield
     coupling::WorkCounts work_;

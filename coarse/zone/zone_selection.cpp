@@ -35,7 +35,7 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(t)];
     const bool touches = scene.input.cracks[at(tip.crack)].contact.has_value();
-    if (radius <= 0.0 && !touches && !scene.input.material.yield_stress) return;
+    if (radius <= 0.0 && !touches && !scene.materials.may_yield()) return;
     for (int e = 0; e < zone.size(); ++e) {
         if (scene.mesh.in_insert(e)) continue;
         if (carries_function_of(mesh, e, t) || (centre(mesh, e) - tip.position).norm() <= radius) zone.insert(e);
@@ -57,10 +57,9 @@ double subdivision_radius(double beta, double K_I, double yield_stress) {
     return beta * (std::numbers::pi / 16.0) * (K_I * K_I) / (yield_stress * yield_stress);
 }
 
-double zone_radius(const FineSection& fine, const MaterialSection& material, double K_I) {
+double zone_radius(const FineSection& fine, double yield_stress, double K_I) {
     if (fine.radius) return *fine.radius;
-    if (!material.yield_stress) return 0.0;
-    return subdivision_radius(fine.beta, std::max(K_I, 0.0), *material.yield_stress);
+    return subdivision_radius(fine.beta, std::max(K_I, 0.0), yield_stress);
 }
 
 ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
@@ -68,8 +67,9 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     for (int e = 0; e < zone.size(); ++e)
         if (scene.mesh.is_split(e)) zone.insert(e);
     add_touching_faces(scene, zone);
+    const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
-        add_disk(scene, t, zone_radius(scene.input.fine, scene.input.material, K_I[at(t)]), zone);
+        add_disk(scene, t, zone_radius(scene.input.fine, yield_stress[at(t)], K_I[at(t)]), zone);
     add_neighbours_along_edges(scene.enriched, zone);
     const int subcells = subcells_elsewhere(scene.input.fine);
     const double points = 4.0 * subcells * subcells * zone.count();
@@ -118,7 +118,8 @@ coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const 
         const std::vector<Annulus> rings = rings_about(scene, t);
         for (int k = 0; k < std::ssize(rings); ++k) {
             const auto& [inner, outer] = rings[at(k)];
-            if (reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
+            // An initial stress counts inside of a ring too.
+            if (scene.initial_stress().any() || reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
                 patch.rings.push_back({t, k, inner, outer});
         }
     }

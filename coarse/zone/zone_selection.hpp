@@ -13,8 +13,9 @@ namespace stria::coarse {
 /// Eq. (3): R_sub = beta * (pi/16) * K_I^2 / sigma_y^2, mm.
 double subdivision_radius(double beta, double K_I, double yield_stress);
 
-/// Radius of the zone about a tip, mm: that of the case, or eq. (3). 0 without either.
-double zone_radius(const FineSection& fine, const MaterialSection& material, double K_I);
+/// Radius of the zone about a tip, mm: that of the case, or eq. (3). 0 without either. `yield_stress`: at the tip, MPa;
+/// infinite where nothing yields.
+double zone_radius(const FineSection& fine, double yield_stress, double K_I);
 
 /// The elements of the zone. `K_I`: the largest of the load history, MPa sqrt(mm), one per tip. None in elastic,
 /// traction-free scenes.

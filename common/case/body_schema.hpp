@@ -1,6 +1,8 @@
 // The sections of the case file that say what is loaded: the body, its mesh, material, cracks and boundaries.
 #pragma once
 
+#include <filesystem>
+
 #include "common/case/case.hpp"
 #include "common/schema/schema.hpp"
 
@@ -9,7 +11,12 @@ namespace stria {
 schema::Section<ModelSection> model_section();
 schema::Section<MeshSection> mesh_section();
 schema::Section<MaterialSection> material_section();
+schema::Section<RegionSection> region_section();
+schema::Section<InitialStressSection> initial_stress_section();
 schema::Section<CrackSection> crack_section();
 schema::Section<BoundarySection> boundary_section();
+
+/// The nodes of initial_stress.file. Throws CaseError with its line.
+StressGrid read_stress_grid(const std::filesystem::path& path);
 
 }  // namespace stria

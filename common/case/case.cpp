@@ -4,12 +4,20 @@
 
 namespace stria {
 
-bool needs_fine(const Case& scene) { return needs_fine(scene.fine, scene.material, scene.cracks); }
+bool may_yield(const Case& scene) {
+    const auto yields = [](const RegionSection& region) { return region.material.yield_stress.has_value(); };
+    return scene.material.yield_stress || std::ranges::any_of(scene.regions, yields);
+}
 
-bool needs_fine(const FineSection& fine, const MaterialSection& material, const std::vector<CrackSection>& cracks) {
+bool has_initial_stress(const Case& scene) {
+    const auto misfits = [](const RegionSection& region) { return region.initial_stress.has_value(); };
+    return scene.initial_stress || std::ranges::any_of(scene.regions, misfits);
+}
+
+bool needs_fine(const Case& scene) {
     const bool contact =
-        std::ranges::any_of(cracks, [](const CrackSection& crack) { return crack.contact.has_value(); });
-    return material.yield_stress || contact || fine.refine > 1 || fine.radius;
+        std::ranges::any_of(scene.cracks, [](const CrackSection& crack) { return crack.contact.has_value(); });
+    return may_yield(scene) || contact || scene.fine.refine > 1 || scene.fine.radius;
 }
 
 int subcells_at_crack(const FineSection& fine) { return fine.subcells.value_or(2); }

@@ -65,6 +65,42 @@ struct MaterialSection {
     bool operator==(const MaterialSection&) const = default;
 };
 
+/// The stress that a region would have if nothing around it gave way, MPa.
+struct MisfitStress {
+    double xx = 0.0, yy = 0.0, xy = 0.0;
+    bool operator==(const MisfitStress&) const = default;
+};
+
+/// Where the body is of another material than that of the case.
+struct RegionSection {
+    std::vector<Vec2> outline;  // a polygon, or two opposite corners of a rectangle, mm
+    MaterialSection material;
+    std::optional<MisfitStress> initial_stress;
+    bool operator==(const RegionSection&) const = default;
+};
+
+/// Stress along an axis, linear between points.
+struct StressProfile {
+    std::vector<double> at;      // mm, ascending
+    std::vector<double> stress;  // MPa, one per point
+    bool operator==(const StressProfile&) const = default;
+};
+
+/// Stress at the nodes of a grid, bilinear between them.
+struct StressGrid {
+    std::vector<double> x, y;        // mm, ascending
+    std::vector<double> xx, yy, xy;  // MPa, one per node, row by row: x fastest
+    bool operator==(const StressGrid&) const = default;
+};
+
+/// The stress of the body before any load; what its parts give adds up.
+struct InitialStressSection {
+    std::optional<StressProfile> sigma_x, sigma_y;  // of y, and of x
+    std::optional<std::string> file;                // a CSV file; its numbers become the grid
+    std::optional<StressGrid> grid;
+    bool operator==(const InitialStressSection&) const = default;
+};
+
 /// Stable beside the jumps of the faces; or one at each Gauss point of the interface elements, which is not.
 enum class MultiplierKind { Stable, Gauss };
 
@@ -198,6 +234,8 @@ struct Case {
     ModelSection model;
     MeshSection mesh;
     MaterialSection material;
+    std::vector<RegionSection> regions;
+    std::optional<InitialStressSection> initial_stress;
     std::vector<CrackSection> cracks;
     std::vector<BoundarySection> boundaries;
     LoadSection load;
@@ -210,9 +248,14 @@ struct Case {
     bool operator==(const Case&) const = default;
 };
 
+/// Some material has a yield stress.
+bool may_yield(const Case& scene);
+
+/// There is stress before any load.
+bool has_initial_stress(const Case& scene);
+
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);
-bool needs_fine(const FineSection& fine, const MaterialSection& material, const std::vector<CrackSection>& cracks);
 
 /// Sub-quadrangles per element edge in a zone: where a crack is or goes straight on, and away from both. A refined zone
 /// has elements as small as sub-quadrangles are meant to be.

@@ -161,7 +161,7 @@ void check_enrichment(const Case& whole, const Value& root, const Place& place) 
     if (whole.fine.enrichment_radius && enrichment != Enrichment::Geometrical && enrichment != Enrichment::Auto)
         reject(place.inside("fine.enrichment_radius"), *find(*fine, "enrichment_radius"), Key{}.in("mm"),
                "needs enrichment = \"geometrical\" or \"auto\"");
-    if (whole.fine.refine > 1 && !whole.material.yield_stress && !whole.fine.radius)
+    if (whole.fine.refine > 1 && !may_yield(whole) && !whole.fine.radius)
         reject(place.inside("fine.refine"), *find(*fine, "refine"), {},
                "needs fine.radius where nothing yields: eq. (3) gives no radius there");
 }

@@ -1,5 +1,6 @@
 #include "common/case/case_file.hpp"
 
+#include "common/case/body_schema.hpp"
 #include "common/case/case_checks.hpp"
 #include "common/case/case_schema.hpp"
 #include "common/case/not_in_this_version.hpp"
@@ -192,6 +193,11 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
         const std::filesystem::path file = std::filesystem::path(path).parent_path() / *scene.load.spectrum;
         for (const LoadBlock& block : read_spectrum(file)) scene.load.blocks.push_back(block);
         scene.load.spectrum.reset();  // the resolved case stands alone
+    }
+    if (scene.initial_stress && scene.initial_stress->file) {
+        const std::filesystem::path file = std::filesystem::path(path).parent_path() / *scene.initial_stress->file;
+        scene.initial_stress->grid = read_stress_grid(file);
+        scene.initial_stress->file.reset();
     }
     check_load(scene.load, root, {path, ""});
     return scene;

@@ -21,6 +21,10 @@ Section<Case> whole_case() {
     s.table("model", &Case::model, model_section()).says("Plane state and thickness.");
     s.table("mesh", &Case::mesh, mesh_section()).says("The specimen and its background mesh.");
     s.table("material", &Case::material, material_section()).says("Elasticity and J2 plasticity.");
+    s.list("region", &Case::regions, region_section()).says("Parts of the body of another material.");
+    s.table("initial_stress", &Case::initial_stress, initial_stress_section())
+        .says("Stress before any load; absent: none. It comes to equilibrium in a first increment at the load factor "
+              "0.");
     s.list("crack", &Case::cracks, crack_section()).says("Cracks.");
     s.list("boundary", &Case::boundaries, boundary_section()).says("Supports and loads.");
     s.table("load", &Case::load, load_section()).says("The history of the load factor.");

@@ -14,6 +14,7 @@ struct Tip {
     double s;        // arc length at which the faces end
     int upper;
     double beyond = 0.0;  // arc length from there out to the tip; negative where they end ahead of it
+    int material = 0;     // of the element that holds it (materials.hpp)
 };
 
 /// Whether a tip has stayed where it was.

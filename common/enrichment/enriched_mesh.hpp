@@ -44,6 +44,7 @@ struct EnrichedMesh {
     std::vector<std::array<int, 4>> elements;
     std::vector<int> node_ids;     // of the whole mesh
     std::vector<int> element_ids;  // of the whole mesh
+    std::vector<int> material;     // of each element (materials.hpp); empty: all are of material 0
 
     std::vector<CrackPiece> pieces;  // ordered by crack, then along it
     std::vector<Tip> tips;
@@ -62,6 +63,8 @@ struct EnrichedMesh {
 
     /// Numbers the unknowns, node by node, then tip by tip.
     void number();
+
+    [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
 
     /// Null where the node is not tied.
     [[nodiscard]] const TiedNode* tie(int node) const;

@@ -44,9 +44,11 @@ struct Mesh {
     std::vector<HangingNode> hanging;                           // ascending by node
     std::map<std::string, std::vector<BoundaryEdge>> boundary;  // by name: "top", "bottom", "left", "right", ...
     std::map<std::string, SpreadPoint> pins;                    // by name: "pin-top", "pin-bottom"
+    std::vector<int> material;        // of each element (materials.hpp); empty: all are of material 0
     std::vector<int> insert;          // ascending: elements that stay elastic at any stress (around pins)
     std::optional<double> load_line;  // x, mm: crack lengths are measured from there (CT)
 
+    [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
     [[nodiscard]] bool is_split(int element) const { return !level.empty() && level[at(element)] > 0; }
     [[nodiscard]] bool in_insert(int element) const {
         return std::binary_search(insert.begin(), insert.end(), element);

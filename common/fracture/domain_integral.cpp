@@ -30,11 +30,11 @@ bool constant(const Eigen::Vector4d& q) { return (q.array() == q[0]).all(); }
 RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings)
     : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()) {}
 
-bool RingSums::enter(int element) {
+bool RingSums::enter(int element, bool with_inside) {
     entered_.clear();
     for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
         const Eigen::Vector4d q = corner_weights(mesh_, element, tip_, rings_[ring]);
-        if (!constant(q)) entered_.push_back({ring, q});
+        if (!constant(q) || (with_inside && q[0] != 0.0)) entered_.push_back({ring, q});
     }
     if (entered_.empty()) return false;
     side_ = mesh_.element_side[at(element)];
@@ -61,6 +61,18 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
         const Vec2 weighted = point.weight * dq;
         sums_[ring] += {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
     });
+}
+
+void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope) {
+    const double own = elastic_.work(stress, slope);
+    std::array<double, 3> mutual{};
+    std::ranges::transform(auxiliary(point), mutual.begin(),
+                           [&](const TipField& field) { return strain_of(field.gradient).dot(slope); });
+    const Eigen::Vector4d shape = shape_q4(corners_, point.xi).value;
+    for (const auto& [ring, q] : entered_) {
+        const double weight = -point.weight * shape.dot(q);
+        sums_[ring] += {weight * own, weight * mutual[0], weight * mutual[1], weight * mutual[2]};
+    }
 }
 
 // With the tractions +-T on the faces, -(T . u_,1) q of both adds up to -T . d(jump)/dx_1 q (J), and likewise with the

@@ -66,11 +66,16 @@ public:
     /// `mesh` must outlive the sums.
     RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings);
 
-    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
-    bool enter(int element);
+    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring. `with_inside`: an
+    /// initial stress has something to add wherever q is not zero.
+    bool enter(int element, bool with_inside = false);
 
     /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
+
+    /// What an initial stress adds there: its derivative along the tip, on the strains of the stress and of the
+    /// auxiliary fields (docs/equations.md, initial stress).
+    void add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope);
 
     /// The auxiliary fields of the interactions I, II and T at a point.
     [[nodiscard]] std::array<TipField, 3> auxiliary(const IntegrationPoint& point) const;
@@ -85,6 +90,9 @@ public:
         double opening_slope, slip_slope;
     };
     void add_faces(const FaceStation& station, const FaceLoad& load);
+
+    /// Of the tip.
+    [[nodiscard]] const Vec2& direction() const { return tip_.direction; }
 
     [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
 

@@ -30,6 +30,12 @@ struct Elasticity {
         return std::numbers::sqrt2 * shear_modulus() * std::max(std::numbers::sqrt3, hydrostatic);
     }
 
+    /// Work density of a stress on the strain that another one makes, N/mm2: one : compliance : other.
+    [[nodiscard]] double work(const Mandel& one, const Mandel& other) const {
+        return ((1.0 + poisson) * one.dot(other) - poisson * mandel_identity.dot(one) * mandel_identity.dot(other)) /
+               young;
+    }
+
     /// Elastic energy density, N/mm2: (1/2) stress : compliance : stress.
     [[nodiscard]] double energy(const Mandel& stress) const {
         const double trace = mandel_identity.dot(stress);

@@ -42,8 +42,8 @@ void fields(auto& wire, Is<CrackPiece> auto& m) {
 }
 
 void fields(auto& wire, Is<Tip> auto& m) {
-    auto& [crack, position, direction, s, upper, beyond] = m;
-    wire(crack, position, direction, s, upper, beyond);
+    auto& [crack, position, direction, s, upper, beyond, material] = m;
+    wire(crack, position, direction, s, upper, beyond, material);
 }
 
 void fields(auto& wire, Is<TiedNode> auto& m) {
@@ -52,9 +52,9 @@ void fields(auto& wire, Is<TiedNode> auto& m) {
 }
 
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
-    auto& [nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
-           element_side, tied, first_unknown, first_gathered, unknowns] = m;
-    wire(nodes, elements, node_ids, element_ids, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
+    auto& [nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, tip_exponent, tip_functions,
+           terms, element_side, tied, first_unknown, first_gathered, unknowns] = m;
+    wire(nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
          element_side, tied, first_unknown, first_gathered, unknowns);
 }
 

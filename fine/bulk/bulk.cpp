@@ -11,13 +11,13 @@
 
 namespace stria::fine {
 
-Bulk::Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
-           const IntegrationRule& rule, const Bulk* old, const Eigen::VectorXd& displacement)
-    : Bulk(BulkElements(mesh, elastic, rule,
+Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
+           const Bulk* old, const Eigen::VectorXd& displacement)
+    : Bulk(BulkElements(mesh, materials, rule,
                         [&](int e, const CrackPiece* cut) {
                             return old != nullptr ? old->elements_.points_kept(mesh, e, cut) : std::nullopt;
                         }),
-           std::move(law), displacement) {
+           std::move(laws), displacement) {
     if (old != nullptr)
         carry_history(*old);
     else
@@ -26,13 +26,13 @@ Bulk::Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     settle();
 }
 
-Bulk::Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
-           const IntegrationRule& rule, const coupling::ZoneSnapshot& snapshot)
-    : Bulk(BulkElements(mesh, elastic, rule,
+Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
+           const coupling::ZoneSnapshot& snapshot)
+    : Bulk(BulkElements(mesh, materials, rule,
                         [&, rows = histories_of_elements(snapshot)](int e, const CrackPiece*) {
                             return points_of(snapshot, rows.at(at(e)));
                         }),
-           std::move(law), snapshot.displacement) {
+           std::move(laws), snapshot.displacement) {
     require(snapshot.element == mesh.element_ids, "a snapshot has the elements of its zone, in its order");
     read_rows(snapshot, operators(), history_);
     history_.set_half_cycle_ended(snapshot.half_cycle_ended);
@@ -46,13 +46,14 @@ Bulk::Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Ela
     rest(resting, snapshot.rest_displacement);
 }
 
-Bulk::Bulk(BulkElements elements, std::unique_ptr<MaterialLaw> law, const Eigen::VectorXd& displacement)
-    : elements_(std::move(elements)), history_(std::move(law), operators()), resting_(operators(), displacement),
-      bound_(elements_.elastic().shear_modulus()), proven_(elements_.count(), true),  // no force is known yet
+Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement)
+    : elements_(std::move(elements)), history_(std::move(laws), elements_.mesh().material, operators()),
+      resting_(operators(), displacement), proven_(elements_.count(), true),  // no force is known yet
       committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
       tangents_(elements_.stiffness()), changed_(elements_.count(), true), yielded_(elements_.count()) {
-    for (const ElementOperator& op : operators()) bound_.add_element(op);
+    for (int e = 0; e < elements_.count(); ++e)
+        bound_.add_element(elements_.op(e), elements_.elastic(e).shear_modulus());
 }
 
 void Bulk::remember(coupling::ZoneSnapshot& out) const {
@@ -69,7 +70,8 @@ void Bulk::remember(coupling::ZoneSnapshot& out) const {
 void Bulk::begin_elastic(int e) {
     const ElementOperator& op = elements_.op(e);
     const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
-    for (std::size_t q = 0; q < op.points.size(); ++q) history_.begin(e, q, op.strain(u, q));
+    for (std::size_t q = 0; q < op.points.size(); ++q)
+        history_.begin(e, q, op.strain(u, q), elements_.initial_stress(e, op.points[q].x));
 }
 
 void Bulk::carry_history(const Bulk& old) {
@@ -188,7 +190,7 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     }
     yielded_.insert(e);
     ++counts_.tangents_computed;
-    const MandelMatrix elastic = elements_.elastic().stiffness();
+    const MandelMatrix& elastic = elements_.elastic_stiffness(e);
     typename Kernel::Matrix K = elements_.stiffness()[at(e)];
     for (std::size_t q = 0; q < at(history_.points(e)); ++q)
         if (history_.yields(e, q)) kernel.add_stiffness(history_.tangent(e, q) - elastic, q, K);
@@ -223,7 +225,7 @@ void Bulk::find_committed_force(int e) {
 Mandel Bulk::trial_stress(int e, std::size_t q) const {
     if (!proven_.contains(e)) return history_.trial_stress(e, q);
     const ElementOperator& op = elements_.op(e);
-    return history_.stress(e, q) + history_.law().elastic() * op.strain(gather(increment_, op.unknowns), q);
+    return history_.stress(e, q) + elements_.elastic_stiffness(e) * op.strain(gather(increment_, op.unknowns), q);
 }
 
 std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
@@ -237,7 +239,7 @@ std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
     const Eigen::VectorXd moved = resting_.moved(op, committed_u_);
     for (std::size_t q = 0; q < op.points.size(); ++q) {
         const Mandel strain = op.strain(moved, q);
-        const Mandel change = history_.law().elastic() * strain;
+        const Mandel change = elements_.elastic_stiffness(e) * strain;
         states[q].work += (states[q].stress + 0.5 * change).dot(strain);
         states[q].stress += change;
     }
@@ -250,9 +252,7 @@ double Bulk::energy_since_rest(int e) const {
     return moved.dot(committed_force_.of(e) + 0.5 * elements_.stiffness()[at(e)] * moved);
 }
 
-ElementSet Bulk::may_rest() const {
-    return history_.law().can_yield() ? resting_.may_rest() : ElementSet(elements_.count(), true);
-}
+ElementSet Bulk::may_rest() const { return resting_.may_rest(history_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
     resting_.rest(elements, displacement, operators());

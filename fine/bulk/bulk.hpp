@@ -21,14 +21,14 @@ namespace stria::fine {
 class Bulk {
 public:
     /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
-    /// newly cut them, and the points' states; the others start from sigma = C eps(displacement) (docs/equations.md,
-    /// growth). `displacement`: committed.
-    Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
-         const IntegrationRule& rule, const Bulk* old, const Eigen::VectorXd& displacement);
+    /// newly cut them, and the points' states; the others start from the initial stress + C eps(displacement)
+    /// (docs/equations.md, growth). `displacement`: committed. `laws`: one per material.
+    Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
+         const Bulk* old, const Eigen::VectorXd& displacement);
 
     /// As a snapshot has it, which holds all elements of the mesh. Throws std::logic_error where it does not.
-    Bulk(const EnrichedMesh& mesh, std::unique_ptr<MaterialLaw> law, const Elasticity& elastic,
-         const IntegrationRule& rule, const coupling::ZoneSnapshot& snapshot);
+    Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
+         const coupling::ZoneSnapshot& snapshot);
 
     /// Writes all that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
@@ -82,7 +82,7 @@ public:
     void count_on_from(const coupling::WorkCounts& counts) { counts_ = counts; }
 
 private:
-    Bulk(BulkElements elements, std::unique_ptr<MaterialLaw> law, const Eigen::VectorXd& displacement);
+    Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement);
     void carry_history(const Bulk& old);
     void carry_history(const Bulk& old, int old_element, int element);
     void begin_elastic(int e);

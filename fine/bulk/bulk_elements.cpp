@@ -24,24 +24,24 @@ bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
 
 }  // namespace
 
-BulkElements::BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, const IntegrationRule& rule,
+BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                            const KnownPoints& known)
-    : mesh_(mesh), elastic_(elastic), piece_(piece_of_elements(mesh_)) {
-    const MandelMatrix stiffness = elastic_.stiffness();
+    : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)) {
     operators_.reserve(mesh_.elements.size());
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
         element_of_id_[mesh_.element_ids[at(e)]] = e;
         const int piece = piece_[at(e)];
         const CrackPiece* cut = piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
+        IntegrationRule own = rule;
+        own.mean_dilatation = mean_dilatation(materials_.section(mesh_.material_of(e)), elastic(e));
         if (auto points = known(e, cut)) {
-            operators_.push_back(make_operator(mesh_, e, cut, rule, std::move(*points)));
+            operators_.push_back(make_operator(mesh_, e, cut, own, std::move(*points)));
         } else {
-            IntegrationRule own = rule;
             if (cut == nullptr && !lies_ahead_of_a_tip(mesh_, e) && !ElementBasis(mesh_, e, false).singular())
                 own.subcells = rule.far_subcells.value_or(rule.subcells);
             operators_.push_back(make_operator(mesh_, e, cut, own));
         }
-        stiffness_.push_back(operators_.back().stiffness(stiffness));
+        stiffness_.push_back(operators_.back().stiffness(elastic_stiffness(e)));
     }
 }
 

@@ -8,7 +8,7 @@
 
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/integration/element_operator.hpp"
-#include "common/material/elasticity.hpp"
+#include "common/material/materials.hpp"
 
 namespace stria::fine {
 
@@ -18,14 +18,26 @@ public:
     /// Points that an element has already, with `cut` the crack inside it or null; none: they are placed anew.
     using KnownPoints = std::function<std::optional<std::vector<IntegrationPoint>>(int element, const CrackPiece* cut)>;
 
-    BulkElements(const EnrichedMesh& mesh, const Elasticity& elastic, const IntegrationRule& rule,
+    /// `rule`: but for the mean dilatation, which follows from an element's material.
+    BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                  const KnownPoints& known);
 
     [[nodiscard]] int count() const { return static_cast<int>(operators_.size()); }
     [[nodiscard]] const EnrichedMesh& mesh() const { return mesh_; }
-    [[nodiscard]] const Elasticity& elastic() const { return elastic_; }
+    [[nodiscard]] const Materials& materials() const { return materials_; }
+    /// Of an element.
+    [[nodiscard]] const Elasticity& elastic(int element) const {
+        return materials_.elastic(mesh_.material_of(element));
+    }
+    [[nodiscard]] const MandelMatrix& elastic_stiffness(int element) const {
+        return materials_.stiffness(mesh_.material_of(element));
+    }
     [[nodiscard]] const std::vector<ElementOperator>& operators() const { return operators_; }
     [[nodiscard]] const ElementOperator& op(int element) const { return operators_[at(element)]; }
+    /// In an element, MPa.
+    [[nodiscard]] Mandel initial_stress(int element, const Vec2& x) const {
+        return materials_.initial_stress().at(x, mesh_.material_of(element));
+    }
 
     /// Elastic stiffness of each element, 2f x 2f where it has f functions, N/mm2.
     [[nodiscard]] const std::vector<Eigen::MatrixXd>& stiffness() const { return stiffness_; }
@@ -43,7 +55,7 @@ public:
 
 private:
     EnrichedMesh mesh_;
-    Elasticity elastic_;
+    Materials materials_;
     std::vector<int> piece_;  // per element: the piece of a crack inside it, -1: none
     std::vector<ElementOperator> operators_;
     std::vector<Eigen::MatrixXd> stiffness_;

@@ -38,11 +38,17 @@ double stored_energy(const Bulk& bulk) {
 }
 
 void add_to(RingSums& rings, const Bulk& bulk) {
+    const InitialStress& initial = bulk.elements().materials().initial_stress();
     for (int e = 0; e < bulk.elements().count(); ++e) {
-        if (!rings.enter(e)) continue;
+        if (!rings.enter(e, initial.any())) continue;
         const std::vector<Bulk::PointState> states = bulk.committed_states(e);
-        for (std::size_t q = 0; q < states.size(); ++q)
-            rings.add(bulk.elements().op(e).points[q], states[q].stress, states[q].gradient, states[q].work);
+        const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
+        for (std::size_t q = 0; q < states.size(); ++q) {
+            rings.add(points[q], states[q].stress, states[q].gradient, states[q].work);
+            if (initial.any())
+                rings.add_initial(points[q], states[q].stress,
+                                  initial.slope(points[q].x, bulk.elements().mesh().material_of(e), rings.direction()));
+        }
     }
 }
 

@@ -16,11 +16,9 @@ namespace stria::fine {
 /// larger nothing flows. A point without weight proves nothing.
 class ElasticBound {
 public:
-    explicit ElasticBound(double shear_modulus) : shear_modulus_(shear_modulus) {}
-
-    void add_element(const ElementOperator& op) {
+    void add_element(const ElementOperator& op, double shear_modulus) {
         const double least = std::ranges::min(op.points, {}, &IntegrationPoint::weight).weight;
-        per_energy_.push_back(least > 0.0 ? 3.0 * shear_modulus_ / least : std::numeric_limits<double>::infinity());
+        per_energy_.push_back(least > 0.0 ? 3.0 * shear_modulus / least : std::numeric_limits<double>::infinity());
         margin_.push_back(0.0);
     }
 
@@ -35,7 +33,6 @@ public:
 private:
     static constexpr double safety = 1.0 - 1e-6;  // what rounding may do
 
-    double shear_modulus_;
     std::vector<double> per_energy_, margin_;  // per element
 };
 

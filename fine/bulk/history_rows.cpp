@@ -33,7 +33,7 @@ std::vector<IntegrationPoint> points_of(const coupling::ZoneSnapshot& snapshot, 
 void read_rows(const coupling::ZoneSnapshot& snapshot, const std::vector<ElementOperator>& operators,
                PointHistory& history) {
     require(snapshot.history.size() == at(snapshot.columns) * at(history.points()) &&
-                snapshot.columns == leading + history.law().state_size(),
+                snapshot.columns == leading + history.state_size(),
             "a snapshot has the points of its zone and the states of its law");
     for_each_row(operators, [&](int e, std::size_t q, std::size_t place) {
         const double* row = &snapshot.history[place * at(snapshot.columns)];
@@ -41,13 +41,13 @@ void read_rows(const coupling::ZoneSnapshot& snapshot, const std::vector<Element
         Eigen::Matrix2d frozen;
         frozen << row[8], row[9], row[10], row[11];
         if (!frozen.isZero(0.0)) history.freeze_gradient(e, q, frozen);
-        for (int c = 0; c < history.law().state_size(); ++c) history.set_value(c, e, q, row[leading + c]);
+        for (int c = 0; c < history.state_size(); ++c) history.set_value(c, e, q, row[leading + c]);
     });
 }
 
 void write_rows(const std::vector<ElementOperator>& operators, const PointHistory& history,
                 coupling::ZoneSnapshot& snapshot) {
-    snapshot.columns = leading + history.law().state_size();
+    snapshot.columns = leading + history.state_size();
     snapshot.history.reserve(at(snapshot.columns) * at(history.points()));
     for_each_row(operators, [&](int e, std::size_t q, std::size_t) {
         const IntegrationPoint& p = operators[at(e)].points[q];
@@ -56,7 +56,7 @@ void write_rows(const std::vector<ElementOperator>& operators, const PointHistor
                                 {p.x.x(), p.x.y(), p.xi.x(), p.xi.y(), p.weight, static_cast<double>(p.side),
                                  static_cast<double>(p.region), history.is_plastic(e, q) ? 1.0 : 0.0, frozen(0, 0),
                                  frozen(0, 1), frozen(1, 0), frozen(1, 1)});
-        for (int c = 0; c < history.law().state_size(); ++c) snapshot.history.push_back(history.value(c, e, q));
+        for (int c = 0; c < history.state_size(); ++c) snapshot.history.push_back(history.value(c, e, q));
     });
 }
 

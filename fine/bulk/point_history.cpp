@@ -7,14 +7,18 @@
 
 namespace stria::fine {
 
-PointHistory::PointHistory(std::unique_ptr<MaterialLaw> law, const std::vector<ElementOperator>& operators)
-    : law_(std::move(law)) {
+PointHistory::PointHistory(MaterialLaws laws, std::vector<int> material, const std::vector<ElementOperator>& operators)
+    : laws_(std::move(laws)), material_(std::move(material)) {
+    for (const auto& law : laws_) {
+        state_size_ = std::max(state_size_, law->state_size());
+        can_yield_ = can_yield_ || law->can_yield();
+    }
     for (const ElementOperator& op : operators) first_.push_back(points() + static_cast<int>(op.points.size()));
     const auto n = at(points());
-    committed_.assign(at(law_->state_size()) * n, 0.0);
+    committed_.assign(at(state_size_) * n, 0.0);
     trial_ = committed_;
     strain_.assign(4 * n, 0.0);
-    tangent_.assign(law_->can_yield() ? 16 * n : 0, 0.0);
+    tangent_.assign(can_yield_ ? 16 * n : 0, 0.0);
     yielding_.assign(n, 0);
     plastic_.assign(n, 0);
 }
@@ -25,11 +29,14 @@ void PointHistory::update(std::span<const ElementOperator> operators, int begin,
     for (int e = begin; e < end; ++e)
         with_kernel(operators[at(e)],
                     [&](const auto& kernel) { kernel.write_strains(increment, &strain_[place(0, e, 0)], points()); });
-    const auto first = place(0, begin, 0);
-    const int count = first_[at(end)] - first_[at(begin)];
-    law_->update(count, points(), &strain_[first], &committed_[first], &trial_[first],
-                 law_->can_yield() ? &tangent_[first] : nullptr, &yielding_[first]);
-    evaluated_ += count;
+    for (int first = begin, last = begin; first < end; first = last) {
+        while (last < end && material_of(last) == material_of(first)) ++last;
+        const auto from = place(0, first, 0);
+        const int count = first_[at(last)] - first_[at(first)];
+        law(first).update(count, points(), &strain_[from], &committed_[from], &trial_[from],
+                          can_yield_ ? &tangent_[from] : nullptr, &yielding_[from]);
+    }
+    evaluated_ += first_[at(end)] - first_[at(begin)];
 }
 
 void PointHistory::commit(bool reversal) {
@@ -42,14 +49,14 @@ void PointHistory::commit(bool reversal) {
 }
 
 void PointHistory::copy(int e, const std::vector<double>& from, std::vector<double>& to) const {
-    for (int c = 0; c < law_->state_size(); ++c) {
+    for (int c = 0; c < state_size_; ++c) {
         const auto begin = static_cast<std::ptrdiff_t>(place(c, e, 0));
         std::copy_n(from.begin() + begin, points(e), to.begin() + begin);
     }
 }
 
 Mandel PointHistory::plastic_strain(int e, std::size_t q) const {
-    return law_->can_yield() ? tensor(committed_, state::plastic_strain, e, q) : Mandel(Mandel::Zero());
+    return can_yield_ ? tensor(committed_, state::plastic_strain, e, q) : Mandel(Mandel::Zero());
 }
 
 MandelMatrix PointHistory::tangent(int e, std::size_t q) const {
@@ -88,7 +95,7 @@ bool PointHistory::is_plastic(int e) const {
 
 void PointHistory::add_share(int e, std::size_t q, double share, const PointHistory& other, int from,
                              std::size_t from_q) {
-    for (int c = 0; c < law_->state_size(); ++c) committed_[place(c, e, q)] += share * other.committed(c, from, from_q);
+    for (int c = 0; c < state_size_; ++c) committed_[place(c, e, q)] += share * other.committed(c, from, from_q);
     set_plastic(e, q, is_plastic(e, q) || other.is_plastic(from, from_q));
 }
 

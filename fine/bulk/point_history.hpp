@@ -12,20 +12,22 @@
 namespace stria::fine {
 
 /// A point is known by its element e and its number q there. Fields are stored component by component over all points
-/// (material_law.hpp), so that laws work on packs of neighbouring points. A component that the law does not store is
+/// (material_law.hpp), so that laws work on packs of neighbouring points. A component that its law does not store is
 /// zero.
 class PointHistory {
 public:
-    /// All zero.
-    PointHistory(std::unique_ptr<MaterialLaw> law, const std::vector<ElementOperator>& operators);
+    /// All zero. `laws`: one per material; `material`: of each element, empty: all are of material 0.
+    PointHistory(MaterialLaws laws, std::vector<int> material, const std::vector<ElementOperator>& operators);
 
-    [[nodiscard]] const MaterialLaw& law() const { return *law_; }
+    [[nodiscard]] const MaterialLaw& law(int e) const { return *laws_[at(material_of(e))]; }
+    /// Components of a state: those of the law with the most.
+    [[nodiscard]] int state_size() const { return state_size_; }
     /// Of all elements; the stride between two components of a field.
     [[nodiscard]] int points() const { return first_.back(); }
     [[nodiscard]] int points(int e) const { return first_[at(e) + 1] - first_[at(e)]; }
     /// Numbers that all points store beyond their stresses.
     [[nodiscard]] std::int64_t values_beyond_stress() const {
-        return static_cast<std::int64_t>(points()) * (law_->state_size() - state::plastic_strain);
+        return static_cast<std::int64_t>(points()) * (state_size_ - state::plastic_strain);
     }
     /// Points that the law has been asked for so far.
     [[nodiscard]] std::int64_t evaluated() const { return evaluated_; }
@@ -48,9 +50,9 @@ public:
     [[nodiscard]] double accumulated(int e, std::size_t q) const { return committed(state::accumulated, e, q); }
     /// Densities, N/mm2.
     [[nodiscard]] double dissipation(int e, std::size_t q) const { return committed(state::dissipation, e, q); }
-    [[nodiscard]] double work(int e, std::size_t q) const { return law_->work(first_committed(e) + q, points()); }
+    [[nodiscard]] double work(int e, std::size_t q) const { return law(e).work(first_committed(e) + q, points()); }
     [[nodiscard]] double stored_energy(int e, std::size_t q) const {
-        return law_->stored_energy(first_committed(e) + q, points());
+        return law(e).stored_energy(first_committed(e) + q, points());
     }
     /// Consistent, of the trial state.
     [[nodiscard]] MandelMatrix tangent(int e, std::size_t q) const;
@@ -61,10 +63,10 @@ public:
 
     /// The smallest change of the von Mises stress that makes a point of the element yield, MPa.
     [[nodiscard]] double elastic_margin(int e) const {
-        return law_->elastic_margin(points(e), points(), first_committed(e));
+        return law(e).elastic_margin(points(e), points(), first_committed(e));
     }
     [[nodiscard]] double trial_elastic_margin(int e) const {
-        return law_->elastic_margin(points(e), points(), &trial_[place(0, e, 0)]);
+        return law(e).elastic_margin(points(e), points(), &trial_[place(0, e, 0)]);
     }
 
     // Who yields, and who is plastic.
@@ -88,9 +90,11 @@ public:
 
     // How a history starts: committed states; rollback() when all are written.
 
-    /// Of a point that has been elastic up to a total strain.
-    void begin(int e, std::size_t q, const Mandel& strain) { law_->begin(strain, first_committed(e) + q, points()); }
-    /// Adds a share of the state of a point of another history with the same law.
+    /// Of a point that has been elastic up to a total strain, from an initial stress on.
+    void begin(int e, std::size_t q, const Mandel& strain, const Mandel& initial) {
+        law(e).begin(strain, initial, first_committed(e) + q, points());
+    }
+    /// Adds a share of the state of a point of another history with the same laws, in the same material.
     void add_share(int e, std::size_t q, double share, const PointHistory& other, int from, std::size_t from_q);
     /// All numbers of a state, in the order of the law.
     [[nodiscard]] double value(int component, int e, std::size_t q) const { return committed_[place(component, e, q)]; }
@@ -108,16 +112,21 @@ private:
     [[nodiscard]] double* first_committed(int e) { return &committed_[place(0, e, 0)]; }
     [[nodiscard]] const double* first_committed(int e) const { return &committed_[place(0, e, 0)]; }
     [[nodiscard]] double committed(int component, int e, std::size_t q) const {
-        return component < law_->state_size() ? value(component, e, q) : 0.0;
+        return component < state_size_ ? value(component, e, q) : 0.0;
     }
     [[nodiscard]] Mandel tensor(const std::vector<double>& states, int component, int e, std::size_t q) const {
         return tensor_at(&states[place(component, e, q)], points(), 0);
     }
     void copy(int e, const std::vector<double>& from, std::vector<double>& to) const;
 
-    std::unique_ptr<MaterialLaw> law_;
+    [[nodiscard]] int material_of(int e) const { return material_.empty() ? 0 : material_[at(e)]; }
+
+    MaterialLaws laws_;
+    std::vector<int> material_;  // of each element
+    int state_size_ = 0;
+    bool can_yield_ = false;                        // some point
     std::vector<int> first_{0};                     // point of each element, and behind the last
-    std::vector<double> committed_, trial_;         // as many components as a state of the law
+    std::vector<double> committed_, trial_;         // as many components as a state
     std::vector<double> strain_;                    // 4 components: the increment
     std::vector<double> tangent_;                   // 16 components; empty: no point can yield
     std::vector<unsigned char> yielding_;           // per point

@@ -52,11 +52,11 @@ void RestingElements::count_half_cycle(const PointHistory& history) {
     }
 }
 
-ElementSet RestingElements::may_rest() const {
+ElementSet RestingElements::may_rest(const PointHistory& history) const {
     constexpr int whole_cycle = 2;
     ElementSet may(elements_.size());
     for (int e = 0; e < may.size(); ++e)
-        if (elastic_half_cycles_[at(e)] >= whole_cycle) may.insert(e);
+        if (elastic_half_cycles_[at(e)] >= whole_cycle || !history.law(e).can_yield()) may.insert(e);
     return may;
 }
 

@@ -40,8 +40,8 @@ public:
     void count_half_cycle(const PointHistory& history);
     [[nodiscard]] const std::vector<int>& elastic_half_cycles() const { return elastic_half_cycles_; }
     void set_elastic_half_cycles(int e, int count) { elastic_half_cycles_[at(e)] = count; }
-    /// Elements that have stayed elastic for a whole cycle.
-    [[nodiscard]] ElementSet may_rest() const;
+    /// Elements that have stayed elastic for a whole cycle, or cannot do else.
+    [[nodiscard]] ElementSet may_rest(const PointHistory& history) const;
 
 private:
     [[nodiscard]] bool would_yield(int e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest,

@@ -40,4 +40,11 @@ std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, 
     return std::make_unique<J2Implicit>(parameters);
 }
 
+MaterialLaws make_material_laws(const Materials& materials, int substeps) {
+    MaterialLaws laws;
+    for (int m = 0; m < materials.count(); ++m)
+        laws.push_back(make_material_law(materials.section(m), materials.elastic(m).plane, substeps));
+    return laws;
+}
+
 }  // namespace stria::fine

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/case/case.hpp"
 #include "common/mandel.hpp"
+#include "common/material/materials.hpp"
 
 namespace stria::fine {
 
@@ -60,11 +60,15 @@ public:
     /// Elastic stiffness in Mandel form (zz row and column zero in plane stress).
     [[nodiscard]] virtual MandelMatrix elastic() const = 0;
 
-    /// Writes the state of a point that has been elastic up to a total strain; the rest of it is zero already.
-    void begin(const Mandel& strain, double* state, int stride) const {
-        const Mandel stress = elastic() * strain;
+    /// Writes the state of a point that has been elastic up to a total strain, from an initial stress on, MPa; the rest
+    /// of it is zero already. The work that made the initial stress counts as stress work.
+    void begin(const Mandel& strain, const Mandel& initial, double* state, int stride) const {
+        const Mandel change = elastic() * strain, stress = initial + change;
         for (int c = 0; c < 4; ++c) state[static_cast<std::ptrdiff_t>(c) * stride] = stress[c];
-        if (can_yield()) state[static_cast<std::ptrdiff_t>(state::work) * stride] = 0.5 * stress.dot(strain);
+        if (!can_yield()) return;
+        const bool virgin = initial.isZero(0.0);
+        state[static_cast<std::ptrdiff_t>(state::work) * stride] =
+            virgin ? 0.5 * change.dot(strain) : stored_energy(state, stride);
     }
 
     /// Stress work density, N/mm2: a function of the stress where nothing flows.
@@ -77,5 +81,9 @@ public:
 /// yield stress is given. `substeps`: of a strain increment at points that flow. Throws CaseError for parameters that
 /// make no law.
 std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps = 1);
+
+/// The laws of a body, by material.
+using MaterialLaws = std::vector<std::unique_ptr<MaterialLaw>>;
+[[nodiscard]] MaterialLaws make_material_laws(const Materials& materials, int substeps = 1);
 
 }  // namespace stria::fine

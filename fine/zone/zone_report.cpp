@@ -71,7 +71,8 @@ std::vector<coupling::RingReport> report_rings(const CommittedZone& zone,
             numbers.push_back(ring.number);
         }
         if (annuli.empty()) continue;
-        RingSums sums(mesh, mesh.tips[at(t)], zone.bulk.elements().elastic(), annuli);
+        const Tip& tip = mesh.tips[at(t)];
+        RingSums sums(mesh, tip, zone.bulk.elements().materials().elastic(tip.material), annuli);
         add_to(sums, zone.bulk);
         add_tractions(sums, zone, tip_stations[at(t)]);
         for (std::size_t k = 0; k < numbers.size(); ++k) {

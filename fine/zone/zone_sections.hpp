@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "common/case/case.hpp"
+#include "common/material/materials.hpp"
 
 namespace stria::fine {
 
 struct ZoneSections {
     ZoneSections(const Case& input)
-        : model(input.model), material(input.material), cracks(input.cracks), fine(input.fine),
-          steps_per_cycle(input.load.steps), tolerance(input.solver.tolerance) {}
+        : materials(input), cracks(input.cracks), fine(input.fine), steps_per_cycle(input.load.steps),
+          tolerance(input.solver.tolerance) {}
 
-    ModelSection model;
-    MaterialSection material;
+    Materials materials;
     std::vector<CrackSection> cracks;
     FineSection fine;
     int steps_per_cycle;  // increments: how many predictors are remembered

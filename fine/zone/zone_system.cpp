@@ -13,8 +13,8 @@
 namespace stria::fine {
 
 ZoneSystem::ZoneSystem(const ZoneSections& input)
-    : input_(input), elastic_(elasticity_of(input.material, input.model.plane)),
-      memory_{.increments = IncrementMemory<ZoneUnknowns>(remembered_increments(input.steps_per_cycle))} {}
+    : input_(input), memory_{.increments =
+                                 IncrementMemory<ZoneUnknowns>(remembered_increments(input.steps_per_cycle))} {}
 
 void ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
@@ -24,7 +24,8 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (grows) keep_displacement(memory_, patch_.mesh, patch);
     make_contact(patch);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
-    bulk_ = std::make_unique<Bulk>(patch.mesh, make_law(), elastic_, rule(), old.get(), memory_.committed.displacement);
+    bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), old.get(),
+                                   memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
     if (grows)
@@ -33,24 +34,21 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
         memory_.opening.follow(before, patch_.mesh);
 }
 
-std::unique_ptr<MaterialLaw> ZoneSystem::make_law() const {
-    return make_material_law(input_.material, input_.model.plane, input_.fine.substeps);
-}
+MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
 
 IntegrationRule ZoneSystem::rule() const {
     // Of elastic elements around a tip that slides: points without a history, so that there may be many.
-    const bool dense = !input_.material.yield_stress && has_friction(input_.cracks);
+    const bool dense = !input_.materials.may_yield() && has_friction(input_.cracks);
     return {.subcells = subcells_at_crack(input_.fine),
             .far_subcells = subcells_elsewhere(input_.fine),
             .singular_gauss = dense ? 6 : 2,
-            .tip_points = dense ? 10 : 4,
-            .mean_dilatation = mean_dilatation(input_.material, elastic_)};
+            .tip_points = dense ? 10 : 4};
 }
 
 void ZoneSystem::make_contact(const coupling::Patch& patch) {
     contact_ =
         std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, subcells_at_crack(input_.fine),
-                                           elastic_.plane_modulus(), memory_.frozen);
+                                           input_.materials.largest_plane_modulus(), memory_.frozen);
 }
 
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
@@ -279,7 +277,7 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     take_up(memory_, *contact_, snapshot);
     contact_->restore(statuses_of(snapshot));
     const coupling::WorkCounts so_far = bulk_ ? bulk_->counts() : coupling::WorkCounts();
-    bulk_ = std::make_unique<Bulk>(patch.mesh, make_law(), elastic_, rule(), snapshot);
+    bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), snapshot);
     bulk_->count_on_from(so_far);
     begin_with(patch);
 }

@@ -83,7 +83,7 @@ public:
     [[nodiscard]] double contact_seconds() const { return contact_s_; }
 
 private:
-    [[nodiscard]] std::unique_ptr<MaterialLaw> make_law() const;
+    [[nodiscard]] MaterialLaws make_laws() const;
     [[nodiscard]] IntegrationRule rule() const;
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
@@ -102,7 +102,6 @@ private:
     };
 
     ZoneSections input_;
-    Elasticity elastic_;
     coupling::Patch patch_;
     std::unique_ptr<Bulk> bulk_;
     std::unique_ptr<ContactInterface> contact_;

@@ -55,6 +55,18 @@ const std::vector<std::string> sliding_scene{
     "load.steps=12",
     "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
 
+/// The plastic zone reaches into a weaker metal ahead, and from there into a strip that never yields. The weaker one
+/// has a misfit, and the plate a stress across it before any load.
+const std::vector<std::string> layered_scene{
+    mesh_at_tip(0.6),
+    "mesh.size=10.0",
+    "load.steps=12",
+    "solver.tolerance=1e-12",
+    "region=[{outline=[[21.0,0.0],[23.0,200.0]], initial_stress={yy=25.0, xx=10.0}, material={young=120e3, "
+    "poisson=0.34, yield_stress=150.0, isotropic={law='voce', Q=80.0, b=20.0}, kinematic=[{C=5e3, gamma=30.0}]}}, "
+    "{outline=[[23.0,0.0],[50.0,90.0],[50.0,200.0],[23.0,200.0]], material={young=300e3, poisson=0.2}}]",
+    "initial_stress={sigma_y={at=[0.0,12.5,25.0,37.5,50.0], stress=[20.0,0.0,-20.0,0.0,20.0]}}"};
+
 struct SettingsOfCase {
     const char* name;
     std::vector<std::string> settings;
@@ -232,14 +244,16 @@ INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
                                          SettingsOfCase{"refined", refined_scene},
                                          SettingsOfCase{"growing", growing_scene},
                                          SettingsOfCase{"following", following_scene},
-                                         SettingsOfCase{"sliding", sliding_scene}),
+                                         SettingsOfCase{"sliding", sliding_scene},
+                                         SettingsOfCase{"layered", layered_scene}),
                          [](const auto& scenery) { return std::string(scenery.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Sceneries, SharedZone,
     testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
                     SettingsOfCase{"extended", extended_scene}, SettingsOfCase{"growing", growing_scene},
-                    SettingsOfCase{"following", following_scene}, SettingsOfCase{"sliding", sliding_scene}),
+                    SettingsOfCase{"following", following_scene}, SettingsOfCase{"sliding", sliding_scene},
+                                         SettingsOfCase{"layered", layered_scene}),
     [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {

@@ -84,6 +84,17 @@ const StoppedRun sliding_growing{"SlidingGrowing",
                                   "growth.increment=0.3"},
                                  27};
 
+/// Flow in two metals and a strip that never yields; the crack grows out of the one into the other.
+const StoppedRun layered{
+    "Layered",
+    {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=12", "solver.tolerance=1e-12",
+     "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]", "growth.increment=0.3",
+     "region=[{outline=[[20.4,0.0],[23.0,200.0]], material={young=120e3, poisson=0.34, yield_stress=150.0, "
+     "kinematic=[{C=5e3, gamma=30.0}]}, initial_stress={yy=20.0}}, {outline=[[23.0,0.0],[50.0,200.0]], "
+     "material={young=300e3, poisson=0.2}}]",
+     "initial_stress={sigma_y={at=[0.0,12.5,25.0,37.5,50.0], stress=[20.0,0.0,-20.0,0.0,20.0]}}"},
+    27};
+
 /// Half way of an increment that was halved.
 const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
@@ -182,7 +193,10 @@ protected:
             EXPECT_EQ(b.machine.force, a.machine.force);
             EXPECT_EQ(bits_of(b.zone), bits_of(a.zone)) << "increment " << a.number;
             EXPECT_EQ(b.signal, a.signal);
+            EXPECT_EQ(b.work.at_start, a.work.at_start) << "increment " << a.number;
             for (std::size_t t = 0; t < a.cycles.size(); ++t) {
+                EXPECT_EQ(b.cycles.at(t).K_max, a.cycles[t].K_max);
+                EXPECT_EQ(b.cycles[t].K_initial, a.cycles[t].K_initial);
                 EXPECT_EQ(slip_text(b.cycles.at(t).K_slip), slip_text(a.cycles[t].K_slip));
                 EXPECT_EQ(slip_text(b.cycles[t].K_slip_unloading), slip_text(a.cycles[t].K_slip_unloading));
             }
@@ -261,7 +275,7 @@ TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,
-                                         followed, halved, displaced, elastic),
+                                         followed, halved, displaced, elastic, layered),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -284,7 +298,7 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
     expect_same_to_rounding(2, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, followed, sliding_growing),
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone, testing::Values(still, extended, growing, followed, sliding_growing, layered),
                          testing::PrintToStringParamName());
 
 }  // namespace

@@ -56,6 +56,22 @@ TEST(ShippedCases, OverloadIsThatOfItsTableLong) {
     expect_overload_table(cycles);
 }
 
+TEST(ShippedCases, AWeldOpensItsCrackAsItsReadmeSays) {
+    const std::vector<double> row = figures_of("weld", "-2");
+    Case input = changed("weld", {});
+    const coarse::CycleResult with = run_cycles(input).back();
+    EXPECT_NEAR(with.K_initial, row.at(0), 0.05);
+    EXPECT_NEAR(with.K_max, row.at(1), 0.05);
+    EXPECT_NEAR(with.K_min, row.at(2), 0.05);
+    EXPECT_NEAR(with.opening.K_op, row.at(3), 0.002 * with.K_max);
+    const auto share = [](const coarse::CycleResult& cycle) {
+        return (cycle.K_max - cycle.opening.K_op) / (cycle.K_max - cycle.K_min);
+    };
+    EXPECT_NEAR(share(with), row.at(4), 0.002);
+    input.initial_stress.reset();
+    EXPECT_NEAR(share(run_cycles(input).back()), row.at(5), 0.002);
+}
+
 TEST(ShippedCases, ParisLifeLastsAsLongAsItsReadmeSaysLong) {
     for (const std::string driving : {"dK", "dK_eff"}) {
         double life = 0.0;

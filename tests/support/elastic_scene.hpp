@@ -12,7 +12,10 @@ inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elastici
     coarse::Scene scene;
     scene.mesh = std::move(mesh);
     scene.enriched = std::move(enriched);
-    scene.elastic = elastic;
+    MaterialSection material;
+    material.young = elastic.young;
+    material.poisson = elastic.poisson;
+    scene.materials = Materials(material, elastic.plane);
     scene.loads = std::move(loads);
     coarse::put_loads_on_unknowns(scene);
     return scene;

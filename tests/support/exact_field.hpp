@@ -16,7 +16,7 @@ const Elasticity unit{1.0, 0.3};
 inline void impose(coarse::Scene& scene, int mode) {
     const EnrichedMesh& mesh = scene.enriched;
     const auto exact = [&](const Vec2& x, int side) {
-        return williams_field(mode, mesh.tips.front(), x, side, scene.elastic).displacement;
+        return williams_field(mode, mesh.tips.front(), x, side, scene.materials.elastic(0)).displacement;
     };
     std::vector<coarse::PrescribedUnknown> held;
     for (const int node : boundary_nodes(scene.mesh)) {
@@ -54,10 +54,11 @@ inline double energy_error(const coarse::Structure& structure, const Eigen::Vect
         const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const IntegrationPoint& point = op.points[q];
-            const TipField exact = williams_field(mode, scene.enriched.tips[0], point.x, point.side, scene.elastic);
+            const TipField exact =
+                williams_field(mode, scene.enriched.tips[0], point.x, point.side, scene.materials.elastic(0));
             const Mandel strain = strain_of(exact.gradient), difference = op.strain(local, q) - strain;
-            wrong += point.weight * difference.dot(scene.elastic.stiffness() * difference);
-            whole += point.weight * strain.dot(scene.elastic.stiffness() * strain);
+            wrong += point.weight * difference.dot(scene.materials.elastic(0).stiffness() * difference);
+            whole += point.weight * strain.dot(scene.materials.elastic(0).stiffness() * strain);
         }
     });
     return std::sqrt(wrong / whole);

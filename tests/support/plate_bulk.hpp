@@ -9,8 +9,8 @@ namespace stria::test {
 inline fine::Bulk make_bulk(const EnrichedMesh& mesh, const Case& input, const Eigen::VectorXd& displacement,
                             const fine::Bulk* old = nullptr) {
     return {mesh,
-            fine::make_material_law(input.material, input.model.plane),
-            elasticity_of(input.material, input.model.plane),
+            Materials(input),
+            fine::make_material_laws(Materials(input)),
             IntegrationRule{.subcells = 2, .tip_points = 4},
             old,
             displacement};

@@ -12,11 +12,11 @@ struct PlatePoints {
     Case input = plate_case({{0.0, 2.4}, {2.3, 2.6}});
     EnrichedMesh mesh = plate_mesh(5, 5, input);
     Elasticity elastic = elasticity_of(input.material, input.model.plane);
-    fine::BulkElements elements{mesh, elastic, IntegrationRule{.subcells = 2, .tip_points = 4},
+    fine::BulkElements elements{mesh, Materials(input), IntegrationRule{.subcells = 2, .tip_points = 4},
                                 [](int, const CrackPiece*) { return std::nullopt; }};
 
     [[nodiscard]] fine::PointHistory history() const {
-        return {fine::make_material_law(input.material, input.model.plane), elements.operators()};
+        return {fine::make_material_laws(Materials(input)), mesh.material, elements.operators()};
     }
 
     /// Every node moves along y in proportion to its height: a uniform strain.

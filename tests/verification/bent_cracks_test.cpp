@@ -72,13 +72,11 @@ Mesh conforming_mesh(const std::vector<Vec2>& points, int n) {
 coarse::TipResult along_edges(const Case& input, int n) {
     coarse::Scene scene;
     scene.input = input;
-    scene.elastic = elasticity_of(input.material, input.model.plane);
+    scene.materials = Materials(input);
     scene.mesh = conforming_mesh(input.cracks[0].points, n);
     scene.loads = coarse::resolve_boundaries(scene.mesh, input.boundaries);
     scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
-    scene.enriched =
-        coarse::enrich(scene.mesh, input.cracks,
-                       coarse::choose_enrichment(input.fine, input.material, input.cracks, input.growth.has_value()));
+    scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
     coarse::put_loads_on_unknowns(scene);
     const coarse::Structure structure(scene);
     return coarse::fracture_parameters(structure, structure.expand({}, 1.0), {}).front();

@@ -225,7 +225,7 @@ TEST(SlidingLoads, SlipBeginsWhereTheShearHasReachedItsBound) {
     Case input = closed_crack(friction, 0.2);
     input.closure.distance = 0.25;
     input.closure.profile = {0.5};
-    const coarse::ClosureMeter meter(input.closure, input.material, input.cracks, {1.0, 1.0});
+    const coarse::ClosureMeter meter(input.closure, {300.0, 300.0}, input.cracks, {1.0, 1.0});
     StagedBody body(input, meter.slip_at());
     const auto sheared = [&](double shear) { return UniformStress{.along = -pressure, .shear = shear}.sections(); };
     body.load(sheared(0.0));

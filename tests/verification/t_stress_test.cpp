@@ -19,14 +19,15 @@ using std::numbers::pi;
 void impose_K_and_T(coarse::Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips.front();
-    const Eigen::Matrix2d stretch = gradient_of(Vec2(1.0, 0.0).asDiagonal(), scene.elastic);
+    const Eigen::Matrix2d stretch = gradient_of(Vec2(1.0, 0.0).asDiagonal(), scene.materials.elastic(0));
     for (const int node : boundary_nodes(scene.mesh)) {
         const Vec2& x = mesh.nodes[at(node)];
-        const Vec2 u = williams_field(1, tip, x, 0, scene.elastic).displacement + stretch * (x - tip.position);
+        const Vec2 u =
+            williams_field(1, tip, x, 0, scene.materials.elastic(0)).displacement + stretch * (x - tip.position);
         for (int c = 0; c < 2; ++c) scene.prescribed.push_back({mesh.unknown(node, 0, c), u[c]});
         if (heaviside_side(mesh, node) == 0.0) continue;
         const Vec2& mouth = mesh.pieces.front().points.front();
-        const double opening = williams_field(1, tip, mouth, 1, scene.elastic).displacement.y();
+        const double opening = williams_field(1, tip, mouth, 1, scene.materials.elastic(0)).displacement.y();
         scene.prescribed.push_back({mesh.unknown(node, 1, 0), 0.0});
         scene.prescribed.push_back({mesh.unknown(node, 1, 1), opening});
     }

@@ -160,7 +160,7 @@ private:
         const int own = piece[at(id)];
         const CrackPiece* cut = own >= 0 ? &scene->enriched.pieces[at(own)] : nullptr;
         IntegrationRule rule = elastic_rule(scene->enriched, id, cut != nullptr);
-        rule.mean_dilatation = mean_dilatation(scene->input.material, scene->elastic);
+        rule.mean_dilatation = mean_dilatation(scene->input.material, scene->materials.elastic(0));
         const auto& corners = ElementBasis(scene->enriched, id, cut != nullptr).corners();
         std::vector<IntegrationPoint> points;
         for (std::size_t q = first; q < end; ++q) {
@@ -171,7 +171,7 @@ private:
         const Eigen::VectorXd u = gather(structure_u, op.unknowns);
         double largest = 0.0;
         for (std::size_t q = first; q < end; ++q) {
-            const Mandel was = scene->elastic.stiffness() * op.strain(u, q - first);
+            const Mandel was = scene->materials.elastic(0).stiffness() * op.strain(u, q - first);
             largest = std::max(largest, (after.stress(q) - was).norm());
         }
         return largest;

@@ -25,11 +25,17 @@ EnrichedMesh small_mesh() {
                     .s = {0.0, 0.25},
                     .entry = 3.5,
                     .exit = -1.0}};
-    mesh.tips = {
-        {.crack = 0, .position = {0.25, 0.5}, .direction = {1.0, 0.0}, .s = 0.25, .upper = -1, .beyond = 0.125}};
+    mesh.tips = {{.crack = 0,
+                  .position = {0.25, 0.5},
+                  .direction = {1.0, 0.0},
+                  .s = 0.25,
+                  .upper = -1,
+                  .beyond = 0.125,
+                  .material = 2}};
     mesh.tip_functions = 6;
     mesh.terms = {{{Term::Kind::Heaviside, 0, 0, -1.0}, {Term::Kind::Tip, 0, 3, 0.7}}, {}, {}, {}};
     mesh.element_side = {1};
+    mesh.material = {3};
     mesh.first_unknown = {0, 6, 8, 10};
     mesh.unknowns = 12;
     return mesh;
@@ -111,6 +117,8 @@ TEST(Wire, Patch) {
     EXPECT_EQ(copy.mesh.pieces.at(0).entry, 3.5);
     EXPECT_EQ(copy.mesh.tips.at(0).upper, -1);
     EXPECT_EQ(copy.mesh.tips.at(0).beyond, 0.125);
+    EXPECT_EQ(copy.mesh.tips[0].material, 2);
+    EXPECT_EQ(copy.mesh.material, std::vector<int>{3});
     EXPECT_EQ(copy.mesh.terms.at(0).at(1).kind, Term::Kind::Tip);
     EXPECT_EQ(copy.mesh.terms.at(0).at(1).shift, 0.7);
     EXPECT_EQ(copy.mesh.element_side, small_mesh().element_side);

@@ -53,19 +53,19 @@ TEST(ClosureMeter, CountsOnlyContactBeyondItsDistances) {
     Case input = loaded();
     input.closure.distance = 0.2;
     input.closure.profile = {0.05, 0.4};
-    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
     EXPECT_EQ(meter.signals().all(), 3U);
     EXPECT_EQ(closed(meter.signal(with_reach(meter, 0.3), {})), (std::vector<bool>{1, 1, 0}));
     EXPECT_EQ(closed(meter.signal(with_reach(meter, 0.1), {})), (std::vector<bool>{0, 1, 0}));
     EXPECT_EQ(closed(meter.signal(with_reach(meter, -1.0), {})), (std::vector<bool>{0, 0, 0}));
-    EXPECT_NEAR(ClosureMeter(loaded().closure, loaded().material, loaded().cracks, {500.0}).distances(0)[0],
+    EXPECT_NEAR(ClosureMeter(loaded().closure, {300.0}, loaded().cracks, {500.0}).distances(0)[0],
                 0.1 * 3.14159265 / 16.0 * 25.0 / 9.0, 1e-6);
 }
 
 TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
     Case input = loaded();
     input.closure.definition = OpeningDefinition::Tension;
-    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
     EXPECT_EQ(meter.signals().all(), 2U);
     EXPECT_EQ(closed(meter.signal(with_reach(meter, -1.0, -2.0), {})), (std::vector<bool>{0, 1}));
     EXPECT_EQ(closed(meter.signal(with_reach(meter, -1.0, 2.0), {})), (std::vector<bool>{0, 0}));
@@ -74,7 +74,7 @@ TEST(ClosureMeter, SeesCompressionAheadWhereAsked) {
 TEST(ClosureMeter, FindsTheLoadAsPreciselyAsAsked) {
     Case input = loaded();
     input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
     int trials = 0;
     const auto solve = [&](double target) {
         ++trials;
@@ -96,7 +96,7 @@ TEST(ClosureMeter, FindsTheLoadAsPreciselyAsAsked) {
 TEST(ClosureMeter, GoesStraightToWhereContactIsLost) {
     Case input = loaded();
     input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
     for (const double stiffer : {0.05, 0.5, 1.0, 7.0, 60.0}) {
         for (const double root : {30.5, 33.0, 37.3, 39.8}) {
             int trials = 0;
@@ -125,7 +125,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     Case input = loaded();
     input.closure.distance = 0.1;
     input.closure.profile = {0.2, 0.4};
-    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
     int trials = 0;
     const auto solve = [&](double target) {
         ++trials;
@@ -148,7 +148,7 @@ TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
 TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
     Case input = loaded();
     input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
     const auto fails_about_35 = [&](double target) {
         if (std::abs(target - 35.0) < 0.5) return ClosureMeter::Trial{};
         return ClosureMeter::Trial{with_reach(meter, target < 37.3 ? 1.0 : -1.0), target};
@@ -159,20 +159,20 @@ TEST(ClosureMeter, TriesElsewhereWhereATrialFails) {
 }
 
 TEST(ClosureMeter, AsksForSlipWhereThereIsFrictionAndAProfile) {
-    const ClosureMeter meter(rough().closure, rough().material, rough().cracks, {500.0});
+    const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
     EXPECT_EQ(meter.signals().all(), 4U);
     EXPECT_EQ(meter.slip_at(), (std::vector<std::vector<double>>{{0.1, 0.4}}));
     Case smooth = rough(), no_table = rough();
     smooth.cracks[0].contact->friction = 0.0;
     no_table.closure.profile.clear();
     for (const Case& input : {smooth, no_table}) {
-        EXPECT_EQ(ClosureMeter(input.closure, input.material, input.cracks, {500.0}).signals().slip, 0U);
-        EXPECT_TRUE(ClosureMeter(input.closure, input.material, input.cracks, {500.0}).slip_at().empty());
+        EXPECT_EQ(ClosureMeter(input.closure, {300.0}, input.cracks, {500.0}).signals().slip, 0U);
+        EXPECT_TRUE(ClosureMeter(input.closure, {300.0}, input.cracks, {500.0}).slip_at().empty());
     }
 }
 
 TEST(ClosureMeter, WhatHasSlidCountsUntilTheLoadTurns) {
-    const ClosureMeter meter(rough().closure, rough().material, rough().cracks, {500.0});
+    const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
     std::vector<double> now = meter.signal(with_slip({0, 1}), {});
     EXPECT_EQ(closed(now), (std::vector<bool>{1, 1, 0, 1}));
     now = meter.signal(with_slip({0, 0}), now);
@@ -185,7 +185,7 @@ TEST(ClosureMeter, WhatHasSlidCountsUntilTheLoadTurns) {
 // Slip that runs from the mouth towards the tip and halts on its way: found once per distance, whichever way
 // the load goes.
 TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
-    const ClosureMeter meter(rough().closure, rough().material, rough().cracks, {500.0});
+    const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
     const auto slides_in = [](const std::array<double, 2>& first, const std::array<double, 2>& second) {
         return [=](double target) {
             const auto slides = [&](const std::array<double, 2>& range) {
@@ -213,7 +213,7 @@ TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
 
 // A load that is as far off as the increment is long is none.
 TEST(ClosureMeter, GivesNoLoadWhereNoTrialSucceeds) {
-    const ClosureMeter meter(loaded().closure, loaded().material, loaded().cracks, {500.0});
+    const ClosureMeter meter(loaded().closure, {300.0}, loaded().cracks, {500.0});
     const auto fails = [](double) { return ClosureMeter::Trial{}; };
     const auto changes = meter.locate({30.0, 30.0, {1.0}}, {40.0, 40.0, {-1.0}}, 0.1, fails);
     ASSERT_EQ(changes.size(), 1U);

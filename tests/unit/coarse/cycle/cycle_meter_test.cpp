@@ -13,7 +13,7 @@ protected:
     CycleMeterTest() {
         Case input;
         input.material.yield_stress = 300.0;
-        closure = ClosureMeter(input.closure, input.material, input.cracks, {500.0});
+        closure = ClosureMeter(input.closure, {300.0}, input.cracks, {500.0});
         meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
     }
 
@@ -23,6 +23,7 @@ protected:
         increment.step.cycle = cycle;
         increment.step.target.value = increment.load_factor = load;
         increment.nominal_K = {10.0 * a};
+        if (initial_K != 0.0) increment.K_initial = {initial_K};
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
@@ -36,7 +37,21 @@ protected:
 
     ClosureMeter closure;
     CycleMeter meter;
+    double initial_K = 0.0;
 };
+
+TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
+    initial_K = 50.0;
+    go(0, 20.0, 1.0, false);
+    go(1, -10.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = -6.0}});
+    go(1, 20.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = -4.0}});
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_initial, 50.0);
+    EXPECT_EQ(cycle.K_max, 250.0);
+    EXPECT_EQ(cycle.K_min, -50.0);
+    EXPECT_EQ(cycle.opening.K_cl, -10.0);
+    EXPECT_EQ(cycle.opening.K_op, 10.0);
+}
 
 TEST_F(CycleMeterTest, MeasuresFromMaximumToMaximum) {
     go(0, 20.0, 1.0, false);
@@ -98,7 +113,7 @@ TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
     input.closure.profile = {0.5};
     input.cracks.resize(1);
     input.cracks[0].contact = ContactSection{0.3};
-    closure = ClosureMeter(input.closure, input.material, input.cracks, {500.0});
+    closure = ClosureMeter(input.closure, {300.0}, input.cracks, {500.0});
     meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
     go(0, 20.0, 1.0, true);
     const auto slides = [](int distance, double load) { return OpeningChange{0, 2 + distance, true, load}; };

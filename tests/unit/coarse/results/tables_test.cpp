@@ -25,7 +25,7 @@ TEST(Tables, HaveTheColumnsUsersKnow) {
     EXPECT_EQ(joined(cycle_columns()),
               "cycle,tip,a,da,dN,K_max,K_min,K_op,K_cl,U,dK_eff,J_max,CTOD_range,forward_zone,cyclic_zone,"
               "newton_iterations,fine_points,fine_unknowns,wall_s,forward_zone_axis,cyclic_zone_axis,K_op_contact,"
-              "K_op_offset,K_op_tension,opening_range,N");
+              "K_op_offset,K_op_tension,opening_range,N,K_initial");
     EXPECT_EQ(joined(closure_columns()), "cycle,tip,distance,K_op,K_cl,K_slip,K_slip_unloading");
     EXPECT_EQ(joined(face_columns()), "increment,crack,s,x,y,opening,slip,pressure,shear,status");
 }
@@ -50,7 +50,7 @@ TEST(Tables, PutValuesUnderTheirColumns) {
 TEST(Tables, LeaveSlipEmptyWhereNobodyMeasuresIt) {
     Case input;
     input.closure.profile = {0.5};
-    const ClosureMeter closure(input.closure, input.material, input.cracks, {500.0});
+    const ClosureMeter closure(input.closure, {300.0}, input.cracks, {500.0});
     Increment increment;
     increment.cycles.resize(1);
     increment.cycles[0].contact = {{.K_op = 80.0}, {.K_op = 90.0}};

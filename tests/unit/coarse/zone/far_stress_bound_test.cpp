@@ -41,7 +41,7 @@ protected:
         s.whole = structure.expand(gamma, load_factor);
         s.rim = gather(s.whole, structure.rim());
         s.load_factor = load_factor;
-        s.largest_far = largest_far_stress(structure, s.whole);
+        s.largest_far = largest_far_stress(structure, s.whole, StressPart::Whole);
         return s;
     }
 
@@ -70,7 +70,7 @@ TEST_P(FarStress, NearUnknownsAreThoseOfTheWhole) {
         const Eigen::VectorXd gamma = random_gamma(1e-4);
         const Eigen::VectorXd whole = structure.expand(gamma, load_factor);
         Eigen::VectorXd near = Eigen::VectorXd::Zero(whole.size());
-        structure.expand_near(gamma, load_factor, near);
+        structure.expand_near(gamma, load_factor, 0.0, near);
         structure.elements().for_each(structure.elements().near(), [&](const auto& op) {
             const Eigen::VectorXd error = gather(near, op.unknowns) - gather(whole, op.unknowns);
             EXPECT_LE(error.lpNorm<Eigen::Infinity>(), 1e-12 * whole.lpNorm<Eigen::Infinity>());
@@ -81,7 +81,7 @@ TEST_P(FarStress, NearUnknownsAreThoseOfTheWhole) {
 TEST_P(FarStress, FarForceIsThatOfTheFarElements) {
     const State s = state(random_gamma(1e-4), 0.0);
     double energy = 0.0;
-    const MandelMatrix elastic = scene.elastic.stiffness();
+    const MandelMatrix elastic = scene.materials.elastic(0).stiffness();
     structure.elements().for_each([&](const auto& op) {
         if (!structure.is_far(op.element)) return;
         const auto local = gather(s.whole, op.unknowns);
@@ -111,6 +111,39 @@ TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
         for (const double scale : {1.0, 0.3, -0.7})
             EXPECT_NEAR(bound.at(scale * s.rim, scale * load_factor), std::abs(scale) * s.largest_far,
                         1e-6 * s.largest_far);
+    }
+}
+
+/// Of two materials, of which one is twice as strong and one never yields; with a stress before any load.
+TEST_P(FarStress, BoundHoldsWithSeveralMaterialsAndInitialStress) {
+    Case several = input();
+    several.regions.resize(2);
+    several.regions[0] = {.outline = {{20.0, -1.0}, {30.0, 41.0}}, .material = several.material, .initial_stress = {}};
+    several.regions[0].material.yield_stress = 600.0;
+    several.regions[0].initial_stress = MisfitStress{.xx = 20.0, .yy = -40.0, .xy = 5.0};
+    several.regions[1] = {.outline = {{30.0, -1.0}, {41.0, 41.0}}, .material = several.material, .initial_stress = {}};
+    several.regions[1].material.yield_stress.reset();
+    several.regions[1].material.young = 600e3;
+    const Scene stressed = refined_scene(several);
+    const Structure body(stressed, zone_of(stressed));
+    FarStressBound bound(body);
+    const auto looked_at = [&](const Eigen::VectorXd& gamma, double load_factor, double initial, StressPart part) {
+        State s{body.expand(gamma, load_factor, initial), {}, load_factor, 0.0};
+        s.rim = gather(s.whole, body.rim());
+        s.largest_far = largest_far_stress(body, s.whole, part);
+        return s;
+    };
+    const State pivot = looked_at(random_gamma(0.0), 1.0, 0.0, StressPart::OfDisplacement);
+    bound.learn_pivot(pivot.rim, pivot.largest_far);
+    EXPECT_EQ(bound.at(pivot.rim, 1.0), std::numeric_limits<double>::infinity());
+    std::uniform_real_distribution<double> any(-50.0, 50.0);
+    for (int k = 0; k < 40; ++k) {
+        const State s = looked_at(random_gamma(k % 3 == 0 ? 1e-3 : 1e-5), k % 5 == 0 ? 0.0 : any(generator), 1.0,
+                                  StressPart::Whole);
+        EXPECT_GE(bound.at(s.rim, s.load_factor), s.largest_far * (1.0 - 1e-9)) << k;
+        if (k % 4 != 1) continue;
+        bound.learn(s.rim, s.load_factor, s.largest_far);
+        EXPECT_LE(bound.at(s.rim, s.load_factor), 1.03 * s.largest_far) << k;
     }
 }
 

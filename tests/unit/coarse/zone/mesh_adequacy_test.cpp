@@ -25,7 +25,8 @@ protected:
         input.cracks[0].contact = ContactSection{};
     }
     [[nodiscard]] std::vector<std::string> at(double K_I) const {
-        return coarse::mesh_warnings(coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks)), {K_I});
+        const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
+        return coarse::mesh_warnings(coarse::make_scene(input, mesh), {K_I});
     }
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
 };
@@ -44,6 +45,17 @@ TEST_F(Advice, IsNotGivenToWhoAsksForNoOpeningLoads) {
     input.cracks[0].contact = ContactSection{};
     input.material.yield_stress.reset();
     EXPECT_TRUE(at(600.0).empty());
+}
+
+TEST_F(Advice, MindsTheRoomForRingsInsideAMaterial) {
+    input.cracks[0].contact.reset();
+    input.regions = {{.outline = {{14.0, -1.0}, {21.0, 21.0}}, .material = input.material, .initial_stress = {}}};
+    EXPECT_TRUE(at(600.0).empty());
+    input.regions[0].outline[0].x() = 10.3;
+    const auto warnings = at(600.0);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("the largest ring inside its material has a radius of 1.9 mm"), std::string::npos)
+        << warnings[0];
 }
 
 TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {

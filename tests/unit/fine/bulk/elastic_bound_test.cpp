@@ -35,8 +35,8 @@ TEST_P(ElasticBound, Bounds) {
             double largest = 0.0;
             for (std::size_t q = 0; q < op.points.size(); ++q)
                 largest = std::max(largest, von_mises(elastic.stiffness() * op.strain(element_u, q)));
-            fine::ElasticBound bound(elastic.shear_modulus());
-            bound.add_element(op);
+            fine::ElasticBound bound;
+            bound.add_element(op, elastic.shear_modulus());
             bound.set_margin(0, largest);
             EXPECT_FALSE(bound.proves(0, work)) << op.element;
         }

@@ -28,7 +28,7 @@ TEST_F(PointHistories, KeepEachPointsOwnNumbers) {
         return Mandel(1e-6 * e, 1e-8 * static_cast<double>(q), 0, 1e-6);
     };
     for (int e = 0; e < count(); ++e)
-        for (std::size_t q = 0; q < at(history.points(e)); ++q) history.begin(e, q, strain_of(e, q));
+        for (std::size_t q = 0; q < at(history.points(e)); ++q) history.begin(e, q, strain_of(e, q), Mandel::Zero());
     for (int e = 0; e < count(); ++e) {
         for (std::size_t q = 0; q < at(history.points(e)); ++q) {
             const Mandel stress = plate.elastic.stiffness() * strain_of(e, q);
@@ -80,8 +80,8 @@ TEST_F(PointHistories, ArePlasticUntilTheHalfCycleAfter) {
 
 TEST_F(PointHistories, AddSharesOfAnother) {
     PointHistory other = plate.history();
-    other.begin(0, 0, {1e-4, 0, 0, 0});
-    other.begin(0, 1, {0, 2e-4, 0, 0});
+    other.begin(0, 0, {1e-4, 0, 0, 0}, Mandel::Zero());
+    other.begin(0, 1, {0, 2e-4, 0, 0}, Mandel::Zero());
     other.set_plastic(0, 1, true);
     history.add_share(5, 2, 0.25, other, 0, 0);
     EXPECT_FALSE(history.is_plastic(5, 2));

@@ -169,9 +169,13 @@ TEST_P(EveryLaw, ElasticIncrementsAddUpAndWorkIsHalfStressTimesStrain) {
     EXPECT_NEAR(work, 0.5 * once.stress().dot(whole), 1e-14);
     EXPECT_NEAR(point_.law().work(other.last().state.data(), 1), work, 1e-14);
     std::vector<double> begun(once.state.size(), 0.0);
-    point_.law().begin(whole, begun.data(), 1);
+    point_.law().begin(whole, Mandel::Zero(), begun.data(), 1);
     EXPECT_NEAR(point_.law().work(begun.data(), 1), work, 1e-14);
     for (std::size_t c = 0; c < begun.size(); ++c) EXPECT_NEAR(begun[c], once.state[c], 1e-12);
+    const Mandel initial{20.0, -10.0, 0.0, 5.0};
+    point_.law().begin(whole, initial, begun.data(), 1);
+    EXPECT_LT((fine::tensor_at(begun.data(), 1, state::stress) - initial - once.stress()).norm(), 1e-12);
+    EXPECT_NEAR(point_.law().work(begun.data(), 1), point_.law().stored_energy(begun.data(), 1), 1e-14);
     EXPECT_EQ(once.scalar(state::dissipation), 0.0);
 }
 

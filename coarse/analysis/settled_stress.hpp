@@ -1,0 +1,13 @@
+// What equilibrium has left of the initial stress.
+#pragma once
+
+#include "coarse/analysis/listener.hpp"
+#include "coarse/model/scene.hpp"
+
+namespace stria::coarse {
+
+/// Notes which share of its energy is left. `stored`: in equilibrium without load, N. Throws CaseError where little is
+/// left of a field that the case gives as self-equilibrated: it was not.
+void judge_settled_stress(const Scene& scene, double stored, const Note& note);
+
+}  // namespace stria::coarse

@@ -1,0 +1,292 @@
+// Stress before any load: what equilibrium makes of it, K in it by weight functions, and yield that sees the whole.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "common/fem/centre.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+Case bare_plate(double width, double height, double size) {
+    Case input;
+    input.mesh = {.specimen = "plate", .width = width, .height = height, .size = size, .grading = {}};
+    input.material.young = 200e3;
+    input.material.poisson = 0.3;
+    return input;
+}
+
+BoundarySection held(const char* on, std::optional<double> x, std::optional<double> y) {
+    BoundarySection section;
+    section.on = on;
+    section.displacement = {x, y};
+    return section;
+}
+
+RegionSection misfit(std::vector<Vec2> outline, double E, double yy) {
+    RegionSection region;
+    region.outline = std::move(outline);
+    region.material.young = E;
+    region.material.poisson = 0.0;
+    region.initial_stress = MisfitStress{.yy = yy};
+    return region;
+}
+
+/// A function as a profile of straight lines.
+template <class Function> StressProfile profile_of(double low, double high, int pieces, const Function& stress) {
+    StressProfile profile;
+    for (int k = 0; k <= pieces; ++k) {
+        profile.at.push_back(low + (high - low) * k / pieces);
+        profile.stress.push_back(stress(profile.at.back()));
+    }
+    return profile;
+}
+
+/// Equilibrium of a body without a zone under its initial stress alone; the whole stress at element centres.
+struct Settled {
+    explicit Settled(const Case& input)
+        : scene(coarse::refined_scene(input)), structure(scene), u(structure.expand({}, 0.0, 1.0)) {}
+    Settled(const Settled&) = delete;
+    Settled& operator=(const Settled&) = delete;
+
+    [[nodiscard]] Mandel stress_at(const Vec2& place) const {
+        Mandel stress = Mandel::Zero();
+        double nearest = 1e300;
+        structure.elements().for_each([&](const auto& op) {
+            const double distance = (centre(scene.mesh, op.element) - place).norm();
+            if (distance >= nearest) return;
+            nearest = distance;
+            const auto local = gather(u, op.unknowns);
+            stress.setZero();
+            for (std::size_t q = 0; q < op.points.size(); ++q)
+                stress += op.points[q].weight / op.area *
+                          (scene.initial_stress(op.element, op.points[q].x) +
+                           scene.stiffness(op.element) * op.strain(local, q));
+        });
+        return stress;
+    }
+
+    coarse::Scene scene;
+    coarse::Structure structure;
+    Eigen::VectorXd u;
+};
+
+/// Two layers of one strip, one of them too short by a misfit strain: Timoshenko (1925) has its curvature, and with it
+/// the stress away from the ends.
+TEST(InitialStress, ABimetalStripBendsAsTimoshenkoSays) {
+    Case input = bare_plate(2.0, 40.0, 0.1);
+    input.model.plane = PlaneState::Stress;
+    input.material.poisson = 0.0;
+    const double E1 = 200e3, E2 = 70e3, t1 = 1.2, t2 = 0.8, h = t1 + t2, misfit_strain = 1e-3;
+    input.regions = {misfit({{t1, 0.0}, {h, 40.0}}, E2, E2 * misfit_strain)};
+    const Settled settled(input);
+    // Resultant and moment vanish: sigma_i = E_i (e0 + k x) + misfit.
+    const double A = E1 * t1 + E2 * t2, B = (E1 * t1 * t1 + E2 * (h * h - t1 * t1)) / 2.0;
+    const double C = (E1 * t1 * t1 * t1 + E2 * (h * h * h - t1 * t1 * t1)) / 3.0;
+    const double N = -E2 * misfit_strain * t2, M = -E2 * misfit_strain * (h * h - t1 * t1) / 2.0;
+    const double e0 = (N * C - M * B) / (A * C - B * B), k = (A * M - B * N) / (A * C - B * B);
+    const double m = t1 / t2, n = E1 / E2;  // Timoshenko's own words, eq. (4) of his paper
+    EXPECT_NEAR(std::abs(k),
+                6.0 * misfit_strain * (1.0 + m) * (1.0 + m) /
+                    (h * (3.0 * (1.0 + m) * (1.0 + m) + (1.0 + m * n) * (m * m + 1.0 / (m * n)))),
+                1e-12);
+    for (const double x : {0.05, 0.65, 1.15, 1.25, 1.55, 1.95}) {
+        const double exact = (x < t1 ? E1 : E2) * (e0 + k * x) + (x < t1 ? 0.0 : E2 * misfit_strain);
+        EXPECT_NEAR(settled.stress_at({x, 20.05})[1], exact, 0.005 * E2 * misfit_strain) << x;
+    }
+}
+
+/// A field from an Airy function that vanishes with its slope on the outline: in equilibrium as it is.
+TEST(InitialStress, AFieldInEquilibriumStays) {
+    Case input = bare_plate(8.0, 6.0, 0.25);
+    const auto bump = [](double s, double L) { return s * s * (L - s) * (L - s) / (L * L * L * L); };
+    const auto slope = [](double s, double L) { return 2.0 * s * (L - s) * (L - 2.0 * s) / (L * L * L * L); };
+    const auto bend = [](double s, double L) { return 2.0 * (L * L - 6.0 * L * s + 6.0 * s * s) / (L * L * L * L); };
+    StressGrid grid;
+    for (int i = 0; i <= 64; ++i) grid.x.push_back(8.0 * i / 64);
+    for (int i = 0; i <= 48; ++i) grid.y.push_back(6.0 * i / 48);
+    for (const double y : grid.y) {
+        for (const double x : grid.x) {
+            grid.xx.push_back(1e4 * bump(x, 8.0) * bend(y, 6.0));
+            grid.yy.push_back(1e4 * bend(x, 8.0) * bump(y, 6.0));
+            grid.xy.push_back(-1e4 * slope(x, 8.0) * slope(y, 6.0));
+        }
+    }
+    input.initial_stress = InitialStressSection{.sigma_x = {}, .sigma_y = {}, .file = {}, .grid = grid};
+    const Settled settled(input);
+    double off = 0.0, largest = 0.0;
+    for (int e = 0; e < std::ssize(settled.scene.mesh.elements); ++e) {
+        const Vec2 x = centre(settled.scene.mesh, e);
+        const Mandel given = settled.scene.initial_stress(e, x);
+        off = std::max(off, (settled.stress_at(x) - given).norm());
+        largest = std::max(largest, given.norm());
+    }
+    EXPECT_LT(off, 0.005 * largest);
+}
+
+struct EdgeCrackInAProfile {
+    static constexpr double W = 1.0;
+
+    /// Without resultant and moment.
+    static double stress(double x) { return 100.0 * (1.0 - 6.0 * x + 6.0 * x * x); }
+
+    static Case input(double a) {
+        Case input = graded_to_tips(edge_crack(a, 4.0, End::Pulled), 0.005);
+        input.initial_stress =
+            InitialStressSection{.sigma_x = {}, .sigma_y = profile_of(0.0, W, 40, stress), .file = {}, .grid = {}};
+        return input;
+    }
+
+    /// Bueckner (1970): the weight function of an edge crack in a strip, to 1 % up to a/W = 0.5.
+    static double weight_function_K(double a) {
+        const double x = a / W, x2 = x * x, x6 = x2 * x2 * x2;
+        const double m1 = 0.6147 + 17.1844 * x2 + 8.7822 * x6, m2 = 0.2502 + 3.2889 * x2 + 70.0444 * x6;
+        double K = 0.0;
+        constexpr int steps = 2000;
+        for (int i = 0; i < steps; ++i) {  // s = a t^2 from the tip
+            const double t = (i + 0.5) / steps, s = a * t * t;
+            K += std::sqrt(2.0 / std::numbers::pi) * (1.0 + m1 * s / a + m2 * s * s / (a * a)) * stress(a - s) * 2.0 *
+                 std::sqrt(a) / steps;
+        }
+        return K;
+    }
+};
+
+TEST(InitialStress, KOfAnEdgeCrackIsThatOfItsWeightFunction) {
+    for (const double a : {0.1, 0.2, 0.3, 0.4, 0.5}) {
+        const ElasticSolution solution(EdgeCrackInAProfile::input(a));
+        const double K = EdgeCrackInAProfile::weight_function_K(a);
+        std::cout << fmt::format("a/W {}: K_initial {:.4f}, weight function {:.4f}\n", a, solution.tips[0].K_initial,
+                                 K);
+        EXPECT_NEAR(solution.tips[0].K_initial, K, 0.01 * 100.0 * std::sqrt(std::numbers::pi * a)) << a;
+    }
+}
+
+/// Terada (1976): a crack across a weld in a wide plate, sigma (1 - x^2/c^2) / (1 + x^4/c^4).
+TEST(InitialStress, KOfACrackAcrossAWeldIsTeradas) {
+    constexpr double W = 40.0, H = 160.0, c = 1.0;
+    const auto weld = [](double x) { return 100.0 * (1.0 - x * x / (c * c)) / (1.0 + std::pow(x / c, 4)); };
+    for (const double a : {0.5, 1.0}) {
+        Case input = bare_plate(W, H, 4.0);
+        input.mesh.specimen = "mt";
+        input.cracks = {{.points = {{W / 2 - a, H / 2}, {W / 2 + a, H / 2}}, .contact = {}}};
+        for (const double x : {W / 2 - a, W / 2 + a})
+            input.mesh.grading.push_back(
+                {.at = {{x, H / 2}}, .size = 0.03, .outer_size = 0.03, .radius = 0.2, .growth = 0.15});
+        StressProfile profile = profile_of(0.0, W, 1200, [&](double x) { return weld(x - W / 2); });
+        // The tails beyond the plate are spread over it, so that no resultant is left.
+        double resultant = 0.0;
+        for (std::size_t k = 0; k + 1 < profile.at.size(); ++k)
+            resultant += 0.5 * (profile.stress[k] + profile.stress[k + 1]) * (profile.at[k + 1] - profile.at[k]);
+        for (double& stress : profile.stress) stress -= resultant / W;
+        input.initial_stress = InitialStressSection{.sigma_x = {}, .sigma_y = profile, .file = {}, .grid = {}};
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        const ElasticSolution solution(input);
+        const double r2 = a * a / (c * c), root = std::sqrt(1.0 + r2 * r2);
+        const double unit = std::sqrt(std::numbers::pi * a);
+        const double K = 100.0 * unit * std::sqrt((root - r2) / (root * root)) - resultant / W * unit;
+        for (const coarse::TipResult& tip : solution.tips) {
+            std::cout << fmt::format("a/c {}: K_initial {:.4f}, Terada {:.4f}\n", a / c, tip.K_initial, K);
+            EXPECT_NEAR(tip.K_initial, K, 0.005 * 100.0 * unit) << a;
+        }
+    }
+}
+
+/// In a linear body K, J and T of both together are those of the load plus those of the initial stress, on every ring.
+TEST(InitialStress, AddsToTheLoadInAnElasticBody) {
+    Case input = EdgeCrackInAProfile::input(0.3);
+    input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 50.0, .min = 0.0}}};
+    const RunHistory history = run_direct(input);
+    const Followed& settled = history.increments.front();
+    EXPECT_EQ(settled.load_factor, 0.0);
+    EXPECT_NEAR(settled.work.error(), 0.0, 1e-12 * settled.work.stored);
+    const coarse::TipResult& nominal = history.nominal[0];
+    EXPECT_NEAR(settled.tips[0].K_I, nominal.K_initial, 1e-9 * nominal.K_initial);
+    EXPECT_LT(settled.tips[0].K_spread, 3e-3);
+    EXPECT_LT(settled.tips[0].J_spread, 0.02);
+    const Followed& most = history.at_maximum();
+    EXPECT_NEAR(most.tips[0].K_I, nominal.K_initial + 50.0 * nominal.K_I, 1e-9 * most.tips[0].K_I);
+    EXPECT_NEAR(most.tips[0].J * plane_modulus, most.tips[0].K_I * most.tips[0].K_I,
+                0.01 * most.tips[0].J * plane_modulus);
+    EXPECT_NEAR(most.work.error(), 0.0, 1e-9 * most.work.external);
+    const coarse::CycleResult& cycle = history.increments.back().cycles.at(0);
+    EXPECT_NEAR(cycle.K_max, most.tips[0].K_I, 1e-9 * cycle.K_max);
+    EXPECT_NEAR(cycle.K_min, nominal.K_initial, 1e-9 * cycle.K_max);
+    EXPECT_EQ(cycle.K_initial, nominal.K_initial);
+}
+
+/// Pressed by the stress that is left in it, an elastic crack opens where load and stress together have K = 0 at its
+/// tip.
+TEST(InitialStress, ACompressedCrackOpensLater) {
+    Case input = EdgeCrackInAProfile::input(0.3);
+    for (double& stress : input.initial_stress->sigma_y->stress) stress = -stress;
+    input.cracks[0].contact = ContactSection{};
+    input.closure.distance = 0.002;
+    input.load = {.steps = 16, .blocks = {{.cycles = 1, .max = 100.0, .min = 0.0}}};
+    const RunHistory history = run_direct(input);
+    EXPECT_GT(history.increments.front().zone.contact_length[0], 0.1);
+    const coarse::CycleResult& cycle = history.increments.back().cycles.at(0);
+    EXPECT_LT(cycle.K_initial, 0.0);
+    EXPECT_GT(cycle.opening.K_op, cycle.K_min);
+    EXPECT_LT(cycle.opening.K_op, cycle.K_max);
+    EXPECT_NEAR(history.at_maximum().tips[0].K_I, cycle.K_max, 1e-3 * cycle.K_max);
+}
+
+/// A strip between rigid ends holds all of its misfit: it yields where load and misfit together reach its yield stress.
+TEST(InitialStress, YieldSeesTheWhole) {
+    Case input = bare_plate(4.0, 6.0, 1.0);
+    input.model.plane = PlaneState::Stress;
+    input.material.poisson = 0.0;
+    input.material.yield_stress = 300.0;
+    input.regions = {misfit({{3.0, 0.0}, {4.0, 6.0}}, 200e3, 120.0)};
+    input.regions[0].material.yield_stress = 300.0;
+    input.boundaries = {held("bottom", {}, 0.0), held("top", {}, 1.0), held("point", 0.0, {})};
+    input.boundaries[2].at = Vec2(0.0, 0.0);
+    const auto dissipated_at = [&](double strain) {
+        input.load = {.steps = 80, .blocks = {{.cycles = 0, .max = 6.0 * strain, .min = 0.0}}};
+        const RunHistory history = run_direct(input);
+        const Followed &first = history.increments.front(), &last = history.increments.back();
+        EXPECT_NEAR(first.machine.force, 120.0, 1e-9 * 120.0);
+        EXPECT_NEAR(first.work.stored, 6.0 * 120.0 * 120.0 / (2.0 * 200e3), 1e-9);
+        EXPECT_NEAR(last.machine.force, 3.0 * 200e3 * strain + std::min(300.0, 200e3 * strain + 120.0), 1e-6);
+        EXPECT_NEAR(last.work.error(), 0.0, 1e-3 * last.work.external);
+        return last.work.dissipated;
+    };
+    EXPECT_EQ(dissipated_at(0.00089), 0.0);
+    EXPECT_NEAR(dissipated_at(0.0012), 6.0 * 300.0 * 0.0003, 1e-4 * 0.54);
+}
+
+/// Stress that no equilibrium could be in, or that leaves nothing.
+TEST(InitialStress, WhatIsNotSelfEquilibratedIsRefused) {
+    Case input = EdgeCrackInAProfile::input(0.3);
+    const auto complaint = [&] {
+        try {
+            static_cast<void>(run_direct(input));
+        } catch (const CaseError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    input.load = {.steps = 2, .blocks = {{.cycles = 0, .max = 1.0, .min = 0.0}}};
+    EXPECT_EQ(complaint(), "");
+    StressProfile& profile = *input.initial_stress->sigma_y;
+    const StressProfile good = profile;
+    for (double& stress : profile.stress) stress += 10.0;
+    EXPECT_NE(complaint().find("initial_stress.sigma_y: has a resultant of 10.06 N/mm"), std::string::npos)
+        << complaint();
+    profile = good;
+    profile.at.back() = 0.9;
+    EXPECT_NE(complaint().find("must cover the body"), std::string::npos);
+    StressGrid grid{.x = {0.0, 1.0}, .y = {0.0, 4.0}, .xx = {}, .yy = {}, .xy = {}};
+    grid.xx = grid.xy = {0.0, 0.0, 0.0, 0.0};
+    grid.yy = {50.0, -50.0, 50.0, -50.0};  // bends, and bends away
+    input.initial_stress = InitialStressSection{.sigma_x = {}, .sigma_y = {}, .file = {}, .grid = grid};
+    EXPECT_NE(complaint().find("not self-equilibrated"), std::string::npos) << complaint();
+}
+
+}  // namespace
+}  // namespace stria::test
