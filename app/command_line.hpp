@@ -10,7 +10,7 @@
 namespace stria {
 
 struct Command {
-    std::string name;  // run | check | study | explain
+    std::string name;  // run | check | study | material | explain
     RunOptions run;
     study::StudyOptions study;
     std::string key;        // of explain; empty: all keys
