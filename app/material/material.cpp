@@ -53,12 +53,12 @@ void write_cycles(const fs::path& path, const std::vector<CycleSummary>& cycles)
 
 /// The first, the second, the fifth, the tenth and so on, and the last.
 std::vector<int> told_cycles(int count) {
-    std::vector<int> told;
+    std::vector<int> cycles;
     for (int decade = 1; decade < count; decade *= 10)
         for (const int step : {1, 2, 5})
-            if (step * decade < count) told.push_back(step * decade);
-    told.push_back(count);
-    return told;
+            if (step * decade < count) cycles.push_back(step * decade);
+    cycles.push_back(count);
+    return cycles;
 }
 
 /// At most so many loops stand in one chart: the last ones of those that are told, and the first.
@@ -68,9 +68,9 @@ std::string loop_chart(const Case& input, const std::vector<TestRow>& rows, int 
     const bool shear = input.material_test->mode == TestMode::Shear;
     charts::LineChart chart{.title = fmt::format("{}: {}, MPa", input.name, shear ? "tau" : "stress"),
                             .x_label = shear ? "gamma" : "strain"};
-    std::vector<int> told = told_cycles(cycles);
-    while (told.size() > most_loops) told.erase(told.begin() + 1);
-    for (const int cycle : told) {
+    std::vector<int> shown = told_cycles(cycles);
+    while (shown.size() > most_loops) shown.erase(shown.begin() + 1);
+    for (const int cycle : shown) {
         charts::Curve curve{.name = cycle == 1 ? "to the end of cycle 1" : fmt::format("cycle {}", cycle),
                             .markers = false};
         for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -84,28 +84,43 @@ std::string loop_chart(const Case& input, const std::vector<TestRow>& rows, int 
     return charts::svg(chart);
 }
 
+/// Less than rounding leaves is nothing.
+double told(double value, double scale) { return std::abs(value) < 1e-10 * scale ? 0.0 : value; }
+
 void print_cycles(const std::vector<CycleSummary>& cycles) {
     fmt::print("{:>7} {:>12} {:>12} {:>10} {:>10} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "cycle", "strain max",
                "strain min", "stress max", "stress min", "mean", "plastic rng", "ratchet", "dissipated", "stored");
-    for (const int told : told_cycles(static_cast<int>(cycles.size()))) {
-        const CycleSummary& c = cycles[static_cast<std::size_t>(told - 1)];
+    for (const int cycle : told_cycles(static_cast<int>(cycles.size()))) {
+        const CycleSummary& c = cycles[static_cast<std::size_t>(cycle - 1)];
         fmt::print("{:7} {:12.6g} {:12.6g} {:10.3f} {:10.3f} {:10.3f} {:12.6g} {:12.4g} {:12.6g} {:12.4g}\n", c.cycle,
-                   c.strain_max, c.strain_min, c.stress_max, c.stress_min, c.mean_stress(), c.plastic_range, c.ratchet,
-                   c.dissipation, c.stored);
+                   c.strain_max, c.strain_min, c.stress_max, c.stress_min, told(c.mean_stress(), c.stress_range()),
+                   c.plastic_range, told(c.ratchet, c.plastic_range), c.dissipation, told(c.stored, c.dissipation));
     }
 }
 
-/// How far the last cycle still differs from the one before.
-void print_settled(const std::vector<CycleSummary>& cycles) {
+/// The last cycle, how far it still differs from the one before, and from that of increments half as large.
+void print_last(const std::vector<CycleSummary>& cycles, const CycleSummary& of_halved_increments) {
     const CycleSummary& last = cycles.back();
     fmt::print("stress range {:.6g} MPa, plastic range {:.6g}, ratchet {:.4g} per cycle, mean stress {:.6g} MPa\n",
-               last.stress_range(), last.plastic_range, last.ratchet, last.mean_stress());
-    fmt::print("dissipated {:.6g} N/mm2 per cycle, stored {:.4g}\n", last.dissipation, last.stored);
-    if (cycles.size() < 2) return;
-    const CycleSummary& before = cycles[cycles.size() - 2];
-    const auto change = [](double now, double then) { return then == 0.0 ? 0.0 : 100.0 * (now / then - 1.0); };
-    fmt::print("since the cycle before: stress range {:+.2g} %, plastic range {:+.2g} %\n",
-               change(last.stress_range(), before.stress_range()), change(last.plastic_range, before.plastic_range));
+               last.stress_range(), last.plastic_range, told(last.ratchet, last.plastic_range),
+               told(last.mean_stress(), last.stress_range()));
+    fmt::print("dissipated {:.6g} N/mm2 per cycle, stored {:.4g}\n", last.dissipation,
+               told(last.stored, last.dissipation));
+    const auto print_change = [&](const char* what, const CycleSummary& now, const CycleSummary& then) {
+        const auto percent = [](double a, double b) {
+            return std::abs(a - b) < 1e-10 * std::abs(b) || b == 0.0 ? 0.0 : 100.0 * (a / b - 1.0);
+        };
+        fmt::print("{}: stress range {:+.2g} %, plastic range {:+.2g} %, dissipated {:+.2g} %\n", what,
+                   percent(now.stress_range(), then.stress_range()), percent(now.plastic_range, then.plastic_range),
+                   percent(now.dissipation, then.dissipation));
+    };
+    if (cycles.size() > 1) print_change("since the cycle before", last, cycles[cycles.size() - 2]);
+    print_change("with increments half as large", of_halved_increments, last);
+}
+
+CycleSummary last_of_halved_increments(Case input) {
+    input.material_test->steps *= 2;
+    return summaries(go_through_cycles(input)).back();
 }
 
 }  // namespace
@@ -120,7 +135,7 @@ int test_material(const RunOptions& options) {
     write_whole_text(folder / "loop.svg", loop_chart(input, rows, static_cast<int>(cycles.size())));
     if (options.quiet) return Done;
     print_cycles(cycles);
-    print_settled(cycles);
+    print_last(cycles, last_of_halved_increments(input));
     fmt::print("{}: loop.csv, cycles.csv, loop.svg\n", folder.string());
     return Done;
 }

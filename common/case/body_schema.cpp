@@ -130,8 +130,7 @@ Section<KinematicHardening> kinematic_section() {
         .in("MPa")
         .positive()
         .or_else("C")
-        .says(
-            "C of the virgin metal: C + (C_start - C) exp(-C_rate p) stands for C then, and C X / C(p) obeys the law.");
+        .says("C of the virgin metal: C + (C_start - C) exp(-C_rate p) stands for C then.");
     s.value("C_rate", &KinematicHardening::C_rate).at_least(0.0).says("How fast C_start becomes C with p.");
     s.value("threshold", &KinematicHardening::threshold)
         .says(

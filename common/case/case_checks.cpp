@@ -98,8 +98,8 @@ void check_keys_of_law(const IsotropicHardening& given, const Value& table, cons
             reject(place.inside(key), *find(table, key), {}, fmt::format("belongs to law = \"{}\"", law));
 }
 
-/// A back stress that never recovers has no limit. One that grows with p at constant strain takes energy from nowhere
-/// unless recall gives it: 2 gamma >= C'(p) / C(p), most at p = 0.
+/// A back stress that never recovers has no limit. Where its modulus falls the energy that it holds grows: recall must
+/// give that, 2 gamma >= -C'(p) / C(p), most at p = 0.
 void check_back_stresses(const MaterialSection& material, const Value& table, const Place& place) {
     for (std::size_t k = 0; k < material.kinematic.size(); ++k) {
         const KinematicHardening& given = material.kinematic[k];
@@ -111,8 +111,8 @@ void check_back_stresses(const MaterialSection& material, const Value& table, co
         if (given.threshold) demand(given.gamma > 0.0, "threshold", "needs gamma > 0: the limit is C / gamma");
         if (!given.C_start) continue;
         demand(!given.threshold && given.C > 0.0, "C_start", "needs C > 0 and no threshold");
-        demand(2.0 * given.gamma >= given.C_rate * (given.C / *given.C_start - 1.0), "C_start",
-               "needs 2 gamma >= C_rate (C / C_start - 1), else the metal gives more work than it has");
+        demand(2.0 * given.gamma >= given.C_rate * (1.0 - given.C / *given.C_start), "C_start",
+               "needs 2 gamma >= C_rate (1 - C / C_start), else the metal gives more work than it takes");
     }
 }
 

@@ -79,10 +79,12 @@ private:
         const Recalled<rows>& back = found_.back[k];
         const Scalars<rows> E = 0.5 * dot<rows>(back.X, back.X) / back.stiffness;
         if (term.threshold) return 2.0 * E * (1.0 / back.theta - 1.0);
-        const Scalars<rows> E_n = 0.5 * dot<rows>(now_.back[k], now_.back[k]) * back.kept / back.stiffness;
-        const Scalars<rows> growth_n = growth_of_modulus<Scalars<rows>>(term, now_.p);
-        return dp * (term.gamma * (1.5 * E + 0.5 * E_n) -
-                     0.5 * (growth_n * E_n + back.growth * E * (1.0 + term.gamma * dp)));
+        const Deviators<rows>& X_n = now_.back[k];
+        const Scalars<rows> E_n = 0.75 * dot<rows>(X_n, X_n) / modulus<Scalars<rows>>(term, now_.p);
+        const Scalars<rows> by_recall = term.gamma * (1.5 * E + 0.5 * E_n);
+        if (!term.C_start) return dp * by_recall;
+        const Scalars<rows> at_end = dot<rows>(back.X, X_n) / back.stiffness - E / back.theta;
+        return dp * (by_recall + 0.5 * (growth_of_modulus<Scalars<rows>>(term, now_.p) * E_n + back.growth * at_end));
     }
 
     // The equation of xi and q(xi) = Y, differentiated by the elastic stress and by dp. now_: still the state before,
@@ -98,7 +100,7 @@ private:
             change.stress.col(j) += part;
             Deviators<rows> rest = change.stress - slowed.colwise() * change.p;
             for (std::size_t k = 0; k < change.back.size(); ++k) {
-                change.back[k] = back_stress_at_dp(k, change);
+                change.back[k] = found_.back[k].following(change.back[k]) + found_.back[k].drift.colwise() * change.p;
                 rest -= change.back[k];
             }
             const Deviators<rows> at_dp = found_.eased(rest);
@@ -111,18 +113,9 @@ private:
             change.stress -= rate_of(plastic);
             change.p += ddp;
             for (std::size_t k = 0; k < change.back.size(); ++k)
-                change.back[k] += found_.back[k].following(plastic).colwise() * found_.back[k].stiffness -
-                                  found_.back[k].X.colwise() * (found_.back[k].fading * ddp);
+                change.back[k] += found_.back[k].following(plastic).colwise() * found_.back[k].stiffness +
+                                  found_.back[k].by_dp().colwise() * ddp;
         }
-    }
-
-    // What a back stress changes by at constant dp and plastic strain increment, where the state before has changed.
-    [[nodiscard]] Deviators<rows> back_stress_at_dp(std::size_t k, const PackState<rows>& change) const {
-        const Recalled<rows>& back = found_.back[k];
-        if (!law_.kinematic[k].C_start) return back.following(change.back[k]);
-        const Scalars<rows> growth_n = growth_of_modulus<Scalars<rows>>(law_.kinematic[k], now_.p);
-        const Deviators<rows> before = change.back[k] - now_.back[k].colwise() * (growth_n * change.p);
-        return back.following(before.colwise() * back.kept) + back.X.colwise() * (back.growth * change.p);
     }
 
     // D = C - A^T S A, A = dev C, S the symmetric part of the plastic strain's derivative.

@@ -26,7 +26,7 @@ struct J2Parameters {
     Elasticity elasticity;
     double yield_stress;                        // MPa, of the virgin material
     HardeningCurve isotropic;                   // R(p)
-    std::vector<KinematicHardening> kinematic;  // each dX = 2/3 C d(eps_p) - gamma X dp + C'/C X dp
+    std::vector<KinematicHardening> kinematic;  // each dX = 2/3 C d(eps_p) - gamma X dp
 
     int substeps = 1;  // of a strain increment at points that flow
 

@@ -2,7 +2,6 @@
 // stress lies on the yield surface, with any isotropic hardening and any back stresses.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -27,17 +26,17 @@ template <int rows> struct PackState {
     }
 };
 
-/// A back stress after recall, X = theta X*, where X* = C(p) / C(p_n) X_n + 2/3 C(p) d(eps_p) is what it would be
-/// without. Armstrong and Frederick: theta = 1 / (1 + gamma dp). With a threshold: the nearest point of the ball of
-/// radius r = C / gamma, so theta = min(1, r / X*), and dX = theta (1 - n x n) dX* where it has reached the limit along
-/// n. N. Ohno, J.-D. Wang, Int. J. Plasticity 9 (1993) 375; M. Kobayashi, N. Ohno, IJNME 53 (2002) 2217.
+/// A back stress after recall, X = theta X*, where X* = X_n + 2/3 C(p) d(eps_p) is what it would be without. Armstrong
+/// and Frederick: theta = 1 / (1 + gamma dp). With a threshold: the nearest point of the ball of radius r = C / gamma,
+/// so theta = min(1, r / X*), and dX = theta (1 - n x n) dX* where it has reached the limit along n. N. Ohno, J.-D.
+/// Wang, Int. J. Plasticity 9 (1993) 375; M. Kobayashi, N. Ohno, IJNME 53 (2002) 2217.
 template <int rows> struct Recalled {
     Deviators<rows> X;
     Scalars<rows> theta;
     Scalars<rows> stiffness;  // 2/3 C(p), MPa
-    Scalars<rows> kept;       // C(p) / C(p_n)
     Scalars<rows> growth;     // C'(p) / C(p)
-    Scalars<rows> fading;     // -dX / d(dp) at constant d(eps_p), over X
+    Scalars<rows> fading;     // by dp, over X: what recall takes
+    Deviators<rows> drift;    // by p, MPa: as C grows
     Deviators<rows> limited;  // n, or zero
 
     /// dX of dX*, at constant p.
@@ -46,21 +45,24 @@ template <int rows> struct Recalled {
         return (d - limited.colwise() * along).colwise() * theta;
     }
 
+    /// dX / d(dp) at a constant plastic strain increment.
+    [[nodiscard]] Deviators<rows> by_dp() const { return drift - X.colwise() * fading; }
+
     /// What depends on p alone.
-    void put_p(const KinematicHardening& term, const Scalars<rows>& p_n, const Scalars<rows>& dp) {
-        const Scalars<rows> C = modulus<Scalars<rows>>(term, p_n + dp);
-        stiffness = 2.0 / 3.0 * C;
-        growth = growth_of_modulus<Scalars<rows>>(term, p_n + dp);
-        kept.setOnes();
-        if (term.C_start) kept = C / modulus<Scalars<rows>>(term, p_n);
-        theta = 1.0 / (1.0 + (term.threshold ? 0.0 : term.gamma) * dp);
-        fading = (term.threshold ? 0.0 : term.gamma) * theta - growth;
+    void put_p(const KinematicHardening& term, const Scalars<rows>& p, const Scalars<rows>& dp) {
+        const double gamma = term.threshold ? 0.0 : term.gamma;
+        stiffness = 2.0 / 3.0 * modulus<Scalars<rows>>(term, p);
+        growth = growth_of_modulus<Scalars<rows>>(term, p);
+        theta = 1.0 / (1.0 + gamma * dp);
+        fading = gamma * theta;
+        drift.setZero();
         limited.setZero();
     }
 
     void put_X(const KinematicHardening& term, const Deviators<rows>& X_n, const Deviators<rows>& plastic) {
-        X = X_n.colwise() * kept + plastic.colwise() * stiffness;
+        X = X_n + plastic.colwise() * stiffness;
         if (term.threshold) limit(term.C / term.gamma);
+        if (term.C_start) drift = plastic.colwise() * (stiffness * growth * theta);
         X.colwise() *= theta;
     }
 
@@ -111,10 +113,7 @@ private:
     /// More than any dp: with it the elastic part of the return alone would bring all stress below Y.
     [[nodiscard]] Scalars<rows> most() const {
         Scalars<rows> sum = equivalent<rows>(trial_);
-        for (std::size_t k = 0; k < before_.back.size(); ++k) {
-            const KinematicHardening& term = law_.kinematic[k];
-            sum += equivalent<rows>(before_.back[k]) * std::max(1.0, term.C / term.C_start.value_or(term.C));
-        }
+        for (const Deviators<rows>& back : before_.back) sum += equivalent<rows>(back);
         return sum / (1.5 * rates_.minCoeff());
     }
 
@@ -170,10 +169,10 @@ template <int rows> void PartReturn<rows>::put(const Scalars<rows>& dp, ReturnAt
     now.Y_slope = law_.isotropic.slope(p);
     now.lambda = 1.5 * dp / now.Y;
     now.lambda_slope = (1.5 - now.lambda * now.Y_slope) / now.Y;
-    for (std::size_t k = 0; k < now.back.size(); ++k) now.back[k].put_p(law_.kinematic[k], before_.p, dp);
+    for (std::size_t k = 0; k < now.back.size(); ++k) now.back[k].put_p(law_.kinematic[k], p, dp);
     put_relative_stress(now);
     Deviators<rows> less = (now.rate * now.xi).colwise() * now.lambda_slope;
-    for (const Recalled<rows>& back : now.back) less -= back.X.colwise() * back.fading;
+    for (const Recalled<rows>& back : now.back) less += back.by_dp();
     now.xi_slope = -now.eased(less);
     now.equivalent = equivalent<rows>(now.xi).max(std::numeric_limits<double>::min());
     now.equivalent_slope = 1.5 * dot<rows>(now.xi, now.xi_slope) / now.equivalent;

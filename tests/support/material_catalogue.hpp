@@ -19,7 +19,7 @@ struct Law {
 
 inline void PrintTo(const Law& law, std::ostream* out) { *out << law.name; }
 
-inline MaterialSection steel(double isotropic, std::vector<KinematicHardening> kinematic) {
+inline MaterialSection linear_steel(double isotropic, std::vector<KinematicHardening> kinematic) {
     return {.young = 200e3,
             .poisson = 0.3,
             .yield_stress = 350.0,
@@ -28,7 +28,7 @@ inline MaterialSection steel(double isotropic, std::vector<KinematicHardening> k
 }
 
 inline MaterialSection curved(IsotropicHardening isotropic, std::vector<KinematicHardening> kinematic = {}) {
-    MaterialSection material = steel(0.0, std::move(kinematic));
+    MaterialSection material = linear_steel(0.0, std::move(kinematic));
     material.isotropic = std::move(isotropic);
     return material;
 }
@@ -41,20 +41,20 @@ inline const std::vector<Law>& catalogue() {
     static const std::vector<Law> laws = [] {
         std::vector<Law> all{
             {"elastic", {.young = 200e3, .poisson = 0.3, .yield_stress = {}, .isotropic = {}, .kinematic = {}}},
-            {"perfect", steel(0.0, {})},
-            {"isotropic", steel(2000.0, {})},
-            {"prager", steel(0.0, {{5000.0, 0.0}})},
-            {"mixed", steel(1000.0, {{3000.0, 0.0}, {20000.0, 0.0}})},
+            {"perfect", linear_steel(0.0, {})},
+            {"isotropic", linear_steel(2000.0, {})},
+            {"prager", linear_steel(0.0, {{5000.0, 0.0}})},
+            {"mixed", linear_steel(1000.0, {{3000.0, 0.0}, {20000.0, 0.0}})},
             {"voce", curved(voce, {{3000.0, 0.0}})},
             {"power", curved({.law = "power", .n = 8.0, .alpha = 0.5, .reference = 400.0})},
             {"table",
              curved(
                  {.law = "table", .plastic_strain = {0.0, 0.002, 0.01, 0.1}, .stress = {350.0, 380.0, 400.0, 450.0}})},
             {"recall", curved(voce, recalling)},
-            {"threshold", steel(0.0, {{50e3, 500.0, true}})},
+            {"threshold", linear_steel(0.0, {{50e3, 500.0, true}})},
             {"multilinear", curved(voce, multilinear)},
             {"growing_recall", curved(voce, {{30e3, 300.0, false, 12e3, 40.0}, {5e3, 20.0, false, 9e3, 10.0}})},
-            {"both_recalls", steel(500.0, {{60e3, 300.0}, {30e3, 500.0, true}, {4e3, 0.0}, {0.0, 10.0, true}})},
+            {"both_recalls", linear_steel(500.0, {{60e3, 300.0}, {30e3, 500.0, true}, {4e3, 0.0}, {0.0, 10.0, true}})},
         };
         const auto count = all.size();
         for (std::size_t k = 0; k < count; ++k)

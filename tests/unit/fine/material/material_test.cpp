@@ -253,13 +253,13 @@ TEST(MaterialLaw, WithoutAYieldStressRemembersItsStressAlone) {
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
         EXPECT_EQ(fine::make_material_law(elastic, plane)->state_size(), 4);
         EXPECT_FALSE(fine::make_material_law(elastic, plane)->can_yield());
-        EXPECT_TRUE(fine::make_material_law(steel(0.0, {}), plane)->can_yield());
+        EXPECT_TRUE(fine::make_material_law(linear_steel(0.0, {}), plane)->can_yield());
     }
 }
 
 TEST(MaterialLaw, RefusesWhatItDoesNotKnow) {
-    const std::vector<MaterialSection> wrong{steel(0.0, {{5000.0, -20.0}}), steel(0.0, {{-5000.0, 0.0}}),
-                                             steel(0.0, {{5000.0, 0.0, true}}), curved({.law = "swift"})};
+    const std::vector<MaterialSection> wrong{linear_steel(0.0, {{5000.0, -20.0}}), linear_steel(0.0, {{-5000.0, 0.0}}),
+                                             linear_steel(0.0, {{5000.0, 0.0, true}}), curved({.law = "swift"})};
     for (const MaterialSection& material : wrong)
         for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress})
             EXPECT_THROW(fine::make_material_law(material, plane), CaseError) << material.isotropic.law;
@@ -267,7 +267,7 @@ TEST(MaterialLaw, RefusesWhatItDoesNotKnow) {
 
 TEST(MaterialLaw, AStrainThatIsNoNumberFails) {
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
-        MaterialPoint point(steel(0.0, {}), plane);
+        MaterialPoint point(linear_steel(0.0, {}), plane);
         EXPECT_THROW(point.strain_by(Mandel(std::numeric_limits<double>::quiet_NaN(), 0, 0, 0)), NumericalFailure);
         EXPECT_THROW(point.strain_by(Mandel(1e300, 0.0, 0.0, 0.0)), NumericalFailure);
     }
@@ -279,7 +279,7 @@ TEST(MaterialLaw, TakesAnIncrementInParts) {
     const Mandel whole{2e-3, 1e-3, 0.0, -3e-3};
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
         for (const MaterialSection& material :
-             {curved(voce, recalling), curved(voce, multilinear), steel(1000.0, {{3000.0, 0.0}})}) {
+             {curved(voce, recalling), curved(voce, multilinear), linear_steel(1000.0, {{3000.0, 0.0}})}) {
             const auto in_parts = fine::make_material_law(material, plane, parts);
             MaterialPoint point(material, plane);
             point.strain_by({1e-3, -3e-3, 0.0, 1e-3});
