@@ -110,8 +110,10 @@ void print_last(const std::vector<CycleSummary>& cycles, const CycleSummary& of_
         const auto percent = [](double a, double b) {
             return std::abs(a - b) < 1e-10 * std::abs(b) || b == 0.0 ? 0.0 : 100.0 * (a / b - 1.0);
         };
-        fmt::print("{}: stress range {:+.2g} %, plastic range {:+.2g} %, dissipated {:+.2g} %\n", what,
-                   percent(now.stress_range(), then.stress_range()), percent(now.plastic_range, then.plastic_range),
+        fmt::print("{}: stress range {:+.2g} %, plastic range {:+.2g} %, ratchet {:+.2g} %, dissipated {:+.2g} %\n",
+                   what, percent(now.stress_range(), then.stress_range()),
+                   percent(now.plastic_range, then.plastic_range),
+                   percent(told(now.ratchet, now.plastic_range), told(then.ratchet, then.plastic_range)),
                    percent(now.dissipation, then.dissipation));
     };
     if (cycles.size() > 1) print_change("since the cycle before", last, cycles[cycles.size() - 2]);

@@ -143,6 +143,10 @@ void check_hardening(const MaterialSection& material, const Value& table, const 
 void check_material_test(const MaterialTestSection& test, const Value& table, const Place& place) {
     if (test.blocks.empty())
         reject(place, table.line, "needs blocks, for instance blocks = [ { cycles = 10, max = 0.01, ratio = -1 } ]");
+    double increments = 0.0;
+    for (const LoadBlock& block : test.blocks) increments += 1.0 * block.cycles * test.steps;
+    if (increments > 1e7)
+        reject(place, table.line, fmt::format("has {:.0f} increments in all, more than 10 million", increments));
     const auto large = [](const LoadBlock& block) { return std::max(std::abs(block.max), std::abs(block.min)) >= 1.0; };
     if (test.control == TestControl::Strain && std::ranges::any_of(test.blocks, large))
         reject(place.inside("blocks"), find(table, "blocks")->line, "must be strains below 1, not percent");

@@ -119,9 +119,9 @@ TEST_P(EveryLawInPlaneStress, EqualsPlaneStrainWithTheThroughStressBroughtToZero
             EXPECT_LT((found.stress() - expected.stress()).norm(), 1e-10 * (1.0 + expected.stress().norm()));
             for (std::size_t c = 4; c < committed.size(); ++c)
                 EXPECT_NEAR(found.state[c], expected.state[c], 1e-10 * (1.0 + std::abs(expected.state[c]))) << c;
-            if (has_potential(section))  // else each is the symmetric part of what the other is not
-                EXPECT_LT((found.tangent - without_through_stress(expected.tangent)).norm(),
-                          1e-10 * thin->elastic().norm());
+            const MandelMatrix unlike = found.tangent - without_through_stress(expected.tangent);
+            // Without a potential each is the symmetric part of what the other is not.
+            EXPECT_LT(unlike.norm(), (has_potential(section) ? 1e-10 : 0.1) * thin->elastic().norm());
             committed = found.state;
         }
     }

@@ -14,8 +14,6 @@
 namespace stria::test {
 namespace {
 
-namespace state = fine::state;
-
 /// What is wrong with the last update of a point; empty: nothing.
 class Judge {
 public:
@@ -26,15 +24,15 @@ public:
             if (!std::isfinite(value)) return "a state that is no number";
         if (!now.tangent.allFinite() || now.tangent != now.tangent.transpose()) return "a tangent that is none";
         if (!law_.material.yield_stress) return "";
-        const double p = now.scalar(state::accumulated), dp = p - before.scalar(state::accumulated);
+        const double p = now.scalar(fine::state::accumulated), dp = p - before.scalar(fine::state::accumulated);
         const double Y = *law_.material.yield_stress + curve_.value(p);
         const double overstress = von_mises(relative(now)) / Y - 1.0;
         if (overstress > 1e-9 || (now.yields && overstress < -1e-9)) return fmt::format("overstress {}", overstress);
         if (dp < 0.0 || (!now.yields && dp > 0.0)) return fmt::format("dp = {}", dp);
-        const double dissipated = now.scalar(state::dissipation) - before.scalar(state::dissipation);
+        const double dissipated = now.scalar(fine::state::dissipation) - before.scalar(fine::state::dissipation);
         // A modulus that grows takes of what recall gives.
         const double least = grows_ ? 0.0 : *law_.material.yield_stress * dp;
-        if (dissipated < least * (1.0 - 1e-9) - 1e-12 * now.scalar(state::dissipation))
+        if (dissipated < least * (1.0 - 1e-9) - 1e-12 * now.scalar(fine::state::dissipation))
             return fmt::format("dissipated {} of at least {}", dissipated, least);
         return complaint_of_back_stresses(now);
     }
@@ -45,7 +43,7 @@ private:
     }
 
     [[nodiscard]] Mandel back_stress(const PointUpdate& now, std::size_t k) const {
-        return now.tensor(state::back_stress + 4 * static_cast<int>(k));
+        return now.tensor(fine::state::back_stress + 4 * static_cast<int>(k));
     }
 
     [[nodiscard]] Mandel relative(const PointUpdate& now) const {
@@ -109,7 +107,7 @@ TEST_P(EveryPath, GoesThroughEveryCorner) {
         strain_by(share * direction);
         for (const double step : {-1e-15, 1e-15, -1e-12, 1e-12, -1e-9, 1e-9, 1e-6}) strain_by(step * direction);
     };
-    const auto accumulated = [](const PointUpdate& now) { return now.scalar(state::accumulated); };
+    const auto accumulated = [](const PointUpdate& now) { return now.scalar(fine::state::accumulated); };
     const auto mises = [](const PointUpdate& now) { return von_mises(now.stress()); };
     reach(pull, material.yield_stress.value_or(350.0), mises);
     for (const double p : material.isotropic.plastic_strain)
@@ -118,7 +116,7 @@ TEST_P(EveryPath, GoesThroughEveryCorner) {
         for (std::size_t k = 0; k < material.kinematic.size(); ++k) {
             const KinematicHardening& term = material.kinematic[k];
             if (!term.threshold) continue;
-            const int first = state::back_stress + 4 * static_cast<int>(k);
+            const int first = fine::state::back_stress + 4 * static_cast<int>(k);
             reach(direction, term.C / term.gamma,
                   [first](const PointUpdate& now) { return von_mises(now.tensor(first)); });
         }
