@@ -70,6 +70,14 @@ void add_report_options(CLI::App& app, RunOptions& options) {
     app.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
+void add_material_options(CLI::App& app, RunOptions& options) {
+    add_case(app, options);
+    app.add_option("-o,--output", options.output_directory,
+                   "Folder of loop.csv, cycles.csv and loop.svg; default runs/<case name>-material")
+        ->type_name("DIR");
+    add_manners(app, options);
+}
+
 /// A word that belongs to the script: nothing is ever silently ignored.
 void add_test(CLI::App& app) {
     app.add_subcommand("test", "Build and run the tests: a command of the script ./stria alone")
@@ -116,6 +124,9 @@ std::optional<Command> parse_stria(int argc, const char* const* argv) {
     add_case(*check, command.run);
     CLI::App* study = app.add_subcommand("study", "Run a case with every combination of some values, and compare");
     add_study_options(*study, command.study);
+    CLI::App* material = app.add_subcommand("material", "Drive one point of the material through cycles of strain or "
+                                                        "stress");
+    add_material_options(*material, command.run);
     CLI::App* explain = app.add_subcommand("explain", "Explain a key of the case file, or all");
     explain->add_option("key", command.key, "A key such as material.young, or a section");
     explain->add_flag("--markdown", command.markdown, "The whole reference as docs/case-reference.md has it");

@@ -10,7 +10,7 @@
 namespace stria {
 
 struct Command {
-    std::string name;  // run | check | study | report | explain
+    std::string name;  // run | check | study | report | material | explain
     RunOptions run;
     study::StudyOptions study;
     std::string key;        // of explain; empty: all keys

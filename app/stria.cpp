@@ -1,5 +1,6 @@
 // The program `stria`: the commands a user types.
 #include "app/command_line.hpp"
+#include "app/material/material.hpp"
 #include "app/process/exit_code.hpp"
 #include "app/report/report.hpp"
 #include "app/run/check.hpp"
@@ -38,6 +39,7 @@ int work(int argc, const char* const* argv) {
     if (command->name == "check") return stria::check(command->run);
     if (command->name == "study") return stria::study::run_study(command->study);
     if (command->name == "report") return report(command->run);
+    if (command->name == "material") return stria::material::test_material(command->run);
     if (command->name == "explain") return explain(*command);
     return run(command->run);
 }

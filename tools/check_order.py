@@ -28,7 +28,7 @@ ORDER = {
         "load", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "cycle", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
-    "app": ["process", "run", "charts", "report", "study", "."],
+    "app": ["process", "run", "charts", "report", "study", "material", "."],
 }
 
 # Folders whose sources all live in a sub-folder.

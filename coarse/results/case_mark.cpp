@@ -18,6 +18,7 @@ Case essence(Case input) {
     input.solver = {};
     input.coupling = {};
     input.output = {};
+    input.material_test.reset();
     input.load.blocks.clear();
     input.load.spectrum.reset();
     input.load.scale = 1.0;

@@ -126,6 +126,16 @@ Section<KinematicHardening> kinematic_section() {
     s.value("gamma", &KinematicHardening::gamma)
         .at_least(0.0)
         .says("Recall (Armstrong and Frederick); 0 is Prager's law.");
+    s.value("C_start", &KinematicHardening::C_start)
+        .in("MPa")
+        .positive()
+        .or_else("C")
+        .says("C of the virgin metal: C + (C_start - C) exp(-C_rate p) stands for C then.");
+    s.value("C_rate", &KinematicHardening::C_rate).at_least(0.0).says("How fast C_start becomes C with p.");
+    s.value("threshold", &KinematicHardening::threshold)
+        .says(
+            "Recall at the limit C / gamma of the back stress alone (Ohno and Wang's first model): several such terms "
+            "make a multilinear curve, and less ratcheting.");
     return s;
 }
 

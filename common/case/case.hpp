@@ -51,8 +51,11 @@ struct IsotropicHardening {
 };
 
 struct KinematicHardening {
-    double C = 0.0;      // MPa, uniaxial modulus
-    double gamma = 0.0;  // recall; 0: Prager
+    double C = 0.0;                      // MPa, uniaxial modulus
+    double gamma = 0.0;                  // recall; 0: Prager
+    bool threshold = false;              // recall at the limit C / gamma alone
+    std::optional<double> C_start = {};  // MPa, of the virgin metal: C(p) = C + (C_start - C) exp(-C_rate p)
+    double C_rate = 0.0;
     bool operator==(const KinematicHardening&) const = default;
 };
 
@@ -153,6 +156,19 @@ struct LoadSection {
     bool operator==(const LoadSection&) const = default;
 };
 
+enum class TestControl { Strain, Stress };
+/// Pulled along y with no other stress; in the plane state of the case with no stress along x; sheared.
+enum class TestMode { Uniaxial, Plane, Shear };
+
+/// The cycles of `stria material`.
+struct MaterialTestSection {
+    TestControl control = TestControl::Strain;
+    TestMode mode = TestMode::Uniaxial;
+    std::vector<LoadBlock> blocks;  // of strains, in shear twice the tensor's component, or of stresses, MPa
+    int steps = 200;                // increments per cycle
+    bool operator==(const MaterialTestSection&) const = default;
+};
+
 /// With the maximum of a cycle, or its minimum, just reached.
 enum class GrowthAt { Maximum, Minimum };
 
@@ -245,6 +261,7 @@ struct Case {
     CouplingSection coupling;
     FineSection fine;
     OutputSection output;
+    std::optional<MaterialTestSection> material_test;
     bool operator==(const Case&) const = default;
 };
 

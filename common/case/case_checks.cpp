@@ -78,6 +78,8 @@ void check_crack(const CrackSection& crack, const Value& table, const Place& pla
                "needs friction > 0 outside of them");
 }
 
+namespace {
+
 /// The keys of one law of isotropic hardening mean nothing to another, unless they say nothing.
 void check_keys_of_law(const IsotropicHardening& given, const Value& table, const Place& place) {
     struct KeyOfLaw {
@@ -96,7 +98,28 @@ void check_keys_of_law(const IsotropicHardening& given, const Value& table, cons
             reject(place.inside(key), *find(table, key), {}, fmt::format("belongs to law = \"{}\"", law));
 }
 
+/// A back stress that never recovers has no limit. Where its modulus falls the energy that it holds grows: recall must
+/// give that, 2 gamma >= -C'(p) / C(p), most at p = 0.
+void check_back_stresses(const MaterialSection& material, const Value& table, const Place& place) {
+    for (std::size_t k = 0; k < material.kinematic.size(); ++k) {
+        const KinematicHardening& given = material.kinematic[k];
+        const Value& term = std::get<schema::List>(find(table, "kinematic")->data)[k];
+        const auto demand = [&](bool met, const char* key, const char* what) {
+            if (!met)
+                reject(place.inside("kinematic").inside(std::to_string(k)).inside(key), *find(term, key), {}, what);
+        };
+        if (given.threshold) demand(given.gamma > 0.0, "threshold", "needs gamma > 0: the limit is C / gamma");
+        if (!given.C_start) continue;
+        demand(!given.threshold && given.C > 0.0, "C_start", "needs C > 0 and no threshold");
+        demand(2.0 * given.gamma >= given.C_rate * (1.0 - given.C / *given.C_start), "C_start",
+               "needs 2 gamma >= C_rate (1 - C / C_start), else the metal gives more work than it takes");
+    }
+}
+
+}  // namespace
+
 void check_hardening(const MaterialSection& material, const Value& table, const Place& place) {
+    check_back_stresses(material, table, place);
     const Value* isotropic = find(table, "isotropic");
     if (isotropic == nullptr) return;
     const IsotropicHardening& given = material.isotropic;
@@ -115,6 +138,18 @@ void check_hardening(const MaterialSection& material, const Value& table, const 
            "needs a plastic_strain that starts with 0 and ascends");
     demand(stress.front() == material.yield_stress, "needs a stress that starts with material.yield_stress");
     demand(std::ranges::is_sorted(stress), "needs a stress that does not fall: the metal would soften");
+}
+
+void check_material_test(const MaterialTestSection& test, const Value& table, const Place& place) {
+    if (test.blocks.empty())
+        reject(place, table.line, "needs blocks, for instance blocks = [ { cycles = 10, max = 0.01, ratio = -1 } ]");
+    double increments = 0.0;
+    for (const LoadBlock& block : test.blocks) increments += 1.0 * block.cycles * test.steps;
+    if (increments > 1e7)
+        reject(place, table.line, fmt::format("has {:.0f} increments in all, more than 10 million", increments));
+    const auto large = [](const LoadBlock& block) { return std::max(std::abs(block.max), std::abs(block.min)) >= 1.0; };
+    if (test.control == TestControl::Strain && std::ranges::any_of(test.blocks, large))
+        reject(place.inside("blocks"), find(table, "blocks")->line, "must be strains below 1, not percent");
 }
 
 void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {

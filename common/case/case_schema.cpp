@@ -34,6 +34,8 @@ Section<Case> whole_case() {
     s.table("coupling", &Case::coupling, coupling_section()).says("The exchange between the two components.");
     s.table("fine", &Case::fine, fine_section()).says("The zones around the tips with plasticity and contact.");
     s.table("output", &Case::output, output_section()).says("What a run writes.");
+    s.table("material_test", &Case::material_test, material_test_section())
+        .says("Cycles of one material point, for stria material; a run does not look at them.");
     s.check(check_case);
     return s;
 }

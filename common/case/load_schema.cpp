@@ -54,6 +54,43 @@ Section<LoadSection> load_section() {
     return s;
 }
 
+namespace {
+
+Section<LoadBlock> test_block_section() {
+    Section<LoadBlock> s;
+    s.value("cycles", &LoadBlock::cycles).at_least(1).at_most(1'000'000).says("Number of cycles.");
+    s.value("max", &LoadBlock::max).must_be_given().says("Largest strain, or stress in MPa: see control.");
+    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest strain or stress.");
+    s.input("ratio", [](LoadBlock& block, double ratio) {
+         block.min = ratio * block.max;
+     }).says("Stands for min: min = ratio max.");
+    s.check(check_block);
+    return s;
+}
+
+}  // namespace
+
+Section<MaterialTestSection> material_test_section() {
+    Section<MaterialTestSection> s;
+    s.choice<TestControl>("control", &MaterialTestSection::control,
+                          {{"strain", TestControl::Strain}, {"stress", TestControl::Stress}})
+        .says("What max and min mean: strains, or stresses in MPa.");
+    s.choice<TestMode>("mode", &MaterialTestSection::mode,
+                       {{"uniaxial", TestMode::Uniaxial}, {"plane", TestMode::Plane}, {"shear", TestMode::Shear}})
+        .says("uniaxial: one stress and no other. plane: pulled in the plane state of the case, with no stress across. "
+              "shear: the angle gamma and the stress tau.");
+    s.list("blocks", &MaterialTestSection::blocks, test_block_section())
+        .says("Blocks of equal cycles, one after the other, as in load.blocks.");
+    s.value("steps", &MaterialTestSection::steps)
+        .at_least(2)
+        .at_most(100'000)
+        .even()
+        .says("Equal increments per cycle, half of them for each branch; the ramp to the first maximum takes half as "
+              "many more.");
+    s.check(check_material_test);
+    return s;
+}
+
 Section<GrowthSection> growth_section() {
     Section<GrowthSection> s;
     s.choice<GrowthLaw>("law", &GrowthSection::law,

@@ -17,9 +17,11 @@ void demand_not_negative(const char* key, double value) {
 J2Parameters parameters_of(const MaterialSection& material, PlaneState plane, int substeps) {
     if (!(*material.yield_stress > 0.0))
         throw CaseError(fmt::format("material.yield_stress = {}: must be > 0", *material.yield_stress));
-    for (const auto& [C, gamma] : material.kinematic) {
-        demand_not_negative("C", C);
-        demand_not_negative("gamma", gamma);
+    for (const KinematicHardening& term : material.kinematic) {
+        demand_not_negative("C", term.C);
+        demand_not_negative("gamma", term.gamma);
+        if (term.threshold && (term.gamma == 0.0 || term.C_start))
+            throw CaseError("material.kinematic.threshold: needs gamma > 0 and no C_start: the limit is C / gamma");
     }
     return {.elasticity = elasticity_of(material, plane),
             .yield_stress = *material.yield_stress,
@@ -34,7 +36,7 @@ J2Parameters parameters_of(const MaterialSection& material, PlaneState plane, in
 std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps) {
     if (!material.yield_stress) return std::make_unique<Elastic>(elasticity_of(material, plane));
     const J2Parameters parameters = parameters_of(material, plane, substeps);
-    const bool closed = parameters.isotropic.linear() != nullptr && !parameters.recalls();
+    const bool closed = parameters.is_linear();
     if (closed && plane == PlaneState::Strain) return std::make_unique<J2>(parameters);
     if (closed && substeps == 1) return std::make_unique<J2PlaneStress>(parameters);
     return std::make_unique<J2Implicit>(parameters);

@@ -1,20 +1,19 @@
 // J2 plasticity in plane strain and plane stress with any isotropic hardening and back stresses of Armstrong and
-// Frederick, CEGB report RD/B/N731 (1966), by backward Euler: one scalar equation for the plastic strain increment.
+// Frederick, CEGB report RD/B/N731 (1966), or with a threshold, by backward Euler: one scalar equation for the plastic
+// strain increment.
 #pragma once
-
-#include <array>
 
 #include "fine/material/j2_law.hpp"
 
 namespace stria::fine {
 
-/// Elasticity on the two parts of a deviator that return alike: its zz component with what balances it in the plane
-/// (the equibiaxial stress), and the shears (xx - yy, xy). In plane strain both are deviators like any other.
-struct PlaneElasticity {
+/// Elasticity as deviators see it (plane_deviators.hpp).
+struct DeviatoricElasticity {
     MandelMatrix stiffness;
-    double biaxial_rate, shear_rate;  // MPa: dev(C : e) of a deviator e of either part, over e
+    Eigen::Matrix<double, 3, 4> on_deviators;  // MPa: dev(C : eps) of a strain
+    Eigen::Array3d rates;                      // MPa: dev(C : e) of a deviator e, which is diagonal
 
-    explicit PlaneElasticity(const Elasticity& elasticity);
+    explicit DeviatoricElasticity(const Elasticity& elasticity);
 };
 
 /// State as of J2. In plane stress sigma_zz stays zero and the zz strain increment is not looked at. A strain increment
@@ -27,7 +26,7 @@ public:
 private:
     void return_points(const J2Update& update, int points, int stride) const override;
 
-    PlaneElasticity elasticity_;
+    DeviatoricElasticity elasticity_;
 };
 
 }  // namespace stria::fine

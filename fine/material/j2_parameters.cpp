@@ -1,6 +1,7 @@
 #include "fine/material/j2_parameters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "fine/material/point_pack.hpp"
@@ -13,8 +14,14 @@ double J2Parameters::prager_modulus() const {
     return sum;
 }
 
-bool J2Parameters::recalls() const {
-    return std::ranges::any_of(kinematic, [](const KinematicHardening& term) { return term.gamma > 0.0; });
+bool J2Parameters::is_linear() const {
+    return isotropic.linear() != nullptr && std::ranges::all_of(kinematic, [](const KinematicHardening& term) {
+               return term.gamma == 0.0 && !term.C_start;
+           });
+}
+
+bool J2Parameters::has_thresholds() const {
+    return std::ranges::any_of(kinematic, [](const KinematicHardening& term) { return term.threshold; });
 }
 
 double J2Parameters::elastic_margin(int points, int stride, const double* committed) const {
@@ -36,7 +43,7 @@ double J2Parameters::stored_energy(const double* state, int stride) const {
     double energy = elasticity.energy(tensor_at(state, stride, state::stress)) + isotropic.stored(p);
     for (std::size_t k = 0; k < kinematic.size(); ++k) {
         const Mandel X = tensor_at(state, stride, state::back_stress + 4 * static_cast<int>(k));
-        if (kinematic[k].C > 0.0) energy += 0.75 * X.squaredNorm() / kinematic[k].C;
+        if (kinematic[k].C > 0.0) energy += 0.75 * X.squaredNorm() / modulus(kinematic[k], p);
     }
     return energy;
 }

@@ -10,6 +10,18 @@
 
 namespace stria::fine {
 
+/// C(p), MPa, of a number or of a pack of points.
+template <class P> [[nodiscard]] P modulus(const KinematicHardening& term, const P& p) {
+    if (!term.C_start) return 0.0 * p + term.C;
+    return term.C + (*term.C_start - term.C) * exp(-term.C_rate * p);
+}
+
+/// dC/dp over C.
+template <class P> [[nodiscard]] P growth_of_modulus(const KinematicHardening& term, const P& p) {
+    if (!term.C_start) return 0.0 * p;
+    return term.C_rate * (term.C / modulus(term, p) - 1.0);
+}
+
 struct J2Parameters {
     Elasticity elasticity;
     double yield_stress;                        // MPa, of the virgin material
@@ -20,8 +32,9 @@ struct J2Parameters {
 
     /// Sum of C, MPa.
     [[nodiscard]] double prager_modulus() const;
-    /// Whether a back stress forgets.
-    [[nodiscard]] bool recalls() const;
+    /// Whether hardening is linear in the plastic strain; whether a back stress forgets at its limit alone.
+    [[nodiscard]] bool is_linear() const;
+    [[nodiscard]] bool has_thresholds() const;
 
     [[nodiscard]] int state_size() const { return state::back_stress + 4 * static_cast<int>(kinematic.size()); }
     /// As in MaterialLaw.

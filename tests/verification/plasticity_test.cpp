@@ -102,56 +102,5 @@ TEST(Plasticity, RadialReturnHasItsKnownError) {
     }
 }
 
-/// Uniaxial stress at a strain that is reached in equal steps from the last one.
-class Bar {
-public:
-    Bar(const MaterialSection& material, PlaneState plane) : point_(material, plane) {}
-
-    double pull(double strain, int steps) {
-        const double from = strain_;
-        for (int k = 1; k <= steps; ++k) stress_ = point_.uniaxial(from + (strain - from) * k / steps);
-        strain_ = strain;
-        return stress_;
-    }
-
-private:
-    MaterialPoint point_;
-    double strain_ = 0.0, stress_ = 0.0;
-};
-
-// references 8.6. Backward Euler is of first order: twice as many steps halve the error.
-TEST(CyclicHardening, VoceAndTwoBackStressesThatForget) {
-    MaterialSection steel = linear_hardening(318.5);
-    steel.young = 179800.0;
-    steel.isotropic = {.law = "voce", .Q = 100.7, .b = 8.0};
-    steel.kinematic = {{11608.2, 145.2}, {1026.0, 4.7}};
-    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
-        for (const auto& [strain, stress] : {std::pair{0.002, 321.32308726}, {0.05, 473.69256403}}) {
-            const double some = Bar(steel, plane).pull(strain, 200), more = Bar(steel, plane).pull(strain, 400);
-            EXPECT_NEAR(more, stress, 1e-4 * stress);
-            EXPECT_NEAR((some - stress) / (more - stress), 2.0, 0.05);
-        }
-    }
-}
-
-// references 6.5: the stress at the tip of a cycle that repeats itself.
-TEST(CyclicHardening, StabilisedCyclesOfArmstrongAndFrederick) {
-    MaterialSection steel = linear_hardening(200.0);
-    steel.kinematic = {{62400.0, 300.0}};
-    for (const auto& [amplitude, stress] : {std::pair{0.006, 375.648175}, {0.004, 326.962823}, {0.01, 404.558006}}) {
-        const auto settled = [&](int steps) {
-            Bar bar(steel, PlaneState::Strain);
-            for (int cycle = 0; cycle < 12; ++cycle) {
-                bar.pull(amplitude, steps);
-                bar.pull(-amplitude, steps);
-            }
-            return bar.pull(amplitude, steps);
-        };
-        const double some = settled(100), more = settled(200);
-        EXPECT_NEAR(2.0 * more - some, stress, 2e-5 * stress) << amplitude;  // the first order taken off
-        EXPECT_LT(std::abs(more - stress), 0.6 * std::abs(some - stress));
-    }
-}
-
 }  // namespace
 }  // namespace stria::test

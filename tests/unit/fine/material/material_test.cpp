@@ -15,61 +15,13 @@
 #include "common/error.hpp"
 #include "common/index.hpp"
 #include "fine/material/hardening_curve.hpp"
+#include "tests/support/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"
 
 namespace stria::test {
 namespace {
 
 namespace state = fine::state;
-
-struct Law {
-    std::string name;
-    MaterialSection material;
-    PlaneState plane = PlaneState::Strain;
-};
-
-void PrintTo(const Law& law, std::ostream* out) { *out << law.name; }
-
-MaterialSection steel(double isotropic, std::vector<KinematicHardening> kinematic) {
-    return {.young = 200e3,
-            .poisson = 0.3,
-            .yield_stress = 350.0,
-            .isotropic = {.law = "linear", .modulus = isotropic},
-            .kinematic = std::move(kinematic)};
-}
-
-MaterialSection curved(IsotropicHardening isotropic, std::vector<KinematicHardening> kinematic = {}) {
-    MaterialSection material = steel(0.0, std::move(kinematic));
-    material.isotropic = std::move(isotropic);
-    return material;
-}
-
-const IsotropicHardening voce{.law = "voce", .Q = 80.0, .b = 20.0};
-const std::vector<KinematicHardening> recalling{{60e3, 300.0}, {9e3, 30.0}, {2e3, 0.0}};
-
-std::vector<Law> in_both_plane_states(std::vector<Law> laws) {
-    const auto count = laws.size();
-    for (std::size_t k = 0; k < count; ++k)
-        laws.push_back({laws[k].name + "_plane_stress", laws[k].material, PlaneState::Stress});
-    return laws;
-}
-
-const std::vector<Law> laws = in_both_plane_states({
-    {"elastic", {.young = 200e3, .poisson = 0.3, .yield_stress = {}, .isotropic = {}, .kinematic = {}}},
-    {"perfect", steel(0.0, {})},
-    {"isotropic", steel(2000.0, {})},
-    {"prager", steel(0.0, {{5000.0, 0.0}})},
-    {"mixed", steel(1000.0, {{3000.0, 0.0}, {20000.0, 0.0}})},
-    {"voce", curved(voce, {{3000.0, 0.0}})},
-    {"power", curved({.law = "power", .n = 8.0, .alpha = 0.5, .reference = 400.0})},
-    {"table",
-     curved({.law = "table", .plastic_strain = {0.0, 0.002, 0.01, 0.1}, .stress = {350.0, 380.0, 400.0, 450.0}})},
-    {"recall", curved(voce, recalling)},
-});
-
-bool recalls(const MaterialSection& material) {
-    return std::ranges::any_of(material.kinematic, [](const KinematicHardening& term) { return term.gamma > 0.0; });
-}
 
 class EveryLaw : public testing::TestWithParam<Law> {
 protected:
@@ -83,12 +35,13 @@ protected:
     std::mt19937 random_{7};
 };
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLaw, testing::ValuesIn(laws), [](const auto& law) { return law.param.name; });
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLaw, testing::ValuesIn(catalogue()),
+                         [](const auto& law) { return law.param.name; });
 
-// Backward Euler has a potential: what an increment stores and dissipates. So the work balance has no error of the law.
-// Recall takes back stress against the direction of flow: it has none.
+// Where backward Euler has a potential it is what an increment stores and dissipates: the work balance has no error of
+// the law.
 TEST_P(EveryLaw, StressIsTheDerivativeOfWhatIsStoredAndDissipated) {
-    if (recalls(GetParam().material)) return;
+    if (!has_potential(GetParam().material)) return;
     const double h = 1e-7;
     const auto energy = [&](const std::vector<double>& committed, const Mandel& increment) {
         const PointUpdate trial = update_point(point_.law(), committed, increment);
@@ -108,10 +61,40 @@ TEST_P(EveryLaw, StressIsTheDerivativeOfWhatIsStoredAndDissipated) {
     }
 }
 
-// Of the stress's derivative the symmetric part, which is all of it without recall.
+/// Work of the stresses on the way to an increment, each state on it reached at once, less what is stored and booked as
+/// dissipated at its end.
+double missing_energy(const fine::MaterialLaw& law, const std::vector<double>& committed, const Mandel& increment) {
+    constexpr int intervals = 400;
+    double work = 0.0;
+    for (int k = 0; k < intervals; ++k)
+        for (const double gauss : {-0.5 / std::numbers::sqrt3, 0.5 / std::numbers::sqrt3})
+            work += 0.5 / intervals *
+                    update_point(law, committed, (k + 0.5 + gauss) / intervals * increment).stress().dot(increment);
+    const PointUpdate end = update_point(law, committed, increment);
+    return work - (law.stored_energy(end.state.data(), 1) - law.stored_energy(committed.data(), 1)) -
+           (end.scalar(state::dissipation) - committed[at(state::dissipation)]);
+}
+
+// Where there is no potential the error is of third order in the increment: the trapezoid's.
+TEST_P(EveryLaw, EnergyIsMissingOfThirdOrderAtMost) {
+    if (!point_.law().can_yield()) return;
+    for (int step = 0; step < 30; ++step) point_.strain_by(1e-4 * Mandel(-0.4, 1.0, 0.0, 0.5));
+    const Mandel turned{0.4, 0.4, 0.0, 0.9};
+    const auto missing = [&](double size) { return missing_energy(point_.law(), point_.last().state, size * turned); };
+    if (has_potential(GetParam().material)) {
+        EXPECT_LT(std::abs(missing(4e-3)), 2e-8);  // of 1 N/mm2; of the quadrature across corners
+        EXPECT_LT(std::abs(missing(5e-4)), 1e-14);
+    } else {
+        EXPECT_LT(std::abs(missing(4e-3)), 5e-3);
+        EXPECT_LT(std::abs(missing(1e-4)), 1e-8);
+        EXPECT_NEAR(missing(4e-6) / missing(2e-6), 8.0, 0.5);
+    }
+}
+
+// Of the stress's derivative the symmetric part, which is all of it where there is a potential.
 TEST_P(EveryLaw, TangentIsTheDerivativeOfTheStressAndSymmetric) {
     const double h = 1e-8;
-    const bool symmetric = !recalls(GetParam().material);
+    const bool symmetric = has_potential(GetParam().material);
     int compared = 0;
     for (int step = 0; step < 200; ++step) {
         const std::vector<double> committed = point_.last().state;
@@ -258,9 +241,12 @@ TEST_P(EveryLaw, WorkIsStoredOrDissipated) {
         EXPECT_GT(by_recall, -1e-9);
         stored += fine::HardeningCurve(material).stored(p);
     }
-    for (std::size_t k = 0; k < material.kinematic.size(); ++k)
-        stored +=
-            0.75 / material.kinematic[k].C * end.tensor(state::back_stress + 4 * static_cast<int>(k)).squaredNorm();
+    for (std::size_t k = 0; k < material.kinematic.size(); ++k) {
+        const KinematicHardening& term = material.kinematic[k];
+        const double C = term.C + (term.C_start.value_or(term.C) - term.C) * std::exp(-term.C_rate * p);
+        const Mandel X = end.tensor(state::back_stress + 4 * static_cast<int>(k));
+        if (term.C > 0.0) stored += 0.75 / C * X.squaredNorm();
+    }
     const double dissipated = end.scalar(state::dissipation);
     const double work = point_.law().work(end.state.data(), 1);
     EXPECT_NEAR(work, stored + dissipated, 1e-4 * (1e-9 + stored + dissipated));
@@ -271,13 +257,13 @@ TEST(MaterialLaw, WithoutAYieldStressRemembersItsStressAlone) {
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
         EXPECT_EQ(fine::make_material_law(elastic, plane)->state_size(), 4);
         EXPECT_FALSE(fine::make_material_law(elastic, plane)->can_yield());
-        EXPECT_TRUE(fine::make_material_law(steel(0.0, {}), plane)->can_yield());
+        EXPECT_TRUE(fine::make_material_law(linear_steel(0.0, {}), plane)->can_yield());
     }
 }
 
 TEST(MaterialLaw, RefusesWhatItDoesNotKnow) {
-    const std::vector<MaterialSection> wrong{steel(0.0, {{5000.0, -20.0}}), steel(0.0, {{-5000.0, 0.0}}),
-                                             curved({.law = "swift"})};
+    const std::vector<MaterialSection> wrong{linear_steel(0.0, {{5000.0, -20.0}}), linear_steel(0.0, {{-5000.0, 0.0}}),
+                                             linear_steel(0.0, {{5000.0, 0.0, true}}), curved({.law = "swift"})};
     for (const MaterialSection& material : wrong)
         for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress})
             EXPECT_THROW(fine::make_material_law(material, plane), CaseError) << material.isotropic.law;
@@ -285,23 +271,9 @@ TEST(MaterialLaw, RefusesWhatItDoesNotKnow) {
 
 TEST(MaterialLaw, AStrainThatIsNoNumberFails) {
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
-        MaterialPoint point(steel(0.0, {}), plane);
+        MaterialPoint point(linear_steel(0.0, {}), plane);
         EXPECT_THROW(point.strain_by(Mandel(std::numeric_limits<double>::quiet_NaN(), 0, 0, 0)), NumericalFailure);
         EXPECT_THROW(point.strain_by(Mandel(1e300, 0.0, 0.0, 0.0)), NumericalFailure);
-    }
-}
-
-// Any strain leads to a stress on the surface, however far it goes at once.
-TEST(MaterialLaw, FindsItsWayFromAnyStrain) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> exponent(-7.0, 0.0), sign(-1.0, 1.0);
-    for (const Law& law : laws) {
-        MaterialPoint point(law.material, law.plane);
-        for (int step = 0; step < 3000; ++step) {
-            const double size = std::pow(10.0, exponent(random));
-            ASSERT_NO_THROW(point.strain_by(size * Mandel(sign(random), sign(random), 0.0, sign(random)))) << law.name;
-            ASSERT_TRUE(point.last().tangent.allFinite()) << law.name;
-        }
     }
 }
 
@@ -310,7 +282,8 @@ TEST(MaterialLaw, TakesAnIncrementInParts) {
     constexpr int parts = 5;
     const Mandel whole{2e-3, 1e-3, 0.0, -3e-3};
     for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
-        for (const MaterialSection& material : {curved(voce, recalling), steel(1000.0, {{3000.0, 0.0}})}) {
+        for (const MaterialSection& material :
+             {curved(voce, recalling), curved(voce, multilinear), linear_steel(1000.0, {{3000.0, 0.0}})}) {
             const auto in_parts = fine::make_material_law(material, plane, parts);
             MaterialPoint point(material, plane);
             point.strain_by({1e-3, -3e-3, 0.0, 1e-3});

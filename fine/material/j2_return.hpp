@@ -1,0 +1,215 @@
+// One step of backward Euler of J2 plasticity at the points of a pack: the plastic strain increment dp whose relative
+// stress lies on the yield surface, with any isotropic hardening and any back stresses.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "common/error.hpp"
+#include "fine/material/j2_pack.hpp"
+#include "fine/material/plane_deviators.hpp"
+
+namespace stria::fine {
+
+template <int rows> using Mask = Eigen::Array<bool, rows, 1>;
+
+/// Deviatoric stress, back stresses and p of a pack; or what they change by.
+template <int rows> struct PackState {
+    Deviators<rows> stress;
+    std::vector<Deviators<rows>> back;
+    Scalars<rows> p;
+
+    void set_zero(std::size_t back_stresses) {
+        stress.setZero();
+        back.assign(back_stresses, Deviators<rows>::Zero());
+        p.setZero();
+    }
+};
+
+/// A back stress after recall, X = theta X*, where X* = X_n + 2/3 C(p) d(eps_p) is what it would be without. Armstrong
+/// and Frederick: theta = 1 / (1 + gamma dp). With a threshold: the nearest point of the ball of radius r = C / gamma,
+/// so theta = min(1, r / X*), and dX = theta (1 - n x n) dX* where it has reached the limit along n. N. Ohno, J.-D.
+/// Wang, Int. J. Plasticity 9 (1993) 375; M. Kobayashi, N. Ohno, IJNME 53 (2002) 2217.
+template <int rows> struct Recalled {
+    Deviators<rows> X;
+    Scalars<rows> theta;
+    Scalars<rows> stiffness;  // 2/3 C(p), MPa
+    Scalars<rows> growth;     // C'(p) / C(p)
+    Scalars<rows> fading;     // by dp, over X: what recall takes
+    Deviators<rows> drift;    // by p, MPa: as C grows
+    Deviators<rows> limited;  // n, or zero
+
+    /// dX of dX*, at constant p.
+    [[nodiscard]] Deviators<rows> following(const Deviators<rows>& d) const {
+        const Scalars<rows> along = dot<rows>(limited, d);
+        return (d - limited.colwise() * along).colwise() * theta;
+    }
+
+    /// dX / d(dp) at a constant plastic strain increment.
+    [[nodiscard]] Deviators<rows> by_dp() const { return drift - X.colwise() * fading; }
+
+    /// What depends on p alone.
+    void put_p(const KinematicHardening& term, const Scalars<rows>& p, const Scalars<rows>& dp) {
+        const double gamma = term.threshold ? 0.0 : term.gamma;
+        stiffness = 2.0 / 3.0 * modulus<Scalars<rows>>(term, p);
+        growth = growth_of_modulus<Scalars<rows>>(term, p);
+        theta = 1.0 / (1.0 + gamma * dp);
+        fading = gamma * theta;
+        drift.setZero();
+        limited.setZero();
+    }
+
+    void put_X(const KinematicHardening& term, const Deviators<rows>& X_n, const Deviators<rows>& plastic) {
+        X = X_n + plastic.colwise() * stiffness;
+        if (term.threshold) limit(term.C / term.gamma);
+        if (term.C_start) drift = plastic.colwise() * (stiffness * growth * theta);
+        X.colwise() *= theta;
+    }
+
+private:
+    void limit(double radius) {
+        const Scalars<rows> size = equivalent<rows>(X);
+        const Mask<rows> beyond = size > radius * (1.0 + 1e-12);  // above rounding: what rests does not move
+        const Scalars<rows> per_size = 1.0 / beyond.select(size, 1.0);
+        theta = beyond.select(radius * per_size, 1.0);
+        limited = X.colwise() * beyond.select(std::sqrt(1.5) * per_size, 0.0);
+    }
+};
+
+/// The return of one part of an increment at a plastic strain increment dp. With the flow d(eps_p) = lambda xi, lambda
+/// = 3/2 dp / Y, Y = sigma_y + R(p + dp), the relative stress xi = dev(sigma) - sum X solves
+///     xi + lambda rate xi + sum X(lambda xi, dp) = dev(trial).
+template <int rows> struct ReturnAt {
+    Scalars<rows> Y, Y_slope;            // MPa; by dp
+    Scalars<rows> lambda, lambda_slope;  // 1/MPa
+    std::vector<Recalled<rows>> back;
+    DeviatorOperator<rows> rate;  // MPa: the elastic one and what back stresses follow by, by d(eps_p)
+    EasedBy<rows> eased;          // by 1 + lambda rate
+    Deviators<rows> xi, xi_slope;
+    Scalars<rows> equivalent, equivalent_slope;  // sqrt(3/2) |xi|
+};
+
+/// Without thresholds xi solves a linear equation. With them it minimises a convex function of one kink for each:
+/// Newton's method takes 2 to 4 steps, and after so many the one metric that bounds its curvature leads there surely.
+inline constexpr int newton_steps = 20, most_steps = 2000;
+
+template <int rows> class PartReturn {
+public:
+    /// `rates`: of elasticity on the three deviators, MPa. The arguments must outlive the return.
+    PartReturn(const J2Parameters& law, const Eigen::Array3d& rates, const PackState<rows>& before,
+               const Deviators<rows>& trial)
+        : law_(law), rates_(rates), before_(before), trial_(trial) {}
+
+    /// dp of the points that flow, 0 of the others, and the return at it: the root of 1 - Y / q, nearly a straight
+    /// line, between bounds.
+    [[nodiscard]] Scalars<rows> find(ReturnAt<rows>& now) const;
+
+private:
+    void put(const Scalars<rows>& dp, ReturnAt<rows>& now) const;
+    void put_relative_stress(ReturnAt<rows>& now) const;
+    void put_back_stresses(ReturnAt<rows>& now) const;
+    [[nodiscard]] Deviators<rows> next_relative_stress(ReturnAt<rows>& now, bool surely) const;
+
+    /// More than any dp: with it the elastic part of the return alone would bring all stress below Y.
+    [[nodiscard]] Scalars<rows> most() const {
+        Scalars<rows> sum = equivalent<rows>(trial_);
+        for (const Deviators<rows>& back : before_.back) sum += equivalent<rows>(back);
+        return sum / (1.5 * rates_.minCoeff());
+    }
+
+    const J2Parameters& law_;
+    const Eigen::Array3d& rates_;
+    const PackState<rows>& before_;
+    const Deviators<rows>& trial_;
+};
+
+template <int rows> void PartReturn<rows>::put_back_stresses(ReturnAt<rows>& now) const {
+    const Deviators<rows> plastic = now.xi.colwise() * now.lambda;
+    for (std::size_t k = 0; k < law_.kinematic.size(); ++k)
+        now.back[k].put_X(law_.kinematic[k], before_.back[k], plastic);
+}
+
+/// One step from now.xi, with the derivative there or, `surely`, with one that is nowhere too small.
+template <int rows> Deviators<rows> PartReturn<rows>::next_relative_stress(ReturnAt<rows>& now, bool surely) const {
+    now.rate = DeviatorOperator<rows>(rates_);
+    Deviators<rows> rest = trial_;
+    for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
+        const Recalled<rows>& back = now.back[k];
+        const bool bound = surely && law_.kinematic[k].threshold;
+        if (bound)
+            now.rate.add_across(back.stiffness, Deviators<rows>::Zero());
+        else
+            now.rate.add_across(back.stiffness * back.theta, back.limited);
+        const Deviators<rows> slope = bound ? now.xi : back.following(now.xi);
+        rest -= back.X - slope.colwise() * (back.stiffness * now.lambda);
+    }
+    now.eased = EasedBy<rows>(now.lambda, now.rate);
+    return now.eased(rest);
+}
+
+template <int rows> void PartReturn<rows>::put_relative_stress(ReturnAt<rows>& now) const {
+    const bool linear = !law_.has_thresholds();
+    Mask<rows> searching = Mask<rows>::Constant(true);
+    for (int step = 0; searching.any(); ++step) {
+        if (step == most_steps) throw NumericalFailure("return mapping: no back stresses found");
+        put_back_stresses(now);
+        const Deviators<rows> change = next_relative_stress(now, step >= newton_steps) - now.xi;
+        now.xi += change.colwise() * searching.template cast<double>();
+        // NaN goes on, to the failure.
+        searching = searching && !(equivalent<rows>(change) <= 1e-12 * (equivalent<rows>(now.xi) + now.Y));
+        if (linear) break;
+    }
+    put_back_stresses(now);
+    if (!linear) static_cast<void>(next_relative_stress(now, false));  // the derivative there
+}
+
+template <int rows> void PartReturn<rows>::put(const Scalars<rows>& dp, ReturnAt<rows>& now) const {
+    const Scalars<rows> p = before_.p + dp;
+    now.Y = law_.yield_stress + law_.isotropic.value(p);
+    now.Y_slope = law_.isotropic.slope(p);
+    now.lambda = 1.5 * dp / now.Y;
+    now.lambda_slope = (1.5 - now.lambda * now.Y_slope) / now.Y;
+    for (std::size_t k = 0; k < now.back.size(); ++k) now.back[k].put_p(law_.kinematic[k], p, dp);
+    put_relative_stress(now);
+    Deviators<rows> less = (now.rate * now.xi).colwise() * now.lambda_slope;
+    for (const Recalled<rows>& back : now.back) less += back.by_dp();
+    now.xi_slope = -now.eased(less);
+    now.equivalent = equivalent<rows>(now.xi).max(std::numeric_limits<double>::min());
+    now.equivalent_slope = 1.5 * dot<rows>(now.xi, now.xi_slope) / now.equivalent;
+}
+
+/// Newton's method takes 3 to 6; a curve with corners may need halvings of the bracket.
+inline constexpr int most_trials = 100;
+
+template <int rows> Scalars<rows> PartReturn<rows>::find(ReturnAt<rows>& now) const {
+    now.back.resize(law_.kinematic.size());
+    now.xi = trial_;
+    Scalars<rows> dp = Scalars<rows>::Zero();
+    put(dp, now);
+    const Mask<rows> flows = now.equivalent > now.Y * (1.0 + overstress_tolerance);
+    Scalars<rows> below = dp, above = most();
+    // Exact for linear back stresses and hardening in plane strain.
+    const Scalars<rows> resistance = now.Y_slope - now.equivalent_slope * now.Y / now.equivalent;
+    dp = flows.select((now.equivalent - now.Y) / resistance, 0.0);
+    Mask<rows> searching = flows;
+    for (int iteration = 0; searching.any(); ++iteration) {
+        if (iteration == most_trials) throw NumericalFailure("return mapping: no plastic strain increment found");
+        put(dp, now);
+        const Scalars<rows> per_q = 1.0 / now.equivalent;
+        const Scalars<rows> F = 1.0 - now.Y * per_q;
+        const Scalars<rows> slope = (now.Y * now.equivalent_slope * per_q - now.Y_slope) * per_q;
+        below = (searching && F > 0.0).select(dp, below);
+        above = (searching && F <= 0.0).select(dp, above);
+        const Scalars<rows> newton = dp - F / slope;
+        const Mask<rows> inside = newton > below && newton < above;
+        const Scalars<rows> next = inside.select(newton, 0.5 * (below + above));
+        const Scalars<rows> step = (next - dp).abs();
+        const Mask<rows> off = searching && !(F.abs() <= 1e-15);  // NaN goes on, to the failure
+        dp = off.select(next, dp);
+        searching = off && !(step <= 1e-9 * dp);  // the error left is the square of the step
+    }
+    put(dp, now);
+    return dp;
+}
+
+}  // namespace stria::fine

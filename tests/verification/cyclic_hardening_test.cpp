@@ -1,0 +1,263 @@
+// Uniaxial cycles of every law that hardens against the solution of its differential equations, which is in closed form
+// on each branch, and against published values (docs/references.md 6.4, 6.5, 8.6).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "app/material/cyclic_test.hpp"
+#include "app/material/driven_point.hpp"
+#include "common/index.hpp"
+#include "fine/material/hardening_curve.hpp"
+#include "tests/support/material_catalogue.hpp"
+#include "tests/support/material_point.hpp"
+
+namespace stria::test {
+namespace {
+
+/// A bar without error: on a branch of direction s dX = (s C(p) - gamma X) dp, an exponential in dp, and a back stress
+/// with a threshold grows by s C dp up to its limit.
+class ExactBar {
+public:
+    explicit ExactBar(const MaterialSection& material)
+        : material_(material), curve_(material), back_(material.kinematic.size(), 0.0) {}
+
+    void strain_to(double strain) {
+        const double s = strain > strain_ ? 1.0 : -1.0;
+        const double dp = flow([&](double by) { return s * (material_.young * (strain - plastic_ - s * by)); }, s);
+        go(s, dp);
+        strain_ = strain;
+    }
+
+    void load_to(double stress) {
+        const double s = stress > this->stress() ? 1.0 : -1.0;
+        go(s, flow([&](double) { return s * stress; }, s));
+        strain_ = plastic_ + stress / material_.young;
+    }
+
+    [[nodiscard]] double stress() const { return material_.young * (strain_ - plastic_); }
+    [[nodiscard]] double plastic_strain() const { return plastic_; }
+
+private:
+    [[nodiscard]] double back_stress(std::size_t k, double s, double dp) const {
+        const KinematicHardening& term = material_.kinematic[k];
+        const double linear = back_[k] + s * term.C * dp;
+        if (term.gamma == 0.0) return linear;
+        const double limit = term.C / term.gamma, left = std::exp(-term.gamma * dp);
+        if (term.threshold) return std::clamp(linear, -limit, limit);
+        const double missing = (term.C_start.value_or(term.C) - term.C) * std::exp(-term.C_rate * p_);
+        const double growing = missing * (std::exp(-term.C_rate * dp) - left) / (term.gamma - term.C_rate);
+        return s * (limit * (1.0 - left) + growing) + back_[k] * left;
+    }
+
+    /// s times the stress on the yield surface.
+    [[nodiscard]] double resistance(double s, double dp) const {
+        double sum = *material_.yield_stress + curve_.value(p_ + dp);
+        for (std::size_t k = 0; k < back_.size(); ++k) sum += s * back_stress(k, s, dp);
+        return sum;
+    }
+
+    /// The dp at which s times the stress that is asked for is borne.
+    template <class Asked> [[nodiscard]] double flow(const Asked& asked, double s) const {
+        if (asked(0.0) <= resistance(s, 0.0)) return 0.0;
+        double below = 0.0, above = 1.0;
+        for (int k = 0; k < 200; ++k) {
+            const double middle = 0.5 * (below + above);
+            (asked(middle) > resistance(s, middle) ? below : above) = middle;
+        }
+        return 0.5 * (below + above);
+    }
+
+    void go(double s, double dp) {
+        for (std::size_t k = 0; k < back_.size(); ++k) back_[k] = back_stress(k, s, dp);
+        p_ += dp;
+        plastic_ += s * dp;
+    }
+
+    const MaterialSection& material_;
+    fine::HardeningCurve curve_;
+    std::vector<double> back_;
+    double p_ = 0.0, plastic_ = 0.0, strain_ = 0.0;
+};
+
+/// Of one cycle: stress and plastic strain at its minimum and at the maximum that ends it.
+struct Turns {
+    double stress_at_min, stress_at_max, plastic_at_min, plastic_at_max;
+};
+
+std::vector<Turns> turns_of(const Case& input) {
+    std::vector<Turns> all;
+    const std::vector<material::TestRow> rows = material::go_through_cycles(input);
+    const int half = input.material_test->steps / 2;
+    for (std::size_t end = at(3 * half); end < rows.size(); end += at(2 * half)) {
+        const material::TestRow &minimum = rows[end - at(half)], &maximum = rows[end];
+        all.push_back({minimum.stress, maximum.stress, minimum.plastic_strain, maximum.plastic_strain});
+    }
+    return all;
+}
+
+/// Backward Euler is of first order: twice as many increments halve the error, and twice theirs less these have none.
+std::vector<Turns> extrapolated_turns(Case input) {
+    const std::vector<Turns> some = turns_of(input);
+    input.material_test->steps *= 2;
+    std::vector<Turns> more = turns_of(input);
+    for (std::size_t k = 0; k < more.size(); ++k)
+        for (double Turns::*value :
+             {&Turns::stress_at_min, &Turns::stress_at_max, &Turns::plastic_at_min, &Turns::plastic_at_max})
+            more[k].*value = 2.0 * more[k].*value - some[k].*value;
+    return more;
+}
+
+Case tested(const MaterialSection& material, PlaneState plane, TestControl control, LoadBlock block, int steps) {
+    Case input;
+    input.material = material;
+    input.model.plane = plane;
+    input.fine.substeps = 1;
+    input.material_test = {.control = control, .mode = TestMode::Uniaxial, .blocks = {block}, .steps = steps};
+    return input;
+}
+
+class CyclicBar : public testing::TestWithParam<Law> {};
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, CyclicBar, testing::ValuesIn(catalogue().begin() + 1, catalogue().end()),
+                         [](const auto& law) { return law.param.name; });
+
+// Between strains of -0.2 and 1 %: what recalls loses its mean stress.
+TEST_P(CyclicBar, RelaxesItsMeanStress) {
+    const Law& law = GetParam();
+    if (!law.material.yield_stress) return;
+    const LoadBlock block{.cycles = 12, .max = 0.01, .min = -0.002};
+    const std::vector<Turns> found =
+        extrapolated_turns(tested(law.material, law.plane, TestControl::Strain, block, 400));
+    ExactBar exact(law.material);
+    exact.strain_to(block.max);
+    const double scale = exact.stress();
+    for (const Turns& turns : found) {
+        exact.strain_to(block.min);
+        const double at_min = exact.stress();
+        EXPECT_NEAR(turns.stress_at_min, at_min, 1e-4 * scale);
+        exact.strain_to(block.max);
+        EXPECT_NEAR(turns.stress_at_max, exact.stress(), 1e-4 * scale);
+        EXPECT_NEAR(turns.stress_at_max + turns.stress_at_min, exact.stress() + at_min, 1e-4 * scale);
+    }
+}
+
+// Between stresses that the metal bears and that make it flow.
+TEST_P(CyclicBar, RatchetsFromCycleToCycle) {
+    const Law& law = GetParam();
+    if (law.material.kinematic.empty()) return;
+    const LoadBlock block{.cycles = 8, .max = 430.0, .min = -380.0};
+    const std::vector<Turns> found =
+        extrapolated_turns(tested(law.material, law.plane, TestControl::Stress, block, 600));
+    ExactBar exact(law.material);
+    exact.load_to(block.max);
+    const double scale = exact.plastic_strain();
+    for (const Turns& turns : found) {
+        exact.load_to(block.min);
+        EXPECT_NEAR(turns.plastic_at_min, exact.plastic_strain(), 1e-4 * scale);
+        exact.load_to(block.max);
+        EXPECT_NEAR(turns.plastic_at_max, exact.plastic_strain(), 1e-4 * scale);
+    }
+}
+
+// Where the limits of the same curve are thresholds nothing ratchets.
+TEST(CyclicHardening, ThresholdsDoNotRatchetInABar) {
+    MaterialSection steel = linear_hardening(250.0);
+    steel.kinematic = multilinear;
+    const std::vector<Turns> found = turns_of(
+        tested(steel, PlaneState::Strain, TestControl::Stress, {.cycles = 6, .max = 430.0, .min = -380.0}, 200));
+    for (std::size_t k = 1; k < found.size(); ++k) EXPECT_NEAR(found[k].plastic_at_max, found[0].plastic_at_max, 1e-10);
+    for (KinematicHardening& term : steel.kinematic) term.threshold = false;
+    const std::vector<Turns> recalled = turns_of(
+        tested(steel, PlaneState::Strain, TestControl::Stress, {.cycles = 6, .max = 430.0, .min = -380.0}, 200));
+    for (std::size_t k = 1; k < recalled.size(); ++k)
+        EXPECT_GT(recalled[k].plastic_at_max - recalled[k - 1].plastic_at_max, 1e-4);
+}
+
+MaterialSection armstrong_frederick() {
+    MaterialSection steel = linear_hardening(200.0);
+    steel.kinematic = {{62400.0, 300.0}};
+    return steel;
+}
+
+// references 6.5: the stress cycle between 300 and -250 MPa.
+TEST(CyclicHardening, ArmstrongAndFrederickRatchetBySoMuchACycle) {
+    const double L = 62400.0 / 300.0, at_max = 300.0 - 200.0, at_min = -250.0 + 200.0;
+    const double ratchet = std::log((L * L - at_min * at_min) / (L * L - at_max * at_max)) / 300.0;
+    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+        const Case input =
+            tested(armstrong_frederick(), plane, TestControl::Stress, {.cycles = 5, .max = 300.0, .min = -250.0}, 800);
+        const std::vector<Turns> found = extrapolated_turns(input);
+        double before = 2.18468951e-3;
+        EXPECT_NEAR(found[0].plastic_at_min, -4.03263e-5, 1e-4 * before);
+        for (const Turns& turns : found) {
+            EXPECT_NEAR(turns.plastic_at_max - before, ratchet, 1e-4 * ratchet);
+            before = turns.plastic_at_max;
+        }
+    }
+}
+
+// references 6.5: the stress at the tip of a cycle that repeats itself.
+TEST(CyclicHardening, StabilisedCyclesOfArmstrongAndFrederick) {
+    for (const auto& [amplitude, stress] : {std::pair{0.006, 375.648175}, {0.004, 326.962823}, {0.01, 404.558006}}) {
+        const Case input = tested(armstrong_frederick(), PlaneState::Strain, TestControl::Strain,
+                                  {.cycles = 12, .max = amplitude, .min = -amplitude}, 400);
+        const Turns last = extrapolated_turns(input).back();
+        EXPECT_NEAR(last.stress_at_max, stress, 2e-5 * stress);
+        EXPECT_NEAR(last.stress_at_min, -stress, 2e-5 * stress);
+        EXPECT_NEAR(last.plastic_at_max, amplitude - stress / 200e3, 2e-5 * amplitude);
+    }
+}
+
+/// p, eps_xx and eps_xy of references 6.4: sigma_xx and sigma_xy grow alike up to 143.5 MPa.
+Eigen::Vector3d chaboche_in_tension_and_shear(int steps) {
+    MaterialSection steel = linear_hardening(87.0);
+    steel.young = 145200.0;
+    steel.isotropic = {.law = "voce", .Q = 64.0, .b = 2.3};
+    for (const auto& [limit, gamma] : {std::pair{187.0, 341.0}, {29.0, 17184.0}})
+        steel.kinematic.push_back({limit * gamma, gamma, false, (1.0 - 0.57) * limit * gamma, 6.09});
+    const auto law = fine::make_material_law(steel, PlaneState::Strain);
+    material::DrivenPoint point(*law);
+    material::Targets targets;
+    for (material::Target& target : targets) target.of = material::Target::Of::Stress;
+    for (int k = 1; k <= steps; ++k) {
+        targets[0].value = 143.5 * k / steps;
+        targets[3].value = std::numbers::sqrt2 * targets[0].value;
+        point.reach(targets);
+    }
+    return {point.scalar(fine::state::accumulated), point.strain()[0], point.strain()[3] / std::numbers::sqrt2};
+}
+
+TEST(CyclicHardening, ChabocheInTensionAndShearSsnv101) {
+    const Eigen::Vector3d exact{0.191988, 0.096982, 0.145276};
+    const Eigen::Vector3d some = chaboche_in_tension_and_shear(2000), more = chaboche_in_tension_and_shear(4000);
+    const Eigen::Vector3d found = 2.0 * more - some;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], exact[i], 1e-4 * exact[i]) << more.transpose();
+}
+
+// references 8.6.
+TEST(CyclicHardening, VoceAndTwoBackStressesThatForget) {
+    MaterialSection steel = linear_hardening(318.5);
+    steel.young = 179800.0;
+    steel.isotropic = {.law = "voce", .Q = 100.7, .b = 8.0};
+    steel.kinematic = {{11608.2, 145.2}, {1026.0, 4.7}};
+    const auto pulled = [&](PlaneState plane, double strain, int steps) {
+        MaterialPoint bar(steel, plane);
+        double stress = 0.0;
+        for (int k = 1; k <= steps; ++k) stress = bar.uniaxial(strain * k / steps);
+        return stress;
+    };
+    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+        for (const auto& [strain, stress] : {std::pair{0.002, 321.32308726}, {0.05, 473.69256403}}) {
+            const double some = pulled(plane, strain, 200), more = pulled(plane, strain, 400);
+            EXPECT_NEAR(more, stress, 1e-4 * stress);
+            EXPECT_NEAR((some - stress) / (more - stress), 2.0, 0.05);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
