@@ -41,6 +41,7 @@ struct Patch {
                                 // empty: nobody asks
     std::vector<std::vector<double>> slip_at;  // per tip: distances behind it, mm, at which is asked whether the faces
                                                // slide; empty: nobody asks
+    bool shared = false;       // by several ranks: nobody knows increments on both sides of a seam, and all forget them
     std::vector<int> part_of;  // per element of `mesh`: id in the whole mesh before of the element of which it is a
                                // part, and therefore new; -1: of none; empty: no element has been split
 };

@@ -66,6 +66,7 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
                                    .contact_at = patch.contact_at,
                                    .ahead = patch.ahead,
                                    .slip_at = patch.slip_at,
+                                   .shared = true,
                                    .part_of = of_elements(patch.part_of, elements)});
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});
     }

@@ -22,8 +22,7 @@ public:
     FineRanks(std::vector<FineScale*> ranks, std::size_t remembered);
 
     void set_patch(const Patch& patch) override;
-    /// Nobody knows them on both sides of a seam.
-    [[nodiscard]] bool keeps_increments() const override { return scales_.size() == 1; }
+    [[nodiscard]] bool keeps_increments() const override { return false; }  // Patch::shared
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
     StepReport commit(bool reversal) override;

@@ -59,8 +59,8 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at, part_of] = m;
-    wire(mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at, part_of);
+    auto& [mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at, shared, part_of] = m;
+    wire(mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at, shared, part_of);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {

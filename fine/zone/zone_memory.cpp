@@ -106,7 +106,7 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
         }
     }
     memory.committed = std::move(carried);
-    if (old_contact != nullptr && MovedField::can_move(before, next.mesh))
+    if (old_contact != nullptr && !next.shared && MovedField::can_move(before, next.mesh))
         move_increments(memory, before, *old_contact, next.mesh, contact);
     else
         memory.increments.clear();

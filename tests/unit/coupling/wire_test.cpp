@@ -51,6 +51,7 @@ Patch small_patch() {
             .contact_at = {{0.25, 1.0}},
             .ahead = {0.125},
             .slip_at = {{0.25, 0.5}, {}},
+            .shared = true,
             .part_of = {7}};
 }
 
