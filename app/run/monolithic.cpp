@@ -55,7 +55,8 @@ public:
 
     coarse::Residual linearise() override {
         zone_.linearise();
-        response_ = zone_.measure();
+        const coupling::PatchResponse response = zone_.measure();
+        yielding_ = response.digest.yielding_points;
         residual_ = load_factor_ * structure_load_ + initial_load_ - structure_.elements().internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
         off_target_ = target_ - controlled_.at(trial_, load_factor_);
@@ -66,7 +67,7 @@ public:
         result.scale = std::max((load_factor_ * scene_.unit_force).lpNorm<Eigen::Infinity>(),
                                 initial_load_.lpNorm<Eigen::Infinity>());
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
-        coarse::add_zone(result, response_);
+        coarse::add_zone(result, response);
         return result;
     }
 
@@ -147,9 +148,7 @@ public:
     }
 
     [[nodiscard]] double load_factor() const override { return load_factor_; }
-    [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override {
-        return response_.digest.yielding_points;
-    }
+    [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override { return yielding_; }
 
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
         Eigen::VectorXd u = trial_;
@@ -166,14 +165,13 @@ public:
 
     [[nodiscard]] coarse::MachineReading machine_reading() const override {
         Eigen::VectorXd forces = coarse::forces_on_prescribed(structure_.elements(), trial_);
-        std::vector<double> other(at(scene_.enriched.unknowns), 0.0);
-        for (int i = 0; i < scene_.enriched.unknowns; ++i) other[at(i)] = -initial_load_[i];
-        for (int i = 0; i < std::ssize(whole_); ++i) other[at(whole_[at(i)])] -= zone_.load()[i];
-        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
-            forces[static_cast<Eigen::Index>(k)] += other[at(scene_.prescribed[k].unknown)];
+        Eigen::VectorXd other = -initial_load_;
+        for (int i = 0; i < std::ssize(whole_); ++i) other[whole_[at(i)]] -= zone_.load()[i];
         double imposed_force = 0.0;
-        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k)
+        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
+            forces[static_cast<Eigen::Index>(k)] += other[scene_.prescribed[k].unknown];
             imposed_force += scene_.prescribed[k].value * forces[static_cast<Eigen::Index>(k)];
+        }
         return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force};
     }
 
@@ -262,7 +260,7 @@ private:
     const coarse::Structure& structure_;
     const coarse::Scene& scene_;
     fine::ZoneSystem& zone_;
-    coupling::PatchResponse response_;
+    std::vector<std::int32_t> yielding_;  // points, per element of the zone
     SparseMatrix stiffness_;
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
     coarse::LinearReading controlled_;
