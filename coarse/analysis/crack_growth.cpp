@@ -75,14 +75,12 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, std::vector<CrackSe
         Case input = present.input;
         input.cracks = std::move(cracks);
         GrownScene grown;
-        grown.longer = std::make_unique<Scene>(make_scene(input, present.mesh));
+        grown.finer = body.finer_about_ends_of(input.cracks);
+        const Mesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
+        grown.longer = std::make_unique<Scene>(make_scene(input, mesh));
         constexpr int as_fine_as_it_is = 1;
-        require_room(present.mesh, grown.longer->enriched, as_fine_as_it_is);
-        if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) {
-            grown.finer = body.finer_about_tips_of(*grown.longer);
-            if (grown.finer) *grown.longer = make_scene(input, grown.finer->scene.mesh);
-            return grown;
-        }
+        require_room(mesh, grown.longer->enriched, as_fine_as_it_is);
+        if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;
         note_("the next advance takes a crack out of the body: growth ends here");
     } catch (const CaseError& error) {
         note_(fmt::format("growth ends here: {}", error.what()));

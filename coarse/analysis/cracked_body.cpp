@@ -133,11 +133,11 @@ ElementSet CrackedBody::whole_elements() const {
     return whole;
 }
 
-std::unique_ptr<FinerScene> CrackedBody::finer_about_tips_of(const Scene& longer) const {
-    if (longer.input.fine.refine == 1) return nullptr;
+std::unique_ptr<FinerScene> CrackedBody::finer_about_ends_of(const std::vector<CrackSection>& longer) const {
+    if (scene_->input.fine.refine == 1) return nullptr;
     const ElementSet whole = whole_elements();
-    if (!asks_for_more(longer.mesh, disks_about_tips(longer, largest_K_I_, Room::None), whole)) return nullptr;
-    return finer(disks_about_tips(longer, largest_K_I_, Room::ToGrow), whole);
+    const auto disks = [&](Room room) { return disks_about_tips(*scene_, longer, largest_K_I_, room); };
+    return asks_for_more(scene_->mesh, disks(Room::None), whole) ? finer(disks(Room::ToGrow), whole) : nullptr;
 }
 
 std::unique_ptr<FinerScene> CrackedBody::finer_about_flow(const std::vector<int>& flowing) const {

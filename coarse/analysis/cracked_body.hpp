@@ -35,9 +35,9 @@ public:
     /// null: as near_elements.hpp chooses.
     void condense_onto(const ElementSet& in_zone, const ElementSet* far = nullptr);
 
-    /// The present cracks on smaller elements, where the tips of `longer`, on the present mesh, come near to large
-    /// ones. Null: they do not. Elements in which metal has flowed, or tips have been, stay whole.
-    [[nodiscard]] std::unique_ptr<FinerScene> finer_about_tips_of(const Scene& longer) const;
+    /// The present cracks on smaller elements, where the tips of longer ones come near to large ones. Null: they do
+    /// not. Elements in which metal has flowed, or tips have been, stay whole.
+    [[nodiscard]] std::unique_ptr<FinerScene> finer_about_ends_of(const std::vector<CrackSection>& longer) const;
 
     /// The same where elements that would flow are larger than a small share of their distance from the tips.
     [[nodiscard]] std::unique_ptr<FinerScene> finer_about_flow(const std::vector<int>& flowing) const;

@@ -19,6 +19,16 @@ const CrackPiece& piece_at(const EnrichedMesh& mesh, const Tip& tip) {
     return tip.upper < 0 ? *first : *(std::find_if_not(first, mesh.pieces.end(), of_crack) - 1);
 }
 
+/// Where a crack, which may have grown since, ends on the side of a tip.
+Vec2 end_of(const CrackSection& crack, const Tip& tip) {
+    return tip.upper > 0 ? crack.points.back() : crack.points.front();
+}
+
+Vec2 direction_of_end(const CrackSection& crack, const Tip& tip) {
+    const Vec2 before = tip.upper > 0 ? crack.points.end()[-2] : crack.points[1];
+    return (end_of(crack, tip) - before).normalized();
+}
+
 /// How often an element at a tip is split.
 int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
 
@@ -40,7 +50,8 @@ double way_ahead(const Case& input, double flow, double radius, Room room) {
 
 }  // namespace
 
-std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<double>& K_I, Room room) {
+std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
+                                          const std::vector<double>& K_I, Room room) {
     const EnrichedMesh& mesh = scene.enriched;
     const FineSection& fine = scene.input.fine;
     const int levels = levels_of(fine);
@@ -53,14 +64,14 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
         const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
         const double radius = std::max(zone_radius(fine, yield_stress[t], K_I[t]), 3.0 * smallest);
         const double flow = flow_ahead(scene.input.model.plane, K_I[t], yield_stress[t]);
-        const double way = way_ahead(scene.input, flow, radius, room);
-        disks.push_back({tip.position, tip.position + way * tip.direction, radius, levels, fine.growth});
+        const Vec2 ahead = way_ahead(scene.input, flow, radius, room) * direction_of_end(cracks[at(tip.crack)], tip);
+        disks.push_back({tip.position, end_of(cracks[at(tip.crack)], tip) + ahead, radius, levels, fine.growth});
     }
     return disks;
 }
 
 ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way) {
-    std::vector<RefinedDisk> disks = disks_about_tips(scene, K_I, Room::ToGrow);
+    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K_I, Room::ToGrow);
     for (std::size_t t = 0; t < disks.size(); ++t) disks[t].to += way * scene.enriched.tips[t].direction;
     const Mesh mesh = refine(scene.mesh, disks).mesh;
     const auto is_split = [](int level) { return level > 0; };

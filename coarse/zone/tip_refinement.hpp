@@ -15,9 +15,11 @@ enum class Room {
 };
 
 /// One disk per tip: the radius of its zone, and at least the elements about its own, so that tip functions end within
-/// the smallest elements. How long the run will be does not show: it may be resumed with more cycles. `K_I`: the
-/// largest of the load history, one per tip, MPa sqrt(mm).
-std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<double>& K_I, Room room);
+/// the smallest elements. How long the run will be does not show: it may be resumed with more cycles. `cracks`: those
+/// of the scene, or longer ones, which the disks follow from the present tips on. `K_I`: the largest of the load
+/// history, one per tip, MPa sqrt(mm).
+std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
+                                          const std::vector<double>& K_I, Room room);
 
 /// How many elements small ones make of a scene's mesh once each tip has gone straight on by `way`, mm, and how many of
 /// them are split.

@@ -1,6 +1,8 @@
 #include "common/integration/moved_field.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <numbers>
 #include <unsupported/Eigen/BVH>
 
 #include "common/fem/shape_q4.hpp"
@@ -95,11 +97,32 @@ private:
     std::vector<Triplet> entries_;
 };
 
+/// Whether the mesh about a tip, taken back by its move, has the nodes of the mesh before.
+bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& tip, const Vec2& move) {
+    if (move.isZero(0.0)) return true;
+    constexpr double about = 3.0, rounding = 1e-6;  // elements
+    double nearest = std::numeric_limits<double>::infinity(), size = 0.0;
+    for (const auto& nodes : to.elements) {
+        const Vec2 a = to.nodes[at(nodes[0])], c = to.nodes[at(nodes[2])];
+        const double distance = ((a + c) / 2.0 - tip).norm();
+        if (distance < nearest) nearest = distance, size = (c - a).norm() / std::numbers::sqrt2;
+    }
+    return std::ranges::all_of(to.nodes, [&](const Vec2& node) {
+        if ((node - tip).norm() > about * size) return true;
+        return std::ranges::any_of(from.nodes,
+                                   [&](const Vec2& old) { return (node - move - old).norm() < rounding * size; });
+    });
+}
+
 }  // namespace
 
+// Interpolated between nodes a field as steep as that about a tip is no guess: it flows where nothing did.
 bool MovedField::can_move(const EnrichedMesh& from, const EnrichedMesh& to) {
-    return from.tip_functions == 0 && to.tip_functions == 0 && from.tips.size() == to.tips.size() &&
-           !from.nodes.empty();
+    if (from.tip_functions > 0 || to.tip_functions > 0 || from.tips.size() != to.tips.size() || from.nodes.empty())
+        return false;
+    for (std::size_t t = 0; t < to.tips.size(); ++t)
+        if (!lies_on_itself(from, to, to.tips[t].position, to.tips[t].position - from.tips[t].position)) return false;
+    return true;
 }
 
 Vec2 move_of_nearest_tip(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& x) {

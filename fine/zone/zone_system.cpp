@@ -20,18 +20,14 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
     const std::unique_ptr<Bulk> old = std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
-    const bool grows = old && patch.part_of.empty();  // elements are split, or cracks are longer, never both at once
-    if (grows) keep_displacement(memory_, patch_.mesh, patch);
+    if (old && patch.part_of.empty()) keep_displacement(memory_, patch_.mesh, patch);
     make_contact(patch);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), old.get(),
                                    memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
-    if (grows)
-        open_new_faces(before);
-    else if (old)
-        memory_.opening.follow(before, patch_.mesh);
+    if (old) hold_what_is_new(before);
 }
 
 MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
@@ -59,12 +55,18 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
     find_tip_stations();
 }
 
-// No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
-void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
+// No stress has changed: what is out of balance on a new jump is what the metal transmitted there. Elements are split,
+// or cracks are longer, or the zone has more elements: one at a time.
+void ZoneSystem::hold_what_is_new(const EnrichedMesh& before) {
     bulk_->evaluate(memory_.committed.displacement);
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(memory_.committed.traction, force);
-    memory_.opening.open(before, patch_.mesh, -force);
+    const EnrichedMesh& now = patch_.mesh;
+    const bool same_cracks = std::ranges::equal(before.tips, now.tips, same_place);
+    if (!patch_.part_of.empty())
+        memory_.opening.split(before, now, unknowns_of_parts(before, now, patch_.part_of), -force);
+    else
+        memory_.opening.open(before, now, same_cracks ? Eigen::VectorXd::Zero(force.size()) : Eigen::VectorXd(-force));
 }
 
 void ZoneSystem::find_tip_stations() {

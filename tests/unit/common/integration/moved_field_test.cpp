@@ -60,6 +60,8 @@ TEST(MovedField, IsThatOfTheNearestTip) {
     EXPECT_LT((move_of_nearest_tip(from, to, {0.2, 0.5}) - Vec2(-0.1, 0.0)).norm(), 1e-12);
     EXPECT_LT((move_of_nearest_tip(from, to, {0.6, 0.4}) - Vec2(0.05, 0.0)).norm(), 1e-12);
     EXPECT_FALSE(MovedField::can_move(from, test::cracked(body, {{0.3, 0.5}, {0.65, 0.5}}, 6)));
+    EXPECT_FALSE(MovedField::can_move(from, to));  // by parts of an element
+    EXPECT_TRUE(MovedField::can_move(from, with_crack(0.4 - 1.0 / 9.0, 0.6 + 1.0 / 9.0)));
 }
 
 }  // namespace
