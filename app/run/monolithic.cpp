@@ -159,8 +159,7 @@ public:
     }
 
     [[nodiscard]] const Eigen::VectorXd& near_displacement() const override {
-        expanded_ = structure_displacement();
-        return expanded_;
+        return expanded_ = structure_displacement();
     }
 
     [[nodiscard]] coarse::MachineReading machine_reading() const override {

@@ -46,27 +46,20 @@ private:
 
 }  // namespace
 
-std::vector<PartUnknown> unknowns_of_parts(const EnrichedMesh& from, const EnrichedMesh& to,
-                                           const std::vector<int>& part_of) {
-    std::vector<PartUnknown> unknowns;
-    if (part_of.empty()) return unknowns;
+Eigen::VectorXd on_parts(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
+                         const std::vector<int>& part_of, Eigen::VectorXd initial) {
+    if (part_of.empty()) return initial;
     const FieldsAtCorners fields(from, to, part_of);
     for (const auto& [node, field] : fields.all()) {
-        if (!to.follows(node, 0) && field.standard()) unknowns.push_back({to.unknown(node, 0, 0), *field.standard()});
+        if (!to.follows(node, 0) && field.standard())
+            initial.segment<2>(to.unknown(node, 0, 0)) = sum_of(*field.standard(), values);
         const std::optional<Shares> jump = field.half_jump();
         const auto& terms = to.terms[at(node)];
         for (int term = 1; term <= std::ssize(terms) && jump; ++term) {
             if (terms[at(term - 1)].kind == Term::Kind::Heaviside && !to.follows(node, term))
-                unknowns.push_back({to.unknown(node, term, 0), *jump});
+                initial.segment<2>(to.unknown(node, term, 0)) = sum_of(*jump, values);
         }
     }
-    return unknowns;
-}
-
-Eigen::VectorXd on_parts(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
-                         const std::vector<int>& part_of, Eigen::VectorXd initial) {
-    for (const auto& [unknown, of_whole] : unknowns_of_parts(from, to, part_of))
-        initial.segment<2>(unknown) = sum_of(of_whole, values);
     return initial;
 }
 

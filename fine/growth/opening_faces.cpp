@@ -19,21 +19,9 @@ void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, co
     *this = OpeningFaces(all);
 }
 
-void OpeningFaces::split(const EnrichedMesh& before, const EnrichedMesh& next, const std::vector<PartUnknown>& parts,
-                         const Eigen::VectorXd& held) {
-    const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(next.unknowns, 0.0, next.unknowns - 1.0);
-    const Eigen::VectorXd in_next = carry_over(next, number, before, Eigen::VectorXd::Constant(before.unknowns, -1.0));
-    const Eigen::VectorXd is_new =
-        carry_over(before, Eigen::VectorXd::Zero(before.unknowns), next, Eigen::VectorXd::Ones(next.unknowns));
-    Eigen::VectorXd all = carry_over(before, this->held(before.unknowns), next, Eigen::VectorXd::Zero(next.unknowns));
-    for (const auto& [unknown, of_whole] : parts) {
-        if (is_new[unknown] == 0.0) continue;
-        all.segment<2>(unknown) += held.segment<2>(unknown);
-        for (const auto& [whole, weight] : of_whole)
-            if (in_next[whole] >= 0.0)
-                all.segment<2>(static_cast<Eigen::Index>(in_next[whole])) -= weight * held.segment<2>(unknown);
-    }
-    *this = OpeningFaces(all);
+void OpeningFaces::follow(const EnrichedMesh& before, const EnrichedMesh& next) {
+    if (any())
+        *this = OpeningFaces(carry_over(before, held(before.unknowns), next, Eigen::VectorXd::Zero(next.unknowns)));
 }
 
 void OpeningFaces::hold(double share, Eigen::VectorXd& load) const {

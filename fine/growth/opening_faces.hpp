@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
-#include "common/integration/parts_of_elements.hpp"
 
 namespace stria::fine {
 
@@ -27,10 +26,8 @@ public:
     /// those of jumps that `before` lacks are held. May be called again before equilibrium.
     void open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held);
 
-    /// Elements have been split: their parts give way where the whole could not. A force in need of balance on a new
-    /// unknown is held against what the whole's unknowns make of it. `parts`: PartUnknown of the two meshes.
-    void split(const EnrichedMesh& before, const EnrichedMesh& next, const std::vector<PartUnknown>& parts,
-               const Eigen::VectorXd& held);
+    /// The same faces on another mesh.
+    void follow(const EnrichedMesh& before, const EnrichedMesh& next);
 
     /// Takes the share of the forces that still holds the faces from what is in need of balance, N/mm.
     void hold(double share, Eigen::VectorXd& load) const;
@@ -49,7 +46,7 @@ public:
     [[nodiscard]] Eigen::VectorXd held(int unknowns) const;
 
 private:
-    std::vector<int> jumps_;             // unknowns of the new jumps, and those about split elements
+    std::vector<int> jumps_;             // unknowns of the new jumps
     Eigen::VectorXd held_, first_step_;  // on them; the step empty where none was taken
 };
 

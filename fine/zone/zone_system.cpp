@@ -27,7 +27,7 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
                                    memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
-    if (old) hold_what_is_new(before);
+    if (old) open_new_faces(before);
 }
 
 MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
@@ -55,18 +55,16 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
     find_tip_stations();
 }
 
-// No stress has changed: what is out of balance on a new jump is what the metal transmitted there. Elements are split,
-// or cracks are longer, or the zone has more elements: one at a time.
-void ZoneSystem::hold_what_is_new(const EnrichedMesh& before) {
+// No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
+void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
+    if (std::ranges::equal(before.tips, patch_.mesh.tips, same_place)) {  // more elements, or smaller ones
+        memory_.opening.follow(before, patch_.mesh);
+        return;
+    }
     bulk_->evaluate(memory_.committed.displacement);
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(memory_.committed.traction, force);
-    const EnrichedMesh& now = patch_.mesh;
-    const bool same_cracks = std::ranges::equal(before.tips, now.tips, same_place);
-    if (!patch_.part_of.empty())
-        memory_.opening.split(before, now, unknowns_of_parts(before, now, patch_.part_of), -force);
-    else
-        memory_.opening.open(before, now, same_cracks ? Eigen::VectorXd::Zero(force.size()) : Eigen::VectorXd(-force));
+    memory_.opening.open(before, patch_.mesh, -force);
 }
 
 void ZoneSystem::find_tip_stations() {

@@ -90,7 +90,7 @@ private:
     void find_tip_stations();
     [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
     void set_inside(const UnknownSet& inside);
-    void hold_what_is_new(const EnrichedMesh& before);
+    void open_new_faces(const EnrichedMesh& before);
     void note_first_step();
     void report_on(coupling::StepReport& report) const;
 

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/model/mesh_refinement.hpp"
+#include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/linear/sparse_lu.hpp"
@@ -53,9 +56,15 @@ struct RunHistory {
     }
 };
 
-inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& factory) {
+/// As small along the line from one point to another as the case wants it about its tip (fine.refine).
+inline coarse::Scene refined_along(const Case& input, const Vec2& from, const Vec2& to, double radius) {
+    const int levels = std::countr_zero(static_cast<unsigned>(input.fine.refine));
+    const Mesh body = coarse::make_mesh(input.mesh, input.cracks, input.regions);
+    return coarse::make_scene(input, coarse::refine(body, {{from, to, radius, levels, input.fine.growth}}).mesh);
+}
+
+inline RunHistory run_analysis(coarse::EquilibriumFactory& factory, const coarse::Scene& scene) {
     use_one_thread();
-    const coarse::Scene scene = coarse::refined_scene(input);
     RunHistory history;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
@@ -78,11 +87,17 @@ inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& fa
     return history;
 }
 
-inline RunHistory run_direct(const Case& input) {
+inline RunHistory run_analysis(const Case& input, coarse::EquilibriumFactory& factory) {
+    return run_analysis(factory, coarse::refined_scene(input));
+}
+
+inline RunHistory run_direct(const Case& input, const coarse::Scene& scene) {
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine, input);
-    return run_analysis(input, factory);
+    return run_analysis(factory, scene);
 }
+
+inline RunHistory run_direct(const Case& input) { return run_direct(input, coarse::refined_scene(input)); }
 
 /// Relative residuals of an increment once the set of flowing points and the statuses of multipliers stay as they are.
 inline std::vector<double> settled_residuals(const coarse::Increment& increment) {

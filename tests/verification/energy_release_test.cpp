@@ -39,8 +39,8 @@ struct GrownRun {
     }
 };
 
-GrownRun grow(const Case& input) {
-    const RunHistory run = run_direct(input);
+GrownRun grow(const Case& input, const coarse::Scene& scene) {
+    const RunHistory run = run_direct(input, scene);
     const double E = elasticity_of(input.material, input.model.plane).plane_modulus();
     GrownRun found;
     for (std::size_t i = 1; i < run.increments.size(); ++i) {
@@ -69,7 +69,9 @@ GrownRun grow_linear(double elements, Enrichment enrichment, End end = End::Pull
     input.fine.enrichment = enrichment;
     input.load = {.steps = 2, .blocks = {{.cycles = 4, .max = 100.0, .min = 10.0}}};
     input.growth.emplace().increment = elements * smallest;
-    GrownRun run = grow(input);
+    // Elements that are split on the way would release what they held too stiffly, 0.3 % of a step.
+    const Vec2 tip = input.cracks[0].points.back();
+    GrownRun run = grow(input, refined_along(input, tip, tip + Vec2(5.0 * input.growth->increment, 0.0), 0.02));
     EXPECT_EQ(run.releases.size(), 4U);
     const Release whole = run.whole();
     std::cout << fmt::format("{:4} elements a step, {:13}: released {:.4f} of K^2/E' da, K off by {:.1e} at most\n",
@@ -114,7 +116,7 @@ GrownRun grow_flowing(double element, int iterations, Enrichment enrichment, dou
                             "solver.max_iterations=" + std::to_string(iterations)});
     input.fine.enrichment = enrichment;
     input.growth.emplace().increment = growth;
-    GrownRun run = grow(input);
+    GrownRun run = grow(input, coarse::refined_scene(input));
     const Release whole = run.whole();
     std::cout << fmt::format(
         "elements of {} mm, {} releases: counted {:.5f} N, balanced {:.5f}, ratio {:.3f}; J da {:.4f}\n", element,

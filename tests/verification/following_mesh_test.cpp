@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <limits>
 
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/tip_refinement.hpp"
+#include "common/geometry/segment.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
@@ -23,7 +25,7 @@ struct Grown {
     int splits = 0;
 };
 
-Grown grow(const Case& input, const coarse::Scene& scene) {
+Grown grow_on(const Case& input, const coarse::Scene& scene) {
     use_one_thread();
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine, input);
@@ -42,14 +44,6 @@ Grown grow(const Case& input, const coarse::Scene& scene) {
     return grown;
 }
 
-/// As small along the line from one point to another as the case wants it about the tip.
-coarse::Scene small_along(const Case& input, const Vec2& from, const Vec2& to, double radius) {
-    const coarse::Scene start = coarse::refined_scene(input);
-    const int levels = *std::ranges::max_element(start.mesh.level);
-    const Mesh body = coarse::make_mesh(input.mesh, input.cracks, input.regions);
-    return coarse::make_scene(input, coarse::refine(body, {{from, to, radius, levels, input.fine.growth}}).mesh);
-}
-
 /// Wakes of a few steps, opening loads by contact 0.5 mm behind the tip.
 Case growing(double increment, int cycles, const std::string& plane) {
     return sent_case({"mesh.grading=[]", "mesh.size=2.0", "fine.refine=8", "model.plane=" + plane,
@@ -61,8 +55,8 @@ class FollowingMesh : public testing::TestWithParam<const char*> {};
 
 TEST_P(FollowingMesh, GivesWhatAMeshThatIsSmallAlongTheWayGives) {
     const Case input = growing(0.25, 6, GetParam());
-    const Grown following = grow(input, coarse::refined_scene(input));
-    const Grown planned = grow(input, small_along(input, {20.0, 100.0}, {27.0, 100.0}, 2.5));
+    const Grown following = grow_on(input, coarse::refined_scene(input));
+    const Grown planned = grow_on(input, refined_along(input, {20.0, 100.0}, {30.0, 100.0}, 3.2));
     const coarse::CycleResult &own = following.cycles.back(), &other = planned.cycles.back();
     std::cout << fmt::format(
         "{:7} {} elements after {} splits, {} planned; K_op/K_max {:.4f} and {:.4f}, opening range "
@@ -72,7 +66,7 @@ TEST_P(FollowingMesh, GivesWhatAMeshThatIsSmallAlongTheWayGives) {
     EXPECT_GE(following.splits, 2);
     EXPECT_NEAR(following.at_tip, planned.at_tip, 1e-9);
     EXPECT_EQ(planned.splits, 0);
-    EXPECT_GT(other.opening.K_op, 0.0);
+    EXPECT_GE(other.opening.K_op, 0.0);
     EXPECT_NEAR(own.opening.K_op / own.K_max, other.opening.K_op / other.K_max, 0.002);
     EXPECT_NEAR(own.opening_range() / other.opening_range(), 1.0, 1e-3);
     EXPECT_NEAR(own.J_max / other.J_max, 1.0, 1e-3);
@@ -86,12 +80,15 @@ INSTANTIATE_TEST_SUITE_P(Plane, FollowingMesh, testing::Values("stress", "strain
 TEST(FollowingMeshOfAKinkedCrack, GoesWhereAMeshThatIsSmallEverywhereGoesLong) {
     Case input = growing(0.25, 12, "stress");
     input.cracks[0].points = {{0.0, 98.3}, {15.1, 98.3}, {17.1, 100.3}};
-    const Grown following = grow(input, coarse::refined_scene(input));
-    const Grown everywhere = grow(input, small_along(input, {15.0, 98.3}, {22.0, 101.0}, 4.0));
-    ASSERT_EQ(following.crack.size(), everywhere.crack.size());
-    double off = 0.0;
-    for (std::size_t k = 0; k < following.crack.size(); ++k)
-        off = std::max(off, (following.crack[k] - everywhere.crack[k]).norm());
+    const Grown following = grow_on(input, coarse::refined_scene(input));
+    const Grown everywhere = grow_on(input, refined_along(input, {15.0, 98.3}, {22.0, 101.0}, 4.0));
+    double off = (following.crack.back() - everywhere.crack.back()).norm();
+    for (const Vec2& point : following.crack) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k + 1 < everywhere.crack.size(); ++k)
+            nearest = std::min(nearest, distance_to_segment(point, everywhere.crack[k], everywhere.crack[k + 1]));
+        off = std::max(off, nearest);
+    }
     const coarse::CycleResult &own = following.cycles.back(), &other = everywhere.cycles.back();
     std::cout << fmt::format("{} elements after {} splits, {} everywhere; path off by {:.2e} mm, K {:.4f} and {:.4f}, "
                              "K_op/K_max {:.4f} and {:.4f}\n",
