@@ -100,7 +100,7 @@ private:
 /// Whether the mesh about a tip, taken back by its move, has the nodes of the mesh before.
 bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& tip, const Vec2& move) {
     if (move.isZero(0.0)) return true;
-    constexpr double about = 3.0, rounding = 1e-6;  // elements
+    constexpr double about = 3.0, off = 0.05;  // elements
     double nearest = std::numeric_limits<double>::infinity(), size = 0.0;
     for (const auto& nodes : to.elements) {
         const Vec2 a = to.nodes[at(nodes[0])], c = to.nodes[at(nodes[2])];
@@ -110,7 +110,7 @@ bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2
     return std::ranges::all_of(to.nodes, [&](const Vec2& node) {
         if ((node - tip).norm() > about * size) return true;
         return std::ranges::any_of(from.nodes,
-                                   [&](const Vec2& old) { return (node - move - old).norm() < rounding * size; });
+                                   [&](const Vec2& old) { return (node - move - old).norm() < off * size; });
     });
 }
 

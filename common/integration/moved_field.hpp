@@ -14,7 +14,7 @@ public:
     /// that of its nearest node.
     MovedField(const EnrichedMesh& from, const EnrichedMesh& to);
 
-    /// The mesh about each tip comes to lie on itself: cracks grow by whole elements along rows of them.
+    /// The mesh about each tip comes to lie on itself, or nearly: cracks grow by whole elements along rows of them.
     static bool can_move(const EnrichedMesh& from, const EnrichedMesh& to);
 
     /// On all unknowns of `to`, from those of `from`.
