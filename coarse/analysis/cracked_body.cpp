@@ -144,7 +144,11 @@ std::unique_ptr<FinerScene> CrackedBody::finer_about_flow(const std::vector<int>
     if (scene_->input.fine.refine == 1) return nullptr;
     const ElementSet whole = whole_elements();
     const std::vector<RefinedDisk> disks = disks_about_flow(*scene_, flowing);
-    return asks_for_more(scene_->mesh, disks, whole) ? finer(disks, whole) : nullptr;
+    try {
+        return asks_for_more(scene_->mesh, disks, whole) ? finer(disks, whole) : nullptr;
+    } catch (const CaseError&) {
+        return nullptr;  // smaller elements cannot hold a crack as it runs: they join as they are
+    }
 }
 
 std::unique_ptr<FinerScene> CrackedBody::finer(const std::vector<RefinedDisk>& disks, const ElementSet& whole) const {
@@ -175,7 +179,7 @@ void CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd& displacement) {
 }
 
 void CrackedBody::note_flow(const std::vector<std::int32_t>& yielding_points) {
-    if (yielding_points.empty()) return;
+    if (yielding_points.empty() || scene_->input.fine.refine == 1) return;  // nothing will ever be split
     std::size_t place = 0;
     for (int e = 0; e < in_zone_.size(); ++e)
         if (in_zone_.contains(e) && yielding_points.at(place++) > 0) settled_.insert(e);

@@ -1,5 +1,7 @@
 #include "common/case/load_schema.hpp"
 
+#include <utility>
+
 #include "common/case/case_checks.hpp"
 
 namespace stria {
@@ -8,16 +10,28 @@ using schema::Section;
 
 namespace {
 
-Section<LoadBlock> block_section() {
-    Section<LoadBlock> s;
-    s.value("cycles", &LoadBlock::cycles).at_least(1).says("Number of cycles.");
-    s.value("max", &LoadBlock::max).must_be_given().says("Largest load factor, or displacement: see control.");
-    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest load factor, or displacement.");
+/// Adds the extremes of a block; `max`, `min`: what they say.
+Section<LoadBlock> with_extremes(Section<LoadBlock> s, const char* max, const char* min) {
+    s.value("max", &LoadBlock::max).must_be_given().says(max);
+    s.value("min", &LoadBlock::min).or_else("ratio max").says(min);
     s.input("ratio", [](LoadBlock& block, double ratio) {
          block.min = ratio * block.max;
      }).says("Stands for min: min = ratio max.");
     s.check(check_block);
     return s;
+}
+
+Section<LoadBlock> block_section() {
+    Section<LoadBlock> s;
+    s.value("cycles", &LoadBlock::cycles).at_least(1).says("Number of cycles.");
+    return with_extremes(std::move(s), "Largest load factor, or displacement: see control.",
+                         "Smallest load factor, or displacement.");
+}
+
+Section<LoadBlock> test_block_section() {
+    Section<LoadBlock> s;
+    s.value("cycles", &LoadBlock::cycles).at_least(1).at_most(1'000'000).says("Number of cycles.");
+    return with_extremes(std::move(s), "Largest strain, or stress in MPa: see control.", "Smallest strain or stress.");
 }
 
 }  // namespace
@@ -53,22 +67,6 @@ Section<LoadSection> load_section() {
         .says("With control = \"K\": K is that of the blocks times exp(K_gradient (a - a at the start)), ASTM E647.");
     return s;
 }
-
-namespace {
-
-Section<LoadBlock> test_block_section() {
-    Section<LoadBlock> s;
-    s.value("cycles", &LoadBlock::cycles).at_least(1).at_most(1'000'000).says("Number of cycles.");
-    s.value("max", &LoadBlock::max).must_be_given().says("Largest strain, or stress in MPa: see control.");
-    s.value("min", &LoadBlock::min).or_else("ratio max").says("Smallest strain or stress.");
-    s.input("ratio", [](LoadBlock& block, double ratio) {
-         block.min = ratio * block.max;
-     }).says("Stands for min: min = ratio max.");
-    s.check(check_block);
-    return s;
-}
-
-}  // namespace
 
 Section<MaterialTestSection> material_test_section() {
     Section<MaterialTestSection> s;

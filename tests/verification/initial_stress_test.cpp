@@ -6,32 +6,15 @@
 #include <numbers>
 
 #include "common/fem/centre.hpp"
+#include "tests/support/layered_plates.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
 
-Case bare_plate(double width, double height, double size) {
-    Case input;
-    input.mesh = {.specimen = "plate", .width = width, .height = height, .size = size, .grading = {}};
-    input.material.young = 200e3;
-    input.material.poisson = 0.3;
-    return input;
-}
-
-BoundarySection held(const char* on, std::optional<double> x, std::optional<double> y) {
-    BoundarySection section;
-    section.on = on;
-    section.displacement = {x, y};
-    return section;
-}
-
 RegionSection misfit(std::vector<Vec2> outline, double E, double yy) {
-    RegionSection region;
-    region.outline = std::move(outline);
-    region.material.young = E;
-    region.material.poisson = 0.0;
+    RegionSection region = region_of(std::move(outline), E, 0.0);
     region.initial_stress = MisfitStress{.yy = yy};
     return region;
 }
@@ -78,7 +61,7 @@ struct Settled {
 /// Two layers of one strip, one of them too short by a misfit strain: Timoshenko (1925) has its curvature, and with it
 /// the stress away from the ends.
 TEST(InitialStress, ABimetalStripBendsAsTimoshenkoSays) {
-    Case input = bare_plate(2.0, 40.0, 0.1);
+    Case input = steel_plate(2.0, 40.0, 0.1);
     input.model.plane = PlaneState::Stress;
     input.material.poisson = 0.0;
     const double E1 = 200e3, E2 = 70e3, t1 = 1.2, t2 = 0.8, h = t1 + t2, misfit_strain = 1e-3;
@@ -102,7 +85,7 @@ TEST(InitialStress, ABimetalStripBendsAsTimoshenkoSays) {
 
 /// A field from an Airy function that vanishes with its slope on the outline: in equilibrium as it is.
 TEST(InitialStress, AFieldInEquilibriumStays) {
-    Case input = bare_plate(8.0, 6.0, 0.25);
+    Case input = steel_plate(8.0, 6.0, 0.25);
     const auto bump = [](double s, double L) { return s * s * (L - s) * (L - s) / (L * L * L * L); };
     const auto slope = [](double s, double L) { return 2.0 * s * (L - s) * (L - 2.0 * s) / (L * L * L * L); };
     const auto bend = [](double s, double L) { return 2.0 * (L * L - 6.0 * L * s + 6.0 * s * s) / (L * L * L * L); };
@@ -171,7 +154,7 @@ TEST(InitialStress, KOfACrackAcrossAWeldIsTeradas) {
     constexpr double W = 40.0, H = 160.0, c = 1.0;
     const auto weld = [](double x) { return 100.0 * (1.0 - x * x / (c * c)) / (1.0 + std::pow(x / c, 4)); };
     for (const double a : {0.5, 1.0}) {
-        Case input = bare_plate(W, H, 4.0);
+        Case input = steel_plate(W, H, 4.0);
         input.mesh.specimen = "mt";
         input.cracks = {{.points = {{W / 2 - a, H / 2}, {W / 2 + a, H / 2}}, .contact = {}}};
         for (const double x : {W / 2 - a, W / 2 + a})
@@ -238,13 +221,13 @@ TEST(InitialStress, ACompressedCrackOpensLater) {
 
 /// A strip between rigid ends holds all of its misfit: it yields where load and misfit together reach its yield stress.
 TEST(InitialStress, YieldSeesTheWhole) {
-    Case input = bare_plate(4.0, 6.0, 1.0);
+    Case input = steel_plate(4.0, 6.0, 1.0);
     input.model.plane = PlaneState::Stress;
     input.material.poisson = 0.0;
     input.material.yield_stress = 300.0;
     input.regions = {misfit({{3.0, 0.0}, {4.0, 6.0}}, 200e3, 120.0)};
     input.regions[0].material.yield_stress = 300.0;
-    input.boundaries = {held("bottom", {}, 0.0), held("top", {}, 1.0), held("point", 0.0, {})};
+    input.boundaries = {moved("bottom", {}, 0.0), moved("top", {}, 1.0), moved("point", 0.0, {})};
     input.boundaries[2].at = Vec2(0.0, 0.0);
     const auto dissipated_at = [&](double strain) {
         input.load = {.steps = 80, .blocks = {{.cycles = 0, .max = 6.0 * strain, .min = 0.0}}};

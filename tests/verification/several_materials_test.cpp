@@ -7,35 +7,13 @@
 
 #include "coarse/model/rings.hpp"
 #include "common/fem/centre.hpp"
+#include "tests/support/layered_plates.hpp"
 #include "tests/support/one_equilibrium.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
-
-RegionSection region_of(std::vector<Vec2> outline, double E, double nu) {
-    RegionSection region;
-    region.outline = std::move(outline);
-    region.material.young = E;
-    region.material.poisson = nu;
-    return region;
-}
-
-Case plate(double width, double height, double size) {
-    Case input;
-    input.mesh = {.specimen = "plate", .width = width, .height = height, .size = size, .grading = {}};
-    input.material.young = 200e3;
-    input.material.poisson = 0.3;
-    return input;
-}
-
-BoundarySection moved(const char* on, std::optional<double> x, std::optional<double> y) {
-    BoundarySection section;
-    section.on = on;
-    section.displacement = {x, y};
-    return section;
-}
 
 BoundarySection pulled(const char* on, const Vec2& traction) {
     BoundarySection section;
@@ -67,7 +45,7 @@ class LayersInSeries : public testing::TestWithParam<PlaneState> {};
 
 /// Held at its sides and pressed by a quarter of its own weight, so to speak: piecewise linear, whatever the elements.
 TEST_P(LayersInSeries, AreExact) {
-    Case input = plate(10.0, 12.0, 1.7);
+    Case input = steel_plate(10.0, 12.0, 1.7);
     input.model.plane = GetParam();
     input.regions = {region_of({{-1.0, 0.0}, {11.0, 4.3}}, 70e3, 0.33),
                      region_of({{0.0, 8.0}, {10.0, 9.1}}, 5e3, 0.47)};
@@ -95,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(PlaneStates, LayersInSeries, testing::Values(PlaneState
 
 /// The same through the zone: a crack in one layer is pressed shut, and the faces bear what the bar bears.
 TEST(SeveralMaterials, PressedFacesInALayerBearTheStressOfTheBar) {
-    Case input = plate(10.0, 12.0, 1.0);
+    Case input = steel_plate(10.0, 12.0, 1.0);
     input.regions = {region_of({{0.0, 0.0}, {10.0, 4.5}}, 70e3, 0.33)};
     input.cracks = {{.points = {{-1.0, 7.6}, {11.0, 7.6}}, .contact = ContactSection{}}};
     input.boundaries = {moved("left", 0.0, {}), moved("right", 0.0, {}), moved("bottom", {}, 0.0),
@@ -122,7 +100,7 @@ TEST(SeveralMaterials, PressedFacesInALayerBearTheStressOfTheBar) {
 
 /// Three layers side by side, bent by their ends: sigma_i = E_i kappa x away from the ends.
 TEST(SeveralMaterials, ASandwichBendsLikeABeam) {
-    Case input = plate(4.0, 40.0, 0.25);
+    Case input = steel_plate(4.0, 40.0, 0.25);
     input.model.plane = PlaneState::Stress;
     input.material = {.young = 10e3, .poisson = 0.0, .yield_stress = {}, .isotropic = {}, .kinematic = {}};
     input.regions = {region_of({{0.0, 0.0}, {1.0, 40.0}}, 200e3, 0.0),
@@ -147,7 +125,7 @@ TEST(SeveralMaterials, ASandwichBendsLikeABeam) {
 /// elements that have steps.
 TEST(SeveralMaterials, ARoundInclusionBearsItsShare) {
     for (const double E : {600e3, 50e3}) {
-        Case input = plate(20.0, 20.0, 1.0);
+        Case input = steel_plate(20.0, 20.0, 1.0);
         input.model.plane = PlaneState::Stress;
         input.mesh.grading = {{.at = {{10.0, 10.0}}, .size = 0.05, .outer_size = 0.05, .radius = 1.2, .growth = 0.15}};
         std::vector<Vec2> circle;
@@ -199,7 +177,7 @@ TEST(SeveralMaterials, KOfACrackInOneOfTwoIsThatOfItsEnergyRelease) {
 
 /// A strip that never yields beside one that does: what it bears grows on, what the other bears stays.
 TEST(SeveralMaterials, AnInsertNeverYields) {
-    Case input = plate(4.0, 6.0, 1.0);
+    Case input = steel_plate(4.0, 6.0, 1.0);
     input.model.plane = PlaneState::Stress;
     input.material.yield_stress = 300.0;
     input.material.poisson = 0.0;
@@ -222,7 +200,7 @@ TEST(SeveralMaterials, AnInsertNeverYields) {
 
 /// Pulled by 150 MPa; the upper part has a yield stress of its own.
 Case pulled_two(double lower, double upper) {
-    Case input = plate(20.0, 40.0, 1.0);
+    Case input = steel_plate(20.0, 40.0, 1.0);
     input.material.yield_stress = lower;
     input.regions = {region_of({{0.0, 30.0}, {20.0, 40.0}}, 200e3, 0.3)};
     input.regions[0].material.yield_stress = upper;
