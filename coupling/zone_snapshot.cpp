@@ -32,7 +32,7 @@ ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const 
         own.element.push_back(id);
         own.rank.push_back(whole.rank[e]);
         own.points.push_back(whole.points[e]);
-        own.quiet_half_cycles.push_back(whole.quiet_half_cycles[e]);
+        own.recent_flow.push_back(whole.recent_flow[e]);
         own.resting.push_back(whole.resting[e]);
         const auto columns = at(whole.columns);
         const auto begin = whole.history.begin() + static_cast<std::ptrdiff_t>(histories[e].first_row * columns);
@@ -54,7 +54,7 @@ void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const
     append(whole.element, part.element);
     whole.rank.insert(whole.rank.end(), part.element.size(), rank);
     append(whole.points, part.points);
-    append(whole.quiet_half_cycles, part.quiet_half_cycles);
+    append(whole.recent_flow, part.recent_flow);
     append(whole.resting, part.resting);
     whole.columns = part.columns;
     append(whole.history, part.history);

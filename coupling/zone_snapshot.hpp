@@ -27,7 +27,7 @@ struct ZoneSnapshot {
     std::vector<std::int32_t> element;            // id in the whole mesh
     std::vector<std::int32_t> rank;               // whose it is
     std::vector<std::int32_t> points;             // how many it has
-    std::vector<std::int32_t> quiet_half_cycles;  // since something has flowed in it
+    std::vector<std::int32_t> recent_flow;  // bit k: in the half cycle k before the last one
     std::vector<std::int32_t> resting;            // its points are those of `rest_displacement`
 
     // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has

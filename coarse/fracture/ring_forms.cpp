@@ -17,9 +17,10 @@ void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic,
     local.reshaped(2, gradients.rows()) += op.points[q].weight * weights.gradient * gradients.transpose();
 }
 
-RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings) {
+RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings, const std::vector<int>& among,
+                    bool with_inside = false) {
     const Tip& about = scene.enriched.tips[at(tip)];
-    return {scene.enriched, about, scene.elastic(about), rings};
+    return {scene.enriched, about, scene.elastic(about), rings, among, with_inside};
 }
 
 }  // namespace
@@ -30,10 +31,10 @@ RingForms::RingForms(const CoarseElements& elements, int tip) : tip_(tip), rings
 }
 
 void RingForms::weigh_points(const CoarseElements& elements) {
-    RingSums geometry = sums_about(elements.scene(), tip_, rings_);
-    elements.for_each(elements.near(), [&](const auto& op) {
-        if (!geometry.enter(op.element)) return;
-        elements_.push_back(op.element);
+    RingSums geometry = sums_about(elements.scene(), tip_, rings_, elements.near());
+    elements_ = geometry.elements();
+    elements.for_each(elements_, [&](const auto& op) {
+        geometry.enter(op.element);
         unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
         std::vector<int> entered;
         for (const IntegrationPoint& point : op.points) {
@@ -53,7 +54,7 @@ void RingForms::weigh_unknowns(const CoarseElements& elements) {
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.materials.stiffness(about.material);
-    RingSums geometry = sums_about(scene, tip_, rings_);
+    RingSums geometry = sums_about(scene, tip_, rings_, elements_);
     interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
     elements.for_each(elements_, [&](const auto& op) {
         using Values = typename std::decay_t<decltype(op)>::Values;
@@ -106,9 +107,9 @@ std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseEl
     const Scene& scene = elements.scene();
     const Elasticity& elastic = scene.elastic(scene.enriched.tips[at(tip_)]);
     const MandelMatrix stiffness = elastic.stiffness();
-    RingSums sums = sums_about(scene, tip_, rings_);
-    elements.for_each(elements.near(), [&](const auto& op) {
-        if (!sums.enter(op.element, true)) return;
+    RingSums sums = sums_about(scene, tip_, rings_, elements.near(), true);
+    elements.for_each(sums.elements(), [&](const auto& op) {
+        sums.enter(op.element);
         const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Vec2& x = op.points[q].x;

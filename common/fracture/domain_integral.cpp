@@ -27,16 +27,27 @@ bool constant(const Eigen::Vector4d& q) { return (q.array() == q[0]).all(); }
 
 }  // namespace
 
-RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings)
-    : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()) {}
-
-bool RingSums::enter(int element, bool with_inside) {
-    entered_.clear();
-    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
-        const Eigen::Vector4d q = corner_weights(mesh_, element, tip_, rings_[ring]);
-        if (!constant(q) || (with_inside && q[0] != 0.0)) entered_.push_back({ring, q});
+RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
+                   std::span<const int> among, bool with_inside)
+    : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()) {
+    for (const int element : among) {
+        const std::size_t first = weights_.size();
+        for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+            const Eigen::Vector4d q = corner_weights(mesh_, element, tip_, rings_[ring]);
+            if (!constant(q) || (with_inside && q[0] != 0.0)) weights_.push_back({ring, q});
+        }
+        if (weights_.size() == first) continue;
+        elements_.push_back(element);
+        first_.push_back(first);
     }
-    if (entered_.empty()) return false;
+    first_.push_back(weights_.size());
+}
+
+bool RingSums::enter(int element) {
+    const auto found = std::ranges::lower_bound(elements_, element);
+    if (found == elements_.end() || *found != element) return false;
+    const auto place = at(found - elements_.begin());
+    entered_ = std::span(weights_).subspan(first_[place], first_[place + 1] - first_[place]);
     side_ = mesh_.element_side[at(element)];
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh_.elements[at(element)][k];

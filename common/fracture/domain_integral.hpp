@@ -60,15 +60,22 @@ inline MutualWeights mutual_weights(const Tip& tip, const TipField& auxiliary, c
     return {strain_of(stress), in_plane(auxiliary.stress) * dq * tip.direction.transpose()};
 }
 
-/// Sums over the rings of one tip. Fields are evaluated once a point, whatever the number of rings.
+/// Sums over the rings of one tip. Weights are worked out once, fields once a point, whatever the number of rings.
 class RingSums {
 public:
-    /// `mesh` must outlive the sums.
-    RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings);
+    /// `mesh` must outlive the sums. `among`: elements that are looked at, ascending. `with_inside`: an initial stress
+    /// has something to add wherever q is not zero.
+    RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
+             std::span<const int> among, bool with_inside = false);
 
-    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring. `with_inside`: an
-    /// initial stress has something to add wherever q is not zero.
-    bool enter(int element, bool with_inside = false);
+    /// Sums start anew.
+    void clear() { sums_.assign(rings_.size(), {}); }
+
+    /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
+    bool enter(int element);
+
+    /// Elements that have something to add, ascending.
+    [[nodiscard]] const std::vector<int>& elements() const { return elements_; }
 
     /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
@@ -103,13 +110,17 @@ private:
     std::vector<Annulus> rings_;
     std::vector<DomainIntegral> sums_;
 
-    // Of the element entered.
     struct Entered {
         std::size_t ring;
         Eigen::Vector4d q;
     };
+    std::vector<int> elements_;
+    std::vector<Entered> weights_;    // element by element of these
+    std::vector<std::size_t> first_;  // of each element: its first weight; then the number of all
+
+    // Of the element entered.
     std::array<Vec2, 4> corners_;
-    std::vector<Entered> entered_;
+    std::span<const Entered> entered_;
     int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
 };
 

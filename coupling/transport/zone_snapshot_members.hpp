@@ -22,13 +22,13 @@ template <class List> void as_bytes(auto& archive, const char* name, List& list)
 
 void members(auto& archive, auto& snapshot) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(snapshot)>>, ZoneSnapshot> {
-    auto& [ranks, element, rank, points, quiet_half_cycles, resting, columns, history, half_cycle_ended, displacement,
+    auto& [ranks, element, rank, points, recent_flow, resting, columns, history, half_cycle_ended, displacement,
            rest_displacement, increments, held, multipliers, frozen_tips] = snapshot;
     archive("ranks", ranks);
     archive("element", element);
     archive("rank", rank);
     archive("points", points);
-    archive("quiet_half_cycles", quiet_half_cycles);
+    archive("recent_flow", recent_flow);
     archive("resting", resting);
     archive("columns", columns);
     archive("history", history);

@@ -40,7 +40,7 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
     settle();
     ElementSet resting(elements_.count());
     for (int e = 0; e < elements_.count(); ++e) {
-        resting_.set_elastic_half_cycles(e, snapshot.quiet_half_cycles[at(e)]);
+        resting_.set_recent_flow(e, snapshot.recent_flow[at(e)]);
         if (snapshot.resting[at(e)] != 0) resting.insert(e);
     }
     rest(resting, snapshot.rest_displacement);
@@ -62,7 +62,7 @@ void Bulk::remember(coupling::ZoneSnapshot& out) const {
     for (const ElementOperator& op : operators()) out.points.push_back(static_cast<std::int32_t>(op.points.size()));
     write_rows(operators(), history_, out);
     out.half_cycle_ended = history_.half_cycle_ended();
-    out.quiet_half_cycles = resting_.elastic_half_cycles();
+    out.recent_flow = resting_.recent_flow();
     for (int e = 0; e < elements_.count(); ++e) out.resting.push_back(resting_.contains(e) ? 1 : 0);
     out.rest_displacement = resting_.displacement();
 }
@@ -90,7 +90,7 @@ void Bulk::carry_history(const Bulk& old) {
 void Bulk::carry_history(const Bulk& old, int old_element, int element) {
     constexpr double rounding = 1e-14;
     const ElementOperator &before = old.elements_.op(old_element), &now = elements_.op(element);
-    resting_.set_elastic_half_cycles(element, old.resting_.elastic_half_cycles()[at(old_element)]);
+    resting_.set_recent_flow(element, old.resting_.recent_flow()[at(old_element)]);
     const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
     for (std::size_t q = 0; q < now.points.size(); ++q) {
         Eigen::Matrix2d untold = -now.displacement_gradient(u, q);
@@ -197,13 +197,13 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     tangents_[at(e)] = K;
 }
 
-void Bulk::commit(bool reversal) {
+void Bulk::commit(bool reversal, bool counts) {
     update_points(true);
     history_.commit(reversal);
     committed_u_ = trial_u_;
     increment_.setZero();
     settle();
-    if (reversal) resting_.count_half_cycle(history_);
+    if (reversal && counts) resting_.note_half_cycle(history_);
 }
 
 // Where the points were not looked at before the commit, the forces are now those of their stresses.
@@ -252,7 +252,7 @@ double Bulk::energy_since_rest(int e) const {
     return moved.dot(committed_force_.of(e) + 0.5 * elements_.stiffness()[at(e)] * moved);
 }
 
-ElementSet Bulk::may_rest() const { return resting_.may_rest(history_); }
+ElementSet Bulk::may_rest() const { return resting_.may_rest(elements_, history_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
     resting_.rest(elements, displacement, operators());

@@ -37,7 +37,8 @@ public:
     void evaluate(const Eigen::VectorXd& u);
 
     /// Trial becomes committed. `reversal`: with this increment a half cycle ends; plastic extents start anew after it.
-    void commit(bool reversal);
+    /// `counts`: as one of the load's, which tells what will flow the next time.
+    void commit(bool reversal, bool counts = true);
 
     [[nodiscard]] const BulkElements& elements() const { return elements_; }
     [[nodiscard]] const std::vector<ElementOperator>& operators() const { return elements_.operators(); }
@@ -64,7 +65,7 @@ public:
     /// Energy that an element holds beyond that of its points' states, as it has moved while it rests, N.
     [[nodiscard]] double energy_since_rest(int e) const;
 
-    /// Elements that no point of has yielded in for a whole cycle, or ever can.
+    /// Elements in and around which nothing is expected to yield in the coming half cycle (RestingElements).
     [[nodiscard]] ElementSet may_rest() const;
     /// These are left out of evaluate() from now on: they respond elastically, and who condenses them knows how.
     /// `displacement`: that of their points' states.

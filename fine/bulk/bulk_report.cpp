@@ -39,8 +39,8 @@ double stored_energy(const Bulk& bulk) {
 
 void add_to(RingSums& rings, const Bulk& bulk) {
     const InitialStress& initial = bulk.elements().materials().initial_stress();
-    for (int e = 0; e < bulk.elements().count(); ++e) {
-        if (!rings.enter(e, initial.any())) continue;
+    for (const int e : rings.elements()) {
+        rings.enter(e);
         const std::vector<Bulk::PointState> states = bulk.committed_states(e);
         const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
         for (std::size_t q = 0; q < states.size(); ++q) {

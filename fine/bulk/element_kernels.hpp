@@ -43,11 +43,15 @@ public:
         return result;
     }
 
-    /// The work of such a displacement, given by its nodal values.
-    [[nodiscard]] double work(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& values) const {
-        const Eigen::Map<const Eigen::Matrix<double, unknowns, 1>> nodal(values.data(), 2 * count_);
+    /// The work of the displacement from `start`, values of the element's own unknowns, to `u`.
+    [[nodiscard]] double work(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& u, const double* start) const {
+        Eigen::Matrix<double, unknowns, 1> nodal(2 * count_);
+        for (std::size_t k = 0; k < op_.unknowns.size(); ++k)
+            nodal[static_cast<Eigen::Index>(k)] = u[op_.unknowns[k]] - start[k];
         const Eigen::Map<const Matrix> K(stiffness.data(), 2 * count_, 2 * count_);
-        return nodal.dot(K.lazyProduct(nodal));
+        Eigen::Matrix<double, unknowns, 1> force(2 * count_);
+        force.noalias() = K.lazyProduct(nodal);
+        return force.dot(nodal);
     }
 
     [[nodiscard]] Nodal force(const double* stress, std::ptrdiff_t stride) const {

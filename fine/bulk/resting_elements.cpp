@@ -1,12 +1,19 @@
 #include "fine/bulk/resting_elements.hpp"
 
+#include <algorithm>
+
 #include "fine/bulk/element_kernels.hpp"
 
 namespace stria::fine {
+namespace {
+
+constexpr int all_recent = 3;  // half cycles, one a bit
+
+}  // namespace
 
 RestingElements::RestingElements(const std::vector<ElementOperator>& operators, const Eigen::VectorXd& displacement)
     : elements_(operators.size()), displacement_(displacement), looked_at_(operators),
-      elastic_half_cycles_(operators.size(), 0) {}
+      recent_flow_(operators.size(), all_recent) {}
 
 void RestingElements::rest(const ElementSet& elements, const Eigen::VectorXd& displacement,
                            const std::vector<ElementOperator>& operators) {
@@ -29,34 +36,39 @@ std::vector<int> RestingElements::would_yield(const Eigen::VectorXd& u, const Bu
 // law tells, as of any point, and how much is left until one yields.
 bool RestingElements::would_yield(int e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest,
                                   const BulkElements& bulk, PointHistory& history, ElasticBound& bound) {
-    const Eigen::VectorXd now = gather(u, bulk.op(e).unknowns);
-    const Eigen::VectorXd moved = now - looked_at_.of(e);
     double work = 0.0;
-    with_kernel(bulk.op(e), [&](const auto& kernel) { work = kernel.work(bulk.stiffness()[at(e)], moved); });
+    with_kernel(bulk.op(e),
+                [&](const auto& kernel) { work = kernel.work(bulk.stiffness()[at(e)], u, looked_at_.of(e).data()); });
     if (bound.proves(at(e), work)) return false;
     history.update(bulk.operators(), e, e + 1, since_rest);
     const bool yields = history.yields(e);
     if (!yields) {
         bound.set_margin(at(e), history.trial_elastic_margin(e));
-        looked_at_.of(e) = now;
+        looked_at_.of(e) = gather(u, bulk.op(e).unknowns);
     }
     history.set_elastic(e);
     history.rollback(e);
     return yields;
 }
 
-void RestingElements::count_half_cycle(const PointHistory& history) {
+void RestingElements::note_half_cycle(const PointHistory& history) {
     for (int e = 0; e < elements_.size(); ++e) {
-        int& count = elastic_half_cycles_[at(e)];
-        count = history.is_plastic(e) ? 0 : count + 1;
+        int& flow = recent_flow_[at(e)];
+        flow = ((flow << 1) | (history.is_plastic(e) ? 1 : 0)) & all_recent;
     }
 }
 
-ElementSet RestingElements::may_rest(const PointHistory& history) const {
-    constexpr int whole_cycle = 2;
+ElementSet RestingElements::may_rest(const BulkElements& bulk, const PointHistory& history) const {
+    constexpr int same_direction = 2;
+    const EnrichedMesh& mesh = bulk.mesh();
+    std::vector<char> flows(mesh.nodes.size(), 0);
+    for (int e = 0; e < elements_.size(); ++e)
+        if ((recent_flow_[at(e)] & same_direction) != 0)
+            for (const int node : mesh.elements[at(e)]) flows[at(node)] = 1;
     ElementSet may(elements_.size());
+    const auto still = [&](int node) { return flows[at(node)] == 0; };
     for (int e = 0; e < may.size(); ++e)
-        if (elastic_half_cycles_[at(e)] >= whole_cycle || !history.law(e).can_yield()) may.insert(e);
+        if (!history.law(e).can_yield() || std::ranges::all_of(mesh.elements[at(e)], still)) may.insert(e);
     return may;
 }
 

@@ -1,4 +1,4 @@
-// Elements at rest: where nothing has yielded for a cycle the zone is a linear substructure about its stored plastic
+// Elements at rest: where nothing yields in a half cycle the zone is a linear substructure about its stored plastic
 // strain (docs/equations.md, rest). Their points stay where they were until one of them would yield.
 #pragma once
 
@@ -36,12 +36,14 @@ public:
     [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& u, const BulkElements& bulk,
                                                PointHistory& history, ElasticBound& bound);
 
-    /// A half cycle ends: counts those in which each element has stayed elastic.
-    void count_half_cycle(const PointHistory& history);
-    [[nodiscard]] const std::vector<int>& elastic_half_cycles() const { return elastic_half_cycles_; }
-    void set_elastic_half_cycles(int e, int count) { elastic_half_cycles_[at(e)] = count; }
-    /// Elements that have stayed elastic for a whole cycle, or cannot do else.
-    [[nodiscard]] ElementSet may_rest(const PointHistory& history) const;
+    /// A half cycle ends: notes where something has yielded in it.
+    void note_half_cycle(const PointHistory& history);
+    /// Per element, bit k: something has yielded in the half cycle k before the last one. All unknown bits are set.
+    [[nodiscard]] const std::vector<int>& recent_flow() const { return recent_flow_; }
+    void set_recent_flow(int e, int flow) { recent_flow_[at(e)] = flow; }
+    /// Elements that have stayed elastic in the last half cycle of the direction that comes, together with those
+    /// around them: tips, and flow with them, move a little. And those that cannot do else.
+    [[nodiscard]] ElementSet may_rest(const BulkElements& bulk, const PointHistory& history) const;
 
 private:
     [[nodiscard]] bool would_yield(int e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest,
@@ -49,8 +51,8 @@ private:
 
     ElementSet elements_;
     Eigen::VectorXd displacement_;
-    ElementValues looked_at_;               // displacement at which the bound's margin was measured, mm
-    std::vector<int> elastic_half_cycles_;  // per element, since it has yielded
+    ElementValues looked_at_;  // displacement at which the bound's margin was measured, mm
+    std::vector<int> recent_flow_;
 };
 
 }  // namespace stria::fine

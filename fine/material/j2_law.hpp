@@ -1,17 +1,25 @@
 // What every law of J2 plasticity has, whatever its return: parameters, state, energies and elastic stiffness.
 #pragma once
 
+#include "fine/material/j2_pack.hpp"
 #include "fine/material/j2_parameters.hpp"
 
 namespace stria::fine {
-
-struct J2Update;  // j2_pack.hpp
 
 class J2Law : public MaterialLaw {
 public:
     [[nodiscard]] int state_size() const override { return parameters_.state_size(); }
     void update(int points, int stride, const double* strain_increment, const double* committed, double* trial,
-                double* tangent, unsigned char* yielding) const final;
+                double* tangent, unsigned char* yielding) const final {
+        return_points({.law = parameters_,
+                       .stiffness = elastic(),
+                       .strain_increment = strain_increment,
+                       .committed = committed,
+                       .trial = trial,
+                       .tangent = tangent,
+                       .yielding = yielding},
+                      points, stride);
+    }
     [[nodiscard]] double elastic_margin(int points, int stride, const double* committed) const override {
         return parameters_.elastic_margin(points, stride, committed);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "common/index.hpp"
 #include "fine/bulk/bulk_report.hpp"
@@ -58,23 +59,41 @@ std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     return reports;
 }
 
-std::vector<coupling::RingReport> report_rings(const CommittedZone& zone,
-                                               const std::vector<std::vector<FaceStation>>& tip_stations) {
-    const EnrichedMesh& mesh = zone.patch.mesh;
-    std::vector<coupling::RingReport> reports;
-    for (int t = 0; t < std::ssize(mesh.tips); ++t) {
+std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
+                               const std::vector<CrackSection>& cracks, int subcells) {
+    std::vector<TipRings> all;
+    std::vector<int> elements(patch.mesh.elements.size());
+    std::iota(elements.begin(), elements.end(), 0);
+    for (int t = 0; t < std::ssize(patch.mesh.tips); ++t) {
+        const Tip& tip = patch.mesh.tips[at(t)];
         std::vector<Annulus> annuli;
         std::vector<int> numbers;
-        for (const coupling::Ring& ring : zone.patch.rings) {
+        for (const coupling::Ring& ring : patch.rings) {
             if (ring.tip != t) continue;
             annuli.push_back({ring.inner_radius, ring.outer_radius});
             numbers.push_back(ring.number);
         }
-        if (annuli.empty()) continue;
-        const Tip& tip = mesh.tips[at(t)];
-        RingSums sums(mesh, tip, zone.bulk.elements().materials().elastic(tip.material), annuli);
+        const bool initially = materials.initial_stress().any();
+        all.push_back(
+            {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, initially},
+             .numbers = std::move(numbers),
+             .stations = {}});
+        const CrackSection& crack = cracks[at(tip.crack)];
+        if (!crack.contact) continue;
+        std::vector<FaceStation>& stations = all.back().stations = face_stations_about(patch.mesh, tip, subcells, 4);
+        std::erase_if(stations, [&](const FaceStation& station) { return station.s < contact_begins(crack); });
+    }
+    return all;
+}
+
+std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::vector<TipRings>& rings) {
+    std::vector<coupling::RingReport> reports;
+    for (int t = 0; t < std::ssize(rings); ++t) {
+        auto& [sums, numbers, stations] = rings[at(t)];
+        if (numbers.empty()) continue;
+        sums.clear();
         add_to(sums, zone.bulk);
-        add_tractions(sums, zone, tip_stations[at(t)]);
+        add_tractions(sums, zone, stations);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const DomainIntegral& sum = sums.values()[k];
             reports.push_back({t, numbers[k], sum.J, sum.interaction_I, sum.interaction_II, sum.interaction_T});

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "common/fracture/domain_integral.hpp"
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
@@ -22,9 +23,18 @@ struct CommittedZone {
 /// One per tip of the mesh.
 [[nodiscard]] std::vector<coupling::TipReport> report_tips(const CommittedZone& zone);
 
-/// One per ring of the patch, tip by tip. `tip_stations`: per tip, those of its crack's faces near it that may touch.
-[[nodiscard]] std::vector<coupling::RingReport> report_rings(const CommittedZone& zone,
-                                                             const std::vector<std::vector<FaceStation>>& tip_stations);
+/// The rings of a patch about a tip, and those stations of its crack's faces near it that may touch.
+struct TipRings {
+    RingSums sums;
+    std::vector<int> numbers;  // coupling::Ring::number
+    std::vector<FaceStation> stations;
+};
+/// One per tip of the patch, which must outlive them. `subcells`: of the faces.
+[[nodiscard]] std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
+                                             const std::vector<CrackSection>& cracks, int subcells);
+
+/// One per ring of the patch, tip by tip.
+[[nodiscard]] std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::vector<TipRings>& rings);
 
 /// One per station that may touch, by crack and arc length.
 [[nodiscard]] std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone);

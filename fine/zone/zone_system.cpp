@@ -52,7 +52,7 @@ void ZoneSystem::begin_with(const coupling::Patch& patch) {
     trial_ = memory_.committed;
     at_rest_.inside = UnknownSet(patch_.mesh.unknowns);
     contact_->settle(memory_.committed.displacement);
-    find_tip_stations();
+    rings_ = rings_of(patch_, input_.materials, input_.cracks, subcells_at_crack(input_.fine));
 }
 
 // No stress has changed: what is out of balance on a new jump is what the metal transmitted there.
@@ -65,17 +65,6 @@ void ZoneSystem::open_new_faces(const EnrichedMesh& before) {
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(memory_.committed.traction, force);
     memory_.opening.open(before, patch_.mesh, -force);
-}
-
-void ZoneSystem::find_tip_stations() {
-    tip_stations_.assign(patch_.mesh.tips.size(), {});
-    for (std::size_t t = 0; t < tip_stations_.size(); ++t) {
-        const Tip& tip = patch_.mesh.tips[t];
-        const CrackSection& crack = input_.cracks[at(tip.crack)];
-        if (!crack.contact) continue;
-        tip_stations_[t] = face_stations_about(patch_.mesh, tip, subcells_at_crack(input_.fine), 4);
-        std::erase_if(tip_stations_[t], [&](const FaceStation& station) { return station.s < contact_begins(crack); });
-    }
 }
 
 void ZoneSystem::put_aside() {
@@ -222,7 +211,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
     memory_.committed = trial_;
-    bulk_->commit(reversal);
+    bulk_->commit(reversal, !memory_.opening.any());
     contact_->commit(memory_.committed.displacement);
     coupling::StepReport report;
     report.energy = {.stored = fine::stored_energy(*bulk_),
@@ -244,7 +233,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     return report;
 }
 
-void ZoneSystem::report_on(coupling::StepReport& report) const {
+void ZoneSystem::report_on(coupling::StepReport& report) {
     const CommittedZone zone{.patch = patch_,
                              .bulk = *bulk_,
                              .contact = *contact_,
@@ -252,7 +241,7 @@ void ZoneSystem::report_on(coupling::StepReport& report) const {
                              .displacement = memory_.committed.displacement,
                              .traction = memory_.committed.traction};
     report.tips = report_tips(zone);
-    report.rings = report_rings(zone, tip_stations_);
+    report.rings = report_rings(zone, rings_);
     report.faces = report_faces(zone);
     report.contact_length = contact_lengths(zone, input_.cracks.size());
     report.mouth_opening = mouth_openings(zone, input_.cracks.size());

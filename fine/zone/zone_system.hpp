@@ -7,6 +7,7 @@
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
 #include "fine/zone/zone_memory.hpp"
+#include "fine/zone/zone_report.hpp"
 #include "fine/zone/zone_sections.hpp"
 
 namespace stria::fine {
@@ -87,12 +88,11 @@ private:
     [[nodiscard]] IntegrationRule rule() const;
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
-    void find_tip_stations();
     [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
     void set_inside(const UnknownSet& inside);
     void open_new_faces(const EnrichedMesh& before);
     void note_first_step();
-    void report_on(coupling::StepReport& report) const;
+    void report_on(coupling::StepReport& report);
 
     /// What rests, as this sees it.
     struct AtRest {
@@ -105,7 +105,7 @@ private:
     coupling::Patch patch_;
     std::unique_ptr<Bulk> bulk_;
     std::unique_ptr<ContactInterface> contact_;
-    std::vector<std::vector<FaceStation>> tip_stations_;  // per tip: of its crack's faces that may touch
+    std::vector<TipRings> rings_;  // per tip
     ZoneMemory memory_;
     ZoneUnknowns trial_;
     Eigen::VectorXd load_;
