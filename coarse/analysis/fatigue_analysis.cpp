@@ -110,6 +110,7 @@ std::optional<NewtonReport> FatigueAnalysis::solve_equilibrium(const LoadStep& s
         return std::nullopt;
     }
     if (zone_must_grow(step)) return std::nullopt;
+    if (report.was_misled()) controller_.forget_increments();
     return report;
 }
 

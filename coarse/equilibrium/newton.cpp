@@ -1,7 +1,7 @@
 #include "coarse/equilibrium/newton.hpp"
 
 #include <fmt/format.h>
-#include <limits>
+#include <utility>
 
 #include "coarse/equilibrium/damping.hpp"
 #include "common/error.hpp"
@@ -20,30 +20,57 @@ std::string NewtonReport::table() const {
     return text;
 }
 
+namespace {
+
+/// Newton's method leads nowhere from where the predictor said: after some iterations it is as far off as at first.
+bool is_misled(const NewtonReport& report) {
+    constexpr std::size_t enough = 4;
+    const auto& done = report.iterations;
+    return done.size() == enough && !(done.back().residual.largest() < done.front().residual.largest());
+}
+
+/// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
+[[nodiscard]] bool iterate(Equilibrium& equilibrium, const SolverSection& solver, double largest_force, bool guessed,
+                           NewtonReport& report) {
+    Damping damping;
+    for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
+        const Residual residual = equilibrium.linearise();
+        if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
+        const double correction = equilibrium.solve();
+        report.iterations.push_back({residual, correction});
+        const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
+        const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
+        if (settled || rounding) {
+            report.converged = !residual.provisional;
+            if (report.converged) return true;
+            equilibrium.look_at_rest();
+        }
+        if (guessed && is_misled(report)) return false;
+        equilibrium.apply(damping.factor(residual.interior));
+    }
+    report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
+    return true;
+}
+
+}  // namespace
+
 NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
                               const SolverSection& solver, double largest_force) {
     NewtonReport report;
-    try {
-        Damping damping;
-        equilibrium.begin(target, predictor);
-        for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
-            const Residual residual = equilibrium.linearise();
-            if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
-            const double correction = equilibrium.solve();
-            report.iterations.push_back({residual, correction});
-            const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
-            const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
-            if (settled || rounding) {
-                report.converged = !residual.provisional;
-                if (report.converged) return report;
-                equilibrium.look_at_rest();
-            }
-            equilibrium.apply(damping.factor(residual.interior));
+    const auto is_done_from = [&](const Predictor& start) {
+        const bool guessed = start.factor != 0.0;
+        try {
+            equilibrium.begin(target, start);
+            return iterate(equilibrium, solver, largest_force, guessed, report);
+        } catch (const NumericalFailure& failure) {
+            report.failure = failure.what();
+            return !guessed;
         }
-        report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
-    } catch (const NumericalFailure& failure) {
-        report.failure = failure.what();
-    }
+    };
+    if (is_done_from(predictor)) return report;
+    equilibrium.rollback();
+    report = {.lost = std::move(report.iterations)};
+    static_cast<void>(is_done_from({}));
     return report;
 }
 

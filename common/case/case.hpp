@@ -145,8 +145,8 @@ struct LoadBlock {
 enum class Control { Load, Displacement, StressIntensity };
 
 struct LoadSection {
-    int steps = 16;                 // increments per cycle
-    double grading = 0.6;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
+    int steps = 12;                 // increments per cycle
+    double grading = 0.5;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
     std::vector<LoadBlock> blocks;  // those of a spectrum file included
     std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
     double scale = 1.0;                        // of every max and min
@@ -206,7 +206,7 @@ struct ClosureSection {
 };
 
 struct SolverSection {
-    double tolerance = 1e-8;  // relative residual
+    double tolerance = 1e-6;  // relative residual
     int max_iterations = 25;  // Newton iterations before the increment is cut
     int max_cuts = 8;         // successive halvings of an increment
     bool operator==(const SolverSection&) const = default;

@@ -45,7 +45,8 @@ Section<FineSection> fine_section() {
     s.value("substeps", &FineSection::substeps)
         .at_least(1)
         .at_most(10'000)
-        .says("Parts of a strain increment at points that flow: the return mapping is of first order in them.");
+        .says("Parts of a strain increment at points that flow: the return mapping is of first order in them. Linear "
+              "hardening in plane strain returns exactly where there is more than one.");
     s.choice<Enrichment>("enrichment", &FineSection::enrichment,
                          {{"auto", Enrichment::Auto},
                           {"none", Enrichment::None},

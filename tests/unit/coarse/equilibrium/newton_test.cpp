@@ -80,6 +80,32 @@ TEST(Newton, StartsFromThePredictedState) {
     EXPECT_EQ(spring.applied, 0);  // what is converged is not moved
 }
 
+TEST(Newton, BeginsAgainWhereTheGuessMisleads) {
+    Spring spring;
+    // Beyond u = 2 of the wrong sign: from there Newton's method runs away.
+    spring.stiffness = [](double u) { return (u > 2.0 ? -1.0 : 1.0) * (1.0 + 3.0 * u * u); };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver);
+    ASSERT_TRUE(report.converged);
+    EXPECT_TRUE(report.was_misled());
+    EXPECT_EQ(report.lost.size(), 4U);
+    EXPECT_EQ(report.count(), static_cast<int>(report.lost.size() + report.iterations.size()));
+    EXPECT_NEAR(spring.u, 1.0, 1e-10);
+    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver).was_misled());
+}
+
+TEST(Newton, BeginsAgainWhereTheGuessCannotBeEvaluated) {
+    Spring spring;
+    spring.force = [](double u) {
+        if (u > 2.0) throw NumericalFailure("too far");
+        return u + u * u * u;
+    };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver);
+    EXPECT_TRUE(report.converged);
+    EXPECT_TRUE(report.failure.empty());
+    spring.start = 3.0;
+    EXPECT_EQ(find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver).failure, "too far");
+}
+
 TEST(Newton, AsksForASmallResidual) {
     Spring spring;
     spring.force = [](double u) { return 1e9 * (u - 1.0); };  // stiff: a small correction proves nothing
