@@ -1,5 +1,6 @@
 #include "coarse/equilibrium/newton.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <utility>
 
@@ -22,11 +23,13 @@ std::string NewtonReport::table() const {
 
 namespace {
 
-/// Newton's method leads nowhere from where the predictor said: after some iterations it is as far off as at first.
+/// Newton's method leads nowhere from where the predictor said: after some iterations it is as far off as at first, or
+/// as far as it might be from nothing.
 bool is_misled(const NewtonReport& report) {
     constexpr std::size_t enough = 4;
-    const auto& done = report.iterations;
-    return done.size() == enough && !(done.back().residual.largest() < done.front().residual.largest());
+    if (report.iterations.size() != enough) return false;
+    const Residual &first = report.iterations.front().residual, &last = report.iterations.back().residual;
+    return !(last.largest() < std::min(first.largest(), 0.1 * last.scale));
 }
 
 /// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
@@ -69,7 +72,8 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
     };
     if (is_done_from(predictor)) return report;
     equilibrium.rollback();
-    report = {.lost = std::move(report.iterations)};
+    report.lost = std::exchange(report.iterations, {});
+    report.failure.clear();
     static_cast<void>(is_done_from({}));
     return report;
 }

@@ -21,20 +21,23 @@ public:
 
     /// `before`, `d`: relative stress at the start and 2 G dev(d eps), MPa; `radius`: of the surface, sqrt(2/3)
     /// (sigma_y
-    /// + R), MPa. Of points that do not flow nothing comes out that means anything, but finite numbers.
+    /// + R), MPa. A point that does not flow, or does not move, is elastic.
     ExactFlow(const Tensors<rows>& before, const Tensors<rows>& d, const S& radius,
               const Eigen::Array<bool, rows, 1>& flows, double h)
-        : before_(before), d_(d), radius_(radius), h_(h) {
-        D2_ = flows.select(contraction<rows>(d, d), 1.0);
-        S_ = flows.select(contraction<rows>(before, d), 0.0);
+        : before_(before), d_(d), radius_(radius), h_(h),
+          moves_(flows && contraction<rows>(d, d) > 1e-24 * radius * radius) {
+        D2_ = moves_.select(contraction<rows>(d, d), 1.0);
+        S_ = moves_.select(contraction<rows>(before, d), 0.0);
         const S inside = (radius * radius - contraction<rows>(before, before)).max(0.0);
-        inside_ = flows.select(inside, 0.0);
+        inside_ = moves_.select(inside, 0.0);
         D_ = D2_.sqrt();
         q_ = (S_ * S_ + D2_ * inside_).sqrt().max(1e-12 * radius * D_);
         c_ = (q_ / (radius * D_)).min(1.0);
         elastic_ = (q_ - S_) / D2_;
-        length_ = flows.select((1.0 - elastic_) * D_ / radius, 0.0).max(0.0);
+        length_ = moves_.select((1.0 - elastic_) * D_ / radius, 0.0).max(0.0);
         turn();
+        A_ = (length_ > 0.0).select(A_, 1.0);
+        B_ = (length_ > 0.0).select(B_, 1.0);
     }
 
     /// xi_1, MPa.
@@ -50,7 +53,8 @@ public:
     };
     [[nodiscard]] Derivative derivative() const {
         const Change by_D2 = change(S::Ones(), S::Zero()), by_S = change(S::Zero(), S::Ones());
-        return {A_, 2.0 * by_D2.A, 0.5 * by_S.A + by_D2.B, by_S.B};
+        const auto of_flow = [&](const S& value) { return (length_ > 0.0).select(value, 0.0).eval(); };
+        return {A_, of_flow(2.0 * by_D2.A), of_flow(0.5 * by_S.A + by_D2.B), of_flow(by_S.B)};
     }
 
 private:
@@ -127,6 +131,7 @@ private:
     const Tensors<rows>&before_, &d_;
     const S& radius_;
     double h_;
+    Eigen::Array<bool, rows, 1> moves_;
     S D2_, S_, inside_, D_;                  // |d|^2, xi_0 : d, R_0^2 - |xi_0|^2, |d|
     S q_, c_, elastic_, length_;             // R_0 |d| c; c; share of d that is elastic; l
     S log_rho_, rho_h_, grown_;              // at the end: ln rho, rho^h, (rho^h - 1) / h

@@ -27,7 +27,7 @@ Case rough() {
 }
 
 NewtonReport with_slip(std::vector<std::int8_t> slides) {
-    NewtonReport report{.converged = true, .iterations = {{}}, .failure = {}};
+    NewtonReport report{.converged = true, .iterations = {{}}, .lost = {}, .failure = {}};
     report.iterations.back().residual.faces = {std::vector<double>(slides.size(), 1.0)};
     report.iterations.back().residual.slides = {std::move(slides)};
     return report;
@@ -35,7 +35,7 @@ NewtonReport with_slip(std::vector<std::int8_t> slides) {
 
 /// Faces that touch as far as `reach` behind the tip, and press or open in proportion.
 NewtonReport with_reach(const ClosureMeter& meter, double reach, double ahead = 1.0) {
-    NewtonReport report{.converged = true, .iterations = {{}}, .failure = {}};
+    NewtonReport report{.converged = true, .iterations = {{}}, .lost = {}, .failure = {}};
     for (const double distance : meter.distances(0))
         report.iterations.back().residual.faces.resize(1),
             report.iterations.back().residual.faces[0].push_back(reach - distance);
