@@ -27,7 +27,8 @@ void print_handbook(const coarse::NominalSolution& nominal) {
 void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
     const coarse::UnitResponse unit = coarse::unit_response(nominal);
     const double largest = coarse::largest_load_factor(scene.input.load, unit);
-    const std::vector<double> K_I = coarse::largest_K_I(scene.input.load, unit);
+    const std::vector<double> K_I =
+        coarse::largest_K_I(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
     for (std::size_t t = 0; t < K_I.size(); ++t) {
         fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
                    t + 1, K_I[t], largest);
@@ -72,7 +73,8 @@ int check(const RunOptions& options) {
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
-    const std::vector<double> K_I = coarse::largest_K_I(input.load, coarse::unit_response(nominal));
+    const std::vector<double> K_I =
+        coarse::largest_K_I(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
     print_warnings(scene, K_I);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

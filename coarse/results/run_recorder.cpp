@@ -23,7 +23,7 @@ CsvWriter table(const std::filesystem::path& path, const std::vector<std::string
 RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
     : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), zone_state_(std::move(zone_state)),
-      loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
+      loaded_(loaded_boundary(scene.mesh, scene.input)),
       history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
       cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
       faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),
@@ -122,8 +122,12 @@ bool RunRecorder::due(Written wish, const LoadStep& step) const {
 
 double RunRecorder::load(const Increment& increment) const {
     if (!loaded_) return missing;
-    if (!loaded_->resultant.isZero(0.0)) return increment.load_factor * loaded_->resultant.dot(loaded_->direction);
-    return increment.machine.force;
+    if (!loaded_->by_force) return increment.machine.force;
+    double load = increment.load_factor * loaded_->resultant.dot(loaded_->direction);
+    const LoadFactors factors(increment.load_factor, increment.step.target.cases);
+    for (std::size_t k = 0; k < loaded_->in_cases.size(); ++k)
+        load += factors.of_case(static_cast<Eigen::Index>(k)) * loaded_->in_cases[k].dot(loaded_->direction);
+    return load;
 }
 
 }  // namespace stria::coarse
