@@ -167,10 +167,9 @@ public:
         Eigen::VectorXd of_cases = Eigen::VectorXd::Zero(std::ssize(scene_.case_forces));
         Eigen::Index k = 0;
         for (const coarse::PrescribedUnknown& p : scene_.prescribed) {
-            forces[k] += other[p.unknown];
-            imposed_force += p.value * forces[k];
-            for (Eigen::Index c = 0; c < of_cases.size(); ++c) of_cases[c] += p.in_case(c) * forces[k];
-            ++k;
+            const double force = forces[k++] += other[p.unknown];
+            imposed_force += p.value * force;
+            for (Eigen::Index c = 0; c < of_cases.size(); ++c) of_cases[c] += p.in_case(c) * force;
         }
         return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force,
                 of_cases};
@@ -238,10 +237,9 @@ private:
     void impose_held() { coarse::impose(scene_.prescribed, factors_, trial_); }
 
     [[nodiscard]] Eigen::VectorXd on_boundary() const {
-        Eigen::VectorXd u(std::ssize(zone_.patch().boundary));
-        for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k)
-            u[static_cast<Eigen::Index>(k)] = trial_[whole_[at(zone_.patch().boundary[k])]];
-        return u;
+        std::vector<int> unknowns;
+        for (const int i : zone_.patch().boundary) unknowns.push_back(whole_[at(i)]);
+        return gather(trial_, unknowns);
     }
 
     // Terms that no element sees have no stiffness: they stay zero.
@@ -252,8 +250,8 @@ private:
         });
         for (const ElementOperator& op : zone_.bulk().operators())
             for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
-        for (std::size_t i = 0; i < held_.size(); ++i)
-            if (used[i] == 0) held_[i] = 1;
+        std::ranges::transform(held_, used, held_.begin(),
+                               [](char held, char is_used) { return is_used != 0 ? held : char{1}; });
     }
 
     const coarse::Structure& structure_;

@@ -85,8 +85,8 @@ int cycles_of(const CaseMark& mark) { return cycle_count(load_of(mark)); }
 
 CaseMark mark_of(const Scene& scene) {
     const LoadSection& load = scene.input.load;
-    return {resolved_toml(essence(scene.input)), load.blocks, load.scale, load.repeat,
-            CaseHistories(scene.input).leads(), digest_of(scene.mesh)};
+    return {resolved_toml(essence(scene.input)), load.blocks,          load.scale, load.repeat,
+            CaseHistories(scene.input).leads(),  digest_of(scene.mesh)};
 }
 
 void check_same_case(const CaseMark& then, const CaseMark& now, const LoadPosition& reached) {

@@ -32,11 +32,12 @@ void members(auto& archive, Is<FieldWriter::Step> auto& m) {
 }
 
 void members(auto& archive, Is<RecorderState> auto& m) {
-    auto& [history_rows, cycle_rows, face_rows, closure_rows, fields, cycle_iterations, cycle_s, N] = m;
+    auto& [history_rows, cycle_rows, face_rows, closure_rows, load_rows, fields, cycle_iterations, cycle_s, N] = m;
     archive("history_rows", history_rows);
     archive("cycle_rows", cycle_rows);
     archive("face_rows", face_rows);
     archive("closure_rows", closure_rows);
+    archive("load_rows", load_rows);
     archive("fields", fields);
     archive("cycle_iterations", cycle_iterations);
     archive("cycle_s", cycle_s);

@@ -31,6 +31,8 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
               from ? from->fields : std::vector<FieldWriter::Step>()) {
     if (!scene.input.closure.profile.empty())
         closure_.emplace(table(directory / "closure.csv", closure_columns(), from, from ? from->closure_rows : 0));
+    if (!scene.loads.cases.empty())
+        loads_.emplace(table(directory / "loads.csv", load_columns(scene.input), from, from ? from->load_rows : 0));
     if (from == nullptr) return;
     cycle_iterations_ = from->cycle_iterations;
     N_ = from->N;
@@ -38,12 +40,14 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
 }
 
 RecorderState RunRecorder::state() const {
-    for (const CsvWriter* writer : {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr})
+    for (const CsvWriter* writer :
+         {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr, loads_ ? &*loads_ : nullptr})
         if (writer != nullptr) sync_file(writer->path());
     return {.history_rows = history_.rows(),
             .cycle_rows = cycles_.rows(),
             .face_rows = faces_.rows(),
             .closure_rows = closure_ ? closure_->rows() : 0,
+            .load_rows = loads_ ? loads_->rows() : 0,
             .fields = fields_.steps(),
             .cycle_iterations = cycle_iterations_,
             .cycle_s = seconds() - cycle_start_s_,
@@ -80,6 +84,7 @@ void RunRecorder::record_history(const Increment& increment, const Scene& presen
     const double displacement = loaded_ ? increment.machine.displacement : missing;
     last_ = history_rows(increment, present.enriched.tips, load(increment), displacement);
     for (const HistoryRow& row : last_) history_.row(cells_of(row));
+    if (loads_) loads_->row(load_cells(present.input, increment));
 }
 
 void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& closure) {

@@ -254,23 +254,20 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
-                         testing::Values(SettingsOfCase{"graded", small_scene},
-                                         SettingsOfCase{"refined", refined_scene},
-                                         SettingsOfCase{"growing", growing_scene},
-                                         SettingsOfCase{"following", following_scene},
-                                         SettingsOfCase{"sliding", sliding_scene},
-                                         SettingsOfCase{"layered", layered_scene},
-                                         SettingsOfCase{"loaded", loaded_scene}),
-                         [](const auto& scenery) { return std::string(scenery.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Sceneries, Modes,
+    testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
+                    SettingsOfCase{"growing", growing_scene}, SettingsOfCase{"following", following_scene},
+                    SettingsOfCase{"sliding", sliding_scene}, SettingsOfCase{"layered", layered_scene},
+                    SettingsOfCase{"loaded", loaded_scene}),
+    [](const auto& scenery) { return std::string(scenery.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Sceneries, SharedZone,
     testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
                     SettingsOfCase{"extended", extended_scene}, SettingsOfCase{"growing", growing_scene},
                     SettingsOfCase{"following", following_scene}, SettingsOfCase{"sliding", sliding_scene},
-                                         SettingsOfCase{"layered", layered_scene},
-                                         SettingsOfCase{"loaded", loaded_scene}),
+                    SettingsOfCase{"layered", layered_scene}, SettingsOfCase{"loaded", loaded_scene}),
     [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {

@@ -97,15 +97,14 @@ const StoppedRun layered{
     27};
 
 /// Under a dead load, a shear behind the tension and a wheel that rolls over the side, while the crack grows.
-const StoppedRun loaded{
-    "Loaded",
-    {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
-     "load.blocks=[{cycles=3, max=35.0, ratio=-1.0}]", "growth.increment=0.4",
-     "load_case=[{name='dead', constant=15.0}, {name='shear', factor=0.3, phase=90.0}]",
-     "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
-     "{on='bottom', displacement=[0.0,0.0]}, {on='top', traction=[1.0,0.0], case='shear'}, "
-     "{on='left', origin=[0.0,100.0], travelling={p0=40.0, half_width=3.0, from=-12.0, to=12.0}}]"},
-    13};
+const StoppedRun loaded{"Loaded",
+                        {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
+                         "load.blocks=[{cycles=3, max=35.0, ratio=-1.0}]", "growth.increment=0.4",
+                         "load_case=[{name='dead', constant=15.0}, {name='shear', factor=0.3, phase=90.0}]",
+                         "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
+                         "{on='bottom', displacement=[0.0,0.0]}, {on='top', traction=[1.0,0.0], case='shear'}, "
+                         "{on='left', origin=[0.0,100.0], travelling={p0=40.0, half_width=3.0, from=-12.0, to=12.0}}]"},
+                        13};
 
 /// Half way of an increment that was halved.
 const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};

@@ -155,10 +155,11 @@ TEST(LoadCases, TwentyCyclesOutOfPhaseLoseNoIncrementLong) {
     }
     EXPECT_TRUE(flows && slides);
     const auto& last = run.increments.back();
-    std::cout << fmt::format("{} increments, {:.2f} iterations each; friction {:.4g} N of {:.4g} N dissipated; error of "
-                             "the balance {:.2g} N\n",
-                             run.increments.size(), 1.0 * iterations / static_cast<double>(run.increments.size()),
-                             last.work.by_friction, last.work.dissipated, last.work.error());
+    std::cout << fmt::format(
+        "{} increments, {:.2f} iterations each; friction {:.4g} N of {:.4g} N dissipated; error of "
+        "the balance {:.2g} N\n",
+        run.increments.size(), 1.0 * iterations / static_cast<double>(run.increments.size()), last.work.by_friction,
+        last.work.dissipated, last.work.error());
     EXPECT_LT(std::abs(last.work.error()), 0.05 * last.work.external);
 }
 

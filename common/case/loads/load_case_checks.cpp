@@ -1,6 +1,7 @@
 #include "common/case/loads/load_case_checks.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +20,13 @@ void check_load_case(const LoadCaseSection& load_case, const Value& table, const
     const auto demand = [&](bool met, const char* key, const char* what) {
         if (!met) reject(place.inside(key), *find(table, key), {}, what);
     };
-    if (load_case.name.empty()) reject(place.inside("name"), *find(table, "name"), {}, "must not be empty");
+    const auto is_plain = [](char letter) {
+        return std::isalnum(static_cast<unsigned char>(letter)) || letter == '_' || letter == '-';
+    };
+    const std::string& name = load_case.name;
+    if (name.empty() || !std::ranges::all_of(name, is_plain))
+        reject(place.inside("name"), *find(table, "name"), {},
+               "must be of letters, digits, _ and -: it names a column");
     const int histories =
         (load_case.constant ? 1 : 0) + (load_case.factor ? 1 : 0) + (load_case.blocks.empty() ? 0 : 1);
     if (histories > 1) reject(place, table.line, "has more than one of constant, factor and blocks");

@@ -46,14 +46,8 @@ void expect_close(const std::vector<Stop>& found, const std::vector<Stop>& expec
 TEST(CaseHistories, ADeadLoadComesFirstAndStays) {
     Case input = cycles(4, {{1, 10.0, -10.0}});
     input.load_cases = {{.name = "dead", .constant = 3.0}};
-    expect_close(stops(controller(input)), {{0, {1.5}},
-                                            {0, {3}},
-                                            {5, {3}},
-                                            {10, {3}},
-                                            {0, {3}},
-                                            {-10, {3}},
-                                            {0, {3}},
-                                            {10, {3}}});
+    expect_close(stops(controller(input)),
+                 {{0, {1.5}}, {0, {3}}, {5, {3}}, {10, {3}}, {0, {3}}, {-10, {3}}, {0, {3}}, {10, {3}}});
     EXPECT_EQ(controller(input).next()->cycle, 0);
 }
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/model/loads/loads_of_case.hpp"
 #include "coarse/model/rigid_motions.hpp"
 #include "coarse/specimen/structured.hpp"
-#include "coarse/model/loads/loads_of_case.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
 

@@ -114,6 +114,38 @@ TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
     }
 }
 
+/// With a load case on two sides and a wheel on the third, each with a factor of its own.
+TEST_P(FarStress, BoundHoldsWithLoadCases) {
+    Case loaded = input();
+    loaded.load.steps = 4;
+    loaded.load_cases = {{.name = "shear", .factor = 1.0, .phase = 90.0}};
+    for (const auto& [on, sign] : {std::pair("top", 1.0), std::pair("bottom", -1.0)})
+        loaded.boundaries.push_back({.on = on, .traction = Vec2(sign, 0.5 * sign), .load_case = "shear"});
+    loaded.boundaries.push_back({.on = "right", .pressure = 1.0, .load_case = "shear"});
+    loaded.boundaries.push_back({.on = "left", .displacement = {0.0, 0.0}});
+    loaded.boundaries.push_back(
+        {.on = "right", .travelling = TravellingPressure{.p0 = 1.0, .half_width = 2.0, .from = 5.0, .to = 15.0}});
+    const Scene body = refined_scene(loaded);
+    const Structure parts(body, zone_of(body));
+    FarStressBound bound(parts);
+    bound.learn_pivot(gather(parts.expand(Eigen::VectorXd::Zero(std::ssize(parts.gamma())), 1.0), parts.rim()),
+                      largest_far_stress(parts, parts.expand(Eigen::VectorXd::Zero(std::ssize(parts.gamma())), 1.0),
+                                         StressPart::OfDisplacement));
+    std::uniform_real_distribution<double> any(-50.0, 50.0);
+    for (int k = 0; k < 40; ++k) {
+        const LoadFactors factors(k % 5 == 0 ? 0.0 : any(generator),
+                                  Eigen::VectorXd::NullaryExpr(6, [&] { return any(generator); }));
+        const Eigen::VectorXd gamma =
+            1e-5 * Eigen::VectorXd::NullaryExpr(std::ssize(parts.gamma()), [&] { return any(generator); });
+        const Eigen::VectorXd whole = parts.expand(gamma, factors), rim = gather(whole, parts.rim());
+        const double largest = largest_far_stress(parts, whole, StressPart::Whole);
+        EXPECT_GE(bound.at(rim, factors), largest * (1.0 - 1e-9)) << k;
+        if (k % 4 != 1) continue;
+        bound.learn(rim, factors, largest);
+        EXPECT_LE(bound.at(rim, factors), 1.03 * largest) << k;
+    }
+}
+
 /// Of two materials, of which one is twice as strong and one never yields; with a stress before any load.
 TEST_P(FarStress, BoundHoldsWithSeveralMaterialsAndInitialStress) {
     Case several = input();
