@@ -73,7 +73,8 @@ std::optional<LoadStep> LoadController::next() const {
     const double part = position_.fraction * (stop(increment) - stop(increment - 1));
     LoadStep step;
     step.cycle = leg.cycle;
-    step.target = {control_, arrives ? stop(increment) : position_.reached + part};
+    // Dead loads come on while the main load is none, not while a displacement is held.
+    step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
     step.predictor = predictor({leg.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
     if (arrives && increment == steps_) {

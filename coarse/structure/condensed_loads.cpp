@@ -146,20 +146,19 @@ double CondensedLoads::stored_energy(const Eigen::MatrixXd& tangent, const Eigen
            energy_of_cases(u, factors);
 }
 
-// What load cases add: lambda e becomes a sum over all pairs of unit loads.
+// What load cases add. The energy of a pair of unit loads, u_k . K u_j, is what the forces of j do on the displacement
+// of k, and the imposed displacements of k against the reactions of j.
 double CondensedLoads::energy_of_cases(const Eigen::VectorXd& u, const LoadFactors& factors) const {
     double energy = 0.0;
-    for (std::size_t k = 0; k < cases_.size(); ++k) {
-        const double factor = factors.of_case(static_cast<Eigen::Index>(k));
+    for (Eigen::Index k = 0; k < std::ssize(cases_); ++k) {
+        const double factor = factors.of_case(k);
         if (factor == 0.0) continue;
-        const auto& [displacement, imposed] = work_of_cases_[k];
-        const Eigen::VectorXd pull = displacement.weights - cases_[k].boundary;
-        double pair = factors.main * (displacement.per_load_factor + imposed.per_load_factor);
-        for (std::size_t j = 0; j < cases_.size(); ++j) {
-            const auto other = static_cast<Eigen::Index>(j);
-            pair += 0.5 * factors.of_case(other) * (displacement.per_case[other] + imposed.per_case[other]);
-        }
-        energy += factor * (pull.dot(u) + pair + imposed.constant);
+        const auto& [displacement, imposed] = work_of_cases_[at(k)];
+        const Eigen::VectorXd pull = displacement.weights - cases_[at(k)].boundary;
+        double pairs = factors.main * (work_.displacement.per_case[k] + imposed.per_load_factor);
+        for (Eigen::Index j = 0; j < std::ssize(cases_); ++j)
+            pairs += 0.5 * factors.of_case(j) * (work_of_cases_[at(j)].displacement.per_case[k] + imposed.per_case[j]);
+        energy += factor * (pull.dot(u) + pairs + imposed.constant);
     }
     return energy;
 }

@@ -53,7 +53,9 @@ Section<LoadSection> load_section() {
               "maximum of the next one.");
     s.value("spectrum", &LoadSection::spectrum)
         .says("CSV file, relative to the case file, with a line of names: columns max, min and, if wanted, cycles; or "
-              "one column turning_point. Its cycles follow the blocks; the resolved case lists them as blocks.");
+              "one column turning_point, and beside it columns with the names of load cases. Its cycles follow the "
+              "blocks; the "
+              "resolved case lists them as blocks.");
     s.value("scale", &LoadSection::scale).positive().says("Multiplies every max and min.");
     s.value("repeat", &LoadSection::repeat).at_least(1).says("How often the whole sequence of blocks is gone through.");
     s.choice<Control>(

@@ -75,7 +75,7 @@ const std::vector<std::string> loaded_scene{
     "load.steps=12",
     "solver.tolerance=1e-12",
     "fine.radius=30.0",
-    "load.blocks=[{cycles=1, max=30.0, ratio=-1.0}]",
+    "load.blocks=[{cycles=1, max=35.0, min=-75.0}]",
     "load_case=[{name='dead', constant=15.0}, {name='shear', factor=0.3, phase=90.0}, {name='moved', factor=1e-3}]",
     "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
     "{on='bottom', displacement=[0.0,0.0]}, {on='bottom', displacement=[0.0,-1.0], case='moved'}, "

@@ -297,7 +297,7 @@ TEST_P(ResumeInOneMatrix, IsTheSameToRounding) { expect_same_to_rounding(1, 0); 
 
 TEST_P(ResumeInOneMatrix, OutOfItIsTheSameToRounding) { expect_same_to_rounding(0, 1); }
 
-INSTANTIATE_TEST_SUITE_P(Scene, ResumeInOneMatrix, testing::Values(small, loaded), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Scene, ResumeInOneMatrix, testing::Values(small), testing::PrintToStringParamName());
 
 class ResumeSharedZone : public Resume {};
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <iostream>
 
+#include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -30,8 +31,8 @@ void expect_same_cycles(const std::vector<coarse::CycleResult>& a, const std::ve
     for (std::size_t k = 0; k < a.size(); ++k) {
         EXPECT_NEAR(a[k].K_max, b[k].K_max, 1e-9 * b[k].K_max);
         EXPECT_NEAR(a[k].K_min, b[k].K_min, 1e-9 * b[k].K_max);
-        EXPECT_NEAR(a[k].opening.K_op, b[k].opening.K_op, 1e-6 * b[k].K_max);  // trials stand elsewhere by rounding
-        EXPECT_NEAR(a[k].opening.K_cl, b[k].opening.K_cl, 1e-6 * b[k].K_max);
+        EXPECT_NEAR(a[k].opening.K_op, b[k].opening.K_op, 0.002 * b[k].K_max);  // how well it is located
+        EXPECT_NEAR(a[k].opening.K_cl, b[k].opening.K_cl, 0.002 * b[k].K_max);
         EXPECT_NEAR(a[k].J_max, b[k].J_max, 1e-9 * b[k].J_max);
         EXPECT_NEAR(a[k].forward, b[k].forward, 1e-9);
         EXPECT_NEAR(a[k].cyclic, b[k].cyclic, 1e-9);
@@ -63,7 +64,7 @@ TEST(LoadCases, ADeadLoadAndCyclesAreTheOneLoadShifted) {
     Case whole = small_plate(), with_dead = small_plate();
     whole.load.blocks = {{.cycles = 0, .max = 20.0}, {.cycles = 2, .max = 50.0, .min = -50.0}};
     with_dead.load.blocks = {{.cycles = 2, .max = 30.0, .min = -70.0}};
-    pull_in_case(with_dead, {.name = "dead", .constant = 20.0});
+    pull_in_case(with_dead, dead_load("dead", 20.0));
     const RunHistory expected = run_direct(whole), found = run_direct(with_dead);
     expect_shifted(found, expected, 20.0);
     for (std::size_t k = 0; k < found.increments.size(); ++k)
@@ -83,7 +84,7 @@ TEST(LoadCases, DeadDisplacementsAddToThoseOfTheCycles) {
     Case whole = moved(small_plate()), with_dead = moved(small_plate());
     whole.load.blocks = {{.cycles = 0, .max = 8.0}, {.cycles = 1, .max = 20.0, .min = -20.0}};
     with_dead.load.blocks = {{.cycles = 1, .max = 12.0, .min = -28.0}};
-    pull_in_case(with_dead, {.name = "dead", .constant = 8.0});
+    pull_in_case(with_dead, dead_load("dead", 8.0));
     const RunHistory expected = run_direct(whole), found = run_direct(with_dead);
     expect_shifted(found, expected, 8.0);
     for (std::size_t k = 0; k < found.increments.size(); ++k)
@@ -97,14 +98,16 @@ TEST(LoadCases, ADeadLoadStaysUnderDisplacementControl) {
         one->load.control = Control::Displacement;
         one->load.blocks = {{.cycles = 1, .max = 0.04, .min = -0.02}};
     }
-    pull_in_case(input, {.name = "dead", .constant = 10.0});
+    pull_in_case(input, dead_load("dead", 10.0));
     const RunHistory with = run_direct(input), without = run_direct(bare);
     EXPECT_EQ(with.increments.size(), without.increments.size() + 6);
     const coarse::Increment &last = with.increments.back(), &other = without.increments.back();
     EXPECT_NEAR(last.machine.displacement, 0.04, 1e-12);
     EXPECT_NEAR(last.load_factor + 10.0, other.load_factor, 1e-4 * other.load_factor);  // another way to it
+    EXPECT_EQ(with.increments[5].load_factor, 0.0);
+    EXPECT_GT(with.increments[5].machine.displacement, 0.0);  // the machine lets it move
     for (const coarse::Increment& increment : with.increments)
-        EXPECT_LT(std::abs(increment.work.error()), 0.03 * increment.work.stored);
+        EXPECT_LT(std::abs(increment.work.error()), 0.02 * other.work.stored);
 }
 
 /// A central crack under tension and, behind it by a quarter of a cycle, shear.
@@ -115,10 +118,10 @@ Case twisted(double size, int cycles) {
     input.mesh.grading = {{.at = {{20.0, 20.3}}, .size = size, .outer_size = size, .radius = 5.0, .growth = 0.4}};
     input.load = {.steps = 16, .grading = 1.0, .blocks = {{.cycles = cycles, .max = 60.0, .min = -60.0}}};
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
-    input.load_cases = {{.name = "shear", .factor = 0.5, .phase = 90.0}};
+    input.load_cases = {lagging_load("shear", 0.5, 90.0)};
     for (const auto& [on, traction] : {std::pair("top", Vec2(1.0, 0.0)), std::pair("bottom", Vec2(-1.0, 0.0)),
                                        std::pair("right", Vec2(0.0, 1.0)), std::pair("left", Vec2(0.0, -1.0))})
-        input.boundaries.push_back({.on = on, .traction = traction, .load_case = "shear"});
+        input.boundaries.push_back(pulled_in_case("shear", on, traction));
     return input;
 }
 
@@ -126,12 +129,14 @@ Case twisted(double size, int cycles) {
 TEST(LoadCases, TensionAndShearOutOfPhaseGoRoundAnEllipse) {
     const RunHistory run = run_direct(twisted(0.5, 2));
     const coarse::TipResult& unit = run.nominal[0];
-    EXPECT_NEAR(unit.K_II_of_cases[0], unit.K_I, 0.02 * unit.K_I);
-    EXPECT_NEAR(unit.K_I_of_cases[0], 0.0, 1e-9 * unit.K_I);
+    EXPECT_NEAR(unit.K_II_of_cases[0], unit.K_I, 0.04 * unit.K_I);  // but for the width
+    EXPECT_NEAR(unit.K_I_of_cases[0], 0.0, 1e-3 * unit.K_I);
     for (const coarse::Increment& increment : run.increments) {
         const double shear = increment.step.target.cases[0];
-        EXPECT_NEAR(increment.tips[0].K_I, increment.load_factor * unit.K_I, 1e-9 * 60.0 * unit.K_I);
-        EXPECT_NEAR(increment.tips[0].K_II, shear * unit.K_II_of_cases[0], 1e-9 * 60.0 * unit.K_I);
+        const double K_I = increment.load_factor * unit.K_I + shear * unit.K_I_of_cases[0];
+        const double K_II = increment.load_factor * unit.K_II + shear * unit.K_II_of_cases[0];
+        EXPECT_NEAR(increment.tips[0].K_I, K_I, 1e-9 * 60.0 * unit.K_I);
+        EXPECT_NEAR(increment.tips[0].K_II, K_II, 1e-9 * 60.0 * unit.K_I);
         EXPECT_NEAR(increment.work.error(), 0.0, 0.05 * increment.work.stored + 1e-6);
         if (increment.step.cycle == 0 || increment.number < 16) continue;
         EXPECT_NEAR(std::hypot(increment.load_factor / 60.0, shear / 30.0), 1.0, 1e-9);

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -21,8 +22,7 @@ Case below_wheel(const TravellingPressure& wheel, int steps) {
     input.mesh.width = width;
     input.mesh.size = 20.0;
     input.load = {.steps = steps, .grading = 1.0, .blocks = {{.cycles = 1, .max = 0.0, .min = -1.0}}};
-    input.boundaries = {{.on = "bottom", .displacement = {0.0, 0.0}},
-                        {.on = "top", .origin = {middle, height}, .travelling = wheel}};
+    input.boundaries = {held("bottom"), under_wheel("top", wheel, {middle, height})};
     return input;
 }
 
@@ -33,7 +33,8 @@ TravellingPressure wheel(double friction = 0.0) {
 // At every position, with a crack's mouth below the path and elements that the ends of the pressure cut anywhere.
 TEST(RollingContact, ForceAndMomentAreThoseOfTheWheelEverywhere) {
     Case input = below_wheel(wheel(0.2), 38);
-    input.cracks = {{.points = {{middle + 0.013, height}, {middle + 1.0, height - 1.0}}}};
+    input.mesh.grading = {{.at = {{middle, height}}, .size = 0.3, .outer_size = 0.3, .radius = 2.0, .growth = 0.3}};
+    input.cracks = {{.points = {{middle + 0.013, height}, {middle + 1.0, height - 1.0}}, .contact = {}}};
     const coarse::Scene scene = coarse::refined_scene(input);
     ASSERT_EQ(scene.case_forces.size(), 39U);
     const double P = 0.5 * std::numbers::pi * p0 * half_width;

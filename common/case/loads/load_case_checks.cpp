@@ -33,8 +33,8 @@ void check_load_case(const LoadCaseSection& load_case, const Value& table, const
     for (const auto& [key, number] : {std::pair("constant", load_case.constant), {"factor", load_case.factor}})
         if (number) demand(std::abs(*number) < 1e100, key, "must be smaller than 1e100 in size");
     const bool lags = load_case.factor.has_value();
-    if (!lags && find(table, "phase") != nullptr) demand(false, "phase", "needs factor: it lags behind [load]");
-    if (!lags && find(table, "path") != nullptr) demand(false, "path", "needs factor and phase");
+    if (!lags && load_case.phase != 0.0) demand(false, "phase", "needs factor: it lags behind [load]");
+    if (!lags && load_case.path != LagPath::Sine) demand(false, "path", "needs factor and phase");
 }
 
 void check_pressure(const BoundarySection& boundary, const Value& table, const Place& place) {
@@ -47,8 +47,9 @@ void check_pressure(const BoundarySection& boundary, const Value& table, const P
     if (!boundary.cosine) complain("centre", "needs cosine");
     if (!boundary.travelling) return;
     if (!edge) complain("travelling", "needs an edge, not a point or pin");
-    for (const char* key : {"displacement", "traction", "traction_gradient", "pressure", "force", "case"})
-        complain(key, "does not go with travelling: give it a [[boundary]] of its own");
+    constexpr auto alone = "does not go with travelling: give it a [[boundary]] of its own";
+    for (const char* key : {"displacement", "traction", "pressure", "force", "case"}) complain(key, alone);
+    if (!boundary.traction_gradient.isZero(0.0)) complain("traction_gradient", alone);
     if (boundary.travelling->from == boundary.travelling->to)
         reject(place.inside("travelling.to"), find(table, "travelling")->line, "must differ from from");
 }

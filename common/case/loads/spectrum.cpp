@@ -91,8 +91,9 @@ void check_columns(const std::filesystem::path& path, const NumberTable& table, 
             turning ? name == "turning_point" || is_case(name) : name == "max" || name == "min" || name == "cycles";
         if (!known)
             throw CaseError(fmt::format("{}:1: load.spectrum: column \"{}\" is not known, must be max, min and cycles, "
-                                        "or turning_point and load cases without a history of their own",
-                                        path.string(), name));
+                                        "or turning_point alone{}",
+                                        path.string(), name,
+                                        cases.empty() ? "" : " with the load cases that have no other history"));
     }
     for (const std::string& name : cases)
         if (!table.columns.contains(name))

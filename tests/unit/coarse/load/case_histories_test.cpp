@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coarse/load/load_controller.hpp"
+#include "tests/support/load_cases.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -45,7 +46,7 @@ void expect_close(const std::vector<Stop>& found, const std::vector<Stop>& expec
 
 TEST(CaseHistories, ADeadLoadComesFirstAndStays) {
     Case input = cycles(4, {{1, 10.0, -10.0}});
-    input.load_cases = {{.name = "dead", .constant = 3.0}};
+    input.load_cases = {test::dead_load("dead", 3.0)};
     expect_close(stops(controller(input)),
                  {{0, {1.5}}, {0, {3}}, {5, {3}}, {10, {3}}, {0, {3}}, {-10, {3}}, {0, {3}}, {10, {3}}});
     EXPECT_EQ(controller(input).next()->cycle, 0);
@@ -53,7 +54,7 @@ TEST(CaseHistories, ADeadLoadComesFirstAndStays) {
 
 TEST(CaseHistories, HalvingTakesAllLoadsHalfWay) {
     Case input = cycles(2, {{1, 10.0, 0.0}});
-    input.load_cases = {{.name = "dead", .constant = 3.0}};
+    input.load_cases = {test::dead_load("dead", 3.0)};
     LoadController loads = controller(input);
     ASSERT_TRUE(loads.cut());
     EXPECT_EQ(loads.next()->target.cases[0], 1.5);
@@ -66,7 +67,7 @@ TEST(CaseHistories, HalvingTakesAllLoadsHalfWay) {
 
 TEST(CaseHistories, InPhaseALoadIsInProportion) {
     Case input = cycles(8, {{2, 10.0, -4.0}, {1, 20.0, 0.0}});
-    input.load_cases = {{.name = "more", .factor = 0.5}};
+    input.load_cases = {test::lagging_load("more", 0.5)};
     for (const Stop& stop : stops(controller(input))) EXPECT_NEAR(stop.cases[0], 0.5 * stop.main, 1e-12);
 }
 
@@ -74,13 +75,14 @@ TEST(CaseHistories, InPhaseALoadIsInProportion) {
 TEST(CaseHistories, OutOfPhaseItRunsThroughAnEllipse) {
     Case input = cycles(16, {{3, 10.0, -6.0}});
     input.load.grading = 0.6;
-    input.load_cases = {{.name = "shear", .factor = 2.0, .phase = 90.0}};
+    input.load_cases = {test::lagging_load("shear", 2.0, 90.0)};
     const std::vector<Stop> all = stops(controller(input));
     double most = 0.0;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const double x = (all[k].main - 2.0) / 8.0, y = (0.5 * all[k].cases[0] - 2.0) / 8.0;
-        if (k >= 24) EXPECT_NEAR(x * x + y * y, 1.0, 1e-12) << k;  // the ramp lasts until its lag has passed
         most = std::max(most, all[k].cases[0]);
+        const double x = (all[k].main - 2.0) / 8.0, y = (0.5 * all[k].cases[0] - 2.0) / 8.0;
+        if (k < 24) continue;  // the ramp lasts until its lag has passed
+        EXPECT_NEAR(x * x + y * y, 1.0, 1e-12) << k;
     }
     EXPECT_NEAR(most, 20.0, 1e-12);
     EXPECT_NEAR(all.back().cases[0], 4.0, 1e-12);  // the mean, on its way up
@@ -88,18 +90,18 @@ TEST(CaseHistories, OutOfPhaseItRunsThroughAnEllipse) {
 
 TEST(CaseHistories, StraightPathsMakeARhombus) {
     Case input = cycles(8, {{2, 1.0, -1.0}});
-    input.load_cases = {{.name = "shear", .factor = 1.0, .phase = 90.0, .path = LagPath::Triangle}};
+    input.load_cases = {test::lagging_load("shear", 1.0, 90.0, LagPath::Triangle)};
     const std::vector<Stop> all = stops(controller(input));
     for (std::size_t k = 8; k < all.size(); ++k)
         EXPECT_NEAR(std::abs(all[k].main) + std::abs(all[k].cases[0]), 1.0, 1e-12) << k;
 }
 
 TEST(CaseHistories, ALagIsContinuousWhereTheCyclesChange) {
-    Case input = cycles(40, {{1, 10.0, 0.0}, {1, 30.0, -10.0}, {2, 5.0, 0.0}});
-    input.load_cases = {{.name = "late", .factor = 1.0, .phase = 120.0}};
+    Case input = cycles(400, {{1, 10.0, 0.0}, {1, 30.0, -10.0}, {2, 5.0, 0.0}});
+    input.load_cases = {test::lagging_load("late", 1.0, 120.0)};
     double before = 0.0;
     for (const Stop& stop : stops(controller(input))) {
-        EXPECT_LT(std::abs(stop.cases[0] - before), 4.5);  // at most a twentieth of the longest way, on a cosine
+        EXPECT_LT(std::abs(stop.cases[0] - before), 3.0);  // a 200th of [load] is 8 degrees where it turns
         before = stop.cases[0];
     }
 }
@@ -107,7 +109,7 @@ TEST(CaseHistories, ALagIsContinuousWhereTheCyclesChange) {
 TEST(CaseHistories, ALoadMayHaveExtremesOfItsOwn) {
     Case input = cycles(4, {{1, 10.0, 0.0}, {2, 20.0, -20.0}});
     input.load.repeat = 2;
-    input.load_cases = {{.name = "own", .blocks = {{1, 1.0, 2.0}, {1, 3.0, 4.0}, {1, 5.0, 6.0}}}};
+    input.load_cases = {test::own_load("own", {{1, 1.0, 2.0}, {1, 3.0, 4.0}, {1, 5.0, 6.0}})};
     std::vector<double> at_turns;
     const std::vector<Stop> all = stops(controller(input));
     for (std::size_t k = 1; k < all.size(); k += 2) at_turns.push_back(all[k].cases[0]);
@@ -118,7 +120,7 @@ TEST(CaseHistories, ALoadMayHaveExtremesOfItsOwn) {
 // It comes on at its first position, goes through all of them in each cycle, and leaps from the last to the second.
 TEST(CaseHistories, APressureTravelsOncePerCycle) {
     Case input = cycles(4, {{2, 0.0, -1.0}});
-    input.boundaries = {{.on = "top", .travelling = TravellingPressure{.p0 = 1.0, .half_width = 1.0, .to = 8.0}}};
+    input.boundaries = {test::under_wheel("top", {.p0 = 1.0, .half_width = 1.0, .to = 8.0})};
     EXPECT_EQ(CaseHistories(input).count(), 5);
     const auto at = [](int position, double factor = 1.0) {
         std::vector<double> factors(5, 0.0);
@@ -146,9 +148,8 @@ TEST(CaseHistories, APressureTravelsOncePerCycle) {
 
 TEST(CaseHistories, TheLargestSumIsNoLessThanAnyOfTheHistory) {
     Case input = cycles(8, {{2, 10.0, -4.0}});
-    input.load_cases = {{.name = "dead", .constant = 3.0},
-                        {.name = "late", .factor = -1.0, .phase = 70.0},
-                        {.name = "own", .blocks = {{2, 1.0, -2.0}}}};
+    input.load_cases = {test::dead_load("dead", 3.0), test::lagging_load("late", -1.0, 70.0),
+                        test::own_load("own", {{2, 1.0, -2.0}})};
     const CaseHistories cases(input);
     const std::vector<double> unit{2.0, 1.0, -4.0};
     EXPECT_EQ(cases.largest_sum(unit, 1.0), 6.0 + 4.0 + 8.0);

@@ -7,6 +7,7 @@
 
 #include "coarse/results/rows.hpp"
 #include "coarse/results/summary.hpp"
+#include "tests/support/load_cases.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -62,7 +63,7 @@ TEST(Tables, LeaveSlipEmptyWhereNobodyMeasuresIt) {
 TEST(Tables, SayHowLoadCasesLoadAndWhereAWheelIs) {
     Case input;
     input.load.steps = 2;
-    input.load_cases = {{.name = "dead", .constant = 3.0}};
+    input.load_cases = {test::dead_load("dead", 3.0)};
     input.boundaries.resize(2);
     input.boundaries[1].travelling = TravellingPressure{.from = -8.0, .to = 8.0};
     EXPECT_EQ(joined(load_columns(input)), "increment,cycle,load_factor,dead,position_1");

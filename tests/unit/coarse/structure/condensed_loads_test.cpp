@@ -9,6 +9,7 @@
 #include "coarse/structure/structure.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -60,9 +61,11 @@ protected:
         input.fine.radius = 1.5;
         input.boundaries[1].traction.reset();
         input.boundaries[1].displacement = {0.0, -2e-4};
-        input.load_cases = {{.name = "moved", .factor = 1.0}, {.name = "pressed", .constant = 1.0}};
-        BoundarySection moved{.on = "bottom", .displacement = {0.0, 3e-4}, .load_case = "moved"};
-        BoundarySection pressed{.on = "right", .pressure = 0.5, .load_case = "pressed"};
+        input.load_cases = {test::lagging_load("moved", 1.0), test::dead_load("pressed", 1.0)};
+        BoundarySection moved = test::held("bottom"), pressed = test::pulled_in_case("pressed", "right", {0.1, 0.0});
+        moved.displacement[1] = 3e-4;
+        moved.load_case = "moved";
+        pressed.pressure = 0.5;
         input.boundaries.insert(input.boundaries.end(), {moved, pressed});
         return refined_scene(input);
     }

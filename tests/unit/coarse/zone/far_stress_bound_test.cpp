@@ -8,6 +8,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "common/fem/centre.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -118,13 +119,11 @@ TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
 TEST_P(FarStress, BoundHoldsWithLoadCases) {
     Case loaded = input();
     loaded.load.steps = 4;
-    loaded.load_cases = {{.name = "shear", .factor = 1.0, .phase = 90.0}};
-    for (const auto& [on, sign] : {std::pair("top", 1.0), std::pair("bottom", -1.0)})
-        loaded.boundaries.push_back({.on = on, .traction = Vec2(sign, 0.5 * sign), .load_case = "shear"});
-    loaded.boundaries.push_back({.on = "right", .pressure = 1.0, .load_case = "shear"});
-    loaded.boundaries.push_back({.on = "left", .displacement = {0.0, 0.0}});
-    loaded.boundaries.push_back(
-        {.on = "right", .travelling = TravellingPressure{.p0 = 1.0, .half_width = 2.0, .from = 5.0, .to = 15.0}});
+    loaded.load_cases = {test::lagging_load("shear", 1.0, 90.0)};
+    const TravellingPressure wheel{.p0 = 1.0, .half_width = 2.0, .from = 5.0, .to = 15.0};
+    loaded.boundaries.insert(loaded.boundaries.end(), {test::pulled_in_case("shear", "top", {1.0, 0.5}),
+                                                       test::pulled_in_case("shear", "right", {1.0, 0.0}),
+                                                       test::held("left"), test::under_wheel("right", wheel)});
     const Scene body = refined_scene(loaded);
     const Structure parts(body, zone_of(body));
     FarStressBound bound(parts);

@@ -7,6 +7,7 @@
 
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria {
@@ -38,7 +39,7 @@ class LoadCaseFile : public testing::Test {
 protected:
     Case read(const std::string& text) {
         std::ofstream(folder / "case.toml") << text;
-        return read_case((folder / "case.toml").string(), {});
+        return read_case(folder / "case.toml", {});
     }
     std::string complaint(const std::string& more) {
         try {
@@ -80,7 +81,7 @@ origin = [0.0, 100.0]
 travelling = { p0 = 100.0, half_width = 2.0, friction = -0.1, from = -8.0, to = 8.0 }
 )");
     ASSERT_EQ(input.load_cases.size(), 3U);
-    EXPECT_EQ(input.load_cases[0], (LoadCaseSection{.name = "dead", .constant = 20.0}));
+    EXPECT_EQ(input.load_cases[0], test::dead_load("dead", 20.0));
     EXPECT_EQ(input.load_cases[1].path, LagPath::Triangle);
     EXPECT_EQ(input.load_cases[2].blocks[1], (CaseBlock{2, 3.0, 0.0}));
     EXPECT_EQ(input.boundaries[5].travelling->friction, -0.1);
@@ -125,9 +126,9 @@ TEST_F(LoadCaseFile, RefusesHistoriesThatAreNoneOrTwo) {
     EXPECT_EQ(complaint(name + "constant = 1.0\nfactor = 2.0\n"),
               "case.toml:23: load_case.0 has more than one of constant, factor and blocks");
     EXPECT_EQ(complaint(name + "constant = 1.0\nphase = 20.0\n"),
-              "case.toml:26: load_case.0.phase = 20.0 needs factor: it lags behind [load]");
+              "case.toml:26: load_case.0.phase = 20 needs factor: it lags behind [load]");
     EXPECT_EQ(complaint(name + "factor = 1.0\nphase = 360.0\n"),
-              "case.toml:26: load_case.0.phase = 360.0 must be >= 0 and < 360");
+              "case.toml:26: load_case.0.phase = 360 must be < 360");
     EXPECT_EQ(complaint(name + "blocks = [ { cycles = 2, at_max = 1.0, at_min = 0.0 } ]\n"),
               "case.toml:23: load_case.0.blocks have 2 cycles, [load] has 3: there must be as many");
 }
