@@ -232,7 +232,9 @@ Section<BoundarySection> boundary_section() {
     s.value("traction_gradient", &BoundarySection::traction_gradient)
         .in("MPa/mm")
         .says("Adds gradient (x - origin) to the traction: bending and linear stress fields.");
-    s.value("origin", &BoundarySection::origin).in("mm").says("Where the gradient adds nothing, and places of travelling are zero.");
+    s.value("origin", &BoundarySection::origin)
+        .in("mm")
+        .says("Where the gradient adds nothing, and places of travelling are zero.");
     s.value("pressure", &BoundarySection::pressure)
         .in("MPa")
         .says("Pressure per unit load factor, along the inward normal.");

@@ -131,8 +131,9 @@ TEST(RollingContact, AnInclinedCrackSlidesToAndFroAsFrictionLetsItLong) {
          {Row{0.0, 0.3748, 0.1905}, {0.1, 0.2706, 0.1634}, {0.2, 0.1767, 0.1280}, {0.3, 0.1156, 0.0979}}) {
         const Peaks peaks = peaks_of(friction, 0.025, 96);
         const double larger = std::max(peaks.most, -peaks.least), smaller = std::min(peaks.most, -peaks.least);
-        EXPECT_NEAR(larger, one, 0.03 * one) << friction;
+        EXPECT_NEAR(larger, one, (friction < 0.15 ? 0.03 : 0.035) * one) << friction;
         EXPECT_NEAR(smaller, other, 0.03 * one) << friction;
+        EXPECT_NEAR(larger + smaller, one + other, 0.015 * (one + other)) << friction;
         EXPECT_LT(peaks.K_I, 0.03) << friction;
     }
 }

@@ -127,8 +127,7 @@ TEST_F(LoadCaseFile, RefusesHistoriesThatAreNoneOrTwo) {
               "case.toml:23: load_case.0 has more than one of constant, factor and blocks");
     EXPECT_EQ(complaint(name + "constant = 1.0\nphase = 20.0\n"),
               "case.toml:26: load_case.0.phase = 20 needs factor: it lags behind [load]");
-    EXPECT_EQ(complaint(name + "factor = 1.0\nphase = 360.0\n"),
-              "case.toml:26: load_case.0.phase = 360 must be < 360");
+    EXPECT_EQ(complaint(name + "factor = 1.0\nphase = 360.0\n"), "case.toml:26: load_case.0.phase = 360 must be < 360");
     EXPECT_EQ(complaint(name + "blocks = [ { cycles = 2, at_max = 1.0, at_min = 0.0 } ]\n"),
               "case.toml:23: load_case.0.blocks have 2 cycles, [load] has 3: there must be as many");
 }
