@@ -84,8 +84,8 @@ Measurement measure(int elements) {
     scene.input = plate(elements);
     scene.materials = Materials(scene.input);
     scene.mesh = coarse::make_mesh(scene.input.mesh, scene.input.cracks);
-    scene.loads = coarse::resolve_boundaries(scene.mesh, scene.input.boundaries);
-    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.loads.main = coarse::resolve_boundaries(scene.mesh, scene.input.boundaries);
+    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads.main);
     lap();
     scene.enriched = coarse::enrich(scene.mesh, scene.input.cracks, coarse::choose_enrichment(scene.input));
     coarse::put_loads_on_unknowns(scene);

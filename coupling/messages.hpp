@@ -29,9 +29,10 @@ struct Ring {
 
 /// The zone: sent once per geometry, and again when the zone is extended.
 struct Patch {
-    EnrichedMesh mesh;             // its elements only; ids refer to the whole mesh
-    std::vector<int> boundary;     // unknowns of `mesh` shared with the structure or prescribed (Gamma), ascending
-    Eigen::VectorXd unit_load;     // on the other unknowns of `mesh`, per unit load factor, N/mm; zero on Gamma
+    EnrichedMesh mesh;                // its elements only; ids refer to the whole mesh
+    std::vector<int> boundary;        // unknowns of `mesh` shared with the structure or prescribed (Gamma), ascending
+    Eigen::VectorXd unit_load;        // on the other unknowns of `mesh`, per unit load factor, N/mm; zero on Gamma
+    Eigen::MatrixXd case_loads = {};  // likewise, a column per load case (load_factors.hpp); none where all are zero
     Eigen::VectorXd displacement;  // committed displacement of all unknowns of `mesh`; the fine component keeps its own
                                    // where it has one, and starts elements that are new to it from sigma = C eps(u)
     std::vector<Ring> rings;       // those that zone elements have a share in
@@ -52,6 +53,7 @@ struct PatchDisplacement {
     Predictor predictor = {};  // of the zone's interior, in that first iteration
     bool put_aside = false;    // in that first iteration: the trial state that it leaves is wanted as a predictor
     double load_factor = 0.0;
+    Eigen::VectorXd cases = {};  // factors of the load cases
     double step = 1.0;           // part of Newton's correction that Gamma has moved by: the interior takes the same
     double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
     double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more
@@ -117,6 +119,7 @@ struct EnergyReport {
     double released = 0;   // in this increment by faces that a growth has opened (docs/equations.md, work balance)
     double friction = 0;   // dissipated in this increment by faces that slide
     double load_path = 0;  // mm: displacement in this increment that the zone's own unit loads do work on
+    Eigen::VectorXd case_paths = {};  // likewise, one per load case; empty where none loads the zone itself
 };
 
 /// After commit.

@@ -1,7 +1,9 @@
 #include "app/run/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
 
 #include "app/run/coarse_run.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
@@ -24,13 +26,37 @@ void print_handbook(const coarse::NominalSolution& nominal) {
     }
 }
 
+/// K of what has a factor of its own, at a tip.
+void print_load_cases(const Case& input, std::size_t t, const coarse::TipResult& tip) {
+    if (tip.K_I_of_cases.empty()) return;
+    std::size_t k = 0;
+    for (const LoadCaseSection& load_case : input.load_cases) {
+        fmt::print("# tip {}: K_I = {:.5g}, K_II = {:.5g} MPa sqrt(mm) at the factor 1 of the load case \"{}\"\n",
+                   t + 1, tip.K_I_of_cases[k], tip.K_II_of_cases[k], load_case.name);
+        ++k;
+    }
+    const auto positions = static_cast<std::size_t>(coarse::positions_of_travel(input.load));
+    for (const BoundarySection& boundary : input.boundaries) {
+        if (!boundary.travelling) continue;
+        const auto extremes = [&](const std::vector<double>& K) {
+            return std::ranges::minmax(std::span(K).subspan(k, positions));
+        };
+        const auto I = extremes(tip.K_I_of_cases), II = extremes(tip.K_II_of_cases);
+        fmt::print("# tip {}: K_I = {:.5g} to {:.5g}, K_II = {:.5g} to {:.5g} MPa sqrt(mm) under the pressure that "
+                   "travels on {}, faces without tractions\n",
+                   t + 1, I.min, I.max, II.min, II.max, boundary.on);
+        k += positions;
+    }
+}
+
 void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
     const coarse::UnitResponse unit = coarse::unit_response(nominal);
     const double largest = coarse::largest_load_factor(scene.input.load, unit);
-    const std::vector<double> K_I = coarse::largest_K_I(scene.input.load, unit);
+    const std::vector<double> K_I =
+        coarse::largest_K_I(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
     for (std::size_t t = 0; t < K_I.size(); ++t) {
-        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g} (elastic, traction-free faces)\n",
-                   t + 1, K_I[t], largest);
+        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free faces)\n",
+                   t + 1, K_I[t], largest, nominal.tips[t].K_I_of_cases.empty() ? "" : " and the largest load cases");
         if (scene.initial_stress().any())
             fmt::print("#   of it {:.5g} MPa sqrt(mm) by the initial stress\n", unit.K_initial[t]);
         if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {
@@ -72,8 +98,10 @@ int check(const RunOptions& options) {
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
-    const std::vector<double> K_I = coarse::largest_K_I(input.load, coarse::unit_response(nominal));
+    const std::vector<double> K_I =
+        coarse::largest_K_I(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
     print_warnings(scene, K_I);
+    for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
         return 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/run/monolithic_loads.hpp"
 #include "coarse/elements/support_forces.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/zone_residual.hpp"
@@ -17,21 +18,16 @@ namespace {
 class MonolithicEquilibrium : public coarse::Equilibrium {
 public:
     MonolithicEquilibrium(const coarse::Structure& structure, fine::ZoneSystem& zone, const Eigen::VectorXd& committed,
-                          double load_factor)
+                          const coarse::LoadFactors& factors)
         : structure_(structure), scene_(structure.scene()), zone_(zone), stiffness_(structure.elements().stiffness()),
-          whole_(whole_unknowns(scene_.enriched, zone.patch().mesh)), committed_(committed),
-          committed_load_factor_(load_factor), load_factor_(load_factor),
+          whole_(whole_unknowns(scene_.enriched, zone.patch().mesh)), loads_(structure, zone.patch(), whole_),
+          committed_(committed), committed_factors_(factors), factors_(factors),
           increments_(remembered_increments(scene_.input.load.steps)) {
         for (int i = 0; i < std::ssize(whole_); ++i) committed_[whole_[at(i)]] = zone.displacement()[i];
         trial_ = committed_;
         held_.assign(at(scene_.enriched.unknowns), 0);
         for (const auto& p : scene_.prescribed) held_[at(p.unknown)] = 1;
         hold_unused();
-        const Eigen::VectorXd& initial = structure.elements().initial().load;
-        initial_load_ = initial.size() > 0 ? initial : Eigen::VectorXd::Zero(scene_.enriched.unknowns).eval();
-        structure_load_ = scene_.unit_force;  // the zone carries the load on its own unknowns
-        for (int i = 0; i < std::ssize(whole_); ++i)
-            if (!std::ranges::binary_search(zone.patch().boundary, i)) structure_load_[whole_[at(i)]] = 0.0;
     }
 
     void begin(const coarse::Target& target, const Predictor& predictor) override {
@@ -40,16 +36,18 @@ public:
                               : coarse::LinearReading{scene_.mean_displacement, 0.0, 0.0};
         target_ = target.value;
         trial_ = committed_;
-        load_factor_ = committed_load_factor_;
+        factors_.main = committed_factors_.main;
         if (const Increment* earlier = increments_.find(predictor)) {
             trial_ += predictor.factor * earlier->displacement;
-            load_factor_ += predictor.factor * earlier->load_factor;
+            factors_.main += predictor.factor * earlier->load_factor;
         }
-        if (by_load) load_factor_ = target_;
+        if (by_load) factors_.main = target_;
+        factors_.cases = target.cases;
         impose_held();
         zone_.predict(predictor);
         zone_.set_held(target.held);
-        zone_.set_load_factor(load_factor_);
+        zone_.set_load_factor(factors_.main);
+        zone_.set_cases(factors_.cases);
         zone_.set_boundary(on_boundary());
     }
 
@@ -57,15 +55,14 @@ public:
         zone_.linearise();
         const coupling::PatchResponse response = zone_.measure();
         yielding_ = response.digest.yielding_points;
-        residual_ = load_factor_ * structure_load_ + initial_load_ - structure_.elements().internal_force(trial_);
+        residual_ = loads_.under(factors_) - structure_.elements().internal_force(trial_);
         for (int i = 0; i < std::ssize(whole_); ++i) residual_[whole_[at(i)]] += zone_.load()[i];
-        off_target_ = target_ - controlled_.at(trial_, load_factor_);
+        off_target_ = target_ - controlled_.at(trial_, factors_);
         coarse::Residual result;
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
             if (held_[at(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
         }
-        result.scale = std::max((load_factor_ * scene_.unit_force).lpNorm<Eigen::Infinity>(),
-                                initial_load_.lpNorm<Eigen::Infinity>());
+        result.scale = loads_.largest(factors_);
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         coarse::add_zone(result, response);
         return result;
@@ -75,8 +72,7 @@ public:
         const int n = scene_.enriched.unknowns, m = zone_.contact().tractions();
         Eigen::VectorXd right(n + m + 1);
         right << residual_, zone_.contact_right_hand_side(), off_target_;
-        for (int i = 0; i < n; ++i)
-            if (held_[at(i)] != 0) right[i] = 0.0;
+        for (int i = 0; i < n; ++i) right[i] = held_[at(i)] != 0 ? 0.0 : right[i];
         std::vector<Triplet> entries;
         add_bulk(entries);
         add_contact(entries);
@@ -92,33 +88,34 @@ public:
         const int n = scene_.enriched.unknowns, m = zone_.contact().tractions();
         correction_ *= step;
         trial_ += correction_.head(n);
-        load_factor_ += correction_[n + m];
+        factors_.main += correction_[n + m];
         impose_held();
         zone_.move(gather(correction_.head(n), whole_), correction_.segment(n, m));
-        zone_.set_load_factor(load_factor_);
+        zone_.set_load_factor(factors_.main);
         zone_.set_boundary(on_boundary());
     }
 
     void put_aside() override {
-        increments_.put_aside({trial_ - committed_, load_factor_ - committed_load_factor_});
+        increments_.put_aside({trial_ - committed_, factors_.main - committed_factors_.main});
         zone_.put_aside();
     }
 
     coupling::StepReport commit(bool reversal) override {
-        increments_.push({trial_ - committed_, load_factor_ - committed_load_factor_});
+        increments_.push({trial_ - committed_, factors_.main - committed_factors_.main});
         committed_ = trial_;
-        committed_load_factor_ = load_factor_;
+        committed_factors_ = factors_;
         return zone_.commit(reversal);
     }
 
     void rollback() override {
         trial_ = committed_;
-        load_factor_ = committed_load_factor_;
+        factors_ = committed_factors_;
     }
 
     [[nodiscard]] coarse::EquilibriumState state() const override {
         coarse::EquilibriumState state;
-        state.load_factor = committed_load_factor_;
+        state.load_factor = committed_factors_.main;
+        state.cases = committed_factors_.cases;
         state.whole = committed_;
         state.displacement = gather(committed_, structure_.gamma());
         for (const Increment& increment : increments_.all()) {
@@ -144,10 +141,10 @@ public:
             increments_.push({std::move(whole), state.load_increments[back]});
         }
         trial_ = committed_ = state.whole.size() > 0 ? state.whole : committed_;
-        committed_load_factor_ = load_factor_ = state.load_factor;
+        committed_factors_ = factors_ = {state.load_factor, state.cases};
     }
 
-    [[nodiscard]] double load_factor() const override { return load_factor_; }
+    [[nodiscard]] coarse::LoadFactors factors() const override { return factors_; }
     [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override { return yielding_; }
 
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override {
@@ -164,14 +161,18 @@ public:
 
     [[nodiscard]] coarse::MachineReading machine_reading() const override {
         Eigen::VectorXd forces = coarse::forces_on_prescribed(structure_.elements(), trial_);
-        Eigen::VectorXd other = -initial_load_;
+        Eigen::VectorXd other = -loads_.initial();
         for (int i = 0; i < std::ssize(whole_); ++i) other[whole_[at(i)]] -= zone_.load()[i];
         double imposed_force = 0.0;
-        for (std::size_t k = 0; k < scene_.prescribed.size(); ++k) {
-            forces[static_cast<Eigen::Index>(k)] += other[scene_.prescribed[k].unknown];
-            imposed_force += scene_.prescribed[k].value * forces[static_cast<Eigen::Index>(k)];
+        Eigen::VectorXd of_cases = Eigen::VectorXd::Zero(std::ssize(scene_.case_forces));
+        Eigen::Index k = 0;
+        for (const coarse::PrescribedUnknown& p : scene_.prescribed) {
+            const double force = forces[k++] += other[p.unknown];
+            imposed_force += p.value * force;
+            for (Eigen::Index c = 0; c < of_cases.size(); ++c) of_cases[c] += p.in_case(c) * force;
         }
-        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force};
+        return {scene_.mean_displacement.dot(structure_displacement()), scene_.pull.dot(forces), imposed_force,
+                of_cases};
     }
 
 private:
@@ -233,15 +234,12 @@ private:
         entries.emplace_back(lambda, lambda, controlled_.per_load_factor);
     }
 
-    void impose_held() {
-        for (const auto& p : scene_.prescribed) trial_[p.unknown] = load_factor_ * p.value;
-    }
+    void impose_held() { coarse::impose(scene_.prescribed, factors_, trial_); }
 
     [[nodiscard]] Eigen::VectorXd on_boundary() const {
-        Eigen::VectorXd u(std::ssize(zone_.patch().boundary));
-        for (std::size_t k = 0; k < zone_.patch().boundary.size(); ++k)
-            u[static_cast<Eigen::Index>(k)] = trial_[whole_[at(zone_.patch().boundary[k])]];
-        return u;
+        std::vector<int> unknowns;
+        for (const int i : zone_.patch().boundary) unknowns.push_back(whole_[at(i)]);
+        return gather(trial_, unknowns);
     }
 
     // Terms that no element sees have no stiffness: they stay zero.
@@ -252,8 +250,8 @@ private:
         });
         for (const ElementOperator& op : zone_.bulk().operators())
             for (const int unknown : op.unknowns) used[at(whole_[at(unknown)])] = 1;
-        for (std::size_t i = 0; i < held_.size(); ++i)
-            if (used[i] == 0) held_[i] = 1;
+        std::ranges::transform(held_, used, held_.begin(),
+                               [](char held, char is_used) { return is_used != 0 ? held : char{1}; });
     }
 
     const coarse::Structure& structure_;
@@ -264,8 +262,9 @@ private:
     std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
     coarse::LinearReading controlled_;
     double target_ = 0.0, off_target_ = 0.0;
-    Eigen::VectorXd structure_load_, initial_load_, committed_, trial_, residual_, correction_;
-    double committed_load_factor_, load_factor_;
+    MonolithicLoads loads_;
+    Eigen::VectorXd committed_, trial_, residual_, correction_;
+    coarse::LoadFactors committed_factors_, factors_;
     struct Increment {
         Eigen::VectorXd displacement;
         double load_factor;
@@ -279,11 +278,12 @@ private:
 
 std::unique_ptr<coarse::Equilibrium> MonolithicFactory::make(const coarse::Structure& structure,
                                                              const coupling::Patch* patch,
-                                                             const Eigen::VectorXd& committed, double load_factor) {
+                                                             const Eigen::VectorXd& committed,
+                                                             const coarse::LoadFactors& factors) {
     if (patch == nullptr)
-        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, input_, committed, load_factor);
+        return std::make_unique<coarse::CondensedEquilibrium>(structure, nullptr, input_, committed, factors);
     zone_.set_patch(*patch);
-    return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, load_factor);
+    return std::make_unique<MonolithicEquilibrium>(structure, zone_, committed, factors);
 }
 
 std::unique_ptr<coarse::Equilibrium> MonolithicFactory::resume(const coarse::Structure& structure,

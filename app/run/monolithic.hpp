@@ -10,7 +10,8 @@ class MonolithicFactory : public coarse::EquilibriumFactory {
 public:
     explicit MonolithicFactory(const Case& input) : zone_(input), input_(input) {}
     std::unique_ptr<coarse::Equilibrium> make(const coarse::Structure& structure, const coupling::Patch* patch,
-                                              const Eigen::VectorXd& committed, double load_factor) override;
+                                              const Eigen::VectorXd& committed,
+                                              const coarse::LoadFactors& factors) override;
     void extend_zone(const coupling::Patch& patch) override { zone_.set_patch(patch); }
     [[nodiscard]] bool keeps_increments() const override { return true; }
     std::unique_ptr<coarse::Equilibrium> resume(const coarse::Structure& structure, const coupling::Patch* patch,

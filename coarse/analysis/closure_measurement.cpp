@@ -18,12 +18,14 @@ bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& r
 std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report,
                                                        const End& from, const End& to, double extreme,
                                                        const Solve& solve) const {
-    return meter_.locate({from.target, from.load_factor, signal_},
-                         {to.target, to.load_factor, meter_.signal(report, signal_)}, precision * extreme,
-                         [&](double target) {
+    const double start = from.target.value, end = to.target.value;
+    return meter_.locate({start, from.load_factor, signal_}, {end, to.load_factor, meter_.signal(report, signal_)},
+                         precision * extreme, [&](double target) {
+                             const double share = (target - start) / (end - start);
                              LoadStep part = step;
                              part.target.value = target;
-                             part.predictor = {(target - from.target) / (to.target - from.target), 0};
+                             part.target.cases = from.target.cases + share * (to.target.cases - from.target.cases);
+                             part.predictor = {share, 0};
                              return solve(part);
                          });
 }

@@ -22,7 +22,8 @@ public:
 
     /// The end of an increment, or its beginning.
     struct End {
-        double target, load_factor;
+        Target target;
+        double load_factor;
     };
     /// Where its signals changed between what was committed and what has been found at its end. `extreme`: the larger
     /// magnitude of the targets that the present half cycle joins. solve(part) finds the trial equilibrium of a shorter

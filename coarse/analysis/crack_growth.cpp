@@ -12,20 +12,34 @@
 
 namespace stria::coarse {
 
+namespace {
+
+/// Those of all loads together: load cases give a K another mode as their factors change.
+std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
+    for (TipResult& tip : nominal) {
+        tip.K_I = factors.main * tip.K_I + sum_over_cases(tip.K_I_of_cases, factors.cases);
+        tip.K_II = factors.main * tip.K_II + sum_over_cases(tip.K_II_of_cases, factors.cases);
+    }
+    return nominal;
+}
+
+}  // namespace
+
 bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
 
-GrownScene CrackGrowth::next(const CrackedBody& body, double load_factor, const std::vector<TipResult>& reached,
+GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors, const std::vector<TipResult>& reached,
                              const std::vector<CycleResult>& last) {
     if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
     require_drive(last);
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
-    if (!is_over(nominal, load_factor, last))
-        grown =
-            with_cracks(body, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
-                                            directing(present.input.cracks, present.enriched.tips, nominal, reached),
-                                            advances(growth_, last, nominal.size())));
+    if (!is_over(nominal, factors, last))
+        grown = with_cracks(
+            body, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
+                                directing(present.input.cracks, present.enriched.tips,
+                                          factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached),
+                                advances(growth_, last, nominal.size())));
     ended_ = !grown.longer;
     return grown;
 }
@@ -49,14 +63,14 @@ void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
 
 bool CrackGrowth::is_driven(const std::vector<CycleResult>& last) const { return fastest_rate(growth_, last) > 0.0; }
 
-bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, double load_factor,
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors,
                           const std::vector<CycleResult>& last) const {
     if (!last.empty() && !is_driven(last)) {
         note_("nothing drives a tip any more: the crack is arrested");
         return true;
     }
     for (std::size_t t = 0; t < nominal.size(); ++t) {
-        const double K = nominal[t].K_I * load_factor;
+        const double K = nominal[t].K_I * factors.main + sum_over_cases(nominal[t].K_I_of_cases, factors.cases);
         if (growth_.until && nominal[t].a >= *growth_.until * (1.0 - 1e-9)) {
             note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal[t].a));
             return true;

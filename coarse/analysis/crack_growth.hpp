@@ -33,15 +33,15 @@ public:
     /// that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first cycle of a law
     /// of da/dN has ended, and where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack
     /// would leave the body or meet another one. Throws NumericalFailure where K_op drives the growth and was lost.
-    [[nodiscard]] GrownScene next(const CrackedBody& body, double load_factor, const std::vector<TipResult>& reached,
-                                  const std::vector<CycleResult>& last);
+    [[nodiscard]] GrownScene next(const CrackedBody& body, const LoadFactors& factors,
+                                  const std::vector<TipResult>& reached, const std::vector<CycleResult>& last);
 
     /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before.
     void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const;
 
 private:
     void require_drive(const std::vector<CycleResult>& last) const;
-    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, double load_factor,
+    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors,
                                const std::vector<CycleResult>& last) const;
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, std::vector<CrackSection> cracks) const;
 

@@ -122,7 +122,8 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     // A far body that was there before: the guard knows how it answers.
     NominalSolution nominal = known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
     nominal_ = nominal.tips;
-    largest_K_I_ = stria::coarse::largest_K_I(scene.input.load, unit_response(nominal), grown());
+    largest_K_I_ =
+        stria::coarse::largest_K_I(scene.input.load, unit_response(nominal), grown(), CaseHistories(scene.input));
     nominal_displacement_ = known ? Eigen::VectorXd() : std::move(nominal.displacement);
     return std::move(nominal.structure);
 }

@@ -28,7 +28,7 @@ std::string limit_load_hint(const Scene& scene, double moved) {
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
-      controller_(scene.input.load, scene.input.solver),
+      controller_(scene.input.load, scene.input.solver, CaseHistories(scene.input)),
       closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.largest_K_I()),
                from != nullptr ? from->signal : std::vector<double>()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
@@ -161,14 +161,14 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
 std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadStep step, NewtonReport& report) {
     if (!closure_.has_changed(step, report)) return std::vector<OpeningChange>();
     model_.put_aside();
-    auto changes = closure_.changes(step, report, {controller_.reached(), model_.load_factor()},
-                                    {step.target.value, model_.trial_load_factor()}, controller_.extreme(),
-                                    [&](const LoadStep& part) {
-                                        model_.rollback();
-                                        ClosureMeter::Trial found{attempt(part), 0.0};
-                                        found.load_factor = model_.trial_load_factor();
-                                        return found;
-                                    });
+    auto changes =
+        closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
+                         {step.target, model_.trial_load_factor()}, controller_.extreme(), [&](const LoadStep& part) {
+                             model_.rollback();
+                             ClosureMeter::Trial found{attempt(part), 0.0};
+                             found.load_factor = model_.trial_load_factor();
+                             return found;
+                         });
     model_.rollback();
     step.predictor = {1.0, 0};
     const NewtonReport again = attempt(step);
@@ -200,6 +200,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     for (const TipResult& tip : body_.nominal()) {
         increment.nominal_K.push_back(tip.K_I);
         increment.K_initial.push_back(tip.K_initial);
+        if (!tip.K_I_of_cases.empty()) increment.K_of_cases.push_back(tip.K_I_of_cases);
     }
     reached_tips_ = increment.tips;
     note_flowing_rings(increment);
@@ -228,7 +229,7 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
 // without them.
 bool FatigueAnalysis::grow(const LoadStep& reached) {
-    GrownScene grown = growth_->next(body_, model_.load_factor(), reached_tips_, last_cycle_);
+    GrownScene grown = growth_->next(body_, model_.factors(), reached_tips_, last_cycle_);
     if (!grown.longer) return true;
     if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
     controller_.set_scale(body_.load_scale());

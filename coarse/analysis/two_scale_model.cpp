@@ -24,7 +24,7 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
         return;
     }
     displacement_ = from->displacement;
-    load_factor_ = from->load_factor;
+    factors_ = {from->load_factor, from->equilibrium.cases};
     largest_force_ = from->largest_force;
     couple(from);
     equilibrium_->restore(from->equilibrium);
@@ -33,7 +33,7 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
 
 void TwoScaleModel::write(AnalysisState& state) const {
     state.displacement = is_behind_ ? equilibrium_->structure_displacement() : displacement_;
-    state.load_factor = load_factor_;
+    state.load_factor = factors_.main;
     state.largest_force = largest_force_;
     state.work = work_;
     state.equilibrium = equilibrium_->state();
@@ -56,7 +56,7 @@ void TwoScaleModel::couple(const AnalysisState* from) {
     const coupling::Patch* zone_patch = has_zone ? &patch : nullptr;
     if (equilibrium_) effort_ += equilibrium_->effort();
     equilibrium_ = from != nullptr ? factory_.resume(structure, zone_patch, displacement_, from->zone)
-                                   : factory_.make(structure, zone_patch, displacement_, load_factor_);
+                                   : factory_.make(structure, zone_patch, displacement_, factors_);
     if (has_zone) restart(work_, structure, displacement_);
     note_(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                       structure.in_zone().size(), structure.in_zone().count(), structure.unknowns(),
@@ -83,7 +83,9 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     Increment increment;
     increment.step = step;
     increment.newton = report;
-    increment.load_factor = load_factor_ = equilibrium_->load_factor();
+    increment.cases_before = factors_.cases;
+    factors_ = equilibrium_->factors();
+    increment.load_factor = factors_.main;
     largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
     increment.machine = equilibrium_->machine_reading();
     equilibrium_->begin_commit(step.reversal);  // the zone commits while the structure looks at its rings
@@ -94,8 +96,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     body_.note_flow(equilibrium_->yielding_points());
     increment.tips =
         fracture_parameters(*rings_, equilibrium_->near_displacement(), own, increment.zone, closure_.opening_at());
-    add_increment(work_, structure, equilibrium_->near_displacement(), load_factor_, increment.machine.imposed_force,
-                  increment.zone);
+    add_increment(work_, structure, equilibrium_->near_displacement(), factors_, increment.machine, increment.zone);
     if (step.settles) begin_here(work_);
     increment.work = work_;
     return increment;

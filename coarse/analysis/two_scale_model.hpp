@@ -27,8 +27,9 @@ public:
     /// Trial becomes committed. The increment holds what mechanics has to say of it: no number, no closure, no cycles.
     [[nodiscard]] Increment commit(const LoadStep& step, const NewtonReport& report);
 
-    [[nodiscard]] double load_factor() const { return load_factor_; }  // committed
-    [[nodiscard]] const WorkBalance& work() const { return work_; }    // likewise
+    [[nodiscard]] double load_factor() const { return factors_.main; }     // committed
+    [[nodiscard]] const LoadFactors& factors() const { return factors_; }  // likewise
+    [[nodiscard]] const WorkBalance& work() const { return work_; }        // likewise
     /// Of the trial state: mean, along the load's direction, mm.
     [[nodiscard]] double loaded_displacement() const { return equilibrium_->machine_reading().displacement; }
     [[nodiscard]] double trial_load_factor() const { return equilibrium_->load_factor(); }
@@ -64,7 +65,7 @@ private:
     std::optional<StructureRings> rings_;  // of the present structure
     Eigen::VectorXd displacement_;         // committed, of the whole mesh, mm; behind while increments are accepted:
     bool is_behind_ = false;               // refresh_displacement()
-    double load_factor_ = 0.0;             // committed
+    LoadFactors factors_;                  // committed
     double largest_force_ = 0.0;           // largest scale of a residual that was committed, N/mm
     WorkBalance work_;                     // committed
 };

@@ -141,8 +141,10 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         for (const std::size_t k : changed) {
             const auto [share, known] = crossing(way, i, k, precision);
             const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
+            const double target = std::lerp(way[i].target, way[i + 1].target, share);
             changes.push_back({static_cast<int>(k / signals().all()), static_cast<int>(k % signals().all()),
-                               is_closed(way[i + 1].signal[k]), load_factor});
+                               is_closed(way[i + 1].signal[k]), load_factor,
+                               (target - way.front().target) / (way.back().target - way.front().target)});
         }
         ++i;
     }

@@ -19,6 +19,7 @@ struct OpeningChange {
     int signal;          // ClosureMeter::signals()
     bool closes;         // or opens; of slip: begins to slide
     double load_factor;  // to the precision asked for; NaN where no trial between two states came to equilibrium
+    double way = 1.0;    // of the increment
 };
 
 /// A state on the way of an increment.

@@ -44,7 +44,7 @@ void CycleMeter::begin(int cycle) {
         tip.cycle.K_slip_unloading.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
-        tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor + start.K_initial;
+        tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor + start.K_beside;
         tip.cycle.J_max = start.J;
         tip.cycle.CTOD.include(start.CTOD);
         tip.cycle.opening_behind.include(start.opening);
@@ -77,7 +77,7 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({increment.nominal_K[t], increment.initial_K(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
+        now_.last.push_back({increment.nominal_K[t], increment.K_beside(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
                              increment.load_factor, growing ? tip.plastic_zone : 0.0,
                              growing ? tip.plastic_zone_axis : 0.0});
         if (now_.length.size() <= t) now_.length.push_back(tip.a);
@@ -87,16 +87,16 @@ void CycleMeter::add(const Increment& increment) {
 void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const {
     CycleResult& cycle = tip.cycle;
     const TipResult& result = increment.tips[t];
-    const double K = increment.K_at(t, increment.load_factor);
+    const double K = increment.K_at_end(t);
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
         if (s >= signals_.first_slip()) {
             std::vector<double>& K_slip = unloading ? cycle.K_slip_unloading : cycle.K_slip;
-            note_slip(K_slip[s - signals_.first_slip()], change, increment.K_at(t, change.load_factor));
+            note_slip(K_slip[s - signals_.first_slip()], change, increment.K_at(t, change));
             continue;
         }
-        note_change(tip.signal[s], change, increment.K_at(t, change.load_factor), unloading);
+        note_change(tip.signal[s], change, increment.K_at(t, change), unloading);
         tip.changed[s] = 1;
     }
     for (std::size_t s = 0; s < tip.was_open.size(); ++s)
@@ -127,7 +127,7 @@ std::vector<CycleResult> CycleMeter::finish() {
         if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
         cycle.offset.K_op = now_.last[t].nominal_K *
                                 compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth) +
-                            now_.last[t].K_initial;
+                            now_.last[t].K_beside;
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
                         : definition_ == OpeningDefinition::Offset ? cycle.offset
                                                                    : cycle.tension;

@@ -12,7 +12,7 @@ void BorderedSystem::factor(Eigen::MatrixXd tangent, Symmetry symmetry, const Li
 
 GammaState BorderedSystem::solve(const Eigen::VectorXd& residual, double off_target,
                                  const Eigen::VectorXd& load_derivative, const LinearReading& controlled) const {
-    const auto& [w, k, constant] = controlled;
+    const auto& [w, k, constant, per_case] = controlled;
     Eigen::MatrixXd right(w.size(), 2);
     right << residual + sigma_ * off_target * w, load_derivative - sigma_ * k * w;
     const Eigen::MatrixXd x = definite_ ? factor_.solve(right) : Eigen::MatrixXd(general_factor_.solve(right));

@@ -9,10 +9,13 @@
 
 namespace stria::coarse {
 
-/// Displacements of places on Gamma, mm, and a load factor.
+/// Displacements of places on Gamma, mm, and load factors.
 struct GammaState {
     Eigen::VectorXd displacement;
     double load_factor = 0.0;
+    Eigen::VectorXd cases = {};  // of a state
+
+    [[nodiscard]] LoadFactors factors() const { return {load_factor, cases}; }
 };
 
 /// A du - b dlambda = R and w . du + k dlambda = r. At a limit load A is singular along what is controlled: sigma w

@@ -16,19 +16,20 @@ double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().ma
 
 CondensedEquilibrium::CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine,
                                            EquilibriumSections input, const Eigen::VectorXd& committed,
-                                           double load_factor)
+                                           const LoadFactors& factors)
     : structure_(structure), fine_(fine), input_(std::move(input)),
       largest_unit_force_(largest(structure.scene().unit_force)),
       largest_initial_force_(largest(structure.elements().initial().load)), committed_{gather(committed,
                                                                                               structure.gamma()),
-                                                                                       load_factor},
+                                                                                       factors.main, factors.cases},
       trial_(committed_), increments_(remembered_increments(input_.steps)), expanded_(structure) {
     const Scene& scene = structure.scene();
+    for (const Eigen::VectorXd& force : scene.case_forces) largest_case_forces_.push_back(largest(force));
     for (std::size_t k = 0; k < scene.prescribed.size(); ++k) {
-        const auto& [unknown, value] = scene.prescribed[k];
-        const auto found = std::ranges::lower_bound(structure.gamma(), unknown);
-        if (found == structure.gamma().end() || *found != unknown) continue;
-        held_.push_back({found - structure.gamma().begin(), value, scene.pull[static_cast<Eigen::Index>(k)]});
+        const PrescribedUnknown& prescribed = scene.prescribed[k];
+        const auto found = std::ranges::lower_bound(structure.gamma(), prescribed.unknown);
+        if (found == structure.gamma().end() || *found != prescribed.unknown) continue;
+        held_.push_back({found - structure.gamma().begin(), &prescribed, scene.pull[static_cast<Eigen::Index>(k)]});
     }
 }
 
@@ -39,7 +40,7 @@ Eigen::VectorXd CondensedEquilibrium::on_free(const Eigen::VectorXd& gamma) cons
 // Ends every change of the trial state.
 void CondensedEquilibrium::impose_held() {
     expanded_.forget();
-    for (const Held& held : held_) trial_.displacement[held.place] = trial_.load_factor * held.value;
+    for (const Held& held : held_) trial_.displacement[held.place] = held.prescribed->under(trial_.factors());
 }
 
 void CondensedEquilibrium::begin(const Target& target, const Predictor& predictor) {
@@ -55,16 +56,25 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
         trial_.displacement += predictor.factor * earlier->displacement;
         trial_.load_factor += predictor.factor * earlier->load_factor;
     }
+    trial_.cases = target.cases;
     if (controlled_.is_load_factor()) trial_.load_factor = target_ / controlled_.per_load_factor;
     impose_held();
 }
 
+double CondensedEquilibrium::largest_applied_force() const {
+    double force = std::max(std::abs(trial_.load_factor) * largest_unit_force_, largest_initial_force_);
+    for (std::size_t k = 0; k < largest_case_forces_.size(); ++k)
+        force =
+            std::max(force, std::abs(trial_.factors().of_case(static_cast<Eigen::Index>(k))) * largest_case_forces_[k]);
+    return force;
+}
+
 Residual CondensedEquilibrium::linearise() {
     const Eigen::VectorXd u = on_free(trial_.displacement);
-    residual_ = trial_.load_factor * structure_.loads().unit().boundary + structure_.loads().initial().boundary;
-    off_target_ = target_ - controlled_.at(u, trial_.load_factor);
+    residual_ = structure_.boundary_load(trial_.factors());
+    off_target_ = target_ - controlled_.at(u, trial_.factors());
     Residual result;
-    result.scale = std::max(std::abs(trial_.load_factor) * largest_unit_force_, largest_initial_force_);
+    result.scale = largest_applied_force();
     result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_.displacement), 1e-300});
     if (fine_ == nullptr) return result;
     ask_zone(u);
@@ -83,6 +93,7 @@ Residual CondensedEquilibrium::linearise() {
 void CondensedEquilibrium::ask_zone(const Eigen::VectorXd& u) {
     const Stopwatch watch(effort_.exchange_s);
     request_.load_factor = trial_.load_factor;
+    request_.cases = trial_.cases;
     request_.boundary = trial_.displacement;
     fine_->request(request_);
     request_.check_rest = false;
@@ -96,7 +107,8 @@ void CondensedEquilibrium::ask_zone(const Eigen::VectorXd& u) {
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
     Eigen::VectorXd derivative = structure_.loads().unit().boundary + on_free(response_.unit_load);
     for (const Held& held : held_)
-        if (held.value != 0.0) derivative -= held.value * on_free(zone_tangent_.matrix.col(held.place));
+        if (const double value = held.prescribed->value; value != 0.0)
+            derivative -= value * on_free(zone_tangent_.matrix.col(held.place));
     return derivative;
 }
 
@@ -168,6 +180,7 @@ void CondensedEquilibrium::rollback() {
 EquilibriumState CondensedEquilibrium::state() const {
     EquilibriumState state;
     state.load_factor = committed_.load_factor;
+    state.cases = committed_.cases;
     state.displacement = committed_.displacement;
     for (const GammaState& increment : increments_.all()) {
         state.increments.push_back(increment.displacement);
@@ -177,7 +190,7 @@ EquilibriumState CondensedEquilibrium::state() const {
 }
 
 void CondensedEquilibrium::restore(const EquilibriumState& state) {
-    committed_ = trial_ = {state.displacement, state.load_factor};
+    committed_ = trial_ = {state.displacement, state.load_factor, state.cases};
     expanded_.forget();
     increments_.clear();
     for (std::size_t back = state.increments.size(); back-- > 0;)
@@ -193,13 +206,19 @@ CoarseEffort CondensedEquilibrium::effort() const {
 MachineReading CondensedEquilibrium::machine_reading() const {
     const Eigen::VectorXd u = on_free(trial_.displacement);
     const CondensedLoads& loads = structure_.loads();
-    const double lambda = trial_.load_factor;
-    MachineReading reading{loads.mean_displacement().at(u, lambda), loads.holding_force().at(u, lambda),
-                           loads.imposed_force().at(u, lambda)};
+    const LoadFactors factors = trial_.factors();
+    MachineReading reading{loads.mean_displacement().at(u, factors), loads.holding_force().at(u, factors),
+                           loads.work().imposed_force.at(u, factors),
+                           Eigen::VectorXd::Zero(std::ssize(loads.work_of_cases()))};
+    Eigen::VectorXd& of_cases = reading.imposed_forces_of_cases;
+    for (Eigen::Index k = 0; k < of_cases.size(); ++k)
+        of_cases[k] = loads.work_of_cases()[at(k)].imposed_force.at(u, factors);
     if (fine_ == nullptr) return reading;
-    for (const auto& [place, value, share] : held_) {
+    for (const auto& [place, prescribed, share] : held_) {
         reading.force += share * response_.force[place];
-        reading.imposed_force += value * response_.force[place];
+        reading.imposed_force += prescribed->value * response_.force[place];
+        for (Eigen::Index k = 0; k < std::ssize(prescribed->in_cases); ++k)
+            of_cases[k] += prescribed->in_case(k) * response_.force[place];
     }
     return reading;
 }

@@ -15,9 +15,9 @@ namespace stria::coarse {
 class CondensedEquilibrium : public Equilibrium {
 public:
     /// `fine` may be null: an elastic, traction-free scene without a zone. `committed`: displacement of the whole mesh
-    /// to start from.
+    /// to start from, reached at `factors`.
     CondensedEquilibrium(const Structure& structure, coupling::FineScale* fine, EquilibriumSections input,
-                         const Eigen::VectorXd& committed, double load_factor);
+                         const Eigen::VectorXd& committed, const LoadFactors& factors);
 
     void begin(const Target& target, const Predictor& predictor) override;
     Residual linearise() override;
@@ -28,7 +28,7 @@ public:
     void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;
     void rollback() override;
-    [[nodiscard]] double load_factor() const override { return trial_.load_factor; }
+    [[nodiscard]] LoadFactors factors() const override { return trial_.factors(); }
     [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override {
         return response_.digest.yielding_points;
     }
@@ -45,11 +45,12 @@ private:
     void ask_zone(const Eigen::VectorXd& u);
     [[nodiscard]] Eigen::MatrixXd tangent() const;
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
+    [[nodiscard]] double largest_applied_force() const;
 
     /// A place on Gamma that is prescribed.
     struct Held {
         std::ptrdiff_t place;
-        double value;  // mm per unit load factor
+        const PrescribedUnknown* prescribed;
         double share;  // of its reaction in the machine's force
     };
 
@@ -57,6 +58,7 @@ private:
     coupling::FineScale* fine_;
     EquilibriumSections input_;
     double largest_unit_force_, largest_initial_force_;  // N/mm
+    std::vector<double> largest_case_forces_;            // likewise, of each load case
     std::vector<Held> held_;
     LinearReading controlled_;  // on the free places
     double target_ = 0.0, off_target_ = 0.0;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coarse/load/load_factors.hpp"
 #include "coarse/load/target.hpp"
 #include "coarse/structure/coarse_effort.hpp"
 #include "coupling/messages.hpp"
@@ -36,6 +37,7 @@ struct Residual {
 /// All that an equilibrium remembers of what is committed, but for the zone's part.
 struct EquilibriumState {
     double load_factor = 0.0;
+    Eigen::VectorXd cases = {};               // factors of the load cases
     Eigen::VectorXd displacement;             // of Gamma, mm
     std::vector<Eigen::VectorXd> increments;  // of Gamma, for predictors; the last one first
     std::vector<double> load_increments;      // likewise, of the load factor
@@ -45,9 +47,10 @@ struct EquilibriumState {
 
 /// What a testing machine reads at the loaded boundary, along its direction.
 struct MachineReading {
-    double displacement = 0.0;   // mean, mm
-    double force = 0.0;          // of what holds it, N/mm; zero where forces load it
-    double imposed_force = 0.0;  // what unit imposed displacements do work against, N
+    double displacement = 0.0;                     // mean, mm
+    double force = 0.0;                            // of what holds it, N/mm; zero where forces load it
+    double imposed_force = 0.0;                    // what unit imposed displacements do work against, N
+    Eigen::VectorXd imposed_forces_of_cases = {};  // likewise, of each load case
 };
 
 class Equilibrium {
@@ -85,7 +88,8 @@ public:
     virtual void rollback() = 0;
 
     /// Of the trial state.
-    [[nodiscard]] virtual double load_factor() const = 0;
+    [[nodiscard]] virtual LoadFactors factors() const = 0;
+    [[nodiscard]] double load_factor() const { return factors().main; }
 
     /// How many points flow in the trial state, per element of the zone, ascending; empty without one.
     [[nodiscard]] virtual const std::vector<std::int32_t>& yielding_points() const = 0;

@@ -5,10 +5,10 @@
 namespace stria::coarse {
 
 std::unique_ptr<Equilibrium> CondensedFactory::make(const Structure& structure, const coupling::Patch* patch,
-                                                    const Eigen::VectorXd& committed, double load_factor) {
+                                                    const Eigen::VectorXd& committed, const LoadFactors& factors) {
     if (patch != nullptr) fine_->set_patch(*patch);
     return std::make_unique<CondensedEquilibrium>(structure, patch != nullptr ? fine_ : nullptr, input_, committed,
-                                                  load_factor);
+                                                  factors);
 }
 
 std::unique_ptr<Equilibrium> CondensedFactory::resume(const Structure& structure, const coupling::Patch* patch,

@@ -19,9 +19,9 @@ public:
     virtual ~EquilibriumFactory() = default;
 
     /// `patch`: null where the scene has no zone. `committed`: displacement of the whole mesh, reached at
-    /// `load_factor`.
+    /// `factors`.
     virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
-                                              const Eigen::VectorXd& committed, double load_factor) = 0;
+                                              const Eigen::VectorXd& committed, const LoadFactors& factors) = 0;
 
     /// The zone takes more elements, with their functions as they are; make() is to follow before anyone asks it.
     virtual void extend_zone(const coupling::Patch& patch) = 0;
@@ -46,7 +46,7 @@ class CondensedFactory : public EquilibriumFactory {
 public:
     CondensedFactory(coupling::FineScale* fine, EquilibriumSections input) : fine_(fine), input_(std::move(input)) {}
     std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
-                                      const Eigen::VectorXd& committed, double load_factor) override;
+                                      const Eigen::VectorXd& committed, const LoadFactors& factors) override;
     void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
     [[nodiscard]] bool keeps_increments() const override { return fine_ != nullptr && fine_->keeps_increments(); }
     std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,

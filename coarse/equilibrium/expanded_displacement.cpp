@@ -4,7 +4,7 @@ namespace stria::coarse {
 
 const Eigen::VectorXd& ExpandedDisplacement::whole(const GammaState& state) const {
     if (!whole_) {
-        whole_ = structure_.expand(state.displacement, state.load_factor, 1.0);
+        whole_ = structure_.expand(state.displacement, state.factors(), 1.0);
         ++work_.structure_solves_full;
     }
     return *whole_;
@@ -12,7 +12,7 @@ const Eigen::VectorXd& ExpandedDisplacement::whole(const GammaState& state) cons
 
 const Eigen::VectorXd& ExpandedDisplacement::near(const GammaState& state) const {
     if (!near_known_) {
-        structure_.expand_near(state.displacement, state.load_factor, 1.0, near_);
+        structure_.expand_near(state.displacement, state.factors(), 1.0, near_);
         ++work_.structure_solves_near;
     }
     near_known_ = true;

@@ -1,6 +1,7 @@
 // Whether the work that goes into the body comes out again: stored, dissipated, or released by its growing cracks.
 #pragma once
 
+#include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
 
@@ -20,15 +21,16 @@ struct WorkBalance {
     double load_factor = 0.0;
     double load_displacement = 0.0;  // what the structure's unit loads do work on, N
     double imposed_force = 0.0;      // what unit imposed displacements do work against, N
+    Eigen::VectorXd cases = {}, case_displacements = {}, case_forces = {};  // likewise, of each load case
 
     /// What trapezoids and backward Euler leave over: of second order in the increments.
     [[nodiscard]] double error() const { return external + at_start - stored - dissipated - released; }
 };
 
-/// Adds an increment that ended at `u` (of the whole mesh; Gamma is looked at). `imposed_force`: what unit imposed
-/// displacements do work against there, N.
-void add_increment(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u, double load_factor,
-                   double imposed_force, const coupling::StepReport& zone);
+/// Adds an increment that ended at `u` (of the whole mesh; Gamma is looked at), with what a testing machine reads
+/// there.
+void add_increment(WorkBalance& balance, const Structure& structure, const Eigen::VectorXd& u,
+                   const LoadFactors& factors, const MachineReading& machine, const coupling::StepReport& zone);
 
 /// The initial stress has come to equilibrium: the balance begins here.
 void begin_here(WorkBalance& balance);

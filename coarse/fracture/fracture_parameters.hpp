@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coarse/fracture/structure_rings.hpp"
@@ -22,7 +23,16 @@ struct TipResult {
     double contact_length = 0.0;                                // mm
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;         // mm
     double K_initial = 0.0;  // of a nominal solution: K_I of the initial stress alone, MPa sqrt(mm)
+    std::vector<double> K_I_of_cases = {}, K_II_of_cases = {};  // likewise, of each load case at its factor 1
 };
+
+/// What load cases add to a K: their factors times those of `of_unit`, one per load case.
+[[nodiscard]] inline double sum_over_cases(const std::vector<double>& of_unit, const Eigen::VectorXd& factors) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < of_unit.size() && std::cmp_less(k, factors.size()); ++k)
+        sum += factors[static_cast<Eigen::Index>(k)] * of_unit[k];
+    return sum;
+}
 
 /// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:
 /// rings.integrals(u). `report`: the zone's share, empty without a zone. `behind`: distances behind the tips, mm, at

@@ -5,6 +5,7 @@
 
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/specimen.hpp"
+#include "common/case/loads/load_case_checks.hpp"
 #include "common/integration/crack_faces.hpp"
 
 namespace stria::coarse {
@@ -29,6 +30,7 @@ bool is_standard_crack(const Scene& scene) {
 bool is_standard_load(const Scene& scene) {
     double above = 0.0, below = 0.0;
     for (const BoundarySection& section : scene.input.boundaries) {
+        if (!is_of_main_load(section)) continue;
         const bool held = section.displacement[0] || section.displacement[1];
         if (section.on == "point" && !section.force) continue;
         const bool top = section.on == "top" || section.on == "pin-top";
@@ -56,7 +58,7 @@ std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) 
     const Scene& scene = nominal.structure->scene();
     const std::vector<TipResult>& tips = nominal.tips;
     const Specimen& specimen = find_specimen(scene.input.mesh.specimen);
-    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    const auto loaded = loaded_boundary(scene.mesh, scene.input);
     if (!scene.input.regions.empty()) return {};
     if (specimen.handbook_K == nullptr || !loaded || !is_standard_crack(scene) || !is_standard_load(scene)) return {};
 

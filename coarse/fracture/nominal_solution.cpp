@@ -4,15 +4,30 @@ namespace stria::coarse {
 
 namespace {
 
-Eigen::VectorXd near_displacement(const Structure& body, double load_factor, double initial) {
+Eigen::VectorXd near_displacement(const Structure& body, const LoadFactors& factors, double initial) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(body.scene().enriched.unknowns);
-    body.expand_near({}, load_factor, initial, u);
+    body.expand_near({}, factors, initial, u);
     return u;
+}
+
+/// What each load case does alone.
+void add_cases(const Structure& body, const StructureRings& rings, std::vector<TipResult>& tips) {
+    if (tips.empty()) return;
+    for (Eigen::Index k = 0; k < std::ssize(body.loads().cases()); ++k) {
+        const Eigen::VectorXd alone = near_displacement(body, LoadFactors::of_one_case(k), 0.0);
+        const std::vector<TipResult> of_case =
+            fracture_parameters(rings, alone, rings.integrals_of_displacement(alone), {});
+        for (std::size_t t = 0; t < tips.size(); ++t) {
+            tips[t].K_I_of_cases.push_back(of_case[t].K_I);
+            tips[t].K_II_of_cases.push_back(of_case[t].K_II);
+        }
+    }
 }
 
 std::vector<TipResult> tips_of(const Structure& body, const Eigen::VectorXd& unit) {
     const StructureRings rings(body);
     std::vector<TipResult> tips = fracture_parameters(rings, unit, rings.integrals_of_displacement(unit), {});
+    add_cases(body, rings, tips);
     if (!body.scene().initial_stress().any()) return tips;
     const Eigen::VectorXd alone = near_displacement(body, 0.0, 1.0);
     const std::vector<TipResult> initial = fracture_parameters(rings, alone, rings.integrals(alone), {});
@@ -44,9 +59,14 @@ std::vector<double> stress_intensities(const std::vector<TipResult>& tips) {
 
 UnitResponse unit_response(const NominalSolution& nominal) {
     std::vector<double> K_initial;
-    for (const TipResult& tip : nominal.tips) K_initial.push_back(tip.K_initial);
+    std::vector<std::vector<double>> K_of_cases;
+    for (const TipResult& tip : nominal.tips) {
+        K_initial.push_back(tip.K_initial);
+        K_of_cases.push_back(tip.K_I_of_cases);
+    }
     return {.K_I = stress_intensities(nominal.tips),
             .K_initial = std::move(K_initial),
+            .K_of_cases = std::move(K_of_cases),
             .mean_displacement = nominal.structure->loads().mean_displacement().per_load_factor,
             .largest_displacement = nominal.displacement.lpNorm<Eigen::Infinity>()};
 }

@@ -2,13 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "common/index.hpp"
 
 namespace stria::coarse {
 
-LoadController::LoadController(const LoadSection& load, const SolverSection& solver)
-    : control_(load.control == Control::Displacement ? Control::Displacement : Control::Load), legs_(legs(load)),
-      steps_(load.steps / 2), grading_(load.grading), remembered_(remembered_increments(load.steps)),
-      max_cuts_(solver.max_cuts) {}
+namespace {
+
+/// Where the increments of a leg end. The one that ends nearest to where a load case turns ends there.
+std::vector<double> ways_of(int steps, double grading, const std::vector<double>& turns) {
+    std::vector<double> ways;
+    for (int k = 0; k <= steps; ++k) ways.push_back(std::pow(static_cast<double>(k) / steps, grading));
+    for (const double turn : turns) {
+        const auto inner = std::span(ways).subspan(1, ways.size() - 2);
+        const auto distance = [&](double way) { return std::abs(way - turn); };
+        if (!inner.empty()) *std::ranges::min_element(inner, {}, distance) = turn;
+    }
+    return ways;
+}
+
+}  // namespace
+
+LoadController::LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases)
+    : control_(load.control == Control::Displacement ? Control::Displacement : Control::Load), cases_(std::move(cases)),
+      legs_(cases_.count() > 0 ? cases_.legs() : legs(load)), steps_(load.steps / 2),
+      ways_(ways_of(steps_, load.grading, cases_.turns())), remembered_(remembered_increments(load.steps)),
+      max_cuts_(solver.max_cuts) {
+    position_.cases = Eigen::VectorXd::Zero(cases_.count());
+}
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
 
@@ -17,8 +39,7 @@ double LoadController::extreme() const { return std::max(std::abs(position_.leg_
 double LoadController::stop(int increment) const {
     if (increment == 0) return position_.leg_start;
     if (increment == steps_) return end_of_leg();  // exact: later legs start from the same number
-    const double way = std::pow(static_cast<double>(increment) / steps_, grading_);
-    return position_.leg_start + (end_of_leg() - position_.leg_start) * way;
+    return position_.leg_start + (end_of_leg() - position_.leg_start) * ways_[at(increment)];
 }
 
 int LoadController::stop_nearest_to_zero() const {
@@ -28,17 +49,34 @@ int LoadController::stop_nearest_to_zero() const {
     return nearest;
 }
 
+LoadController::Way LoadController::next_way() const {
+    const double from = ways_[at(position_.increments)], to = ways_[at(position_.increments + 1)];
+    const double part = position_.fraction * (to - from);
+    const bool arrives = to - position_.way <= part * (1.0 + 1e-9);
+    return {arrives ? to : position_.way + part, arrives};
+}
+
+Eigen::VectorXd LoadController::cases_at(double way) const {
+    const double from = ways_[at(position_.increments)], to = ways_[at(position_.increments + 1)];
+    return cases_.at({.leg = position_.leg,
+                      .way = way,
+                      .increment = position_.increments + 1,
+                      .share = (way - from) / (to - from),
+                      .scale = scale_});
+}
+
 std::optional<LoadStep> LoadController::next() const {
     if (position_.leg >= legs_.size()) return std::nullopt;
     const Leg& leg = legs_[position_.leg];
     const int increment = position_.increments + 1;
-    const double whole = stop(increment) - stop(increment - 1);
-    const bool arrives =
-        std::abs(stop(increment) - position_.reached) <= position_.fraction * std::abs(whole) * (1.0 + 1e-9);
+    const auto [way, arrives] = next_way();
+    const double part = position_.fraction * (stop(increment) - stop(increment - 1));
     LoadStep step;
     step.cycle = leg.cycle;
-    step.target = {control_, arrives ? stop(increment) : position_.reached + position_.fraction * whole};
-    step.predictor = predictor(leg.cycle, step.target.value);
+    // Dead loads come on while the main load is none, not while a displacement is held.
+    step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
+    if (cases_.count() > 0) step.target.cases = cases_at(way);
+    step.predictor = predictor({leg.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
     if (arrives && increment == steps_) {
         step.reversal = leg.reversal;
         step.at_maximum = leg.at_maximum;
@@ -49,18 +87,25 @@ std::optional<LoadStep> LoadController::next() const {
     return step;
 }
 
-Predictor LoadController::predictor(int cycle, double to) const {
-    const double reached = position_.reached, increment = to - reached, same = 1e-9 * std::abs(increment);
+Predictor LoadController::predictor(const LoadPosition::Taken& next) const {
+    const double increment = next.to - next.from, same = 1e-9 * std::abs(increment);
+    const Eigen::VectorXd more = next.cases_to - next.cases_from;
+    const double alike = 1e-9 * (std::abs(increment) + more.norm());
     const std::vector<LoadPosition::Taken>& before = position_.taken;
     // The ramp is no cycle: virgin material flows where it will later unload and reload without.
     const auto twin = std::ranges::find_if(before, [&](const LoadPosition::Taken& taken) {
-        return taken.cycle > 0 && taken.cycle < cycle && std::abs(taken.from - reached) <= same &&
-               std::abs(taken.to - to) <= same;
+        return taken.cycle > 0 && taken.cycle < next.cycle && std::abs(taken.from - next.from) <= same &&
+               std::abs(taken.to - next.to) <= same && (taken.cases_from - next.cases_from).norm() <= alike &&
+               (taken.cases_to - next.cases_to).norm() <= alike;
     });
     if (twin != before.end()) return {1.0, static_cast<int>(twin - before.begin()) + 1};
     if (before.empty()) return {};
     const double last = before.front().to - before.front().from;
-    return last * increment > 0.0 ? Predictor(increment / last) : Predictor();
+    if (more.size() == 0) return last * increment > 0.0 ? Predictor(increment / last) : Predictor();
+    // Of loads that change in different proportion, what the last change has of this one.
+    const Eigen::VectorXd last_more = before.front().cases_to - before.front().cases_from;
+    const double along = last * increment + last_more.dot(more);
+    return along > 0.0 ? Predictor(along / (last * last + last_more.squaredNorm())) : Predictor();
 }
 
 void LoadController::remember(const LoadPosition::Taken& last) {
@@ -69,17 +114,23 @@ void LoadController::remember(const LoadPosition::Taken& last) {
     if (taken.size() > remembered_) taken.pop_back();
 }
 
-void LoadController::committed_besides(int cycle) { remember({cycle, position_.reached, position_.reached}); }
+void LoadController::committed_besides(int cycle) {
+    remember({cycle, position_.reached, position_.reached, position_.cases, position_.cases});
+}
 
 void LoadController::accepted() {
     const LoadStep step = *next();
-    remember({step.cycle, position_.reached, step.target.value});
+    const auto [way, arrives] = next_way();
+    remember({step.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
     position_.reached = step.target.value;
-    if (position_.reached == stop(position_.increments + 1)) ++position_.increments;
+    position_.cases = step.target.cases;
+    position_.way = way;
+    if (arrives) ++position_.increments;
     if (position_.increments == steps_) {
         ++position_.leg;
         position_.increments = 0;
         position_.leg_start = position_.reached;
+        position_.way = 0.0;
     }
     if (position_.consecutive_cuts > 0) {
         position_.fraction = std::min(1.0, 2.0 * position_.fraction);

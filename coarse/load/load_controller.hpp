@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "coarse/load/load_history.hpp"
+#include "coarse/load/case_histories.hpp"
 #include "coarse/load/target.hpp"
 #include "common/predictor.hpp"
 
@@ -28,19 +28,22 @@ struct LoadPosition {
     struct Taken {
         int cycle = 0;
         double from = 0.0, to = 0.0;
+        Eigen::VectorXd cases_from = {}, cases_to = {};
     };
     std::size_t leg = 0;
-    int increments = 0;      // of the leg, done
-    double leg_start = 0.0;  // target where it began
-    double reached = 0.0;    // target: a load factor, or a displacement, mm
-    double fraction = 1.0;   // of a whole increment, after cuts
+    int increments = 0;          // of the leg, done
+    double leg_start = 0.0;      // target where it began
+    double reached = 0.0;        // target: a load factor, or a displacement, mm
+    double way = 0.0;            // of the leg, done
+    Eigen::VectorXd cases = {};  // factors of the load cases that are reached
+    double fraction = 1.0;       // of a whole increment, after cuts
     int consecutive_cuts = 0, cuts = 0;
     std::vector<Taken> taken;  // increments to predict from, the last one first
 };
 
 class LoadController {
 public:
-    explicit LoadController(const LoadSection& load, const SolverSection& solver);
+    explicit LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases = {});
 
     [[nodiscard]] const LoadPosition& position() const { return position_; }
     /// Goes on from where another one stood, in a history that was the same up to there.
@@ -68,21 +71,30 @@ public:
     [[nodiscard]] int cuts() const { return position_.cuts; }
     /// The value reached: a load factor, or a displacement, mm.
     [[nodiscard]] double reached() const { return position_.reached; }
-    [[nodiscard]] Target reached_target() const { return {control_, position_.reached}; }
+    [[nodiscard]] Target reached_target() const { return {control_, position_.reached, 0.0, position_.cases}; }
     /// The larger magnitude of the two ends of the present way.
     [[nodiscard]] double extreme() const;
 
 private:
+    /// What of a leg is done where the next increment ends, and whether that is where an uncut one does.
+    struct Way {
+        double end;
+        bool arrives;
+    };
     [[nodiscard]] double end_of_leg() const;
     [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
     [[nodiscard]] int stop_nearest_to_zero() const;
-    [[nodiscard]] Predictor predictor(int cycle, double to) const;
+    [[nodiscard]] Way next_way() const;
+    [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
+    [[nodiscard]] Predictor predictor(const LoadPosition::Taken& next) const;
     void remember(const LoadPosition::Taken& last);
 
     Control control_;
+    CaseHistories cases_;
     std::vector<Leg> legs_;
-    int steps_;  // of a leg
-    double grading_, scale_ = 1.0;
+    int steps_;                 // of a leg
+    std::vector<double> ways_;  // of a leg, at the end of each uncut increment; the first is its start
+    double scale_ = 1.0;
     LoadPosition position_;
     std::size_t remembered_;
     int max_cuts_ = 0;

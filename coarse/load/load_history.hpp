@@ -15,6 +15,7 @@ struct Leg {
     bool at_minimum = false, at_maximum = false;  // of the cycle, at its end
     bool ends_cycle = false;
     bool reversal = false;  // the load turns at its end, or ends
+    bool leads = false;     // dead loads come on, before all others: the main load stays at zero
 };
 
 /// A cycle runs from its maximum to its minimum and on to the maximum of the next one; the last returns to its own.

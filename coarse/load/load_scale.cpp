@@ -24,11 +24,15 @@ double largest_load_factor(const LoadSection& load, const UnitResponse& nominal,
     return largest_value(load) / per_load_factor;
 }
 
-std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown) {
+std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown,
+                                const CaseHistories& cases) {
     const double largest = largest_load_factor(load, nominal, grown);
     std::vector<double> K_I;
-    for (std::size_t t = 0; t < nominal.K_I.size(); ++t)
+    for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
         K_I.push_back(nominal.K_I[t] * largest + (nominal.K_initial.empty() ? 0.0 : nominal.K_initial[t]));
+        if (cases.count() > 0)
+            K_I.back() += cases.largest_sum(nominal.K_of_cases[t], target_of_unit(load, nominal.K_I, grown));
+    }
     return K_I;
 }
 

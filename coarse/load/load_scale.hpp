@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "coarse/load/case_histories.hpp"
 #include "common/case/case.hpp"
 
 namespace stria::coarse {
@@ -11,8 +12,9 @@ namespace stria::coarse {
 struct UnitResponse {
     std::vector<double> K_I = {};        // MPa sqrt(mm), one per tip
     std::vector<double> K_initial = {};  // likewise, of the initial stress without load; empty: there is none
-    double mean_displacement = 0.0;      // of the loaded boundary along its direction, mm
-    double largest_displacement = 0.0;   // largest magnitude of a component, mm
+    std::vector<std::vector<double>> K_of_cases = {};  // likewise of each load case at its factor 1; or empty
+    double mean_displacement = 0.0;                    // of the loaded boundary along its direction, mm
+    double largest_displacement = 0.0;                 // largest magnitude of a component, mm
 };
 
 /// The target that a unit of the load history stands for. It is 1 unless K is controlled. Then it is a load factor:
@@ -25,7 +27,8 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
 double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
 
 /// The K_I of eq. (3), MPa sqrt(mm), one per tip: the largest nominal one of a history, that of the initial stress
-/// included.
-std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
+/// included. With load cases no less than that: as if all were at their largest at once.
+std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
+                                const CaseHistories& cases = {});
 
 }  // namespace stria::coarse

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "coarse/model/loads/places.hpp"
 #include "common/error.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/index.hpp"
@@ -15,74 +16,13 @@
 namespace stria::coarse {
 namespace {
 
-/// What one section acts on: named edges, a single node, or a pin.
-struct Place {
-    std::vector<BoundaryEdge> edges;
-    std::vector<int> nodes;  // ascending
-    const SpreadPoint* pin;  // or null
-};
-
 const Vec2& node_at(const Mesh& mesh, int node) { return mesh.nodes[at(node)]; }
 
-/// Shortest edge of the elements around a node: the scale on which a point is or is not that node.
-double local_size(const Mesh& mesh, int node) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& element : mesh.elements) {
-        if (std::find(element.begin(), element.end(), node) == element.end()) continue;
-        for (std::size_t k = 0; k < 4; ++k) {
-            shortest = std::min(shortest, (node_at(mesh, element[(k + 1) % 4]) - node_at(mesh, element[k])).norm());
-        }
-    }
-    return shortest;
-}
-
-int node_of_point(const Mesh& mesh, const Vec2& point, const std::string& key) {
-    constexpr double coincidence = 1e-6;
-    if (!point.allFinite()) throw CaseError(key + ".at: the point is not finite");
-    const auto nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](const Vec2& a, const Vec2& b) {
-        return (a - point).squaredNorm() < (b - point).squaredNorm();
-    });
-    const int node = static_cast<int>(nearest - mesh.nodes.begin());
-    if ((*nearest - point).norm() > coincidence * local_size(mesh, node)) {
-        throw CaseError(fmt::format("{}.at: no mesh node at ({}, {}), the nearest is ({}, {})", key, point.x(),
-                                    point.y(), nearest->x(), nearest->y()));
-    }
-    return node;
-}
-
-Place place_of(const Mesh& mesh, const BoundarySection& section, const std::string& key) {
-    if (section.on == "point") {
-        if (!section.at) throw CaseError(key + ".at: on = \"point\" needs the point, at = [x, y]");
-        return {{}, {node_of_point(mesh, *section.at, key)}, nullptr};
-    }
-    if (const auto pin = mesh.pins.find(section.on); pin != mesh.pins.end()) {
-        Place place{{}, {}, &pin->second};
-        for (const SpreadPoint::Share& share : pin->second.shares) place.nodes.push_back(share.node);
-        return place;
-    }
-    const auto found = mesh.boundary.find(section.on);
-    if (found == mesh.boundary.end()) {
-        std::string names;
-        for (const auto& [name, edges] : mesh.boundary) names += name + ", ";
-        for (const auto& [name, pin] : mesh.pins) names += name + ", ";
-        throw CaseError(
-            fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}point", key, section.on, names));
-    }
-    std::set<int> nodes;
-    for (const BoundaryEdge& edge : found->second) {
-        for (const int node : edge_nodes(mesh, edge)) nodes.insert(node);
-    }
-    return {found->second, {nodes.begin(), nodes.end()}, nullptr};
-}
-
 Traction traction_of(const BoundarySection& section) {
-    return {section.traction.value_or(Vec2::Zero()), section.traction_gradient, section.origin,
-            section.pressure.value_or(0.0)};
-}
-
-/// The prescribed displacement, zero where it is free.
-Vec2 displacement_of(const BoundarySection& section) {
-    return {section.displacement[0].value_or(0.0), section.displacement[1].value_or(0.0)};
+    Traction traction{section.traction.value_or(Vec2::Zero()), section.traction_gradient, section.origin,
+                      section.pressure.value_or(0.0)};
+    if (section.cosine) traction.cosine = {section.cosine->normalized(), section.centre};
+    return traction;
 }
 
 void validate(const Mesh& mesh, const BoundarySection& section, const std::string& key) {
@@ -102,8 +42,6 @@ void validate(const Mesh& mesh, const BoundarySection& section, const std::strin
     if (!finite) throw CaseError(key + ": every value must be a finite number");
 }
 
-std::string key_of(std::size_t section) { return fmt::format("boundary[{}]", section + 1); }
-
 using Prescribed = std::map<std::pair<int, int>, double>;
 
 void prescribe(Prescribed& prescribed, const Mesh& mesh, const BoundarySection& section, int node,
@@ -122,22 +60,18 @@ void prescribe(Prescribed& prescribed, const Mesh& mesh, const BoundarySection& 
 
 }  // namespace
 
-std::array<int, 2> edge_nodes(const Mesh& mesh, const BoundaryEdge& edge) {
-    const auto& element = mesh.elements[at(edge.element)];
-    const auto first = at(edge.edge);
-    return {element[first], element[(first + 1) % 4]};
-}
-
 EdgeGeometry edge_geometry(const Mesh& mesh, const BoundaryEdge& edge) {
     const auto [from, to] = edge_nodes(mesh, edge);
     return {node_at(mesh, from), node_at(mesh, to)};
 }
 
-Loads resolve_boundaries(const Mesh& mesh, const std::vector<BoundarySection>& sections) {
+Loads resolve_boundaries(const Mesh& mesh, const std::vector<BoundarySection>& sections,
+                         const std::function<bool(const BoundarySection&)>& wanted) {
     Loads loads;
     Prescribed prescribed;
     for (std::size_t k = 0; k < sections.size(); ++k) {
         const BoundarySection& section = sections[k];
+        if (!wanted(section)) continue;
         const Place place = place_of(mesh, section, key_of(k));
         validate(mesh, section, key_of(k));
         const Traction traction = traction_of(section);
@@ -160,36 +94,13 @@ std::vector<AppliedForce> applied_forces(const Mesh& mesh, const Loads& loads) {
     std::vector<AppliedForce> forces;
     for (const auto& [edge, traction] : loads.edges) {
         const EdgeGeometry geometry = edge_geometry(mesh, edge);
-        for (const LinePoint& point : gauss_line(2)) {
-            const Vec2 x = geometry.at(0.5 * (1.0 + point.xi));
-            const double length = 0.5 * point.weight * geometry.length();
+        for (const auto& [fraction, length] : edge_points(traction, geometry, 0.0, 1.0, 2)) {
+            const Vec2 x = geometry.at(fraction);
             forces.push_back({x, length * traction.at(x, geometry.inward_normal())});
         }
     }
     for (const auto& [node, force] : loads.forces) forces.push_back({node_at(mesh, node), force});
     return forces;
-}
-
-std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vector<BoundarySection>& sections) {
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-        const Loads loads = resolve_boundaries(mesh, {sections[k]});
-        const Vec2 displacement = displacement_of(sections[k]);
-        Vec2 resultant = Vec2::Zero(), normal = Vec2::Zero();
-        double magnitude = 0.0;
-        for (const AppliedForce& applied : applied_forces(mesh, loads)) {
-            resultant += applied.force;
-            magnitude += applied.force.norm();
-        }
-        if (magnitude == 0.0 && displacement.isZero(0.0)) continue;
-
-        const Place place = place_of(mesh, sections[k], key_of(k));
-        for (const BoundaryEdge& edge : place.edges) normal -= edge_geometry(mesh, edge).inward_normal();
-        // Pure bending has no resultant: its direction is then the boundary's outward normal.
-        const bool balanced = resultant.norm() <= 1e-9 * magnitude;
-        const Vec2 direction = !displacement.isZero(0.0) ? displacement : balanced ? normal : resultant;
-        return LoadedBoundary{sections[k].on, place.edges, place.nodes, direction.normalized(), resultant};
-    }
-    return std::nullopt;
 }
 
 std::vector<NodalWeight> mean_displacement(const Mesh& mesh, const LoadedBoundary& boundary) {

@@ -3,29 +3,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "coarse/model/loads/places.hpp"
+#include "coarse/model/loads/traction.hpp"
 #include "common/case/case.hpp"
 #include "common/fem/mesh.hpp"
 #include "common/geometry/vec2.hpp"
 
 namespace stria::coarse {
-
-/// Traction on an edge: t(x) = constant + gradient (x - origin) + pressure * inward normal.
-struct Traction {
-    Vec2 constant = Vec2::Zero();                        // MPa
-    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  // MPa/mm
-    Vec2 origin = Vec2::Zero();                          // mm
-    double pressure = 0.0;                               // MPa
-
-    [[nodiscard]] Vec2 at(const Vec2& x, const Vec2& inward_normal) const {
-        return constant + gradient * (x - origin) + pressure * inward_normal;
-    }
-    [[nodiscard]] bool is_zero() const { return constant.isZero(0.0) && gradient.isZero(0.0) && pressure == 0.0; }
-};
 
 struct EdgeLoad {
     BoundaryEdge edge;
@@ -51,21 +40,12 @@ struct Loads {
 
 /// Resolves names and points. Throws CaseError: an unknown name (the available ones are listed), a point without a node
 /// (the nearest is named), a load that its place cannot carry, two different displacements of one node.
-Loads resolve_boundaries(const Mesh& mesh, const std::vector<BoundarySection>& sections);
-
-/// A boundary edge's ends in the order of the element, and its normal into the body.
-struct EdgeGeometry {
-    Vec2 from, to;
-
-    [[nodiscard]] double length() const { return (to - from).norm(); }
-    [[nodiscard]] Vec2 at(double fraction) const { return (1.0 - fraction) * from + fraction * to; }
-    [[nodiscard]] Vec2 inward_normal() const { return Vec2(from.y() - to.y(), to.x() - from.x()) / length(); }
-};
+/// `wanted`: which sections count.
+Loads resolve_boundaries(
+    const Mesh& mesh, const std::vector<BoundarySection>& sections,
+    const std::function<bool(const BoundarySection&)>& wanted = [](const BoundarySection&) { return true; });
 
 EdgeGeometry edge_geometry(const Mesh& mesh, const BoundaryEdge& edge);
-
-/// The two nodes of an edge in the order of the element.
-std::array<int, 2> edge_nodes(const Mesh& mesh, const BoundaryEdge& edge);
 
 /// A force that acts at a point: what an edge load is for a balance of forces and moments.
 struct AppliedForce {
@@ -73,7 +53,7 @@ struct AppliedForce {
     Vec2 force;  // N per mm of thickness
 };
 
-/// Edge loads (at Gauss points exact for linear tractions and their moments) and point forces alike.
+/// Edge loads (at points that integrate them and their moments) and point forces alike.
 std::vector<AppliedForce> applied_forces(const Mesh& mesh, const Loads& loads);
 
 /// Where `load` and `displacement` of the history are taken (docs/method.md, section 9).
@@ -83,10 +63,9 @@ struct LoadedBoundary {
     std::vector<int> nodes;           // ascending
     Vec2 direction;                   // unit: of the prescribed displacement, else of the resultant
     Vec2 resultant;                   // of the section's loads per unit load factor, N/mm; zero where only held
+    bool by_force = true;             // forces load it; or it is moved
+    std::vector<Vec2> in_cases = {};  // what each load case adds to the resultant
 };
-
-/// The first listed section with a load or a non-zero displacement, if any.
-std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const std::vector<BoundarySection>& sections);
 
 struct NodalWeight {
     int node;

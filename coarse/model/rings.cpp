@@ -38,8 +38,12 @@ double largest_ring(const Scene& scene, int tip_index) {
     const Tip& tip = mesh.tips[at(tip_index)];
     double radius =
         tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip, bend_to_element * tip_element_size(mesh, tip));
-    for (const PointForce& load : scene.loads.forces)
-        radius = std::min(radius, (mesh.nodes[at(load.node)] - tip.position).norm());
+    const auto keep_off = [&](const Loads& loads) {
+        for (const PointForce& load : loads.forces)
+            radius = std::min(radius, (mesh.nodes[at(load.node)] - tip.position).norm());
+    };
+    keep_off(scene.loads.main);
+    for (const Loads& of_case : scene.loads.cases) keep_off(of_case);
     radius = std::min(radius, distance_to_interface(mesh, tip));
     return 0.95 * radius;
 }

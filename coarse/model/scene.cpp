@@ -40,11 +40,11 @@ void add_edge_load(const Scene& scene, const EdgeLoad& load, const CrackPiece* p
         if (piece != nullptr)
             side = cut_element(basis.corners(), *piece)
                        .side_of(edge.at(breaks[part] + length / 2.0) + 1e-6 * edge.length() * edge.inward_normal());
-        for (const LinePoint& point : gauss_line(basis.singular() ? 16 : 3)) {
-            const Vec2 x = edge.at(breaks[part] + 0.5 * (1.0 + point.xi) * length);
+        for (const auto& [fraction, weight] :
+             edge_points(load.traction, edge, breaks[part], breaks[part + 1], basis.singular() ? 16 : 3)) {
+            const Vec2 x = edge.at(fraction);
             const Vec2 traction = load.traction.at(x, edge.inward_normal());
             basis.evaluate(map_to_parent(basis.corners(), x), x, side, values);
-            const double weight = 0.5 * point.weight * length * edge.length();
             for (int f = 0; f < basis.functions(); ++f) {
                 for (int c = 0; c < 2; ++c)
                     force[basis.unknowns()[at(2 * f + c)]] += weight * values.value[f] * traction[c];
@@ -79,9 +79,29 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
     }
 }
 
+/// Displacements that a load case imposes.
+void move_in_case(Scene& scene, std::size_t k) {
+    for (const PrescribedDisplacement& d : scene.loads.cases[k].displacements) {
+        const int unknown = scene.enriched.unknown(d.node, 0, d.component);
+        PrescribedUnknown& p = *std::ranges::lower_bound(scene.prescribed, unknown, {}, &PrescribedUnknown::unknown);
+        p.in_cases.resize(k + 1, 0.0);
+        p.in_cases[k] = d.value;
+    }
+}
+
+/// Each load case balances by itself what the supports leave free.
+void require_balanced_cases(const Scene& scene) {
+    for (const Loads& of_case : scene.loads.cases) {
+        Loads loads = scene.loads.main;
+        loads.edges = of_case.edges;
+        loads.forces = of_case.forces;
+        static_cast<void>(analyse_rigid_motions(scene.mesh, loads));
+    }
+}
+
 void weigh_mean_displacement(Scene& scene) {
     scene.mean_displacement = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
+    const auto loaded = loaded_boundary(scene.mesh, scene.input);
     if (!loaded) return;
     for (const auto& [node, weight] : mean_displacement(scene.mesh, *loaded))
         scene.mean_displacement.segment<2>(scene.enriched.unknown(node, 0, 0)) += weight;
@@ -90,8 +110,8 @@ void weigh_mean_displacement(Scene& scene) {
 /// Direction of the loaded boundary on its prescribed unknowns, where no force tells its load.
 void weigh_reactions(Scene& scene) {
     scene.pull = Eigen::VectorXd::Zero(std::ssize(scene.prescribed));
-    const auto loaded = loaded_boundary(scene.mesh, scene.input.boundaries);
-    if (!loaded || !loaded->resultant.isZero(0.0)) return;
+    const auto loaded = loaded_boundary(scene.mesh, scene.input);
+    if (!loaded || loaded->by_force) return;
     for (const int node : loaded->nodes) {
         for (int c = 0; c < 2; ++c) {
             const int unknown = scene.enriched.unknown(node, 0, c);
@@ -104,8 +124,8 @@ void weigh_reactions(Scene& scene) {
 
 }  // namespace
 
-void impose(const std::vector<PrescribedUnknown>& prescribed, double load_factor, Eigen::VectorXd& u) {
-    for (const PrescribedUnknown& p : prescribed) u[p.unknown] = load_factor * p.value;
+void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors& factors, Eigen::VectorXd& u) {
+    for (const PrescribedUnknown& p : prescribed) u[p.unknown] = p.under(factors);
 }
 
 Scene make_scene(const Case& input, Mesh mesh) {
@@ -115,8 +135,9 @@ Scene make_scene(const Case& input, Mesh mesh) {
     scene.mesh = std::move(mesh);
     if (scene.mesh.material.empty()) scene.mesh.material = materials_of_elements(scene.mesh, input.regions);
     if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
-    scene.loads = resolve_boundaries(scene.mesh, input.boundaries);
-    scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.loads = resolve_loads(scene.mesh, input);
+    scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads.main);
+    require_balanced_cases(scene);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
     put_loads_on_unknowns(scene);
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
@@ -152,18 +173,23 @@ void put_loads_on_unknowns(Scene& scene) {
         for (const int component : {0, 1}) scene.observed.insert(mesh.unknown(node, 0, component));
     };
     const std::vector<int> piece = piece_of_elements(mesh);
-    for (const EdgeLoad& load : scene.loads.edges) {
-        const int p = piece[at(load.edge.element)];
-        add_edge_load(scene, load, p >= 0 ? &mesh.pieces[at(p)] : nullptr, scene.unit_force);
-        for (const int node : edge_nodes(scene.mesh, load.edge)) observe(node);
-    }
-    for (const PointForce& load : scene.loads.forces) {
-        scene.unit_force.segment<2>(mesh.unknown(load.node, 0, 0)) += load.force;
-        observe(load.node);
-    }
+    const auto put = [&](const Loads& loads, Eigen::VectorXd& force) {
+        for (const EdgeLoad& load : loads.edges) {
+            const int p = piece[at(load.edge.element)];
+            add_edge_load(scene, load, p >= 0 ? &mesh.pieces[at(p)] : nullptr, force);
+            for (const int node : edge_nodes(scene.mesh, load.edge)) observe(node);
+        }
+        for (const PointForce& load : loads.forces) {
+            force.segment<2>(mesh.unknown(load.node, 0, 0)) += load.force;
+            observe(load.node);
+        }
+    };
+    put(scene.loads.main, scene.unit_force);
+    scene.case_forces.assign(scene.loads.cases.size(), Eigen::VectorXd::Zero(mesh.unknowns));
+    for (std::size_t k = 0; k < scene.case_forces.size(); ++k) put(scene.loads.cases[k], scene.case_forces[k]);
     weigh_mean_displacement(scene);
     std::map<std::pair<int, int>, double> held;
-    for (const PrescribedDisplacement& d : scene.loads.displacements) held[{d.node, d.component}] = d.value;
+    for (const PrescribedDisplacement& d : scene.loads.main.displacements) held[{d.node, d.component}] = d.value;
     std::map<int, double> prescribed;
     hold_enriched_terms(scene, held, prescribed);
     for (const auto& pin : scene.free_motions.pins) held[{pin.node, pin.component}] = 0.0;
@@ -173,6 +199,7 @@ void put_loads_on_unknowns(Scene& scene) {
     }
     scene.prescribed.clear();
     for (const auto& [unknown, value] : prescribed) scene.prescribed.push_back({unknown, value});
+    for (std::size_t k = 0; k < scene.loads.cases.size(); ++k) move_in_case(scene, k);
     weigh_reactions(scene);
 }
 

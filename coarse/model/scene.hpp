@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/load/load_factors.hpp"
+#include "coarse/model/loads/loads_of_case.hpp"
 #include "coarse/model/rigid_motions.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
@@ -15,21 +16,30 @@
 namespace stria::coarse {
 
 struct PrescribedUnknown {
-    int unknown;   // of the whole mesh
-    double value;  // mm at the load factor 1
+    int unknown;                     // of the whole mesh
+    double value;                    // mm at the load factor 1
+    std::vector<double> in_cases{};  // likewise of the first load cases; the others do not move it
+
+    [[nodiscard]] double in_case(Eigen::Index k) const { return k < std::ssize(in_cases) ? in_cases[at(k)] : 0.0; }
+    [[nodiscard]] double under(const LoadFactors& factors) const {
+        double sum = factors.main * value;
+        for (Eigen::Index k = 0; k < std::ssize(in_cases); ++k) sum += factors.of_case(k) * in_cases[at(k)];
+        return sum;
+    }
 };
 
 /// Overwrites the prescribed ones among the unknowns `u` of the whole mesh, mm.
-void impose(const std::vector<PrescribedUnknown>& prescribed, double load_factor, Eigen::VectorXd& u);
+void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors& factors, Eigen::VectorXd& u);
 
 struct Scene {
     Case input;
     Mesh mesh;
     Materials materials;
-    Loads loads;
+    LoadsOfCase loads;
     FreeMotions free_motions;
     EnrichedMesh enriched;
-    Eigen::VectorXd unit_force;  // on all unknowns at the load factor 1, N/mm
+    Eigen::VectorXd unit_force;                // on all unknowns at the load factor 1, N/mm
+    std::vector<Eigen::VectorXd> case_forces;  // likewise, one per load case
 
     /// Supports, imposed displacements and the pins of free motions, ascending.
     std::vector<PrescribedUnknown> prescribed;

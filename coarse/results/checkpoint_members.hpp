@@ -32,11 +32,12 @@ void members(auto& archive, Is<FieldWriter::Step> auto& m) {
 }
 
 void members(auto& archive, Is<RecorderState> auto& m) {
-    auto& [history_rows, cycle_rows, face_rows, closure_rows, fields, cycle_iterations, cycle_s, N] = m;
+    auto& [history_rows, cycle_rows, face_rows, closure_rows, load_rows, fields, cycle_iterations, cycle_s, N] = m;
     archive("history_rows", history_rows);
     archive("cycle_rows", cycle_rows);
     archive("face_rows", face_rows);
     archive("closure_rows", closure_rows);
+    archive("load_rows", load_rows);
     archive("fields", fields);
     archive("cycle_iterations", cycle_iterations);
     archive("cycle_s", cycle_s);
@@ -82,7 +83,7 @@ void members(auto& archive, Is<CycleResult> auto& m) {
 
 void members(auto& archive, Is<TipResult> auto& m) {
     auto& [a, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length, plastic_zone,
-           plastic_zone_axis, K_initial] = m;
+           plastic_zone_axis, K_initial, K_I_of_cases, K_II_of_cases] = m;
     archive("a", a);
     archive("K_I", K_I);
     archive("K_II", K_II);
@@ -98,6 +99,8 @@ void members(auto& archive, Is<TipResult> auto& m) {
     archive("plastic_zone", plastic_zone);
     archive("plastic_zone_axis", plastic_zone_axis);
     archive("K_initial", K_initial);
+    archive("K_I_of_cases", K_I_of_cases);
+    archive("K_II_of_cases", K_II_of_cases);
 }
 
 void members(auto& archive, Is<CycleMemory::Path> auto& m) {
@@ -117,9 +120,9 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [nominal_K, K_initial, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [nominal_K, K_beside, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
     archive("nominal_K", nominal_K);
-    archive("K_initial", K_initial);
+    archive("K_beside", K_beside);
     archive("J", J);
     archive("CTOD", CTOD);
     archive("opening", opening);
@@ -139,18 +142,22 @@ void members(auto& archive, Is<CycleMemory> auto& m) {
 }
 
 void members(auto& archive, Is<LoadPosition::Taken> auto& m) {
-    auto& [cycle, from, to] = m;
+    auto& [cycle, from, to, cases_from, cases_to] = m;
     archive("cycle", cycle);
     archive("from", from);
     archive("to", to);
+    archive("cases_from", cases_from);
+    archive("cases_to", cases_to);
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {
-    auto& [leg, increments, leg_start, reached, fraction, consecutive_cuts, cuts, taken] = m;
+    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken] = m;
     archive("leg", leg);
     archive("increments", increments);
     archive("leg_start", leg_start);
     archive("reached", reached);
+    archive("way", way);
+    archive("cases", cases);
     archive("fraction", fraction);
     archive("consecutive_cuts", consecutive_cuts);
     archive("cuts", cuts);
@@ -158,8 +165,9 @@ void members(auto& archive, Is<LoadPosition> auto& m) {
 }
 
 void members(auto& archive, Is<EquilibriumState> auto& m) {
-    auto& [load_factor, displacement, increments, load_increments, whole, whole_increments] = m;
+    auto& [load_factor, cases, displacement, increments, load_increments, whole, whole_increments] = m;
     archive("load_factor", load_factor);
+    archive("cases", cases);
     archive("displacement", displacement);
     archive("increments", increments);
     archive("load_increments", load_increments);
@@ -174,8 +182,8 @@ void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
 }
 
 void members(auto& archive, Is<WorkBalance> auto& m) {
-    auto& [external, stored, dissipated, by_friction, released, at_start, load_factor, load_displacement,
-           imposed_force] = m;
+    auto& [external, stored, dissipated, by_friction, released, at_start, load_factor, load_displacement, imposed_force,
+           cases, case_displacements, case_forces] = m;
     archive("external", external);
     archive("stored", stored);
     archive("dissipated", dissipated);
@@ -185,6 +193,9 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
     archive("load_factor", load_factor);
     archive("load_displacement", load_displacement);
     archive("imposed_force", imposed_force);
+    archive("cases", cases);
+    archive("case_displacements", case_displacements);
+    archive("case_forces", case_forces);
 }
 
 void members(auto& archive, Is<FaceRelease> auto& m) {
@@ -228,11 +239,12 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
 }
 
 void members(auto& archive, Is<CaseMark> auto& m) {
-    auto& [text, blocks, scale, repeat, mesh] = m;
+    auto& [text, blocks, scale, repeat, leads, mesh] = m;
     archive("text", text);
     archive("blocks", blocks);
     archive("scale", scale);
     archive("repeat", repeat);
+    archive("leads", leads);
     archive("mesh", mesh);
 }
 

@@ -1,5 +1,8 @@
 #include "coarse/results/rows.hpp"
 
+#include <cmath>
+#include <fmt/format.h>
+
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -94,6 +97,35 @@ std::vector<ClosureRow> closure_rows(const Increment& increment, int tip, const 
                         cycle.contact[k].K_cl, slip(cycle.K_slip), slip(cycle.K_slip_unloading)});
     }
     return rows;
+}
+
+std::vector<std::string> load_columns(const Case& input) {
+    std::vector<std::string> columns{"increment", "cycle", "load_factor"};
+    for (const LoadCaseSection& load_case : input.load_cases) columns.push_back(load_case.name);
+    int travelling = 0;
+    for (const BoundarySection& boundary : input.boundaries)
+        if (boundary.travelling) columns.push_back(fmt::format("position_{}", ++travelling));
+    return columns;
+}
+
+std::vector<Cell> load_cells(const Case& input, const Increment& increment) {
+    const LoadFactors factors(increment.load_factor, increment.step.target.cases);
+    std::vector<Cell> cells{std::int64_t{increment.number}, std::int64_t{increment.step.cycle}, factors.main};
+    Eigen::Index k = 0;
+    for (; k < std::ssize(input.load_cases); ++k) cells.emplace_back(factors.of_case(k));
+    const int positions = positions_of_travel(input.load);
+    for (const BoundarySection& boundary : input.boundaries) {
+        if (!boundary.travelling) continue;
+        double sum = 0.0, moment = 0.0;
+        for (int j = 0; j < positions; ++j, ++k) {
+            const double factor = factors.of_case(k);
+            sum += factor;
+            moment += factor * std::lerp(boundary.travelling->from, boundary.travelling->to,
+                                         static_cast<double>(j) / (positions - 1));
+        }
+        cells.emplace_back(moment / sum);
+    }
+    return cells;
 }
 
 FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample) {

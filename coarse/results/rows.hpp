@@ -22,4 +22,9 @@ namespace stria::coarse {
 
 [[nodiscard]] FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample);
 
+/// Columns and cells of loads.csv: the factors of the load cases by their names, and where the middles of pressures
+/// that travel are, mm; empty before they come on.
+[[nodiscard]] std::vector<std::string> load_columns(const Case& input);
+[[nodiscard]] std::vector<Cell> load_cells(const Case& input, const Increment& increment);
+
 }  // namespace stria::coarse

@@ -23,7 +23,7 @@ CsvWriter table(const std::filesystem::path& path, const std::vector<std::string
 RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
     : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), zone_state_(std::move(zone_state)),
-      loaded_(loaded_boundary(scene.mesh, scene.input.boundaries)),
+      loaded_(loaded_boundary(scene.mesh, scene.input)),
       history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
       cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
       faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),
@@ -31,6 +31,8 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
               from ? from->fields : std::vector<FieldWriter::Step>()) {
     if (!scene.input.closure.profile.empty())
         closure_.emplace(table(directory / "closure.csv", closure_columns(), from, from ? from->closure_rows : 0));
+    if (!scene.loads.cases.empty())
+        loads_.emplace(table(directory / "loads.csv", load_columns(scene.input), from, from ? from->load_rows : 0));
     if (from == nullptr) return;
     cycle_iterations_ = from->cycle_iterations;
     N_ = from->N;
@@ -38,12 +40,14 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
 }
 
 RecorderState RunRecorder::state() const {
-    for (const CsvWriter* writer : {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr})
+    for (const CsvWriter* writer :
+         {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr, loads_ ? &*loads_ : nullptr})
         if (writer != nullptr) sync_file(writer->path());
     return {.history_rows = history_.rows(),
             .cycle_rows = cycles_.rows(),
             .face_rows = faces_.rows(),
             .closure_rows = closure_ ? closure_->rows() : 0,
+            .load_rows = loads_ ? loads_->rows() : 0,
             .fields = fields_.steps(),
             .cycle_iterations = cycle_iterations_,
             .cycle_s = seconds() - cycle_start_s_,
@@ -80,6 +84,7 @@ void RunRecorder::record_history(const Increment& increment, const Scene& presen
     const double displacement = loaded_ ? increment.machine.displacement : missing;
     last_ = history_rows(increment, present.enriched.tips, load(increment), displacement);
     for (const HistoryRow& row : last_) history_.row(cells_of(row));
+    if (loads_) loads_->row(load_cells(present.input, increment));
 }
 
 void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& closure) {
@@ -122,8 +127,12 @@ bool RunRecorder::due(Written wish, const LoadStep& step) const {
 
 double RunRecorder::load(const Increment& increment) const {
     if (!loaded_) return missing;
-    if (!loaded_->resultant.isZero(0.0)) return increment.load_factor * loaded_->resultant.dot(loaded_->direction);
-    return increment.machine.force;
+    if (!loaded_->by_force) return increment.machine.force;
+    double load = increment.load_factor * loaded_->resultant.dot(loaded_->direction);
+    const LoadFactors factors(increment.load_factor, increment.step.target.cases);
+    for (std::size_t k = 0; k < loaded_->in_cases.size(); ++k)
+        load += factors.of_case(static_cast<Eigen::Index>(k)) * loaded_->in_cases[k].dot(loaded_->direction);
+    return load;
 }
 
 }  // namespace stria::coarse

@@ -17,7 +17,7 @@ namespace stria::coarse {
 
 /// All that a recorder remembers between two increments.
 struct RecorderState {
-    std::uint64_t history_rows = 0, cycle_rows = 0, face_rows = 0, closure_rows = 0;
+    std::uint64_t history_rows = 0, cycle_rows = 0, face_rows = 0, closure_rows = 0, load_rows = 0;
     std::vector<FieldWriter::Step> fields;
     int cycle_iterations = 0;
     double cycle_s = 0.0;  // that the cycle has taken so far
@@ -58,6 +58,7 @@ private:
     std::optional<LoadedBoundary> loaded_;
     CsvWriter history_, cycles_, faces_;
     std::optional<CsvWriter> closure_;  // where a profile of opening loads is asked for
+    std::optional<CsvWriter> loads_;    // where there are load cases
     FieldWriter fields_;
     std::vector<HistoryRow> last_;
     coupling::StepReport zone_;

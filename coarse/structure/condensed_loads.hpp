@@ -1,5 +1,7 @@
-// The loads of the load factor 1, condensed onto Gamma, and what a testing machine reads and does work on.
+// The unit loads, condensed onto Gamma, and what a testing machine reads and does work on.
 #pragma once
+
+#include <vector>
 
 #include "coarse/structure/leaf_numbering.hpp"
 #include "coarse/structure/linear_reading.hpp"
@@ -7,7 +9,14 @@
 
 namespace stria::coarse {
 
-/// Readings are linear in the displacement of the free places of Gamma and in the load factor.
+/// What the work of one unit load needs.
+struct WorkReadings {
+    LinearReading displacement;   // that its forces do work on: their product with u, N
+    LinearReading imposed_force;  // that its imposed displacements do work against: their product with the reactions of
+                                  // the coarse elements, N
+};
+
+/// Readings are linear in the displacement of the free places of Gamma and in the load factors.
 class CondensedLoads {
 public:
     /// `leaf`: the structure, its unknowns numbered as `numbering` says.
@@ -15,6 +24,9 @@ public:
 
     /// On all unknowns of the structure: forces and imposed displacements of the load factor 1, N/mm.
     [[nodiscard]] const ReducedLoad& unit() const { return unit_; }
+
+    /// Likewise of each load case.
+    [[nodiscard]] const std::vector<ReducedLoad>& cases() const { return cases_; }
 
     /// Likewise of the initial stress; zero without one.
     [[nodiscard]] const ReducedLoad& initial() const { return initial_; }
@@ -26,21 +38,23 @@ public:
     /// at it. Zero where forces load that boundary.
     [[nodiscard]] const LinearReading& holding_force() const { return holding_force_; }
 
-    /// Displacement that the forces of the load factor 1 do work on: their product with u, N.
-    [[nodiscard]] const LinearReading& load_displacement() const { return load_displacement_; }
-
-    /// Force that the imposed displacements of the load factor 1 do work against: their product with the reactions of
-    /// the coarse elements, N.
-    [[nodiscard]] const LinearReading& imposed_force() const { return imposed_force_; }
+    /// Of the main load, and of each load case.
+    [[nodiscard]] const WorkReadings& work() const { return work_; }
+    [[nodiscard]] const std::vector<WorkReadings>& work_of_cases() const { return work_of_cases_; }
 
     /// Elastic energy of the coarse elements, N (per mm of thickness), without visiting one. `tangent`: the
     /// structure's, condensed; `u`: on the free places.
     [[nodiscard]] double stored_energy(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& u,
-                                       double load_factor) const;
+                                       const LoadFactors& factors) const;
 
 private:
+    [[nodiscard]] double energy_of_cases(const Eigen::VectorXd& u, const LoadFactors& factors) const;
+
     ReducedLoad unit_, initial_;
-    LinearReading mean_displacement_, holding_force_, load_displacement_, imposed_force_;
+    std::vector<ReducedLoad> cases_;
+    LinearReading mean_displacement_, holding_force_;
+    WorkReadings work_;
+    std::vector<WorkReadings> work_of_cases_;
     double unit_energy_ = 0.0;     // twice the energy of the load factor 1 with the free places held, N
     double initial_energy_ = 0.0;  // that of the initial stress with the free places held, N
 };

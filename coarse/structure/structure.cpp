@@ -54,33 +54,52 @@ Eigen::VectorXd Structure::on_free_places(const Eigen::VectorXd& gamma_values) c
     return gather(gamma_values, free_places());
 }
 
-/// Load on the structure at a load factor, with a share of the initial stress.
-ReducedLoad Structure::load_at(double load_factor, double initial) const {
-    ReducedLoad load{load_factor * loads_.unit().interior, load_factor * loads_.unit().boundary};
-    if (initial == 0.0 || elements_.initial().load.size() == 0) return load;
-    load.interior += initial * loads_.initial().interior;
-    load.boundary += initial * loads_.initial().boundary;
+/// Load on the structure at load factors, with a share of the initial stress.
+ReducedLoad Structure::load_at(const LoadFactors& factors, double initial) const {
+    ReducedLoad load{factors.main * loads_.unit().interior, factors.main * loads_.unit().boundary};
+    const auto add = [&](double factor, const ReducedLoad& more) {
+        if (factor == 0.0) return;
+        load.interior += factor * more.interior;
+        load.boundary += factor * more.boundary;
+    };
+    for (std::size_t k = 0; k < loads_.cases().size(); ++k)
+        add(factors.of_case(static_cast<Eigen::Index>(k)), loads_.cases()[k]);
+    if (elements_.initial().load.size() > 0) add(initial, loads_.initial());
     return load;
 }
 
-Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, double load_factor, double initial) const {
+Eigen::VectorXd Structure::boundary_load(const LoadFactors& factors) const {
+    Eigen::VectorXd load = factors.main * loads_.unit().boundary + loads_.initial().boundary;
+    for (std::size_t k = 0; k < loads_.cases().size(); ++k) {
+        const double factor = factors.of_case(static_cast<Eigen::Index>(k));
+        if (factor != 0.0) load += factor * loads_.cases()[k].boundary;
+    }
+    return load;
+}
+
+Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors,
+                                  double initial) const {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(scene().enriched.unknowns);
-    u(numbering_.unknowns()) = leaf_.expand(load_at(load_factor, initial), on_free_places(gamma_displacement));
-    impose(scene().prescribed, load_factor, u);
+    u(numbering_.unknowns()) = leaf_.expand(load_at(factors, initial), on_free_places(gamma_displacement));
+    impose(scene().prescribed, factors, u);
     return u;
 }
 
-void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, double initial,
+void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
                             Eigen::VectorXd& u) const {
     const auto near = [&](const ReducedLoad& load) {
         return load.interior.tail(load.interior.size() - numbering_.far_count());
     };
-    Eigen::VectorXd load = load_factor * near(loads_.unit());
+    Eigen::VectorXd load = factors.main * near(loads_.unit());
+    for (std::size_t k = 0; k < loads_.cases().size(); ++k) {
+        const double factor = factors.of_case(static_cast<Eigen::Index>(k));
+        if (factor != 0.0) load += factor * near(loads_.cases()[k]);
+    }
     if (initial != 0.0) load += initial * near(loads_.initial());
     const Eigen::VectorXd x = leaf_.expand_above(load, on_free_places(gamma_displacement));
     Eigen::Index k = 0;
     for (const int unknown : near_unknowns()) u[unknown] = x[k++];
-    impose(near_supports_, load_factor, u);
+    impose(near_supports_, factors, u);
 }
 
 Eigen::VectorXd Structure::far_force(const Eigen::VectorXd& rim_displacement) const {

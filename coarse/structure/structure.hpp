@@ -52,23 +52,25 @@ public:
     [[nodiscard]] Eigen::VectorXd on_free_places(const Eigen::VectorXd& gamma_values) const;
 
     /// Condensed tangent on the free places, square, MPa. The structure pushes the zone with
-    /// load_factor * loads().unit().boundary + loads().initial().boundary - tangent * u, N/mm.
+    /// boundary_load(factors) - tangent * u, N/mm.
     [[nodiscard]] const Eigen::MatrixXd& tangent() const { return leaf_.tangent(); }
     [[nodiscard]] const CondensedLoads& loads() const { return loads_; }
+    /// On the free places, that of the initial stress included, N/mm.
+    [[nodiscard]] Eigen::VectorXd boundary_load(const LoadFactors& factors) const;
 
     /// Displacement of the whole mesh, mm, given that of gamma(); zero where no coarse element sees it. `initial`:
     /// share of the initial stress; 0 for what is linear in the load, such as an increment.
-    [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& gamma_displacement, double load_factor,
+    [[nodiscard]] Eigen::VectorXd expand(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors,
                                          double initial = 0.0) const;
 
     /// The same on near elements alone: overwrites in `u` (of the whole mesh) what they see. Visits no far element.
-    void expand_near(const Eigen::VectorXd& gamma_displacement, double load_factor, double initial,
+    void expand_near(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
                      Eigen::VectorXd& u) const;
 
     /// Unknowns that near elements see, free_places() last. Prescribed ones are not among them.
     [[nodiscard]] std::span<const int> near_unknowns() const { return numbering_.near_unknowns(); }
 
-    /// Unknowns that near and far elements share, ascending. Together with the load factor their displacement
+    /// Unknowns that near and far elements share, ascending. Together with the load factors their displacement
     /// determines that of all far elements.
     [[nodiscard]] const std::vector<int>& rim() const { return numbering_.rim(); }
 
@@ -87,7 +89,7 @@ public:
 private:
     [[nodiscard]] std::shared_ptr<const NearFactor> factor(std::shared_ptr<const NearFactor> known);
     void find_near_supports();
-    [[nodiscard]] ReducedLoad load_at(double load_factor, double initial) const;
+    [[nodiscard]] ReducedLoad load_at(const LoadFactors& factors, double initial) const;
 
     StructureSeconds seconds_;
     std::shared_ptr<const FarBody> far_;

@@ -17,7 +17,14 @@ constexpr std::ptrdiff_t most_states = 24;  // then all but the pivot is learnt 
 
 FarStressBound::FarStressBound(const Structure& structure)
     : structure_(&structure), far_(structure.factors().far), affine_(structure.scene().initial_stress().any()),
-      response_(largest_far_response(structure)) {}
+      response_(largest_far_response(structure)) {
+    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(std::ssize(structure.gamma()));
+    for (Eigen::Index k = 0; k < std::ssize(structure.loads().cases()); ++k) {
+        const Eigen::VectorXd u = structure.expand(at_rest, LoadFactors::of_one_case(k));
+        pivots_of_cases_.push_back(
+            {gather(u, structure.rim()), largest_far_stress(structure, u, StressPart::OfDisplacement)});
+    }
+}
 
 bool FarStressBound::turn_to(const Structure& structure) {
     if (structure.factors().far != far_) return false;
@@ -27,9 +34,11 @@ bool FarStressBound::turn_to(const Structure& structure) {
 
 /// Coordinates of a state; leaves its remainder in `displacement`. Twice over the modes, so that rounding of the first
 /// pass does not stay in it.
-FarStressBound::Coordinates FarStressBound::resolve(Eigen::VectorXd& displacement, double load_factor) const {
-    Coordinates place{load_factor, std::vector<double>(modes_.size(), 0.0), 0.0};
-    if (load_factor != 0.0) displacement -= load_factor * pivot_;
+FarStressBound::Coordinates FarStressBound::resolve(Eigen::VectorXd& displacement, const LoadFactors& factors) const {
+    Coordinates place{factors, std::vector<double>(modes_.size(), 0.0), 0.0};
+    if (factors.main != 0.0) displacement -= factors.main * pivot_;
+    for (std::size_t k = 0; k < pivots_of_cases_.size(); ++k)
+        displacement -= factors.of_case(static_cast<Eigen::Index>(k)) * pivots_of_cases_[k].displacement;
     for (int pass = 0; pass < 2; ++pass) {
         for (std::size_t k = 0; k < modes_.size(); ++k) {
             const double more = modes_[k].far_force.dot(displacement);
@@ -48,7 +57,12 @@ double FarStressBound::stress_of(const Eigen::VectorXd& remainder) const {
 
 double FarStressBound::bound_beside(const Known& known, double scale, const Coordinates& place) const {
     double bound = std::abs(scale) * (known.largest_stress + known.place.remainder) + place.remainder +
-                   std::abs(place.load_factor - scale * known.place.load_factor) * pivot_stress_;
+                   std::abs(place.factors.main - scale * known.place.factors.main) * pivot_stress_;
+    for (std::size_t k = 0; k < pivots_of_cases_.size(); ++k) {
+        const auto of = static_cast<Eigen::Index>(k);
+        bound += std::abs(place.factors.of_case(of) - scale * known.place.factors.of_case(of)) *
+                 pivots_of_cases_[k].largest_stress;
+    }
     for (std::size_t k = 0; k < modes_.size(); ++k) {
         const double there = k < known.place.along.size() ? known.place.along[k] : 0.0;
         bound += std::abs(place.along[k] - scale * there) * modes_[k].largest_stress;
@@ -56,20 +70,19 @@ double FarStressBound::bound_beside(const Known& known, double scale, const Coor
     return bound;
 }
 
-double FarStressBound::at(const Eigen::VectorXd& rim_displacement, double load_factor) const {
+double FarStressBound::at(const Eigen::VectorXd& rim_displacement, const LoadFactors& factors) const {
     if (response_ == 0.0) return 0.0;
+    const double load_factor = factors.main;
     if (load_factor != 0.0 && pivot_.size() == 0) return infinite;
     Eigen::VectorXd remainder = rim_displacement;
-    const Coordinates place = resolve(remainder, load_factor);
+    const Coordinates place = resolve(remainder, factors);
     double bound = affine_ ? infinite : bound_beside({}, 0.0, place);
     for (const Known& known : known_) {
-        if (affine_) {
-            bound = std::min(bound, bound_beside(known, 1.0, place));
-            continue;
-        }
-        const bool loaded = known.place.load_factor != 0.0;
+        if (affine_ || !pivots_of_cases_.empty()) bound = std::min(bound, bound_beside(known, 1.0, place));
+        if (affine_) continue;
+        const bool loaded = known.place.factors.main != 0.0;
         if (!loaded && load_factor != 0.0) continue;
-        bound = std::min(bound, bound_beside(known, loaded ? load_factor / known.place.load_factor : 1.0, place));
+        bound = std::min(bound, bound_beside(known, loaded ? load_factor / known.place.factors.main : 1.0, place));
     }
     return bound;
 }
@@ -83,9 +96,11 @@ void FarStressBound::learn_pivot(const Eigen::VectorXd& rim_displacement, double
     pivot_stress_ = largest_stress;
 }
 
-void FarStressBound::learn(const Eigen::VectorXd& rim_displacement, double load_factor, double largest_stress) {
+void FarStressBound::learn(const Eigen::VectorXd& rim_displacement, const LoadFactors& factors, double largest_stress) {
+    const double load_factor = factors.main;
     if (load_factor != 0.0 && pivot_.size() == 0) {
-        if (!affine_) learn_pivot(rim_displacement / load_factor, largest_stress / std::abs(load_factor));
+        const bool alone = factors.cases.isZero(0.0);
+        if (!affine_ && alone) learn_pivot(rim_displacement / load_factor, largest_stress / std::abs(load_factor));
         return;
     }
     if (std::ssize(known_) == most_states) {
@@ -93,7 +108,7 @@ void FarStressBound::learn(const Eigen::VectorXd& rim_displacement, double load_
         known_.clear();
     }
     Eigen::VectorXd remainder = rim_displacement;
-    Coordinates place = resolve(remainder, load_factor);
+    Coordinates place = resolve(remainder, factors);
     if (place.remainder > worth_a_mode * largest_stress) {
         Eigen::VectorXd force = structure_->far_force(remainder);
         const double norm = std::sqrt(remainder.dot(force));

@@ -30,7 +30,7 @@ std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     const Eigen::VectorXd& near = equilibrium.near_displacement();
     std::vector<int> yielding = near_elements_beyond(limit_, *structure_, near);
     const Eigen::VectorXd rim = gather(near, structure_->rim());
-    if (far_->at(rim, equilibrium.load_factor()) <= limit_) {
+    if (far_->at(rim, equilibrium.factors()) <= limit_) {
         ++work_.structure_checks_by_bound;
         --unpaid_;
         return yielding;
@@ -40,7 +40,7 @@ std::vector<int> YieldGuard::elements_beyond(const Equilibrium& equilibrium) {
     const double largest = largest_far_stress(*structure_, whole, StressPart::Whole);
     if (largest > limit_) return stria::coarse::elements_beyond(limit_, *structure_, whole);
     if (unpaid_ < most_unpaid) {
-        far_->learn(rim, equilibrium.load_factor(), largest);
+        far_->learn(rim, equilibrium.factors(), largest);
         ++unpaid_;
     }
     return yielding;

@@ -9,6 +9,7 @@
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
+#include "common/integration/element_operator.hpp"
 #include "common/memory.hpp"
 
 namespace stria::coarse {
@@ -101,6 +102,19 @@ ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before
     return in_zone;
 }
 
+namespace {
+
+/// Those of load cases on the zone's own unknowns, if there are any.
+void put_case_loads(const Scene& scene, const std::vector<int>& whole, coupling::Patch& patch) {
+    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(patch.mesh.unknowns, std::ssize(scene.case_forces));
+    for (std::size_t k = 0; k < scene.case_forces.size(); ++k)
+        loads.col(static_cast<Eigen::Index>(k)) = gather(scene.case_forces[k], whole);
+    for (const int i : patch.boundary) loads.row(i).setZero();
+    if (!loads.isZero(0.0)) patch.case_loads = std::move(loads);
+}
+
+}  // namespace
+
 coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement) {
     coupling::Patch patch;
@@ -114,6 +128,7 @@ coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const 
         patch.unit_load[i] = shared ? 0.0 : scene.unit_force[whole[at(i)]];
         if (shared) patch.boundary.push_back(i);
     }
+    put_case_loads(scene, whole, patch);
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
         const std::vector<Annulus> rings = rings_about(scene, t);
         for (int k = 0; k < std::ssize(rings); ++k) {

@@ -191,6 +191,35 @@ Section<CrackSection> crack_section() {
     return s;
 }
 
+namespace {
+
+Section<TravellingPressure> travelling_section() {
+    Section<TravellingPressure> s;
+    s.value("profile", &TravellingPressure::profile)
+        .one_of({"hertz"})
+        .says("hertz: p0 sqrt(1 - ((s - s_c) / half_width)^2).");
+    s.value("p0", &TravellingPressure::p0).in("MPa").positive().must_be_given().says("Largest pressure.");
+    s.value("half_width", &TravellingPressure::half_width)
+        .in("mm")
+        .positive()
+        .must_be_given()
+        .says("Half the width on which it presses.");
+    s.value("friction", &TravellingPressure::friction)
+        .says("Traction along the edge in pressures, towards growing s; negative: against it.");
+    s.value("from", &TravellingPressure::from)
+        .in("mm")
+        .must_be_given()
+        .says("Where its middle s_c is as a cycle begins: along the edge, towards growing x (y where it stands "
+              "upright), from origin on.");
+    s.value("to", &TravellingPressure::to)
+        .in("mm")
+        .must_be_given()
+        .says("Where it is as the cycle ends; each increment takes it equally far.");
+    return s;
+}
+
+}  // namespace
+
 Section<BoundarySection> boundary_section() {
     Section<BoundarySection> s;
     s.value("on", &BoundarySection::on)
@@ -203,13 +232,27 @@ Section<BoundarySection> boundary_section() {
     s.value("traction_gradient", &BoundarySection::traction_gradient)
         .in("MPa/mm")
         .says("Adds gradient (x - origin) to the traction: bending and linear stress fields.");
-    s.value("origin", &BoundarySection::origin).in("mm").says("Where the gradient adds nothing.");
+    s.value("origin", &BoundarySection::origin)
+        .in("mm")
+        .says("Where the gradient adds nothing, and places of travelling are zero.");
     s.value("pressure", &BoundarySection::pressure)
         .in("MPa")
         .says("Pressure per unit load factor, along the inward normal.");
     s.value("force", &BoundarySection::force)
         .in("N/mm")
         .says("Force at a point or pin, per thickness and unit load factor.");
+    s.value("cosine", &BoundarySection::cosine)
+        .says("Direction in which a pin or bolt presses: the pressure times the cosine between its own direction and "
+              "this one, where that is positive.");
+    s.value("centre", &BoundarySection::centre)
+        .in("mm")
+        .says("With cosine: of the pin; the pressure is radial. Absent: it acts along the inward normal.");
+    s.table("travelling", &BoundarySection::travelling, travelling_section())
+        .says("A pressure that moves along the edge, once in each cycle of [load]. It is applied first and then kept; "
+              "from one cycle to the next it fades out where it is and comes on where it begins.");
+    s.value("case", &BoundarySection::load_case)
+        .says("Name of the [[load_case]] whose factor multiplies the loads and displacements here. Absent: the load "
+              "factor of [load].");
     s.check(check_boundary);
     return s;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/case/loads/load_sections.hpp"
 #include "common/geometry/vec2.hpp"
 
 namespace stria {
@@ -130,6 +131,10 @@ struct BoundarySection {
     Vec2 origin = Vec2::Zero();
     std::optional<double> pressure;  // MPa per unit load factor, along the inward normal
     std::optional<Vec2> force;       // N per mm of thickness and unit load factor, at a point
+    std::optional<Vec2> cosine;      // direction in which a pin presses: the pressure times the cosine to it, where > 0
+    std::optional<Vec2> centre;      // mm, of the pin: the pressure is radial; absent: along the inward normal
+    std::optional<TravellingPressure> travelling;
+    std::optional<std::string> load_case;  // absent: that of [load]
     bool operator==(const BoundarySection&) const = default;
 };
 
@@ -255,6 +260,7 @@ struct Case {
     std::vector<CrackSection> cracks;
     std::vector<BoundarySection> boundaries;
     LoadSection load;
+    std::vector<LoadCaseSection> load_cases;
     std::optional<GrowthSection> growth;
     ClosureSection closure;
     SolverSection solver;

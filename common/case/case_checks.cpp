@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "common/case/loads/load_case_checks.hpp"
 #include "common/memory.hpp"
 
 namespace stria {
@@ -27,12 +28,12 @@ bool moves(const BoundarySection& boundary) {
 bool carries_load(const BoundarySection& boundary) {
     return moves(boundary) || !boundary.traction.value_or(Vec2::Zero()).isZero(0.0) ||
            boundary.pressure.value_or(0.0) != 0.0 || !boundary.force.value_or(Vec2::Zero()).isZero(0.0) ||
-           !boundary.traction_gradient.isZero(0.0);
+           !boundary.traction_gradient.isZero(0.0) || boundary.travelling.has_value();
 }
 
 bool says_something(const BoundarySection& boundary) {
     return boundary.displacement[0] || boundary.displacement[1] || boundary.traction || boundary.pressure ||
-           boundary.force;
+           boundary.force || boundary.travelling;
 }
 
 constexpr std::size_t most_points = 10'000;  // of a crack as it is given
@@ -170,6 +171,7 @@ void check_boundary(const BoundarySection& boundary, const Value& table, const P
         for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
     if ((point || pin) && !boundary.traction_gradient.isZero(0.0))
         complain("traction_gradient", "needs an edge, not a point");
+    check_pressure(boundary, table, place);
     if (!says_something(boundary) && find(table, "traction_gradient") == nullptr)
         reject(place, table.line, "needs a displacement, traction, pressure or force");
 }
@@ -217,7 +219,9 @@ void check_control(const Case& whole, const Value& root, const Place& place) {
                "needs control = \"K\"");
     if (whole.load.control != Control::Displacement) return;
     const Value& control = *find(*find(root, "load"), "control");
-    const auto driven = std::ranges::find_if(whole.boundaries, carries_load);
+    const auto driven = std::ranges::find_if(whole.boundaries, [](const BoundarySection& boundary) {
+        return is_of_main_load(boundary) && carries_load(boundary);
+    });
     if (driven == whole.boundaries.end())
         reject(place.inside("load.control"), control, {}, "needs a boundary that carries a load");
     if (moves(*driven))
@@ -256,9 +260,10 @@ void check_length(const LoadSection& load, const Value& root, const Place& place
 
 }  // namespace
 
-void check_load(const LoadSection& load, const Value& root, const Place& place) {
-    check_extremes(load, root, place);
-    check_length(load, root, place);
+void check_load(const Case& whole, const Value& root, const Place& place) {
+    check_extremes(whole.load, root, place);
+    check_length(whole.load, root, place);
+    check_cycles_of_cases(whole, root, place);
 }
 
 void check_case(const Case& whole, const Value& root, const Place& place) {
@@ -267,6 +272,7 @@ void check_case(const Case& whole, const Value& root, const Place& place) {
         reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
     check_control(whole, root, place);
     check_opening_range(whole, root, place);
+    check_load_cases(whole, root, place);
     if (std::ranges::none_of(whole.boundaries, carries_load))
         reject(place.inside("boundary"), root.line,
                "carries no load: give one a displacement, traction, pressure or force other than zero");

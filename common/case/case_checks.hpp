@@ -15,7 +15,7 @@ void check_growth(const GrowthSection& growth, const schema::Value& table, const
 void check_crack(const CrackSection& crack, const schema::Value& table, const schema::Place& place);
 void check_boundary(const BoundarySection& boundary, const schema::Value& table, const schema::Place& place);
 void check_block(const LoadBlock& block, const schema::Value& table, const schema::Place& place);
-void check_load(const LoadSection& load, const schema::Value& root, const schema::Place& place);  // spectrum included
+void check_load(const Case& whole, const schema::Value& root, const schema::Place& place);  // spectrum included
 void check_case(const Case& whole, const schema::Value& root, const schema::Place& place);
 
 }  // namespace stria

@@ -3,8 +3,8 @@
 #include "common/case/body_schema.hpp"
 #include "common/case/case_checks.hpp"
 #include "common/case/case_schema.hpp"
+#include "common/case/loads/spectrum.hpp"
 #include "common/case/not_in_this_version.hpp"
-#include "common/case/spectrum.hpp"
 #include "common/error.hpp"
 
 #include <algorithm>
@@ -189,17 +189,13 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     schema::check_known(root, case_schema().keys(), path);
     Case scene = case_schema().read(root, {}, {path, ""});
     if (scene.name.empty()) scene.name = name_from(path);
-    if (scene.load.spectrum) {
-        const std::filesystem::path file = std::filesystem::path(path).parent_path() / *scene.load.spectrum;
-        for (const LoadBlock& block : read_spectrum(file)) scene.load.blocks.push_back(block);
-        scene.load.spectrum.reset();  // the resolved case stands alone
-    }
+    if (scene.load.spectrum) take_spectrum(scene, std::filesystem::path(path).parent_path());
     if (scene.initial_stress && scene.initial_stress->file) {
         const std::filesystem::path file = std::filesystem::path(path).parent_path() / *scene.initial_stress->file;
         scene.initial_stress->grid = read_stress_grid(file);
         scene.initial_stress->file.reset();
     }
-    check_load(scene.load, root, {path, ""});
+    check_load(scene, root, {path, ""});
     return scene;
 }
 

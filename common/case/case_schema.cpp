@@ -28,6 +28,8 @@ Section<Case> whole_case() {
     s.list("crack", &Case::cracks, crack_section()).says("Cracks.");
     s.list("boundary", &Case::boundaries, boundary_section()).says("Supports and loads.");
     s.table("load", &Case::load, load_section()).says("The history of the load factor.");
+    s.list("load_case", &Case::load_cases, load_case_section())
+        .says("Loads with a history of their own, beside that of [load].");
     s.table("growth", &Case::growth, growth_section()).says("How cracks grow; absent: they do not.");
     s.table("closure", &Case::closure, closure_section()).says("How opening and closing loads are measured.");
     s.table("solver", &Case::solver, solver_section()).says("Newton's method.");

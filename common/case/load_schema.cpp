@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/case/case_checks.hpp"
+#include "common/case/loads/load_case_checks.hpp"
 
 namespace stria {
 
@@ -52,7 +53,9 @@ Section<LoadSection> load_section() {
               "maximum of the next one.");
     s.value("spectrum", &LoadSection::spectrum)
         .says("CSV file, relative to the case file, with a line of names: columns max, min and, if wanted, cycles; or "
-              "one column turning_point. Its cycles follow the blocks; the resolved case lists them as blocks.");
+              "one column turning_point, and beside it columns with the names of load cases. Its cycles follow the "
+              "blocks; the "
+              "resolved case lists them as blocks.");
     s.value("scale", &LoadSection::scale).positive().says("Multiplies every max and min.");
     s.value("repeat", &LoadSection::repeat).at_least(1).says("How often the whole sequence of blocks is gone through.");
     s.choice<Control>(
@@ -65,6 +68,41 @@ Section<LoadSection> load_section() {
     s.value("K_gradient", &LoadSection::K_gradient)
         .in("1/mm")
         .says("With control = \"K\": K is that of the blocks times exp(K_gradient (a - a at the start)), ASTM E647.");
+    return s;
+}
+
+namespace {
+
+Section<CaseBlock> case_block_section() {
+    Section<CaseBlock> s;
+    s.value("cycles", &CaseBlock::cycles).at_least(1).says("Number of cycles.");
+    s.value("at_max", &CaseBlock::at_max).must_be_given().says("Factor at the maximum of the cycle of [load].");
+    s.value("at_min", &CaseBlock::at_min).must_be_given().says("Factor at its minimum.");
+    return s;
+}
+
+}  // namespace
+
+Section<LoadCaseSection> load_case_section() {
+    Section<LoadCaseSection> s;
+    s.value("name", &LoadCaseSection::name).must_be_given().says("What boundary.case calls it.");
+    s.value("constant", &LoadCaseSection::constant)
+        .says("Factor of a dead load: applied before the first maximum of [load], in half as many increments as a "
+              "cycle has, then kept.");
+    s.value("factor", &LoadCaseSection::factor)
+        .says("The factor is this times the history of [load], behind which it lags by phase.");
+    s.value("phase", &LoadCaseSection::phase)
+        .at_least(0.0)
+        .below(360.0)
+        .says("Degrees of a cycle by which it lags behind [load]; 90: it is at its maximum midway between the maximum "
+              "and the minimum of [load]. An increment ends there.");
+    s.choice<LagPath>("path", &LoadCaseSection::path, {{"sine", LagPath::Sine}, {"triangle", LagPath::Triangle}})
+        .says("How both go from turn to turn, seen over the angle of a cycle: with sine and a phase of 90 they run "
+              "through an ellipse, with triangle through a rhombus.");
+    s.list("blocks", &LoadCaseSection::blocks, case_block_section())
+        .says("Its factors at the extremes of the cycles of [load], as many cycles as there; straight in between. A "
+              "case that has none of constant, factor and blocks is the column of its name in load.spectrum.");
+    s.check(check_load_case);
     return s;
 }
 

@@ -8,6 +8,7 @@
 namespace stria {
 
 schema::Section<LoadSection> load_section();
+schema::Section<LoadCaseSection> load_case_section();
 schema::Section<MaterialTestSection> material_test_section();
 schema::Section<GrowthSection> growth_section();
 schema::Section<ClosureSection> closure_section();

@@ -23,6 +23,11 @@ std::vector<int> of_elements(const std::vector<int>& part_of, const std::vector<
     return own;
 }
 
+Eigen::MatrixXd rows_of(const Eigen::MatrixXd& case_loads, const std::vector<int>& unknowns) {
+    if (case_loads.cols() == 0) return {};
+    return case_loads(unknowns, Eigen::all);
+}
+
 Seams find_seams(const Patch& patch, const std::vector<RankPart>& parts) {
     std::vector<int> seen(at(patch.mesh.unknowns), 0);
     for (const RankPart& part : parts)
@@ -45,6 +50,7 @@ void end_at_seams(const Seams& seams, RankPart& part, Patch& patch) {
         if (place == seams.kept.end() || *place != part.unknowns[at(i)]) continue;
         patch.boundary.push_back(i);
         patch.unit_load[i] = 0.0;
+        if (patch.case_loads.cols() > 0) patch.case_loads.row(i).setZero();
         part.shared.push_back(static_cast<int>(place - seams.kept.begin()));
     }
 }
@@ -60,6 +66,7 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
         divided.patches.push_back({.mesh = std::move(mesh),
                                    .boundary = {},
                                    .unit_load = gather(patch.unit_load, unknowns),
+                                   .case_loads = rows_of(patch.case_loads, unknowns),
                                    .displacement = gather(displacement, unknowns),
                                    .rings = patch.rings,
                                    .opening_at = patch.opening_at,

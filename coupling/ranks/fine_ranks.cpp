@@ -106,6 +106,7 @@ void FineRanks::request(const PatchDisplacement& displacement) {
     }
     trial_(seams_.gamma) = displacement.boundary;
     load_factor_ = displacement.load_factor;
+    cases_ = displacement.cases;
     for (const RankPart& part : parts_) {
         PatchDisplacement of_part = displacement;
         of_part.boundary = gather(trial_, part.shared);
@@ -118,6 +119,7 @@ PatchResponse FineRanks::collect() {
     PatchResponse response;
     response.digest.yielding_points.assign(patch_.mesh.elements.size(), 0);
     Eigen::VectorXd unit_load = gather(patch_.unit_load, seams_.kept), load = load_factor_ * unit_load;
+    if (patch_.case_loads.cols() > 0) load += patch_.case_loads(seams_.kept, Eigen::all) * cases_;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         add(response, answers[k], parts_[k].elements);
         load(parts_[k].shared) -= answers[k].force;
@@ -158,6 +160,8 @@ StepReport FineRanks::commit(bool reversal) {
     StepReport report = sum_of(reports_, patch_.rings);
     report.unknowns = patch_.mesh.unknowns + report.multipliers;  // seams once
     report.energy.load_path += gather(patch_.unit_load, seams_.kept).dot(increment);
+    if (patch_.case_loads.cols() > 0)
+        report.energy.case_paths += patch_.case_loads(seams_.kept, Eigen::all).transpose() * increment;
     return report;
 }
 

@@ -53,6 +53,7 @@ private:
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm
     double load_factor_ = 0.0;
+    Eigen::VectorXd cases_;  // factors of the load cases
     IncrementMemory<Eigen::VectorXd> increments_;
     std::vector<StepReport> reports_;
     int history_moves_ = 0;

@@ -72,12 +72,21 @@ void add_faces(StepReport& whole, const StepReport& part) {
     }
 }
 
+/// A part that no load case loads has none.
+void add_paths(Eigen::VectorXd& whole, const Eigen::VectorXd& part) {
+    if (whole.size() == 0)
+        whole = part;
+    else if (part.size() > 0)
+        whole += part;
+}
+
 void add_counters(StepReport& whole, const StepReport& part) {
     whole.dissipation += part.dissipation;
     whole.energy.stored += part.energy.stored;
     whole.energy.released += part.energy.released;
     whole.energy.friction += part.energy.friction;
     whole.energy.load_path += part.energy.load_path;
+    add_paths(whole.energy.case_paths, part.energy.case_paths);
     whole.points += part.points;
     whole.unknowns += part.unknowns;
     whole.multipliers += part.multipliers;

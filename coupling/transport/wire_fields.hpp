@@ -59,14 +59,16 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at, shared, part_of] = m;
-    wire(mesh, boundary, unit_load, displacement, rings, opening_at, contact_at, ahead, slip_at, shared, part_of);
+    auto& [mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, shared,
+           part_of] = m;
+    wire(mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, shared,
+         part_of);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, put_aside, load_factor, step, held, settled_below, check_rest, boundary] = m;
-    wire(iteration, predictor.factor, predictor.back, put_aside, load_factor, step, held, settled_below, check_rest,
-         boundary);
+    auto& [iteration, predictor, put_aside, load_factor, cases, step, held, settled_below, check_rest, boundary] = m;
+    wire(iteration, predictor.factor, predictor.back, put_aside, load_factor, cases, step, held, settled_below,
+         check_rest, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
@@ -108,8 +110,8 @@ void fields(auto& wire, Is<TipReport> auto& m) {
 }
 
 void fields(auto& wire, Is<EnergyReport> auto& m) {
-    auto& [stored, released, friction, load_path] = m;
-    wire(stored, released, friction, load_path);
+    auto& [stored, released, friction, load_path, case_paths] = m;
+    wire(stored, released, friction, load_path, case_paths);
 }
 
 void fields(auto& wire, Is<WorkCounts> auto& m) {

@@ -61,6 +61,7 @@ coupling::PatchResponse FineModel::collect() {
     }
     system_.set_held(asked_.held);
     system_.set_load_factor(asked_.load_factor);
+    system_.set_cases(asked_.cases);
     system_.set_boundary(asked_.boundary);
     linearise();
     coupling::PatchResponse response = system_.measure();

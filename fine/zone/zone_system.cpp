@@ -108,6 +108,7 @@ void ZoneSystem::linearise() {
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(trial_.traction, force);
     load_ = load_factor_ * patch_.unit_load - force;
+    if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads * cases_;
     memory_.opening.hold(held_, load_);
     at_rest_.response.resize(0);
 }
@@ -127,7 +128,10 @@ void ZoneSystem::add_response(const Eigen::VectorXd& load) {
 
 ElementSet ZoneSystem::may_rest() const {
     ElementSet may = bulk_->may_rest();
-    const auto bears_load = [&](int unknown) { return patch_.unit_load[unknown] != 0.0; };
+    const auto bears_load = [&](int unknown) {
+        return patch_.unit_load[unknown] != 0.0 ||
+               (patch_.case_loads.cols() > 0 && !patch_.case_loads.row(unknown).isZero(0.0));
+    };
     for (int e = 0; e < may.size(); ++e) {
         if (std::ranges::any_of(bulk_->elements().op(e).unknowns, bears_load)) may.erase(e);
         for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
@@ -218,6 +222,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
                      .released = memory_.opening.release(move.displacement, held_),
                      .friction = friction,
                      .load_path = patch_.unit_load.dot(move.displacement)};
+    if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
     memory_.increments.push(move);
     report_on(report);
     report.dissipation = fine::dissipation(*bulk_);

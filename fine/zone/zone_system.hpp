@@ -26,6 +26,8 @@ public:
 
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
+    /// Factors of the load cases.
+    void set_cases(const Eigen::VectorXd& cases) { cases_ = cases; }
     [[nodiscard]] double load_factor() const { return load_factor_; }
 
     /// Share of the forces on faces that growth has opened that still holds them, until it is set again.
@@ -108,7 +110,7 @@ private:
     std::vector<TipRings> rings_;  // per tip
     ZoneMemory memory_;
     ZoneUnknowns trial_;
-    Eigen::VectorXd load_;
+    Eigen::VectorXd load_, cases_;
     ContactInterface::Jumps jumps_;
     AtRest at_rest_;
     int steps_ = 0;  // of Newton's method in this attempt

@@ -67,6 +67,21 @@ const std::vector<std::string> layered_scene{
     "{outline=[[23.0,0.0],[50.0,90.0],[50.0,200.0],[23.0,200.0]], material={young=300e3, poisson=0.2}}]",
     "initial_stress={sigma_y={at=[0.0,12.5,25.0,37.5,50.0], stress=[20.0,0.0,-20.0,0.0,20.0]}}"};
 
+/// Under a dead load, a shear behind the tension, an end that a load case moves, and a wheel on the side of the zone
+/// that rolls over the mouth of the crack.
+const std::vector<std::string> loaded_scene{
+    mesh_at_tip(0.6),
+    "mesh.size=10.0",
+    "load.steps=12",
+    "solver.tolerance=1e-12",
+    "fine.radius=30.0",
+    "load.blocks=[{cycles=1, max=35.0, min=-75.0}]",
+    "load_case=[{name='dead', constant=15.0}, {name='shear', factor=0.3, phase=90.0}, {name='moved', factor=1e-3}]",
+    "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
+    "{on='bottom', displacement=[0.0,0.0]}, {on='bottom', displacement=[0.0,-1.0], case='moved'}, "
+    "{on='top', traction=[1.0,0.0], case='shear'}, {on='left', origin=[0.0,100.0], travelling={p0=40.0, "
+    "half_width=3.0, friction=0.2, from=-12.0, to=12.0}}]"};
+
 struct SettingsOfCase {
     const char* name;
     std::vector<std::string> settings;
@@ -239,21 +254,20 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sceneries, Modes,
-                         testing::Values(SettingsOfCase{"graded", small_scene},
-                                         SettingsOfCase{"refined", refined_scene},
-                                         SettingsOfCase{"growing", growing_scene},
-                                         SettingsOfCase{"following", following_scene},
-                                         SettingsOfCase{"sliding", sliding_scene},
-                                         SettingsOfCase{"layered", layered_scene}),
-                         [](const auto& scenery) { return std::string(scenery.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Sceneries, Modes,
+    testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
+                    SettingsOfCase{"growing", growing_scene}, SettingsOfCase{"following", following_scene},
+                    SettingsOfCase{"sliding", sliding_scene}, SettingsOfCase{"layered", layered_scene},
+                    SettingsOfCase{"loaded", loaded_scene}),
+    [](const auto& scenery) { return std::string(scenery.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
     Sceneries, SharedZone,
     testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
                     SettingsOfCase{"extended", extended_scene}, SettingsOfCase{"growing", growing_scene},
                     SettingsOfCase{"following", following_scene}, SettingsOfCase{"sliding", sliding_scene},
-                                         SettingsOfCase{"layered", layered_scene}),
+                    SettingsOfCase{"layered", layered_scene}, SettingsOfCase{"loaded", loaded_scene}),
     [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {

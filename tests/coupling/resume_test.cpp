@@ -96,6 +96,16 @@ const StoppedRun layered{
      "initial_stress={sigma_y={at=[0.0,12.5,25.0,37.5,50.0], stress=[20.0,0.0,-20.0,0.0,20.0]}}"},
     27};
 
+/// Under a dead load, a shear behind the tension and a wheel that rolls over the side, while the crack grows.
+const StoppedRun loaded{"Loaded",
+                        {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
+                         "load.blocks=[{cycles=3, max=35.0, ratio=-1.0}]", "growth.increment=0.4",
+                         "load_case=[{name='dead', constant=15.0}, {name='shear', factor=0.3, phase=90.0}]",
+                         "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
+                         "{on='bottom', displacement=[0.0,0.0]}, {on='top', traction=[1.0,0.0], case='shear'}, "
+                         "{on='left', origin=[0.0,100.0], travelling={p0=40.0, half_width=3.0, from=-12.0, to=12.0}}]"},
+                        13};
+
 /// Half way of an increment that was halved.
 const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
 
@@ -276,7 +286,7 @@ TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,
-                                         followed, halved, displaced, elastic, layered),
+                                         followed, halved, displaced, elastic, layered, loaded),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -300,7 +310,7 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone,
-                         testing::Values(still, extended, growing, followed, sliding_growing, layered),
+                         testing::Values(still, extended, growing, followed, sliding_growing, layered, loaded),
                          testing::PrintToStringParamName());
 
 }  // namespace

@@ -16,7 +16,7 @@ inline coarse::Scene make_scene(Mesh mesh, EnrichedMesh enriched, const Elastici
     material.young = elastic.young;
     material.poisson = elastic.poisson;
     scene.materials = Materials(material, elastic.plane);
-    scene.loads = std::move(loads);
+    scene.loads.main = std::move(loads);
     coarse::put_loads_on_unknowns(scene);
     return scene;
 }

@@ -74,8 +74,8 @@ coarse::TipResult along_edges(const Case& input, int n) {
     scene.input = input;
     scene.materials = Materials(input);
     scene.mesh = conforming_mesh(input.cracks[0].points, n);
-    scene.loads = coarse::resolve_boundaries(scene.mesh, input.boundaries);
-    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.loads.main = coarse::resolve_boundaries(scene.mesh, input.boundaries);
+    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads.main);
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, coarse::choose_enrichment(input));
     coarse::put_loads_on_unknowns(scene);
     const coarse::Structure structure(scene);

@@ -119,7 +119,7 @@ TEST(Specimens, CompactTension) {
 TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     const ElasticSolution solution(graded_to_tips(compact_tension(0.5)));
     EXPECT_EQ(solution.scene.free_motions.pins.size(), 3U);
-    const auto loaded = coarse::loaded_boundary(solution.scene.mesh, solution.scene.input.boundaries);
+    const auto loaded = coarse::loaded_boundary(solution.scene.mesh, solution.scene.input);
     ASSERT_TRUE(loaded);
     EXPECT_LT((loaded->resultant - Vec2(0.0, 1.0)).norm(), 1e-12);
     // Between the pins a little more than on the load line: they press into their holes.

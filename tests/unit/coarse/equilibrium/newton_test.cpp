@@ -44,7 +44,7 @@ public:
     void put_aside() override {}
     coupling::StepReport commit(bool) override { return {}; }
     void rollback() override {}
-    [[nodiscard]] double load_factor() const override { return load_; }
+    [[nodiscard]] LoadFactors factors() const override { return load_; }
     [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override { return none_; }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return {}; }
     [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return nothing_; }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/model/loads/loads_of_case.hpp"
 #include "coarse/model/rigid_motions.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
@@ -66,6 +67,12 @@ std::string refusal(const std::vector<BoundarySection>& sections) {
 }
 
 bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::optional<LoadedBoundary> loaded_among(const Mesh& body, const std::vector<BoundarySection>& sections) {
+    Case input;
+    input.boundaries = sections;
+    return loaded_boundary(body, input);
+}
 
 FreeMotions motions_of(const std::vector<BoundarySection>& sections) {
     return analyse_rigid_motions(mesh, resolve_boundaries(mesh, sections));
@@ -161,7 +168,7 @@ TEST(RigidMotions, NameTheMotionThatTheLoadsDrive) {
 }
 
 TEST(LoadedBoundary, IsTheFirstThatCarriesSomething) {
-    const auto boundary = loaded_boundary(mesh, {held("bottom", 0.0, 0.0), traction_on("top", 3.0, 4.0)});
+    const auto boundary = loaded_among(mesh, {held("bottom", 0.0, 0.0), traction_on("top", 3.0, 4.0)});
     ASSERT_TRUE(boundary);
     EXPECT_EQ(boundary->name, "top");
     EXPECT_EQ(boundary->edges.size(), 3U);
@@ -175,16 +182,16 @@ TEST(LoadedBoundary, IsTheFirstThatCarriesSomething) {
 }
 
 TEST(LoadedBoundary, TakesItsDirectionFromWhatThereIs) {
-    EXPECT_FALSE(loaded_boundary(mesh, {held("bottom", 0.0, 0.0)}));
-    EXPECT_EQ(loaded_boundary(mesh, {held("top", {}, -0.1)})->direction, Vec2(0.0, -1.0));
-    const auto point = loaded_boundary(mesh, {force_at(4.0, 3.0, 2.0, 0.0)});
+    EXPECT_FALSE(loaded_among(mesh, {held("bottom", 0.0, 0.0)}));
+    EXPECT_EQ(loaded_among(mesh, {held("top", {}, -0.1)})->direction, Vec2(0.0, -1.0));
+    const auto point = loaded_among(mesh, {force_at(4.0, 3.0, 2.0, 0.0)});
     EXPECT_EQ(point->direction, Vec2(1.0, 0.0));
     EXPECT_EQ(point->nodes, std::vector<int>{11});
     BoundarySection bending;
     bending.on = "top";
     bending.origin = Vec2(2.0, 0.0);
     bending.traction_gradient << 0.0, 0.0, 1.0, 0.0;
-    EXPECT_LT((loaded_boundary(mesh, {bending})->direction - Vec2(0.0, 1.0)).norm(), 1e-15);
+    EXPECT_LT((loaded_among(mesh, {bending})->direction - Vec2(0.0, 1.0)).norm(), 1e-15);
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ using test::TemporaryFolder;
 
 Checkpoint some_checkpoint() {
     Checkpoint checkpoint;
-    checkpoint.mark = {"young = 1.0\n", {{.cycles = 3, .max = 50.0, .min = -50.0}}, 0.1, 2, 1ULL << 63U};
+    checkpoint.mark = {"young = 1.0\n", {{.cycles = 3, .max = 50.0, .min = -50.0}}, 0.1, 2, true, 1ULL << 63U};
     AnalysisState& state = checkpoint.analysis;
+    state.load.cases = Eigen::Vector2d(0.25, -0.0);
     state.cracks = {{{0.0, 20.25}, {100.0, 1.0 / 3.0}}};
     state.in_zone = ElementSet::of_flags({0, 1, 1});
     state.far = ElementSet::of_flags({1, 0, 0});
@@ -32,7 +33,7 @@ Checkpoint some_checkpoint() {
     state.counts.increments = 57;
     state.growth_ended = true;
     state.load.reached = -1.0 / 3.0;
-    state.load.taken = {{2, 0.0, 5.0}, {2, 5.0, 10.0}};
+    state.load.taken = {{2, 0.0, 5.0, Eigen::Vector2d(0.0, 1.0), state.load.cases}, {2, 5.0, 10.0}};
     state.equilibrium.increments = {Vec2(1.0, 2.0), Vec2(3.0, 4.0)};
     state.equilibrium.load_increments = {0.5, 0.25};
     state.zone.element = {4, 9};
@@ -79,7 +80,10 @@ TEST(Checkpoint, ComesBackBitForBit) {
     const Checkpoint out = read_checkpoint(folder / "checkpoint.h5");
     EXPECT_EQ(out.mark.text, in.mark.text);
     EXPECT_EQ(out.mark.blocks, in.mark.blocks);
+    EXPECT_EQ(out.mark.leads, in.mark.leads);
     EXPECT_EQ(out.mark.mesh, in.mark.mesh);
+    EXPECT_EQ(out.analysis.load.cases, in.analysis.load.cases);
+    EXPECT_EQ(out.analysis.load.taken.at(0).cases_to, in.analysis.load.taken[0].cases_to);
     EXPECT_EQ(out.analysis.cracks.at(0).y, in.analysis.cracks[0].y);
     EXPECT_EQ(out.analysis.in_zone, in.analysis.in_zone);
     EXPECT_EQ(out.analysis.far, in.analysis.far);

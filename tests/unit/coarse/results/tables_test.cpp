@@ -7,6 +7,7 @@
 
 #include "coarse/results/rows.hpp"
 #include "coarse/results/summary.hpp"
+#include "tests/support/load_cases.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -57,6 +58,26 @@ TEST(Tables, LeaveSlipEmptyWhereNobodyMeasuresIt) {
     EXPECT_TRUE(std::isnan(closure_rows(increment, 0, closure).at(1).K_slip));
     increment.cycles[0].K_slip = {60.0, 70.0};
     EXPECT_EQ(closure_rows(increment, 0, closure).at(1).K_slip, 70.0);
+}
+
+TEST(Tables, SayHowLoadCasesLoadAndWhereAWheelIs) {
+    Case input;
+    input.load.steps = 2;
+    input.load_cases = {test::dead_load("dead", 3.0)};
+    input.boundaries.resize(2);
+    input.boundaries[1].travelling = TravellingPressure{.from = -8.0, .to = 8.0};
+    EXPECT_EQ(joined(load_columns(input)), "increment,cycle,load_factor,dead,position_1");
+    Increment increment;
+    increment.number = 7;
+    increment.load_factor = 2.0;
+    increment.step.target.cases = Eigen::Vector4d(3.0, 0.0, 0.75, 0.25);
+    const std::vector<Cell> cells = load_cells(input, increment);
+    EXPECT_EQ(std::get<std::int64_t>(cells[0]), 7);
+    EXPECT_EQ(std::get<double>(cells[2]), 2.0);
+    EXPECT_EQ(std::get<double>(cells[3]), 3.0);
+    EXPECT_EQ(std::get<double>(cells[4]), 2.0);  // a quarter of the way from 0 to 8
+    increment.step.target.cases.resize(0);
+    EXPECT_TRUE(std::isnan(std::get<double>(load_cells(input, increment)[4])));
 }
 
 TEST(SummaryJson, HoldsItsKeys) {

@@ -8,6 +8,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "common/fem/centre.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -111,6 +112,36 @@ TEST_P(FarStress, BoundIsTheStressOfAStateThatItKnowsAtAnyLoad) {
         for (const double scale : {1.0, 0.3, -0.7})
             EXPECT_NEAR(bound.at(scale * s.rim, scale * load_factor), std::abs(scale) * s.largest_far,
                         1e-6 * s.largest_far);
+    }
+}
+
+/// With a load case on two sides and a wheel on the third, each with a factor of its own.
+TEST_P(FarStress, BoundHoldsWithLoadCases) {
+    Case loaded = input();
+    loaded.load.steps = 4;
+    loaded.load_cases = {test::lagging_load("shear", 1.0, 90.0)};
+    const TravellingPressure wheel{.p0 = 1.0, .half_width = 2.0, .from = 5.0, .to = 15.0};
+    loaded.boundaries.insert(loaded.boundaries.end(), {test::pulled_in_case("shear", "top", {1.0, 0.5}),
+                                                       test::pulled_in_case("shear", "right", {1.0, 0.0}),
+                                                       test::held("left"), test::under_wheel("right", wheel)});
+    const Scene body = refined_scene(loaded);
+    const Structure parts(body, zone_of(body));
+    FarStressBound bound(parts);
+    bound.learn_pivot(gather(parts.expand(Eigen::VectorXd::Zero(std::ssize(parts.gamma())), 1.0), parts.rim()),
+                      largest_far_stress(parts, parts.expand(Eigen::VectorXd::Zero(std::ssize(parts.gamma())), 1.0),
+                                         StressPart::OfDisplacement));
+    std::uniform_real_distribution<double> any(-50.0, 50.0);
+    for (int k = 0; k < 40; ++k) {
+        const LoadFactors factors(k % 5 == 0 ? 0.0 : any(generator),
+                                  Eigen::VectorXd::NullaryExpr(6, [&] { return any(generator); }));
+        const Eigen::VectorXd gamma =
+            1e-5 * Eigen::VectorXd::NullaryExpr(std::ssize(parts.gamma()), [&] { return any(generator); });
+        const Eigen::VectorXd whole = parts.expand(gamma, factors), rim = gather(whole, parts.rim());
+        const double largest = largest_far_stress(parts, whole, StressPart::Whole);
+        EXPECT_GE(bound.at(rim, factors), largest * (1.0 - 1e-9)) << k;
+        if (k % 4 != 1) continue;
+        bound.learn(rim, factors, largest);
+        EXPECT_LE(bound.at(rim, factors), 1.03 * largest) << k;
     }
 }
 

@@ -1,5 +1,5 @@
 // Load spectra from CSV files, good and bad ones.
-#include "common/case/spectrum.hpp"
+#include "common/case/loads/spectrum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ class Spectrum : public testing::Test {
 protected:
     std::vector<LoadBlock> read(const std::string& text) {
         std::ofstream(folder / "s.csv") << text;
-        return read_spectrum(folder / "s.csv");
+        return read_spectrum(folder / "s.csv").blocks;
     }
     std::string complaint(const std::string& text) {
         try {

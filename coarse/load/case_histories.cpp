@@ -1,0 +1,139 @@
+#include "coarse/load/case_histories.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr double half_cycle = 180.0;  // degrees
+
+/// Part of the way between two turns at a part of the angle between them, and back.
+double way_at(LagPath path, double angle) {
+    return path == LagPath::Triangle ? angle : 0.5 * (1.0 - std::cos(std::numbers::pi * angle));
+}
+double angle_at(LagPath path, double way) {
+    return path == LagPath::Triangle ? way : std::acos(std::clamp(1.0 - 2.0 * way, -1.0, 1.0)) / std::numbers::pi;
+}
+
+/// Of the repeated sequence, from 1.
+const CaseBlock& block_of_cycle(const std::vector<CaseBlock>& blocks, int cycle) {
+    int all = 0;
+    for (const CaseBlock& block : blocks) all += block.cycles;
+    int within = (cycle - 1) % all;
+    std::size_t k = 0;
+    while (within >= blocks[k].cycles) within -= blocks[k++].cycles;
+    return blocks[k];
+}
+
+}  // namespace
+
+int positions_of_travel(const LoadSection& load) { return load.steps + 1; }
+
+CaseHistories::CaseHistories(const Case& input)
+    : load_(input.load), cases_(input.load_cases),
+      travelling_(std::ranges::count_if(input.boundaries, [](const auto& b) { return b.travelling.has_value(); })),
+      legs_(stria::coarse::legs(input.load)) {
+    const bool dead = std::ranges::any_of(cases_, [](const auto& c) { return c.constant.has_value(); });
+    if (dead || travelling_ > 0) legs_.insert(legs_.begin(), Leg{.cycle = 0, .from = 0.0, .to = 0.0, .leads = true});
+}
+
+Eigen::Index CaseHistories::count() const { return std::ssize(cases_) + travelling_ * positions_of_travel(load_); }
+
+std::vector<double> CaseHistories::turns() const {
+    std::vector<double> turns;
+    for (const LoadCaseSection& load_case : cases_) {
+        const double angle = std::fmod(load_case.phase, half_cycle) / half_cycle;
+        if (load_case.factor && angle > 0.0) turns.push_back(way_at(load_case.path, angle));
+    }
+    std::ranges::sort(turns);
+    turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
+    return turns;
+}
+
+Eigen::VectorXd CaseHistories::at(const LoadPlace& place) const {
+    Eigen::VectorXd factors = Eigen::VectorXd::Zero(count());
+    Eigen::Index k = 0;
+    for (const LoadCaseSection& load_case : cases_) factors[k++] = factor(load_case, place);
+    for (Eigen::Index t = 0; t < travelling_; ++t, k += positions_of_travel(load_)) put_travelling(place, k, factors);
+    return factors;
+}
+
+double CaseHistories::factor(const LoadCaseSection& load_case, const LoadPlace& place) const {
+    const bool leads = legs_[place.leg].leads;
+    if (load_case.constant) return leads ? place.way * *load_case.constant : *load_case.constant;
+    if (leads) return 0.0;
+    return load_case.factor ? lagging(load_case, place) : of_blocks(load_case, place);
+}
+
+// The main load's history, some of its angle later. Before it begins there is no load.
+double CaseHistories::lagging(const LoadCaseSection& load_case, const LoadPlace& place) const {
+    const std::size_t first = leads() ? 1 : 0;
+    double leg = static_cast<double>(place.leg), way = place.way;
+    if (load_case.phase > 0.0) {
+        const double angle = leg + angle_at(load_case.path, place.way) - load_case.phase / half_cycle;
+        leg = std::min(std::floor(angle), leg);
+        if (leg < static_cast<double>(first)) return 0.0;
+        way = way_at(load_case.path, angle - leg);
+    }
+    const Leg& then = legs_[static_cast<std::size_t>(leg)];
+    return *load_case.factor * place.scale * (then.from + (then.to - then.from) * way);
+}
+
+double CaseHistories::of_blocks(const LoadCaseSection& load_case, const LoadPlace& place) const {
+    const bool first = place.leg == 0 || legs_[place.leg - 1].leads;
+    const double from = first ? 0.0 : at_end_of(load_case, place.leg - 1), to = at_end_of(load_case, place.leg);
+    return from + (to - from) * place.way;
+}
+
+// A leg to a maximum belongs to the cycle before; the last maximum is that of the last cycle.
+double CaseHistories::at_end_of(const LoadCaseSection& load_case, std::size_t leg) const {
+    if (legs_[leg].at_minimum) return block_of_cycle(load_case.blocks, legs_[leg].cycle).at_min;
+    return block_of_cycle(load_case.blocks, std::min(legs_[leg].cycle + 1, cycle_count(load_))).at_max;
+}
+
+// From one whole increment to the next the load at one position gives way to that at the next; so does the last
+// position of a cycle to the first ones of the next cycle.
+void CaseHistories::put_travelling(const LoadPlace& place, Eigen::Index first, Eigen::VectorXd& factors) const {
+    const Leg& leg = legs_[place.leg];
+    if (leg.leads || leg.cycle == 0) {
+        factors[first] = leg.leads ? place.way : 1.0;
+        return;
+    }
+    const bool goes_down = place.leg == 0 || legs_[place.leg - 1].cycle != leg.cycle;
+    const Eigen::Index to = place.increment + (goes_down ? 0 : load_.steps / 2);
+    const Eigen::Index from = to == 1 && leg.cycle > 1 ? load_.steps : to - 1;
+    factors[first + from] += 1.0 - place.share;
+    factors[first + to] += place.share;
+}
+
+double CaseHistories::largest_sum(const std::vector<double>& of_unit, double scale) const {
+    double sum = 0.0;
+    std::size_t k = 0;
+    for (const LoadCaseSection& load_case : cases_) {
+        double most = load_case.constant.value_or(0.0), least = most;
+        for (const LoadBlock& block : load_.blocks)
+            for (const double value : {block.max, block.min}) {
+                const double factor = load_case.factor.value_or(0.0) * scale * load_.scale * value;
+                most = std::max(most, factor);
+                least = std::min(least, factor);
+            }
+        for (const CaseBlock& block : load_case.blocks) {
+            most = std::max({most, block.at_max, block.at_min});
+            least = std::min({least, block.at_max, block.at_min});
+        }
+        const double unit = of_unit[k++];
+        sum += std::max(most * unit, least * unit);
+    }
+    for (Eigen::Index t = 0; t < travelling_; ++t) {
+        const auto positions = of_unit.begin() + static_cast<std::ptrdiff_t>(k);
+        sum += std::max(0.0, *std::max_element(positions, positions + positions_of_travel(load_)));
+        k += static_cast<std::size_t>(positions_of_travel(load_));
+    }
+    return sum;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,60 @@
+// The factors of load cases along the way of the main load (load_history.hpp): dead loads, loads that lag behind it,
+// loads with extremes of their own, and pressures that travel.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coarse/load/load_history.hpp"
+#include "common/case/case.hpp"
+
+namespace stria::coarse {
+
+/// A place on the way through a history.
+struct LoadPlace {
+    std::size_t leg = 0;
+    double way = 0.0;    // of the leg, 0 to 1, in the main load's value
+    int increment = 1;   // of the leg, from 1
+    double share = 0.0;  // of that increment
+    double scale = 1.0;  // of the main load's values (LoadController::set_scale)
+};
+
+class CaseHistories {
+public:
+    CaseHistories() = default;
+    explicit CaseHistories(const Case& input);
+
+    /// How many unit loads there are beside the main one: the load cases in their order, then for each boundary with a
+    /// pressure that travels its positions.
+    [[nodiscard]] Eigen::Index count() const;
+
+    /// The main history behind the leg in which dead loads and pressures that travel come on, if there are any.
+    [[nodiscard]] const std::vector<Leg>& legs() const { return legs_; }
+    [[nodiscard]] bool leads() const { return !legs_.empty() && legs_.front().leads; }
+
+    /// Parts of a leg at which a load that lags turns, ascending, between 0 and 1.
+    [[nodiscard]] std::vector<double> turns() const;
+
+    [[nodiscard]] Eigen::VectorXd at(const LoadPlace& place) const;
+
+    /// What `of_unit` of each unit load can add up to: no less than the largest of the history. `scale`: as in
+    /// LoadPlace.
+    [[nodiscard]] double largest_sum(const std::vector<double>& of_unit, double scale) const;
+
+private:
+    [[nodiscard]] double factor(const LoadCaseSection& load_case, const LoadPlace& place) const;
+    [[nodiscard]] double lagging(const LoadCaseSection& load_case, const LoadPlace& place) const;
+    [[nodiscard]] double of_blocks(const LoadCaseSection& load_case, const LoadPlace& place) const;
+    [[nodiscard]] double at_end_of(const LoadCaseSection& load_case, std::size_t leg) const;
+    void put_travelling(const LoadPlace& place, Eigen::Index first, Eigen::VectorXd& factors) const;
+
+    LoadSection load_;
+    std::vector<LoadCaseSection> cases_;
+    Eigen::Index travelling_ = 0;  // pressures
+    std::vector<Leg> legs_;
+};
+
+/// Positions of a pressure that travels: it is at one of them where a whole increment ends.
+[[nodiscard]] int positions_of_travel(const LoadSection& load);
+
+}  // namespace stria::coarse

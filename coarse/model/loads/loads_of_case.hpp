@@ -1,0 +1,21 @@
+// The unit loads of a case: the main one, and those that have a factor of their own (load_factors.hpp).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coarse/model/boundary_conditions.hpp"
+
+namespace stria::coarse {
+
+struct LoadsOfCase {
+    Loads main;                // with all supports: what a load case moves or holds, the main load holds at zero
+    std::vector<Loads> cases;  // in the order of CaseHistories
+};
+LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input);
+
+/// The first listed section with a load or a non-zero displacement, if any; of those without a factor of their own if
+/// there is one.
+std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input);
+
+}  // namespace stria::coarse

@@ -1,0 +1,164 @@
+// The factors of load cases on the way through a history.
+#include "coarse/load/case_histories.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coarse/load/load_controller.hpp"
+#include "tests/support/load_cases.hpp"
+
+namespace stria::coarse {
+namespace {
+
+Case cycles(int steps, std::vector<LoadBlock> blocks) {
+    Case input;
+    input.load = {.steps = steps, .grading = 1.0, .blocks = std::move(blocks)};
+    return input;
+}
+
+struct Stop {
+    double main;
+    std::vector<double> cases;
+    bool operator==(const Stop&) const = default;
+};
+
+std::vector<Stop> stops(LoadController loads) {
+    std::vector<Stop> all;
+    for (; loads.next(); loads.accepted()) {
+        const Target target = loads.next()->target;
+        all.push_back({target.value, {target.cases.begin(), target.cases.end()}});
+    }
+    return all;
+}
+
+LoadController controller(const Case& input) { return LoadController(input.load, input.solver, CaseHistories(input)); }
+
+void expect_close(const std::vector<Stop>& found, const std::vector<Stop>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_NEAR(found[k].main, expected[k].main, 1e-12) << k;
+        ASSERT_EQ(found[k].cases.size(), expected[k].cases.size());
+        for (std::size_t c = 0; c < found[k].cases.size(); ++c)
+            EXPECT_NEAR(found[k].cases[c], expected[k].cases[c], 1e-12) << k << " " << c;
+    }
+}
+
+TEST(CaseHistories, ADeadLoadComesFirstAndStays) {
+    Case input = cycles(4, {{1, 10.0, -10.0}});
+    input.load_cases = {test::dead_load("dead", 3.0)};
+    expect_close(stops(controller(input)),
+                 {{0, {1.5}}, {0, {3}}, {5, {3}}, {10, {3}}, {0, {3}}, {-10, {3}}, {0, {3}}, {10, {3}}});
+    EXPECT_EQ(controller(input).next()->cycle, 0);
+}
+
+TEST(CaseHistories, HalvingTakesAllLoadsHalfWay) {
+    Case input = cycles(2, {{1, 10.0, 0.0}});
+    input.load_cases = {test::dead_load("dead", 3.0)};
+    LoadController loads = controller(input);
+    ASSERT_TRUE(loads.cut());
+    EXPECT_EQ(loads.next()->target.cases[0], 1.5);
+    EXPECT_EQ(loads.next()->target.value, 0.0);
+    loads.accepted();
+    EXPECT_EQ(loads.reached_target().cases[0], 1.5);
+    EXPECT_EQ(loads.next()->target.cases[0], 3.0);
+    EXPECT_EQ(loads.next()->predictor, 1.0);
+}
+
+TEST(CaseHistories, InPhaseALoadIsInProportion) {
+    Case input = cycles(8, {{2, 10.0, -4.0}, {1, 20.0, 0.0}});
+    input.load_cases = {test::lagging_load("more", 0.5)};
+    for (const Stop& stop : stops(controller(input))) EXPECT_NEAR(stop.cases[0], 0.5 * stop.main, 1e-12);
+}
+
+// Behind by a quarter of a cycle the two run through an ellipse about their means, and its vertices are stops.
+TEST(CaseHistories, OutOfPhaseItRunsThroughAnEllipse) {
+    Case input = cycles(16, {{3, 10.0, -6.0}});
+    input.load.grading = 0.6;
+    input.load_cases = {test::lagging_load("shear", 2.0, 90.0)};
+    const std::vector<Stop> all = stops(controller(input));
+    double most = 0.0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        most = std::max(most, all[k].cases[0]);
+        const double x = (all[k].main - 2.0) / 8.0, y = (0.5 * all[k].cases[0] - 2.0) / 8.0;
+        if (k < 24) continue;  // the ramp lasts until its lag has passed
+        EXPECT_NEAR(x * x + y * y, 1.0, 1e-12) << k;
+    }
+    EXPECT_NEAR(most, 20.0, 1e-12);
+    EXPECT_NEAR(all.back().cases[0], 4.0, 1e-12);  // the mean, on its way up
+}
+
+TEST(CaseHistories, StraightPathsMakeARhombus) {
+    Case input = cycles(8, {{2, 1.0, -1.0}});
+    input.load_cases = {test::lagging_load("shear", 1.0, 90.0, LagPath::Triangle)};
+    const std::vector<Stop> all = stops(controller(input));
+    for (std::size_t k = 8; k < all.size(); ++k)
+        EXPECT_NEAR(std::abs(all[k].main) + std::abs(all[k].cases[0]), 1.0, 1e-12) << k;
+}
+
+TEST(CaseHistories, ALagIsContinuousWhereTheCyclesChange) {
+    Case input = cycles(400, {{1, 10.0, 0.0}, {1, 30.0, -10.0}, {2, 5.0, 0.0}});
+    input.load_cases = {test::lagging_load("late", 1.0, 120.0)};
+    double before = 0.0;
+    for (const Stop& stop : stops(controller(input))) {
+        EXPECT_LT(std::abs(stop.cases[0] - before), 3.0);  // a 200th of [load] is 8 degrees where it turns
+        before = stop.cases[0];
+    }
+}
+
+TEST(CaseHistories, ALoadMayHaveExtremesOfItsOwn) {
+    Case input = cycles(4, {{1, 10.0, 0.0}, {2, 20.0, -20.0}});
+    input.load.repeat = 2;
+    input.load_cases = {test::own_load("own", {{1, 1.0, 2.0}, {1, 3.0, 4.0}, {1, 5.0, 6.0}})};
+    std::vector<double> at_turns;
+    const std::vector<Stop> all = stops(controller(input));
+    for (std::size_t k = 1; k < all.size(); k += 2) at_turns.push_back(all[k].cases[0]);
+    EXPECT_EQ(at_turns, (std::vector<double>{1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6, 5}));
+    EXPECT_EQ(all[2].cases[0], 1.5);
+}
+
+// It comes on at its first position, goes through all of them in each cycle, and leaps from the last to the second.
+TEST(CaseHistories, APressureTravelsOncePerCycle) {
+    Case input = cycles(4, {{2, 0.0, -1.0}});
+    input.boundaries = {test::under_wheel("top", {.p0 = 1.0, .half_width = 1.0, .to = 8.0})};
+    EXPECT_EQ(CaseHistories(input).count(), 5);
+    const auto at = [](int position, double factor = 1.0) {
+        std::vector<double> factors(5, 0.0);
+        factors[static_cast<std::size_t>(position)] = factor;
+        return factors;
+    };
+    expect_close(stops(controller(input)), {{0, at(0, 0.5)},
+                                            {0, at(0)},
+                                            {-0.5, at(1)},
+                                            {-1, at(2)},
+                                            {-0.5, at(3)},
+                                            {0, at(4)},
+                                            {-0.5, at(1)},
+                                            {-1, at(2)},
+                                            {-0.5, at(3)},
+                                            {0, at(4)}});
+    LoadController loads = controller(input);
+    for (int k = 0; k < 6; ++k) loads.accepted();
+    ASSERT_TRUE(loads.cut());
+    const Eigen::VectorXd between = loads.next()->target.cases;
+    EXPECT_EQ(between[4], 0.5);
+    EXPECT_EQ(between[1], 0.5);
+    EXPECT_EQ(between.sum(), 1.0);
+}
+
+TEST(CaseHistories, TheLargestSumIsNoLessThanAnyOfTheHistory) {
+    Case input = cycles(8, {{2, 10.0, -4.0}});
+    input.load_cases = {test::dead_load("dead", 3.0), test::lagging_load("late", -1.0, 70.0),
+                        test::own_load("own", {{2, 1.0, -2.0}})};
+    const CaseHistories cases(input);
+    const std::vector<double> unit{2.0, 1.0, -4.0};
+    EXPECT_EQ(cases.largest_sum(unit, 1.0), 6.0 + 4.0 + 8.0);
+    for (const Stop& stop : stops(controller(input))) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) sum += unit[k] * stop.cases[k];
+        EXPECT_LE(sum, 18.0);
+    }
+}
+
+}  // namespace
+}  // namespace stria::coarse
