@@ -15,7 +15,7 @@ struct CaseMark {
     std::vector<LoadBlock> blocks;  // of the load history, which may change where the load has not been yet
     double scale = 1.0;
     int repeat = 1;
-    std::uint64_t mesh = 0;  // digest of its nodes
+    std::uint64_t mesh = 0;  // digest of its nodes, elements, materials and boundaries
 };
 
 CaseMark mark_of(const Scene& scene);
