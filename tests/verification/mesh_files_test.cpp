@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "coarse/specimen/handbook.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "tests/support/cracks_from_a_hole.hpp"
@@ -110,6 +111,43 @@ TEST(MeshFiles, CracksFromAHoleMeetTheIntegralEquation) {
                 EXPECT_LT(std::abs(J_off), 0.6) << length;
             }
         }
+    }
+}
+
+// Small elements follow the tip through slanted ones. The faces end on an edge, up to half an element off the tip.
+TEST(MeshFiles, ACrackGrowsOnAnUnstructuredMesh) {
+    Case own = sent_case({"load.steps=4", "load.blocks=[{cycles=2, max=30.0, ratio=0.0}]", "growth.increment=0.3",
+                          "closure.distance=0.5", "fine.refine=4", "model.plane=stress"});
+    own.mesh = sent_plate().mesh;
+    own.cracks[0].points = sent_plate().cracks[0].points;
+    Case other = own;
+    other.mesh = {};
+    other.mesh.file = mesh_data("sent-mixed.msh");
+    const auto expected = run_cycles(own), found = run_cycles(other);
+    ASSERT_EQ(found.size(), 2U);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_NEAR(found[k].a, expected[k].a, 1e-9) << k;
+        EXPECT_NEAR(found[k].K_max, expected[k].K_max, 0.015 * expected[k].K_max) << k;
+        EXPECT_NEAR(found[k].J_max, expected[k].J_max, 0.03 * expected[k].J_max) << k;
+    }
+}
+
+// Round holes, and pins as a region of their own: Srawley's K, whose accuracy is 0.5 %.
+TEST(MeshFiles, ACompactSpecimenWithRoundHoles) {
+    const std::string path = std::string(source_folder) + "/cases/ct-pins/case.toml";
+    const double W = 50.0;
+    for (const double x : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+        Case input = read_case(path);
+        input.cracks[0].points[1].x() = x * W;
+        input.cracks[0].contact.reset();
+        input.material.yield_stress.reset();
+        input.fine = {};
+        const ElasticSolution solution(input);
+        EXPECT_EQ(std::ranges::count(solution.scene.mesh.material, 1),
+                  std::ssize(solution.scene.mesh.groups.at("pins")));
+        const double K_off = percent_above(solution.tips[0].K_I, coarse::ct_K(W, x * W, 1.0));
+        std::cout << fmt::format("a/W {}: K {:+.2f} %\n", x, K_off);
+        EXPECT_LT(std::abs(K_off), 0.6) << x;
     }
 }
 
