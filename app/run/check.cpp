@@ -8,6 +8,7 @@
 #include "app/run/coarse_run.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/load/load_history.hpp"
+#include "coarse/mesh_file/mesh_file.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 #include "coarse/zone/zone_selection.hpp"
@@ -94,6 +95,8 @@ int check(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     const coarse::Scene scene = scene_of(options, input);
     fmt::print("{}\n", resolved_toml(input));
+    if (input.mesh.file)
+        for (const std::string& line : coarse::describe_mesh_file(*input.mesh.file)) fmt::print("# {}\n", line);
     fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);

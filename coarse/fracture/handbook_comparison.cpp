@@ -56,6 +56,7 @@ double opening_at(const Scene& scene, double x, const Eigen::VectorXd& u) {
 
 std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) {
     const Scene& scene = nominal.structure->scene();
+    if (scene.input.mesh.file) return {};
     const std::vector<TipResult>& tips = nominal.tips;
     const Specimen& specimen = find_specimen(scene.input.mesh.specimen);
     const auto loaded = loaded_boundary(scene.mesh, scene.input);

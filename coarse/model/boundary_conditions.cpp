@@ -30,6 +30,8 @@ void validate(const Mesh& mesh, const BoundarySection& section, const std::strin
     const bool has_traction = section.traction || section.pressure || !section.traction_gradient.isZero(0.0);
     if ((on_point || on_pin) && has_traction)
         throw CaseError(key + ": a point or pin carries no traction or pressure, give it a force");
+    if (mesh.node_sets.contains(section.on) && (has_traction || section.force))
+        throw CaseError(key + ": a set of nodes without edges can be held or moved, and bears no load");
     if (on_pin && (section.displacement[0] || section.displacement[1]))
         throw CaseError(key + ".displacement: a pin turns freely and is not held, give it a force");
     if (!on_point && !on_pin && section.force)
@@ -111,7 +113,8 @@ std::vector<NodalWeight> mean_displacement(const Mesh& mesh, const LoadedBoundar
         for (const auto& [node, share] : mesh.pins.at(pin->second.opposite).shares) add(node, -share);
         return sum;
     }
-    if (boundary.edges.empty()) add(boundary.nodes.front(), 1.0);
+    if (boundary.edges.empty())
+        for (const int node : boundary.nodes) add(node, 1.0 / static_cast<double>(boundary.nodes.size()));
     double length = 0.0;
     for (const BoundaryEdge& edge : boundary.edges) length += edge_geometry(mesh, edge).length();
     for (const BoundaryEdge& edge : boundary.edges) {

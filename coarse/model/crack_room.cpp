@@ -40,7 +40,7 @@ void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
                                         tip.crack + 1, length, edge, advice));
         if (distance < edge)
             throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
-                                        "less than an element, {:.4g} mm; {}",
+                                        "less than an element, {:.4g} mm; a mouth lies on or outside of it; {}",
                                         tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
     }
 }

@@ -103,7 +103,8 @@ public:
             second[e] = static_cast<int>(mesh_.elements.size());
             append_parts(e);
             part_of.insert(part_of.end(), {e, e, e});
-            if (mesh_.in_insert(e)) mesh_.insert.insert(mesh_.insert.end(), {second[e], second[e] + 1, second[e] + 2});
+            follow(mesh_.insert, e, second[e]);
+            for (auto& [name, group] : mesh_.groups) follow(group, e, second[e]);
         }
         for (auto& [name, edges] : mesh_.boundary) edges = follow(edges, second);
         find_hanging_nodes();
@@ -131,6 +132,12 @@ private:
         const auto [found, added] = middle_.try_emplace(edge, static_cast<int>(mesh_.nodes.size()));
         if (added) mesh_.nodes.push_back((mesh_.nodes[at(edge.first)] + mesh_.nodes[at(edge.second)]) / 2.0);
         return found->second;
+    }
+
+    // The three new parts stay in what the element is in: they come last, so the list stays ascending.
+    static void follow(std::vector<int>& elements, int element, int second) {
+        if (std::ranges::binary_search(elements, element))
+            elements.insert(elements.end(), {second, second + 1, second + 2});
     }
 
     static std::vector<BoundaryEdge> follow(const std::vector<BoundaryEdge>& edges, const std::map<int, int>& second) {

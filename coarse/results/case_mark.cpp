@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <filesystem>
 #include <fmt/format.h>
 #include <sstream>
 
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -23,6 +25,8 @@ Case essence(Case input) {
     input.load.spectrum.reset();
     input.load.scale = 1.0;
     input.load.repeat = 1;
+    // The mesh itself is compared: its file may lie elsewhere now.
+    if (input.mesh.file) input.mesh.file = std::filesystem::path(*input.mesh.file).filename().string();
     return input;
 }
 
@@ -32,6 +36,13 @@ std::uint64_t digest_of(const Mesh& mesh) {
     for (const Vec2& node : mesh.nodes)
         for (const double coordinate : node) mix(std::bit_cast<std::uint64_t>(coordinate));
     mix(mesh.elements.size());
+    for (const auto& nodes : mesh.elements)
+        for (const int node : nodes) mix(static_cast<std::uint64_t>(node));
+    for (const int material : mesh.material) mix(static_cast<std::uint64_t>(material));
+    for (const auto& [name, edges] : mesh.boundary) {
+        for (const char letter : name) mix(static_cast<unsigned char>(letter));
+        for (const auto& [element, edge] : edges) mix(4 * static_cast<std::uint64_t>(element) + at(edge));
+    }
     return hash;
 }
 

@@ -16,7 +16,7 @@ struct CaseMark {
     double scale = 1.0;
     int repeat = 1;
     bool leads = false;      // dead loads come on before the first block (case_histories.hpp)
-    std::uint64_t mesh = 0;  // digest of its nodes
+    std::uint64_t mesh = 0;  // digest of its nodes, elements, materials and boundaries
 };
 
 CaseMark mark_of(const Scene& scene);

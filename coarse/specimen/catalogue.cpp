@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "coarse/mesh_file/mesh_file.hpp"
 #include "coarse/specimen/compact_tension.hpp"
 #include "coarse/specimen/crack_rows.hpp"
 #include "coarse/specimen/handbook.hpp"
@@ -109,6 +110,7 @@ const Specimen& find_specimen(std::string_view name) {
 
 Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks,
                const std::vector<RegionSection>& regions) {
+    if (section.file) return read_mesh_file(*section.file);
     const Specimen& specimen = find_specimen(section.specimen);
     Mesh mesh = specimen.mesh(section, lines_of(regions));
     const Body body = specimen.body(section);

@@ -29,6 +29,22 @@ bool holds(const std::vector<Vec2>& polygon, const Vec2& x) {
     return inside;
 }
 
+/// The elements of the k-th region, counted from 1, ascending.
+std::vector<int> elements_of(const Mesh& mesh, const RegionSection& region, int k) {
+    if (!region.group) {
+        const std::vector<Vec2> polygon = polygon_of(region);
+        std::vector<int> elements;
+        for (int e = 0; e < std::ssize(mesh.elements); ++e)
+            if (holds(polygon, centre(mesh, e))) elements.push_back(e);
+        return elements;
+    }
+    if (const auto found = mesh.groups.find(*region.group); found != mesh.groups.end()) return found->second;
+    std::string names;
+    for (const auto& [name, elements] : mesh.groups) names += (names.empty() ? "" : ", ") + name;
+    throw CaseError(fmt::format("region[{}].group: \"{}\" is no group of elements of the mesh, available: {}", k,
+                                *region.group, names.empty() ? "none" : names));
+}
+
 /// Whether an outline runs between the centre of an element and one of its corners.
 bool cuts(const std::vector<Vec2>& polygon, const Mesh& mesh, int element) {
     constexpr double almost = 1.0 - 1e-6;
@@ -60,18 +76,17 @@ MeshLines lines_of(const std::vector<RegionSection>& regions) {
 std::vector<int> materials_of_elements(const Mesh& mesh, const std::vector<RegionSection>& regions) {
     std::vector<int> material(regions.empty() ? 0 : mesh.elements.size(), 0);
     for (int k = 1; k <= std::ssize(regions); ++k) {
-        const std::vector<Vec2> polygon = polygon_of(regions[at(k - 1)]);
-        bool any = false;
-        for (int e = 0; e < std::ssize(material); ++e) {
+        const RegionSection& region = regions[at(k - 1)];
+        const std::vector<int> elements = elements_of(mesh, region, k);
+        for (const int e : elements) {
             const Vec2 middle = centre(mesh, e);
-            if (!holds(polygon, middle)) continue;
             if (material[at(e)] > 0)
-                throw CaseError(fmt::format("region[{}].outline: overlaps region {} near ({:.6g}, {:.6g})", k,
-                                            material[at(e)], middle.x(), middle.y()));
+                throw CaseError(fmt::format("region[{}].{}: overlaps region {} near ({:.6g}, {:.6g})", k,
+                                            region.group ? "group" : "outline", material[at(e)], middle.x(),
+                                            middle.y()));
             material[at(e)] = k;
-            any = true;
         }
-        if (!any)
+        if (elements.empty())
             throw CaseError(fmt::format("region[{}].outline: holds no element of the mesh: it lies outside the body, "
                                         "or is smaller than the elements there",
                                         k));

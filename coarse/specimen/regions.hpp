@@ -16,8 +16,8 @@ using MeshLines = std::array<std::vector<double>, 2>;
 /// Those of the axis-parallel edges of all outlines, ascending, each once.
 [[nodiscard]] MeshLines lines_of(const std::vector<RegionSection>& regions);
 
-/// Per element 0, or k where the k-th region holds its centre; empty without regions. Throws CaseError where two
-/// regions hold it, and for a region without an element.
+/// Per element 0, or k where the k-th region holds its centre or is a group with it; empty without regions. Throws
+/// CaseError where two regions hold it, and for a region without an element.
 [[nodiscard]] std::vector<int> materials_of_elements(const Mesh& mesh, const std::vector<RegionSection>& regions);
 
 /// One sentence per region whose outline runs through elements: they are of one material all the same.

@@ -7,7 +7,11 @@
 
 namespace stria {
 
+using schema::find;
+using schema::Place;
+using schema::reject;
 using schema::Section;
+using schema::Value;
 
 Section<ModelSection> model_section() {
     Section<ModelSection> s;
@@ -51,18 +55,35 @@ double standard_height(const std::string& specimen) {
     return found == proportions.end() ? 0.0 : found->second;
 }
 
+/// Either a specimen with its sizes, or a file and no more.
+void check_mesh_source(const MeshSection& mesh, const Value& table, const Place& place) {
+    if (mesh.file) {
+        for (const char* key : {"specimen", "width", "height", "size", "grading"})
+            if (const Value* given = find(table, key))
+                reject(place.inside(key), given->line, "belongs to a specimen; the mesh is that of mesh.file");
+        return;
+    }
+    if (mesh.specimen.empty()) reject(place, table.line, "needs specimen or file");
+    for (const char* key : {"width", "size"})
+        if (find(table, key) == nullptr) reject(place.inside(key), table.line, "is missing: a specimen needs it");
+}
+
 }  // namespace
 
 Section<MeshSection> mesh_section() {
     Section<MeshSection> s;
     s.value("specimen", &MeshSection::specimen)
         .one_of({"sent", "mt", "ct", "plate"})
-        .must_be_given()
+        .or_else("absent: the file's body")
         .says("A specimen of the catalogue.");
+    s.value("file", &MeshSection::file)
+        .says("Instead of a specimen: a mesh of Gmsh (.msh 4.1 or 2.2, ASCII or binary) or of Abaqus and CalculiX "
+              "(.inp) with first-order triangles and quadrilaterals in mm, its path relative to the case file. Its "
+              "groups name boundaries and regions; boundary edges of no group are \"unnamed\".");
     s.value("width", &MeshSection::width)
         .in("mm")
         .positive()
-        .must_be_given()
+        .or_else("must be given for a specimen")
         .says("Width of the specimen, from the origin at its lower left corner; of ct W, from the origin on the load "
               "line "
               "at mid-height: 1.25 width in all.");
@@ -74,13 +95,16 @@ Section<MeshSection> mesh_section() {
     s.value("size", &MeshSection::size)
         .in("mm")
         .positive()
-        .must_be_given()
+        .or_else("must be given for a specimen")
         .says("Element edge far from every grading.");
     s.list("grading", &MeshSection::grading, grading_section())
         .says("Wishes for smaller elements near a point or a line; the smallest wish wins.");
     s.complete([](MeshSection& mesh) {
         if (mesh.height == 0.0) mesh.height = standard_height(mesh.specimen) * mesh.width;
     });
+    s.leave_out({"specimen", "width", "height", "size", "grading"},
+                [](const MeshSection& mesh) { return mesh.file.has_value(); });
+    s.check(check_mesh_source);
     s.check(check_mesh);
     return s;
 }
@@ -224,8 +248,8 @@ Section<BoundarySection> boundary_section() {
     Section<BoundarySection> s;
     s.value("on", &BoundarySection::on)
         .must_be_given()
-        .says(
-            "A named edge of the specimen: top, bottom, left, right; a pin of ct: pin-top, pin-bottom; or \"point\".");
+        .says("A named edge of the specimen: top, bottom, left, right; a pin of ct: pin-top, pin-bottom; a group of "
+              "mesh.file, or its \"unnamed\" edges; or \"point\".");
     s.value("at", &BoundarySection::at).in("mm").says("The point, with on = \"point\".");
     s.value("displacement", &BoundarySection::displacement).in("mm").says("Displacement per unit load factor.");
     s.value("traction", &BoundarySection::traction).in("MPa").says("Traction per unit load factor.");

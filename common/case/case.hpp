@@ -32,12 +32,14 @@ struct Grading {
     bool operator==(const Grading&) const = default;
 };
 
+/// Of a specimen of the catalogue, or of a file that holds the mesh itself.
 struct MeshSection {
-    std::string specimen;  // "sent" | "mt" | "ct" | "plate"
+    std::string specimen;  // "sent" | "mt" | "ct" | "plate"; empty: the file's
     double width = 0.0;    // mm
     double height = 0.0;   // mm, full height; ct always has 1.2 width
     double size = 0.0;     // mm, element edge far from every grading
     std::vector<Grading> grading;
+    std::optional<std::string> file = {};  // .msh or .inp; absolute once the case is read
     bool operator==(const MeshSection&) const = default;
 };
 
@@ -77,9 +79,10 @@ struct MisfitStress {
 
 /// Where the body is of another material than that of the case.
 struct RegionSection {
-    std::vector<Vec2> outline;  // a polygon, or two opposite corners of a rectangle, mm
+    std::vector<Vec2> outline;  // a polygon, or two opposite corners of a rectangle, mm; empty: it is a group
     MaterialSection material;
     std::optional<MisfitStress> initial_stress;
+    std::optional<std::string> group = {};  // of elements of mesh.file
     bool operator==(const RegionSection&) const = default;
 };
 

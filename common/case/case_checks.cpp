@@ -52,6 +52,7 @@ void check_grading(const Grading& grading, const Value& table, const Place& plac
 }
 
 void check_mesh(const MeshSection& mesh, const Value& table, const Place& place) {
+    if (mesh.file) return;
     if (mesh.height == 0.0)
         reject(place, table.line, "needs height: a " + mesh.specimen + " has no standard proportions");
     if (mesh.specimen == "ct" && std::abs(mesh.height - 1.2 * mesh.width) > 1e-9 * mesh.width)
@@ -159,18 +160,15 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
 }
 
 void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {
-    const bool point = boundary.on == "point", pin = boundary.on.starts_with("pin-");
+    const bool point = boundary.on == "point";
     const auto complain = [&](const char* key, const char* demand) {
         if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, demand);
     };
     if (point && !boundary.at) reject(place, table.line, "on = \"point\" needs at = [x, y]");
     if (!point) complain("at", "needs on = \"point\"");
-    if (!point && !pin) complain("force", "needs on = \"point\" or a pin");
-    if (pin) complain("displacement", "needs an edge or a point: a pin turns freely and carries a force");
-    if (point || pin)
+    if (point)
         for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
-    if ((point || pin) && !boundary.traction_gradient.isZero(0.0))
-        complain("traction_gradient", "needs an edge, not a point");
+    if (point && !boundary.traction_gradient.isZero(0.0)) complain("traction_gradient", "needs an edge, not a point");
     check_pressure(boundary, table, place);
     if (!says_something(boundary) && find(table, "traction_gradient") == nullptr)
         reject(place, table.line, "needs a displacement, traction, pressure or force");

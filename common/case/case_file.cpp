@@ -189,6 +189,8 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     schema::check_known(root, case_schema().keys(), path);
     Case scene = case_schema().read(root, {}, {path, ""});
     if (scene.name.empty()) scene.name = name_from(path);
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    if (scene.mesh.file) scene.mesh.file = (folder / *scene.mesh.file).lexically_normal().string();
     if (scene.load.spectrum) take_spectrum(scene, std::filesystem::path(path).parent_path());
     if (scene.initial_stress && scene.initial_stress->file) {
         const std::filesystem::path file = std::filesystem::path(path).parent_path() / *scene.initial_stress->file;

@@ -19,7 +19,7 @@ Section<Case> whole_case() {
         .says("Names the folder of results.");
     s.constant("units", "N-mm-MPa").says("the only system of units, units = \"N-mm-MPa\".");
     s.table("model", &Case::model, model_section()).says("Plane state and thickness.");
-    s.table("mesh", &Case::mesh, mesh_section()).says("The specimen and its background mesh.");
+    s.table("mesh", &Case::mesh, mesh_section()).says("The body and its background mesh: a specimen's, or a file's.");
     s.table("material", &Case::material, material_section()).says("Elasticity and J2 plasticity.");
     s.list("region", &Case::regions, region_section()).says("Parts of the body of another material.");
     s.table("initial_stress", &Case::initial_stress, initial_stress_section())
@@ -38,6 +38,7 @@ Section<Case> whole_case() {
     s.table("output", &Case::output, output_section()).says("What a run writes.");
     s.table("material_test", &Case::material_test, material_test_section())
         .says("Cycles of one material point, for stria material; a run does not look at them.");
+    s.check(check_names_of_mesh);
     s.check(check_case);
     return s;
 }

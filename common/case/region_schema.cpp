@@ -1,4 +1,4 @@
-// Regions of other materials, and the stress before any load.
+// Regions of other materials, the stress before any load, and what may be named of the mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +41,11 @@ bool crosses_itself(const std::vector<Vec2>& polygon) {
 }
 
 void check_outline(const RegionSection& region, const Value& table, const Place& place) {
-    const Value& given = *find(table, "outline");
+    const Value* const found = find(table, "outline");
+    if ((found != nullptr) == region.group.has_value())
+        reject(place, table.line, "needs outline or group, one of them");
+    if (found == nullptr) return;
+    const Value& given = *found;
     const std::vector<Vec2>& outline = region.outline;
     if (outline.size() < 2)
         reject(place.inside("outline"), given, {}, "must be a polygon, or two opposite corners of a rectangle");
@@ -69,6 +73,23 @@ void check_initial_stress(const InitialStressSection& given, const Value& table,
     if (!given.sigma_x && !given.sigma_y && !given.file && !given.grid)
         reject(place, table.line, "needs sigma_x, sigma_y, file or grid");
     if (given.file && given.grid) reject(place, table.line, "has both file and grid; one of them says it");
+}
+
+/// What a boundary of a specimen may say; of a file's groups only the mesh knows.
+void check_pins(const BoundarySection& boundary, const Value& table, const Place& place) {
+    const bool pin = boundary.on.starts_with("pin-");
+    const auto complain = [&](const char* key, const char* demand) {
+        if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, demand);
+    };
+    if (boundary.on != "point" && !pin) complain("force", "needs on = \"point\" or a pin");
+    if (!pin) return;
+    complain("displacement", "needs an edge or a point: a pin turns freely and carries a force");
+    for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
+    if (!boundary.traction_gradient.isZero(0.0)) complain("traction_gradient", "needs an edge, not a point");
+}
+
+const Value& entry_of(const Value& root, const char* list, std::size_t index) {
+    return std::get<schema::List>(find(root, list)->data)[index];
 }
 
 Section<StressProfile> profile_section() {
@@ -107,14 +128,17 @@ Section<RegionSection> region_section() {
     Section<RegionSection> s;
     s.value("outline", &RegionSection::outline)
         .in("mm")
-        .must_be_given()
+        .or_else("absent: it is a group")
         .says("A polygon, or two opposite corners of a rectangle. Node lines follow its axis-parallel edges; elsewhere "
               "an element belongs to the region that holds its centre. It may reach beyond the body.");
+    s.value("group", &RegionSection::group)
+        .says("Instead of an outline: a group of elements of mesh.file, by its name.");
     s.table("material", &RegionSection::material, material_section())
         .says("Its material, with the keys of [material]; without yield_stress it never yields.");
     s.table("initial_stress", &RegionSection::initial_stress, misfit_section())
         .says("The stress that it would have if nothing around it gave way: a misfit, -E alpha dT / (1 - nu) of a "
               "film that has warmed up by dT. Equilibrium lets go of a part of it.");
+    s.leave_out({"outline"}, [](const RegionSection& region) { return region.group.has_value(); });
     s.check(check_outline);
     return s;
 }
@@ -132,6 +156,17 @@ Section<InitialStressSection> initial_stress_section() {
         .says("Stress at the nodes of a grid that covers the body, bilinear between them.");
     s.check(check_initial_stress);
     return s;
+}
+
+void check_names_of_mesh(const Case& whole, const Value& root, const Place& place) {
+    if (whole.mesh.file) return;
+    for (std::size_t k = 0; k < whole.boundaries.size(); ++k)
+        check_pins(whole.boundaries[k], entry_of(root, "boundary", k),
+                   place.inside("boundary").inside(std::to_string(k)));
+    for (std::size_t k = 0; k < whole.regions.size(); ++k)
+        if (whole.regions[k].group)
+            reject(place.inside("region").inside(std::to_string(k)).inside("group"),
+                   *find(entry_of(root, "region", k), "group"), {}, "needs mesh.file, whose groups have names");
 }
 
 StressGrid read_stress_grid(const std::filesystem::path& path) {

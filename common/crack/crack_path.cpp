@@ -154,6 +154,13 @@ private:
     }
 
     void check(const CrackPath& path) const {
+        for (std::size_t k = 0; k + 1 < path.pieces.size(); ++k) {
+            const Vec2& x = path.pieces[k].points.back();
+            if (path.pieces[k + 1].s.front() - path.pieces[k].s.back() <= 1e-9 * path.length) continue;
+            throw CaseError(fmt::format("crack {}: at ({:.6g}, {:.6g}) it leaves the body and comes back; give the "
+                                        "parts as cracks of their own",
+                                        crack_ + 1, x.x(), x.y()));
+        }
         std::set<int> crossed;
         for (const CrackPiece& p : path.pieces) {
             if (p.neighbour >= 0) continue;

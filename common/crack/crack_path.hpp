@@ -17,8 +17,8 @@ struct CrackPath {
     double length = 0.0;  // of the polyline, mm
 };
 
-/// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, enters
-/// an element twice, or leaves an element edge between its nodes after running along it.
+/// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, leaves
+/// it between its ends, enters an element twice, or leaves an element edge between its nodes after running along it.
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
 
 }  // namespace stria

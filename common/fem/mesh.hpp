@@ -42,7 +42,9 @@ struct Mesh {
     std::vector<std::array<int, 4>> elements;                   // counter-clockwise
     std::vector<int> level;                                     // how often each element was split; empty: none was
     std::vector<HangingNode> hanging;                           // ascending by node
-    std::map<std::string, std::vector<BoundaryEdge>> boundary;  // by name: "top", "bottom", "left", "right", ...
+    std::map<std::string, std::vector<BoundaryEdge>> boundary;  // by name; all edges of the body, each once or oftener
+    std::map<std::string, std::vector<int>> groups;             // of elements, by name, each ascending (mesh files)
+    std::map<std::string, std::vector<int>> node_sets;          // nodes that are held, by name, each ascending
     std::map<std::string, SpreadPoint> pins;                    // by name: "pin-top", "pin-bottom"
     std::vector<int> material;        // of each element (materials.hpp); empty: all are of material 0
     std::vector<int> insert;          // ascending: elements that stay elastic at any stress (around pins)

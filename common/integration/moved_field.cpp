@@ -12,6 +12,8 @@
 namespace stria {
 namespace {
 
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 /// Finds the element of a mesh that holds a place.
 class Places {
 public:
@@ -49,11 +51,17 @@ private:
             return box.squaredExteriorDistance(x) <= 1e-12 * box.sizes().squaredNorm();
         }
         bool intersectObject(int element) {
+            if (is_in(element)) found.push_back(element);
+            return false;  // go on
+        }
+        // To rounding; far outside a slanted element there are no parent coordinates to ask for.
+        [[nodiscard]] bool is_in(int element) const {
             QuadNodes corners;
             for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
-            constexpr double edge = 1.0 + 1e-6;
-            if (map_to_parent(corners, x).lpNorm<Eigen::Infinity>() <= edge) found.push_back(element);
-            return false;  // go on
+            const double off = -0.25e-6 * cross(corners[2] - corners[0], corners[3] - corners[1]);
+            for (std::size_t k = 0; k < 4; ++k)
+                if (cross(corners[(k + 1) % 4] - corners[k], x - corners[k]) < off) return false;
+            return true;
         }
     };
 

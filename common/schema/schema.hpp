@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -226,6 +227,12 @@ public:
     /// Defaults that follow from other keys: filled in where the key is absent, and written as values.
     void complete(std::function<void(T&)> completion) { complete_ = std::move(completion); }
 
+    /// Keys that are not written where they say nothing.
+    void leave_out(std::vector<std::string> names, std::function<bool(const T&)> where) {
+        left_out_ = std::move(names);
+        leave_out_ = std::move(where);
+    }
+
     /// A condition that several keys must meet together.
     void check(Check condition) { checks_.push_back(std::move(condition)); }
 
@@ -246,9 +253,12 @@ public:
     }
 
     [[nodiscard]] Value write(const T& object) const {
+        const bool leaves_out = leave_out_ && leave_out_(object);
         Table table;
-        for (const Field& field : fields_)
+        for (const Field& field : fields_) {
+            if (leaves_out && std::ranges::find(left_out_, field.key.name) != left_out_.end()) continue;
             if (std::optional<Value> value = field.write(object)) table.push_back({field.key.name, *std::move(value)});
+        }
         return {.data = std::move(table)};
     }
 
@@ -270,6 +280,8 @@ private:
 
     std::deque<Field> fields_;  // declarations hold references to its keys
     std::function<void(T&)> complete_;
+    std::vector<std::string> left_out_;
+    std::function<bool(const T&)> leave_out_;
     std::vector<Check> checks_;
 };
 

@@ -98,6 +98,17 @@ TEST_F(ExitCode, IsZeroForACrackThatBendsBesideARow) {
     EXPECT_EQ(run_program("stria", words, folder / "log"), 0) << said();
 }
 
+// One line with the case, the key, the file and what is wrong in it.
+TEST_F(ExitCode, IsTwoForAMeshFileThatIsNoBody) {
+    std::ofstream(folder / "part.inp") << "*NODE\n1,0,0\n2,1,0\n3,1,1\n*ELEMENT,TYPE=CPS3\n1,1,2,4\n";
+    const std::string file = folder / "case.toml";
+    std::ofstream(file) << "units = \"N-mm-MPa\"\n[mesh]\nfile = \"part.inp\"\n[material]\nyoung = 1e5\npoisson = 0.3\n"
+                           "[[boundary]]\non = \"top\"\npressure = 1.0\n[load]\nblocks = [{ max = 1, ratio = 0 }]\n";
+    EXPECT_EQ(run_program("stria", {"check", file}, folder / "log"), 2) << said();
+    EXPECT_EQ(said(),
+              "stria: " + file + ": mesh.file: part.inp: element 1 has the node 4, which the file does not give\n");
+}
+
 class Refused : public ExitCode, public testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
 TEST_P(Refused, WithOneSentence) {

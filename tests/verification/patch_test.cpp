@@ -4,8 +4,10 @@
 
 #include <random>
 
+#include "coarse/mesh_file/mesh_file.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "tests/support/elastic_scene.hpp"
+#include "tests/support/mesh_files.hpp"
 
 namespace stria::test {
 namespace {
@@ -73,6 +75,32 @@ TEST(PatchTest, CutThroughNodesAndAlongEdges) {
                                                                      {{0.25, 0.0}, {0.25, 1.0}},
                                                                      {{0.0, 0.25}, {1.0, 0.75}}}) {
         EXPECT_LT(imbalance_of_tension_along(mesh, from, to, 6), rounding) << to.transpose();
+    }
+}
+
+/// A crossing beside a node is moved onto it: the crack is not straight there.
+bool passes_a_node(const Mesh& mesh, const Vec2& from, const Vec2& to) {
+    return std::ranges::any_of(cracked(mesh, {from, to}).pieces, [](const CrackPiece& piece) {
+        const auto at_node = [](double place) { return place >= 0.0 && place == std::floor(place); };
+        return at_node(piece.entry) || at_node(piece.exit);
+    });
+}
+
+// Quadrilaterals of Gmsh, and triangles among them that have been split.
+TEST(PatchTest, OnMeshesOfGmsh) {
+    for (const char* file : {"sent-quads.msh", "sent-mixed.msh"}) {
+        const Mesh mesh = coarse::read_mesh_file(mesh_data(file));
+        int straight = 0;
+        for (int k = 0; k < 10; ++k) {
+            const Vec2 tip(25.0 + 10.0 * std::sin(5.0 * k), 50.0 + 20.0 * std::cos(9.0 * k));
+            const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k)), mouth = tip - 200.0 * along;
+            const Vec2 other_mouth = tip + 200.0 * along;
+            if (passes_a_node(mesh, mouth, other_mouth)) continue;
+            EXPECT_LT(imbalance_of_tension_along(mesh, mouth, tip, k % 2 == 0 ? 6 : 1), rounding) << k;
+            EXPECT_LT(imbalance_of_tension_along(mesh, mouth, other_mouth, 6), rounding) << k;
+            ++straight;
+        }
+        EXPECT_GE(straight, 5) << file;
     }
 }
 

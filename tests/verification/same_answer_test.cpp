@@ -57,9 +57,10 @@ void expect_same(const Plate& plate) {
     compare("plastic zone, mm", r.tips[0].plastic_zone, f.tips[0].plastic_zone, f.tips[0].plastic_zone);
     compare("  on the axis, mm", r.tips[0].plastic_zone_axis, f.tips[0].plastic_zone_axis, f.tips[0].plastic_zone_axis);
     const double largest = opening(f, plate.crack - 10.0 * plate.unit);
-    for (const double behind : {1.0, 2.0, 5.0, 10.0}) {
-        const double x = plate.crack - behind * plate.unit;
-        compare(fmt::format("opening {} mm behind", behind * plate.unit), opening(r, x), opening(f, x), opening(f, x));
+    for (const double distance : {1.0, 2.0, 5.0, 10.0}) {
+        const double x = plate.crack - distance * plate.unit;
+        compare(fmt::format("opening {} mm behind", distance * plate.unit), opening(r, x), opening(f, x),
+                opening(f, x));
         compare("  at the minimum", opening(refined.at_minimum(), x), opening(fine.at_minimum(), x), largest);
     }
 }

@@ -194,5 +194,19 @@ TEST(LoadedBoundary, TakesItsDirectionFromWhatThereIs) {
     EXPECT_LT((loaded_among(mesh, {bending})->direction - Vec2(0.0, 1.0)).norm(), 1e-15);
 }
 
+// A set of nodes without edges, as *NSET gives it.
+TEST(BoundaryConditions, NodesWithoutEdgesAreHeldAndMoved) {
+    Mesh with_set = mesh;
+    with_set.node_sets["feet"] = {0, 2};
+    const std::vector<BoundarySection> sections{held("feet", std::nullopt, 0.5)};
+    const Loads loads = resolve_boundaries(with_set, sections);
+    ASSERT_EQ(loads.displacements.size(), 2U);
+    EXPECT_EQ(loads.displacements[1].node, 2);
+    const auto boundary = loaded_boundary(with_set, sections);
+    ASSERT_TRUE(boundary.has_value());
+    for (const NodalWeight& weight : mean_displacement(with_set, *boundary)) EXPECT_EQ(weight.weight, Vec2(0.0, 0.5));
+    EXPECT_THROW(resolve_boundaries(with_set, {traction_on("feet", 0.0, 1.0)}), CaseError);
+}
+
 }  // namespace
 }  // namespace stria::coarse

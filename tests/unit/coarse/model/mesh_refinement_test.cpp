@@ -53,6 +53,21 @@ TEST(MeshRefinement, GoesOnWhereAMeshIsSplitAlready) {
     EXPECT_FALSE(asks_for_more(twice.mesh, further, {}));
 }
 
+TEST(MeshRefinement, PartsStayInTheGroupOfTheWhole) {
+    Mesh start = test::square_mesh(5);
+    for (int e = 0; e < 25; e += 2) start.groups["even"].push_back(e);
+    const RefinedMesh fine = refine(start, left);
+    const std::vector<int>& even = fine.mesh.groups.at("even");
+    EXPECT_TRUE(std::ranges::is_sorted(even));
+    int split = 0;
+    for (int e = 0; e < std::ssize(fine.mesh.elements); ++e) {
+        const int whole = fine.part_of[at(e)] < 0 ? e : fine.part_of[at(e)];
+        EXPECT_EQ(std::ranges::binary_search(even, e), whole % 2 == 0) << e;
+        split += whole != e ? 1 : 0;
+    }
+    EXPECT_GT(split, 20);
+}
+
 TEST(MeshRefinement, ComesOutTheSameAgain) {
     const Mesh start = test::square_mesh(5);
     const RefinedMesh first = refine(start, left), second = refine(first.mesh, further);

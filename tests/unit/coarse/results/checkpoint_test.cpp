@@ -202,5 +202,22 @@ TEST_F(SameCase, IsNamedWhereItDiffers) {
     EXPECT_NE(against({"load.scale=2.0"}).find("in cycle 0"), std::string::npos);
 }
 
+// A mesh file may have moved, but not changed.
+TEST_F(SameCase, HasTheSameMesh) {
+    Scene scene = refined_scene(test::sent_case({"mesh.size=10.0", "mesh.grading=[]"}));
+    scene.input.mesh.file = "/there/part.msh";
+    const CaseMark before = mark_of(scene);
+    const auto against_now = [&] { return complaint([&] { check_same_case(before, mark_of(scene), {}); }); };
+    scene.input.mesh.file = "/here/part.msh";
+    EXPECT_EQ(against_now(), fine);
+    std::swap(scene.mesh.elements[0], scene.mesh.elements[1]);
+    EXPECT_NE(against_now().find("the mesh is another one"), std::string::npos);
+    std::swap(scene.mesh.elements[0], scene.mesh.elements[1]);
+    scene.mesh.boundary["top"].pop_back();
+    EXPECT_NE(against_now().find("the mesh is another one"), std::string::npos);
+    scene.input.mesh.file = "/here/other.msh";
+    EXPECT_NE(against_now().find("other.msh"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -89,6 +89,20 @@ TEST(Regions, NeighboursShareNoElement) {
     }
 }
 
+TEST(Regions, MayBeGroupsOfTheMesh) {
+    Mesh mesh = make_mesh(plate(5.0), {});
+    mesh.groups = {{"weld", {1, 3}}, {"all", {0, 1, 2, 3}}};
+    RegionSection weld, all, other;
+    weld.group = "weld";
+    all.group = "all";
+    other.group = "cast";
+    EXPECT_EQ(materials_of_elements(mesh, {weld}), (std::vector<int>{0, 1, 0, 1}));
+    EXPECT_TRUE(region_warnings(mesh, {weld}).empty());
+    EXPECT_EQ(complaint(mesh, {all, weld}), "region[2].group: overlaps region 1 near (7.5, 2.5)");
+    EXPECT_EQ(complaint(mesh, {other}),
+              "region[1].group: \"cast\" is no group of elements of the mesh, available: all, weld");
+}
+
 TEST(Regions, MustHoldElementsAndNotOverlap) {
     const Mesh mesh = make_mesh(plate(1.0), {});
     EXPECT_TRUE(materials_of_elements(mesh, {}).empty());

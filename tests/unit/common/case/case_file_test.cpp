@@ -172,8 +172,8 @@ TEST_F(CaseFile, NamesWhatIsMissing) {
     EXPECT_EQ(complaint_about("young = 200e3\n", ""), "case.toml:9: material.young is missing: Young's modulus.");
     EXPECT_EQ(complaint_about("units = \"N-mm-MPa\"\n", ""),
               "case.toml:1: units is missing: the only system of units, units = \"N-mm-MPa\".");
-    EXPECT_EQ(complaint("units = \"N-mm-MPa\"\n"),
-              "case.toml:1: mesh.specimen is missing: A specimen of the catalogue.");
+    EXPECT_EQ(complaint("units = \"N-mm-MPa\"\n"), "case.toml:1: mesh needs specimen or file");
+    EXPECT_EQ(complaint_about("width = 50.0\n", ""), "case.toml:3: mesh.width is missing: a specimen needs it");
     EXPECT_EQ(complaint_about("blocks = [ { max = 50.0, ratio = -1.0 } ]\n", ""),
               "case.toml:24: load.blocks is empty, but boundary \"top\" carries a load: give at least one block");
 }
@@ -278,6 +278,28 @@ TEST_F(CaseFile, RefusesRegionsAndStressThatAreNone) {
     EXPECT_NE(with("file = \"grid.csv\"", "file = \"nowhere.csv\"").find("initial_stress.file: cannot be read"),
               std::string::npos);
     EXPECT_NE(complaint(complete + "[regions]\nsteel = [[0, 0], [1, 1]]\n").find("[[region]]"), std::string::npos);
+}
+
+// A body is a specimen with its sizes, or a file whose groups have names.
+TEST_F(CaseFile, TakesItsMeshFromAFile) {
+    std::string text = complete;
+    const std::size_t from = text.find("specimen"), to = text.find("[material]");
+    text.replace(from, to - from,
+                 "file = \"../part.msh\"\n[[region]]\ngroup = \"weld\"\n[region.material]\nyoung = 1e5\n"
+                 "poisson = 0.3\n");
+    const Case scene = read(text, {"boundary.0.on=pin-top"});
+    EXPECT_EQ(scene.mesh.file, (folder_ / "part.msh").string());
+    EXPECT_EQ(scene.regions.at(0).group, "weld");
+    const std::string resolved = resolved_toml(scene);
+    EXPECT_EQ(resolved.find("specimen = "), std::string::npos);
+    EXPECT_EQ(resolved.find("outline = "), std::string::npos);
+    EXPECT_EQ(read(resolved), scene);
+    EXPECT_EQ(complaint(text, {"mesh.size=2"}),
+              "--set: mesh.size belongs to a specimen; the mesh is that of mesh.file");
+    EXPECT_EQ(complaint(text, {"region.0.outline=[[0, 0], [1, 1]]"}),
+              "case.toml:5: region.0 needs outline or group, one of them");
+    EXPECT_EQ(complaint(complete + "[[region]]\ngroup = \"weld\"\n[region.material]\nyoung = 1e5\npoisson = 0.3\n"),
+              "case.toml:27: region.0.group = \"weld\" needs mesh.file, whose groups have names");
 }
 
 TEST_F(CaseFile, RefusesARunThatWouldDoNothing) {
@@ -416,7 +438,7 @@ TEST_F(CaseFile, PointsAtOverridesThatAreWrong) {
 TEST(CaseReference, ExplainsEveryKey) {
     EXPECT_NE(explain("material.yield_stress").find("MPa; > 0; default absent"), std::string::npos);
     EXPECT_NE(explain("crack.0.contact.friction").find("Coulomb"), std::string::npos);
-    EXPECT_NE(explain("mesh.file").find("Not in this version"), std::string::npos);
+    EXPECT_NE(explain("mesh.file").find("Gmsh"), std::string::npos);
     EXPECT_NE(explain("").find("output.format"), std::string::npos);
     EXPECT_THROW(static_cast<void>(explain("material.yung")), CaseError);
 }

@@ -1,0 +1,189 @@
+// Bodies from mesh files beside the same bodies from the catalogue, and cracks from a hole beside an integral equation.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "coarse/specimen/handbook.hpp"
+#include "common/case/case_file.hpp"
+#include "common/error.hpp"
+#include "tests/support/cracks_from_a_hole.hpp"
+#include "tests/support/mesh_files.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+double percent_above(double own, double reference) { return 100.0 * (own / reference - 1.0); }
+
+/// The same mesh as another mesher may write it: nodes and elements in another order, every other element clockwise.
+Mesh renumbered(Mesh mesh) {
+    std::mt19937 generator(7);
+    std::vector<int> place(mesh.nodes.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::ranges::shuffle(place, generator);
+    const Mesh before = mesh;
+    for (std::size_t n = 0; n < place.size(); ++n) mesh.nodes[at(place[n])] = before.nodes[n];
+    for (auto& element : mesh.elements)
+        for (int& node : element) node = place[at(node)];
+    return mesh;
+}
+
+// Plastic, with contact and growth on elements that follow the tip: no digit but the last ones knows of the file.
+TEST(MeshFiles, AStructuredFileIsTheSpecimen) {
+    const Case own =
+        sent_case({"mesh.grading=[]", "mesh.size=2.5", "fine.refine=4", "load.steps=12",
+                   "load.blocks=[{cycles=3, max=45.0, ratio=-0.5}]", "growth.increment=0.4", "closure.distance=0.5"});
+    const TemporaryFolder folder;
+    write_file(folder / "plate.msh", msh_text(renumbered(coarse::make_mesh(own.mesh, own.cracks))));
+    Case other = own;
+    other.mesh = {};
+    other.mesh.file = folder / "plate.msh";
+    const auto expected = run_cycles(own), found = run_cycles(other);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_NEAR(found[k].a, expected[k].a, 1e-9) << k;
+        EXPECT_NEAR(found[k].K_max, expected[k].K_max, 1e-9 * expected[k].K_max) << k;
+        EXPECT_NEAR(found[k].J_max, expected[k].J_max, 1e-7 * expected[k].J_max) << k;
+        EXPECT_NEAR(found[k].opening.K_op, expected[k].opening.K_op, 0.002 * expected[k].K_max) << k;
+    }
+}
+
+/// 50 x 100 mm, its edge crack 20 mm long.
+Case sent_plate() {
+    Case input = specimen("sent", 100.0, {{0.0, 50.0}, {20.0, 50.0}});
+    input.mesh.width = 50.0;
+    input.mesh.size = 2.0;
+    input.mesh.grading = {{.at = {{20.0, 50.0}}, .size = 0.4, .outer_size = 0.4, .radius = 2.0, .growth = 0.15}};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    return input;
+}
+
+TEST(MeshFiles, UnstructuredMeshesGiveTheSpecimensK) {
+    const ElasticSolution own(sent_plate());
+    for (const char* file : {"sent-quads.msh", "sent-mixed.msh"}) {
+        for (const int refine : {1, 4}) {
+            Case input = sent_plate();
+            input.mesh = {};
+            input.mesh.file = mesh_data(file);
+            input.fine.refine = refine;
+            if (refine > 1) input.fine.radius = 5.0;
+            const ElasticSolution other(input);
+            const double K = percent_above(other.tips[0].K_I, own.tips[0].K_I),
+                         J = percent_above(other.tips[0].J, own.tips[0].J);
+            std::cout << fmt::format("{:16s} refine {} {:5d} elements: K {:+.2f} %, J {:+.2f} %\n", file, refine,
+                                     other.scene.mesh.elements.size(), K, J);
+            EXPECT_LT(std::abs(K), refine > 1 ? 0.4 : 0.3) << file;
+            EXPECT_LT(std::abs(J), refine > 1 ? 0.7 : 0.5) << file;
+            EXPECT_LT(std::abs(other.tips[0].K_II), 1e-3 * own.tips[0].K_I) << file;
+        }
+    }
+}
+
+/// Of the shipped plate, pulled by 1 MPa, with cracks of one length.
+Case plate_with_hole(double length, int cracks) {
+    Case input = read_case(std::string(source_folder) + "/cases/plate-hole/case.toml");
+    input.growth.reset();
+    input.cracks.resize(at(cracks));
+    for (CrackSection& crack : input.cracks) crack.points[1].x() = std::copysign(5.0 + length, crack.points[1].x());
+    return input;
+}
+
+TEST(MeshFiles, CracksFromAHoleMeetTheIntegralEquation) {
+    for (const double length : {0.5, 1.0, 2.5, 5.0, 10.0}) {
+        for (const int cracks : {1, 2}) {
+            const ElasticSolution solution(plate_with_hole(length, cracks));
+            const double F = factor_of_cracks_from_a_hole(length / 5.0, cracks);
+            const double K = F * std::sqrt(std::numbers::pi * length);
+            ASSERT_EQ(solution.tips.size(), at(cracks));
+            for (const coarse::TipResult& tip : solution.tips) {
+                EXPECT_NEAR(tip.a, length, 1e-9);
+                const double K_off = percent_above(tip.K_I, K), J_off = percent_above(tip.J, K * K / plane_modulus);
+                std::cout << fmt::format("{} cracks of {:4.1f} mm: F {:.4f}, K {:+.2f} %, J {:+.2f} %\n", cracks,
+                                         length, F, K_off, J_off);
+                EXPECT_LT(std::abs(K_off), 0.3) << length;
+                EXPECT_LT(std::abs(J_off), 0.6) << length;
+            }
+        }
+    }
+}
+
+// Small elements follow the tip through slanted ones. The faces end on an edge, up to half an element off the tip.
+TEST(MeshFiles, ACrackGrowsOnAnUnstructuredMesh) {
+    Case own = sent_case({"load.steps=4", "load.blocks=[{cycles=2, max=30.0, ratio=0.0}]", "growth.increment=0.3",
+                          "closure.distance=0.5", "fine.refine=4", "model.plane=stress"});
+    own.mesh = sent_plate().mesh;
+    own.cracks[0].points = sent_plate().cracks[0].points;
+    Case other = own;
+    other.mesh = {};
+    other.mesh.file = mesh_data("sent-mixed.msh");
+    const auto expected = run_cycles(own), found = run_cycles(other);
+    ASSERT_EQ(found.size(), 2U);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_NEAR(found[k].a, expected[k].a, 1e-9) << k;
+        EXPECT_NEAR(found[k].K_max, expected[k].K_max, 0.015 * expected[k].K_max) << k;
+        EXPECT_NEAR(found[k].J_max, expected[k].J_max, 0.03 * expected[k].J_max) << k;
+    }
+}
+
+// Round holes, and pins as a region of their own: Srawley's K, whose accuracy is 0.5 %.
+TEST(MeshFiles, ACompactSpecimenWithRoundHoles) {
+    const std::string path = std::string(source_folder) + "/cases/ct-pins/case.toml";
+    const double W = 50.0;
+    for (const double x : {0.3, 0.4, 0.5, 0.6, 0.7}) {
+        Case input = read_case(path);
+        input.cracks[0].points[1].x() = x * W;
+        input.cracks[0].contact.reset();
+        input.material.yield_stress.reset();
+        input.fine = {};
+        const ElasticSolution solution(input);
+        EXPECT_EQ(std::ranges::count(solution.scene.mesh.material, 1),
+                  std::ssize(solution.scene.mesh.groups.at("pins")));
+        const double K_off = percent_above(solution.tips[0].K_I, coarse::ct_K(W, x * W, 1.0));
+        std::cout << fmt::format("a/W {}: K {:+.2f} %\n", x, K_off);
+        EXPECT_LT(std::abs(K_off), 0.6) << x;
+    }
+}
+
+std::string complaint_about(const Case& input) {
+    try {
+        static_cast<void>(coarse::refined_scene(input));
+    } catch (const CaseError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// A hole is no part of the body: a crack through it is two cracks, and a mouth on its circle lies behind its chords.
+TEST(MeshFiles, CracksKnowTheHole) {
+    Case input = plate_with_hole(5.0, 1);
+    input.cracks[0].points = {{-10.0, 0.0}, {10.0, 0.0}};
+    EXPECT_EQ(complaint_about(input),
+              "crack 1: at (-5, 0) it leaves the body and comes back; give the parts as cracks of "
+              "their own");
+    input.cracks[0].points = {{-1.0, 0.0}, {1.0, 0.0}};
+    EXPECT_EQ(complaint_about(input), "crack 1: it does not meet the body");
+    const double angle = 0.52;
+    input.cracks[0].points = {5.0 * Vec2(std::cos(angle), std::sin(angle)), {10.0, 5.0}};
+    EXPECT_NE(complaint_about(input).find("a mouth lies on or outside of it"), std::string::npos);
+    input.boundaries[0].on = "Top";
+    EXPECT_EQ(complaint_about(input),
+              "boundary[1].on: \"Top\" is not a boundary of the mesh, available: bottom, hole, top, unnamed, point");
+}
+
+// Newman's collocation, docs/references.md 2.8: K over stress sqrt(pi (R + L)) there.
+TEST(MeshFiles, TheIntegralEquationMeetsNewmansCollocation) {
+    for (const auto& [of_radius, F] : {std::pair{1.2, 0.9851}, {1.5, 1.0582}, {2.0, 1.0409}, {3.0, 1.0161}}) {
+        const double length = of_radius - 1.0;
+        EXPECT_NEAR(factor_of_cracks_from_a_hole(length, 2) * std::sqrt(length / of_radius), F, 2e-4) << of_radius;
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
