@@ -11,14 +11,16 @@ namespace stria {
 
 /// What resolving a crack leaves: its pieces in order, and which of its two ends are tips (strictly inside the body).
 struct CrackPath {
+    std::vector<Vec2> points;  // of the polyline, those beside nodes and edges put onto them
     std::vector<CrackPiece> pieces;
     bool tip_at_start = false;
     bool tip_at_end = false;
     double length = 0.0;  // of the polyline, mm
 };
 
-/// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, enters
-/// an element twice, or leaves an element edge between its nodes after running along it.
+/// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, turns by
+/// more than a right angle, enters an element twice, or leaves an element edge between its nodes after running along
+/// it.
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
 
 }  // namespace stria

@@ -295,5 +295,82 @@ TEST(CyclicHardening, VoceAndTwoBackStressesThatForget) {
     }
 }
 
+// references 8.7: two back stresses ratchet between 320 and -240 MPa.
+TEST(CyclicHardening, TwoBackStressesRatchet) {
+    MaterialSection steel = linear_hardening(200.0);
+    steel.kinematic = {{60000.0, 600.0}, {20000.0, 50.0}};
+    const std::vector<Turns> found = extrapolated_turns(
+        tested(steel, PlaneState::Strain, TestControl::Stress, {.cycles = 10, .max = 320.0, .min = -240.0}, 800));
+    for (const auto& [cycle, plastic_strain] : {std::pair(2, 0.0029907969), {5, 0.0042713754}, {10, 0.0061539777}})
+        verify({.scene = "two back stresses, 320 and -240 MPa",
+                .source = "closed form (8.7)",
+                .quantity = fmt::format("plastic strain at the maximum of cycle {}", cycle),
+                .reference = plastic_strain,
+                .ours = found[at(cycle - 2)].plastic_at_max,  // a turn begins with its minimum
+                .within = 1e-4,
+                .mesh = "800 and 1600 a cycle"});
+}
+
+// references 8.7: the mean stress of strains between 0 and 1 % relaxes.
+TEST(CyclicHardening, TheMeanStressOfArmstrongAndFrederickRelaxes) {
+    const std::vector<Turns> found = extrapolated_turns(tested(
+        armstrong_frederick(), PlaneState::Strain, TestControl::Strain, {.cycles = 40, .max = 0.01, .min = 0.0}, 400));
+    const auto row = [](const std::string& quantity, double reference, double ours) {
+        verify({.scene = "Armstrong and Frederick, strain 0 to 0.01",
+                .source = "closed form (8.7)",
+                .quantity = quantity,
+                .reference = reference,
+                .ours = ours,
+                .within = 1e-4,
+                .mesh = "400 and 800 a cycle"});
+    };
+    row("stress at the first minimum, MPa", -348.175393, found.front().stress_at_min);
+    row("stress at the last minimum, MPa", -355.440854, found.back().stress_at_min);
+    row("stress at the last maximum, MPa", 355.440854, found.back().stress_at_max);
+}
+
+// references 8.8: four layers side by side that yield at 100 to 400 MPa are one yield stress and three thresholds, of
+// 50 MPa each, that are reached where the next layer yields.
+TEST(CyclicHardening, ThresholdsAreBesselingsLayers) {
+    MaterialSection layers = linear_hardening(100.0);
+    for (const double plastic_strain : {1.25e-4, 3.75e-4, 7.5e-4}) {
+        const double C = 50.0 / plastic_strain;
+        layers.kinematic.push_back({C, C / 50.0, true});
+    }
+    MaterialPoint bar(layers);
+    double strain = 0.0;
+    for (const auto& [next, stress] :
+         {std::pair(0.0005, 100.0), {0.001, 175.0}, {0.003, 250.0}, {0.0015, -25.0}, {0.0, -200.0}, {-0.003, -250.0}}) {
+        double found = 0.0;
+        for (int k = 1; k <= 100; ++k) found = bar.uniaxial(strain + (next - strain) * k / 100);
+        strain = next;
+        verify({.scene = "four layers in parallel, as thresholds",
+                .source = "Besseling 1958, closed form (8.8)",
+                .quantity = fmt::format("stress at the strain {}, MPa", next),
+                .reference = stress,
+                .ours = found,
+                .within = 1e-6,
+                .mesh = "100 increments"});
+    }
+}
+
+// references 8.9: a structural steel of class S355, saturated.
+TEST(CyclicHardening, AFittedStructuralSteelSaturates) {
+    MaterialSection steel = linear_hardening(255.416);
+    steel.young = 185115.0;
+    steel.isotropic = {.law = "voce", .Q = 91.727, .b = 9.595};
+    steel.kinematic = {{1761.99, 3.549}, {17430.5, 157.279}};
+    const Turns last = extrapolated_turns(tested(steel, PlaneState::Strain, TestControl::Strain,
+                                                 {.cycles = 60, .max = 0.01, .min = -0.01}, 200))
+                           .back();
+    verify({.scene = "fitted structural steel, strain +-0.01, saturated",
+            .source = "RESSPyLab, S355 (8.9)",
+            .quantity = "stress, MPa",
+            .reference = 452.4467,
+            .ours = last.stress_at_max,
+            .within = 1e-4,
+            .mesh = "200 and 400 a cycle"});
+}
+
 }  // namespace
 }  // namespace stria::test
