@@ -5,13 +5,17 @@
 
 A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. It runs in one
 process, in one matrix and over MPI. Numbers of `history.csv` agree where they differ by less than 1e-8 of the largest
-of their column, or the three runs end alike with exit code 3 and a sentence. Exit code 1 where a scene does neither.
+of their column, or the three runs end alike with exit code 3 and a sentence. What the first one leaves is lawful, too:
+pressures push and shear stays in the cone of friction; faces of cracks that do not grow overlap by no more than the
+pressure strains an element; nothing gives dissipation back; and work balances, to 30 % where it is nonlinear and the
+load has a few increments. Exit code 1 where a scene does neither.
 """
 
 import argparse
 import csv
 import os
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -120,18 +124,51 @@ def difference(one, other):
     return worst, where
 
 
+def unlawful(folder, text):
+    """What a run breaks, or None; and how far its work is from balance, of the largest external work."""
+    with open(folder / "history.csv") as file:
+        rows = list(csv.DictReader(file))
+    work = max(abs(float(row["external_work"])) for row in rows)
+    for name in ("dissipation", "frictional_dissipation"):
+        values = [float(row[name]) for row in rows if row[name]]
+        if any(after < before - 1e-10 * work for before, after in zip(values, values[1:])):
+            return f"{name} falls", 0.0
+    balance = max(abs(float(row["balance_error"] or 0.0)) for row in rows) / work
+    linear = not any(word in text for word in ("yield_stress", "[growth]", "contact"))
+    if balance > (1e-9 if linear else 0.3):
+        return f"work is off by {balance:.1e}", balance
+    with open(folder / "faces.csv") as file:
+        faces = list(csv.DictReader(file))
+    friction = float((re.search(r"friction = ([\d.]+)", text) or [0, 0.0])[1])
+    most = max((float(face["pressure"]) for face in faces), default=0.0)
+    overlap = float(re.search(r"\nsize = ([\d.]+)", text)[1]) * most / 200e3 + 0.01 * max((float(face["opening"]) for face in faces), default=0.0)
+    for face in faces:
+        pressure, shear = float(face["pressure"]), abs(float(face["shear"] or 0.0))
+        if pressure < -1e-9 * most or (face["status"] == "0" and pressure > 1e-9 * most):
+            return "a pressure that pulls, or without contact", balance
+        if shear > friction * pressure + 1e-8 * most:
+            return "shear outside the cone", balance
+        if "contact" in text and "[growth]" not in text and -float(face["opening"]) > overlap:
+            return "faces overlap", balance
+    return None, balance
+
+
 def judge(arguments, seed):
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         case = folder / "case.toml"
-        case.write_text(scene(rng))
+        text = scene(rng)
+        case.write_text(text)
         ends = {mode: run(arguments.programs, case, folder / mode, mode) for mode in MODES}
         codes = {code for code, _ in ends.values()}
         if codes == {0}:
             one = numbers(folder / MODES[0])
             worst, where = max(difference(one, numbers(folder / mode)) for mode in MODES[1:])
             verdict = "agrees" if worst < SAME else "DIFFERS", "%.1e of %s" % (worst, where)
+            broken, balance = unlawful(folder / MODES[0], text)
+            if broken and worst < SAME:
+                verdict = "IS UNLAWFUL", broken
         elif codes in ({2}, {3}):
             verdict = "ends with %d" % codes.pop(), ends[MODES[0]][1]
         else:

@@ -139,7 +139,7 @@ private:
         const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
         Tip tip;
         tip.crack = crack;
-        const std::vector<Vec2>& points = cracks_[at(crack)].points;
+        const std::vector<Vec2>& points = path.points;
         tip.material = mesh_.material_of(piece.element);
         tip.s = start ? piece.s.front() : piece.s.back();
         tip.upper = start ? -1 : 1;

@@ -11,6 +11,10 @@
 
 namespace stria {
 namespace {
+
+// How near a point is put onto an edge: what it would cut off is no element. A tip that is there to rounding stays.
+constexpr double edge_fraction = 1e-6, rounding = 1e-9;
+
 std::pair<int, int> edge_key(int a, int b) { return std::minmax(a, b); }
 
 bool same_place(const Crossing& a, const Crossing& b) {
@@ -26,6 +30,24 @@ std::optional<double> fraction(const Crossing& crossing, int from, int to) {
     return std::nullopt;
 }
 
+/// Onto one of an element's corners, or else onto an edge that is farther away than `least` of its length; a corner
+/// found before stays.
+void snap(const Mesh& mesh, const std::array<int, 4>& element, const Vec2& x, double least, Vec2& snapped) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec2 &node = mesh.nodes[at(element[k])], &next = mesh.nodes[at(element[(k + 1) % 4])],
+                   &last = mesh.nodes[at(element[(k + 3) % 4])];
+        const Vec2 edge = next - node;
+        if ((x - node).norm() < snap_fraction * std::min(edge.norm(), (last - node).norm())) {
+            snapped = node;
+            return;
+        }
+        const double along = (x - node).dot(edge) / edge.squaredNorm();
+        if (snapped != x || along < snap_fraction || along > 1.0 - snap_fraction) continue;
+        const double distance = (x - node - along * edge).norm() / edge.norm();
+        if (distance < edge_fraction && distance >= least) snapped = node + along * edge;
+    }
+}
+
 bool are_on(const Crossing& a, const Crossing& b, const MeshEdge& edge) {
     const auto on = [&](const Crossing& c) {
         return c.edge == &edge || (c.node >= 0 && (c.node == edge.first || c.node == edge.second));
@@ -34,6 +56,21 @@ bool are_on(const Crossing& a, const Crossing& b, const MeshEdge& edge) {
 }
 
 }  // namespace
+
+std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& points) {
+    std::vector<Vec2> snapped = points;
+    for (const std::array<int, 4>& element : mesh.elements) {
+        Eigen::AlignedBox2d box;
+        for (const int node : element) box.extend(mesh.nodes[at(node)]);
+        const double margin = snap_fraction * box.diagonal().norm();
+        box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
+        for (std::size_t k = 0; k < points.size(); ++k)
+            if (box.contains(points[k]))
+                snap(mesh, element, points[k], k == 0 || k + 1 == points.size() ? rounding : 0.0, snapped[k]);
+    }
+    snapped.erase(std::ranges::unique(snapped).begin(), snapped.end());
+    return snapped.size() > 1 ? snapped : points;
+}
 
 CrackCrossings::CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points)
     : mesh_(mesh), points_(points), around_(elements_around_nodes(mesh)) {

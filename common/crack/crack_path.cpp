@@ -188,10 +188,23 @@ private:
     bool starts_on_edge_ = false, ends_on_edge_ = false;
 };
 
+/// The sides of a crack are told apart at kinks of up to a right angle.
+void refuse_turning_back(int crack, const std::vector<Vec2>& points) {
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+        if ((points[k] - points[k - 1]).dot(points[k + 1] - points[k]) >= 0.0) continue;
+        throw CaseError(fmt::format("crack {}: at ({}, {}) it turns by more than 90 degrees, it may go on by up to 90",
+                                    crack + 1, points[k].x(), points[k].y()));
+    }
+}
+
 }  // namespace
 
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points) {
-    return Resolver(mesh, crack, points).resolve();
+    const std::vector<Vec2> snapped = snapped_onto_mesh(mesh, points);
+    refuse_turning_back(crack, snapped);
+    CrackPath path = Resolver(mesh, crack, snapped).resolve();
+    path.points = snapped;
+    return path;
 }
 
 }  // namespace stria

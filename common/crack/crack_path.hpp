@@ -11,6 +11,7 @@ namespace stria {
 
 /// What resolving a crack leaves: its pieces in order, and which of its two ends are tips (strictly inside the body).
 struct CrackPath {
+    std::vector<Vec2> points;  // of the polyline, those beside nodes and edges put onto them
     std::vector<CrackPiece> pieces;
     bool tip_at_start = false;
     bool tip_at_end = false;
@@ -18,7 +19,8 @@ struct CrackPath {
 };
 
 /// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, leaves
-/// it between its ends, enters an element twice, or leaves an element edge between its nodes after running along it.
+/// it between its ends, turns by more than a right angle, enters an element twice, or leaves an element edge between its
+/// nodes after running along it.
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
 
 }  // namespace stria

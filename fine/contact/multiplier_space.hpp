@@ -12,7 +12,8 @@ namespace stria::fine {
 /// Continuous piecewise-linear pressure p(s) = sum of p_k Phi_k(s) with a node at each *vital* crossing: walking along
 /// the crack, a crossing of an element edge is vital if neither end of that edge belongs to a vital one before it
 /// (Bechet, Moes, Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh.
-/// Branches end at kinks: the pressure may jump there. It is constant towards a tip, and straight on towards any other
+/// Branches end at kinks: the pressure may jump there. One that is much shorter than an element has next to no jumps of
+/// its own, and goes with its neighbour. The pressure is constant towards a tip, and straight on towards any other
 /// end that is no farther than the next node.
 class MultiplierSpace {
 public:
@@ -49,10 +50,12 @@ private:
     struct Branch {
         double first_s, last_s;
         bool tip_at_start = false, tip_at_end = false;
+        double element_size = 0.0;  // mm, where it begins
         std::vector<Crossing> crossings;
         int first_multiplier = 0, multipliers = 0;
     };
     void split_into_branches(const EnrichedMesh& mesh, int crack, double notch);
+    void join_short_branches();
     void choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch);
 
     std::vector<Branch> branches_;

@@ -7,6 +7,8 @@
 #include <iostream>
 #include <numbers>
 
+#include "coarse/analysis/crack_advance.hpp"
+#include "tests/support/comparison.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -29,6 +31,7 @@ Case inclined_crack(double width, double degrees, bool halved) {
 /// Of the infinite plate, percent.
 struct Excess {
     double K_I, K_II, by_J;
+    int across;  // elements
 };
 
 Excess inclined_excess(double width, double degrees, bool halved) {
@@ -42,11 +45,28 @@ Excess inclined_excess(double width, double degrees, bool halved) {
     EXPECT_NEAR(one.K_II, other.K_II, 1e-3 * one.K_I);
     const Excess excess{100.0 * (one.K_I / (s * s * std::sqrt(pi)) - 1.0),
                         100.0 * (std::abs(one.K_II) / (s * c * std::sqrt(pi)) - 1.0),
-                        100.0 * (std::sqrt(one.J * plane_modulus / pi) / s - 1.0)};
+                        100.0 * (std::sqrt(one.J * plane_modulus / pi) / s - 1.0), solution.elements_across()};
     std::cout << fmt::format(
         "inclined {} degrees, a/W {:.4f}, {} across: K_I {:+.3f} %, K_II {:+.3f} %, by J {:+.3f} %\n", degrees,
         1.0 / width, solution.elements_across(), excess.K_I, excess.K_II, excess.by_J);
     return excess;
+}
+
+// Pure mode II, and the directions of cracks at these angles to the load.
+TEST(InclinedCrack, TurnsToTheLargestHoopStress) {
+    const auto row = [](const std::string& scene, double degrees, double K_I, double K_II) {
+        verify({.scene = scene,
+                .source = "Erdogan, Sih 1963 (2.4)",
+                .quantity = "direction of growth, degrees",
+                .reference = degrees,
+                .ours = coarse::hoop_stress_angle(K_I, K_II) * 180.0 / pi,
+                .within = 1e-4 / std::abs(degrees)});
+    };
+    row("pure mode II", -70.5288, 0.0, 1.0);
+    for (const auto& [degrees, turn] : {std::pair{30.0, -60.0}, {45.0, -53.1301}, {60.0, -43.2213}}) {
+        const double beta = degrees * pi / 180.0;
+        row(fmt::format("crack at {} degrees to the load", degrees), turn, std::sin(beta), std::cos(beta));
+    }
 }
 
 // What the plate adds falls with (a/W)^2: it is that of halved elements in a plate of half the width, over 4.
@@ -56,8 +76,18 @@ TEST(InclinedCrack, MatchesTheInfinitePlate) {
                      own = inclined_excess(40.0, degrees, false);
         EXPECT_LT(std::abs(fine.K_I - narrow.K_I / 4.0), 0.1);
         EXPECT_LT(std::abs(fine.K_II - narrow.K_II / 4.0), 0.1);
-        for (const double off : {own.K_I, own.K_II, own.by_J, own.K_I - narrow.K_I / 4.0, own.K_II - narrow.K_II / 4.0})
+        for (const double off : {own.by_J, own.K_I - narrow.K_I / 4.0, own.K_II - narrow.K_II / 4.0})
             EXPECT_LT(std::abs(off), 0.3);
+        const double beta = degrees * pi / 180.0, s = std::sin(beta), c = std::cos(beta);
+        for (const auto& [quantity, exact, off] :
+             {std::tuple("K_I / (sigma sqrt(pi a))", s * s, own.K_I), {"K_II / (sigma sqrt(pi a))", s * c, own.K_II}})
+            verify({.scene = fmt::format("inclined crack, {} degrees, plate of 40 a", degrees),
+                    .source = "infinite plate, closed form (2.4)",
+                    .quantity = quantity,
+                    .reference = exact,
+                    .ours = exact * (1.0 + 0.01 * off),
+                    .within = 0.003,
+                    .mesh = fmt::format("{} across", own.across)});
     }
 }
 

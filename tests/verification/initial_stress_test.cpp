@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "common/fem/centre.hpp"
+#include "tests/support/comparison.hpp"
 #include "tests/support/layered_plates.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
@@ -79,7 +80,14 @@ TEST(InitialStress, ABimetalStripBendsAsTimoshenkoSays) {
                 1e-12);
     for (const double x : {0.05, 0.65, 1.15, 1.25, 1.55, 1.95}) {
         const double exact = (x < t1 ? E1 : E2) * (e0 + k * x) + (x < t1 ? 0.0 : E2 * misfit_strain);
-        EXPECT_NEAR(settled.stress_at({x, 20.05})[1], exact, 0.005 * E2 * misfit_strain) << x;
+        verify({.scene = fmt::format("bimetal strip with a misfit, x = {}", x),
+                .source = "Timoshenko 1925",
+                .quantity = "stress, MPa",
+                .reference = exact,
+                .ours = settled.stress_at({x, 20.05})[1],
+                .within = 0.005,
+                .mesh = "20 across",
+                .scale = E2 * misfit_strain});
     }
 }
 
@@ -145,7 +153,14 @@ TEST(InitialStress, KOfAnEdgeCrackIsThatOfItsWeightFunction) {
         const double K = EdgeCrackInAProfile::weight_function_K(a);
         std::cout << fmt::format("a/W {}: K_initial {:.4f}, weight function {:.4f}\n", a, solution.tips[0].K_initial,
                                  K);
-        EXPECT_NEAR(solution.tips[0].K_initial, K, 0.01 * 100.0 * std::sqrt(std::numbers::pi * a)) << a;
+        verify({.scene = fmt::format("edge crack a/W {} in 100 (1 - 6 x + 6 x^2)", a),
+                .source = "Bueckner 1970, weight function",
+                .quantity = "K, MPa sqrt(mm)",
+                .reference = K,
+                .ours = solution.tips[0].K_initial,
+                .within = 0.01,
+                .mesh = fmt::format("a / {:.0f}", a / 0.005),
+                .scale = 100.0 * std::sqrt(std::numbers::pi * a)});
     }
 }
 
@@ -174,7 +189,14 @@ TEST(InitialStress, KOfACrackAcrossAWeldIsTeradas) {
         const double K = 100.0 * unit * std::sqrt((root - r2) / (root * root)) - resultant / W * unit;
         for (const coarse::TipResult& tip : solution.tips) {
             std::cout << fmt::format("a/c {}: K_initial {:.4f}, Terada {:.4f}\n", a / c, tip.K_initial, K);
-            EXPECT_NEAR(tip.K_initial, K, 0.005 * 100.0 * unit) << a;
+            verify({.scene = fmt::format("crack across a weld, a/c {}", a / c),
+                    .source = "Terada 1976",
+                    .quantity = "K, MPa sqrt(mm)",
+                    .reference = K,
+                    .ours = tip.K_initial,
+                    .within = 0.005,
+                    .mesh = fmt::format("a / {:.0f}", a / 0.03),
+                    .scale = 100.0 * unit});
         }
     }
 }

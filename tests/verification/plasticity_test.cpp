@@ -1,12 +1,15 @@
 // One material point against closed forms (docs/references.md 6: values worked out independently of this code).
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "common/material/elasticity.hpp"
+#include "tests/support/comparison.hpp"
 #include "tests/support/material_point.hpp"
 
 namespace stria::test {
@@ -23,7 +26,13 @@ TEST(Plasticity, MixedHardeningBarSsnv133) {  // Code_Aster V6.04.133
     const std::vector<std::pair<double, double>> history{{2e-3, 400}, {4.5e-3, 500}, {1e-4, -380}, {-2e-3, -464}};
     for (const std::vector<double>& kinematic : {std::vector{30e3}, std::vector{10e3, 20e3}}) {  // a sum, however split
         MaterialPoint bar(linear_hardening(400.0, 20e3, kinematic));
-        for (const auto& [strain, stress] : history) EXPECT_NEAR(bar.uniaxial(strain), stress, 1e-8) << strain;
+        for (const auto& [strain, stress] : history)
+            verify({.scene = fmt::format("bar, mixed hardening, {} back stresses", kinematic.size()),
+                    .source = "Code_Aster SSNV133 (6.1)",
+                    .quantity = fmt::format("stress at the strain {}, MPa", strain),
+                    .reference = stress,
+                    .ours = bar.uniaxial(strain),
+                    .within = 1e-10});
     }
 }
 
@@ -34,8 +43,16 @@ TEST(Plasticity, UniaxialCyclesIsotropicAndKinematic) {
     const std::vector<double> stresses{218.0000, -253.6400, 288.5672, -322.7959};
     double strain = 0.01;
     for (const double stress : stresses) {
-        EXPECT_NEAR(isotropic.uniaxial(strain), stress, 5.1e-5);
-        EXPECT_NEAR(kinematic.uniaxial(strain), std::copysign(218.0, strain), 1e-8);
+        const auto row = [&](const std::string& hardening, double reference, double ours, double within) {
+            verify({.scene = fmt::format("bar, {} hardening, strain +-0.01", hardening),
+                    .source = "closed form (6.2)",
+                    .quantity = "stress, MPa",
+                    .reference = reference,
+                    .ours = ours,
+                    .within = within / std::abs(reference)});
+        };
+        row("isotropic", stress, isotropic.uniaxial(strain), 5.1e-5);
+        row("kinematic", std::copysign(218.0, strain), kinematic.uniaxial(strain), 1e-8);
         strain = -strain;
     }
 }
@@ -53,17 +70,28 @@ TEST(Plasticity, PlaneStrainTensionFirstYield) {
     for (const double sign : {1.0, -1.0}) {
         MaterialPoint below(linear_hardening(250.0));
         MaterialPoint above(linear_hardening(250.0));
-        EXPECT_NEAR(plane_strain_tension(below, sign * strain * (1 - 2e-9)), sign * first_yield, 1e-6);
+        plane_strain_tension(below, sign * strain * (1 - 2e-9));
         EXPECT_FALSE(below.last().yields);
         plane_strain_tension(above, sign * strain * (1 + 2e-9));
         EXPECT_TRUE(above.last().yields);
+        verify({.scene = "plane strain tension",
+                .source = "closed form (6.6)",
+                .quantity = "stress just below yield, MPa",
+                .reference = sign * first_yield,
+                .ours = below.last().stress()[1],
+                .within = 1e-6 / first_yield});
     }
 }
 
 TEST(Plasticity, PlaneStrainTensionCollapse) {
     MaterialPoint point(linear_hardening(250.0));
     for (int step = 1; step <= 200; ++step) plane_strain_tension(point, 2e-4 * step);
-    EXPECT_NEAR(point.last().stress()[1], 288.675135, 1e-6);
+    verify({.scene = "plane strain tension, perfectly plastic",
+            .source = "closed form (6.6)",
+            .quantity = "collapse stress, MPa",
+            .reference = 288.675135,
+            .ours = point.last().stress()[1],
+            .within = 1e-6 / 288.675135});
     EXPECT_NEAR(point.last().stress()[2], 0.5 * 288.675135, 1e-6);
 }
 
@@ -74,7 +102,12 @@ TEST(Plasticity, PureShearYieldsAndCollapses) {
     EXPECT_FALSE(point.last().yields);
     point.strain_by(shear);
     EXPECT_TRUE(point.last().yields);
-    EXPECT_NEAR(point.last().stress()[3] / std::numbers::sqrt2, 144.337567, 1e-6);
+    verify({.scene = "pure shear, perfectly plastic",
+            .source = "closed form (6.6)",
+            .quantity = "collapse stress, MPa",
+            .reference = 144.337567,
+            .ours = point.last().stress()[3] / std::numbers::sqrt2,
+            .within = 1e-6 / 144.337567});
 }
 
 struct ReturnError {
@@ -98,7 +131,12 @@ TEST(Plasticity, RadialReturnHasItsKnownError) {
         const Mandel direction = std::cos(psi0) * shear + std::sin(psi0) * stretch;
         const double psi = angle(point.strain_by(size * unit * direction).stress(), direction);
         const double exact = 2.0 * std::atan(std::tan(psi0 / 2.0) * std::exp(-size)) * 180.0 / std::numbers::pi;
-        EXPECT_NEAR(psi - exact, degrees, 5.1e-5) << start << " " << size;
+        verify({.scene = fmt::format("one radial return from {} degrees, x = {}", start, size),
+                .source = "Krieg and Krieg 1977 (6.7)",
+                .quantity = "its known error, degrees",
+                .reference = degrees,
+                .ours = psi - exact,
+                .within = 5.1e-5 / std::abs(degrees)});
     }
 }
 

@@ -10,6 +10,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/integration/crack_faces.hpp"
+#include "tests/support/comparison.hpp"
 #include "tests/support/one_equilibrium.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -68,8 +69,14 @@ double pressure_in_the_middle(int elements) {
 TEST(PressedInterface, PressureDoesNotOscillateAndConverges) {
     const double coarsest = pressure_in_the_middle(10), coarse = pressure_in_the_middle(20),
                  fine = pressure_in_the_middle(40);
-    EXPECT_NEAR(coarse, 9.528440, 0.01 * 9.528440);
-    EXPECT_NEAR(fine, 9.528440, 0.01 * 9.528440);
+    for (const auto& [elements, pressure] : {std::pair(20, coarse), {40, fine}})
+        verify({.scene = "pressure that varies along an interface",
+                .source = "Code_Aster SSNV186 (5.4)",
+                .quantity = "pressure in the middle, MPa",
+                .reference = 9.528440,
+                .ours = pressure,
+                .within = 0.01,
+                .mesh = fmt::format("{0} x {0}", elements)});
     EXPECT_LT(std::abs(fine - coarse), std::abs(coarse - coarsest));
 }
 
@@ -108,7 +115,13 @@ TEST(PressedInterface, AWedgeNeedsTheForceOfItsFriction) {
             const Vec2 force = pushed_up(friction, elements);
             std::cout << fmt::format("5.7, friction {}, {} elements: F / G = {:.6f}, weight {:.6f}\n", friction,
                                      elements, force.x(), -force.y());
-            EXPECT_NEAR(force.x(), exact, 0.01 * exact);
+            verify({.scene = fmt::format("wedge, friction {}", friction),
+                    .source = "NAFEMS CGS-4 (5.7)",
+                    .quantity = "F / G",
+                    .reference = exact,
+                    .ours = force.x(),
+                    .within = 0.01,
+                    .mesh = fmt::format("{0} x {0}", elements)});
             EXPECT_NEAR(force.y(), -1.0, 0.01);
             EXPECT_LT(std::abs(force.x() - exact), 0.5 * before);
             before = std::abs(force.x() - exact);

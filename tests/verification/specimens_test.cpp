@@ -13,6 +13,7 @@
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/index.hpp"
+#include "tests/support/comparison.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -26,17 +27,30 @@ struct PercentOff {
 
 double percent(double own, double reference) { return 100.0 * (own / reference - 1.0); }
 
-PercentOff compare(const std::string& what, const ElasticSolution& solution, const coarse::TipResult& tip, double K) {
+std::string mesh_of(const ElasticSolution& solution) { return fmt::format("{} across", solution.elements_across()); }
+
+/// `within`: of K_I, percent. K is a factor times `unit`.
+PercentOff compare(const std::string& what, const std::string& source, const ElasticSolution& solution,
+                   const coarse::TipResult& tip, double factor, double unit, double within) {
+    const double K = factor * unit;
     const PercentOff off{percent(tip.K_I, K), percent(std::sqrt(std::max(tip.J, 0.0) * plane_modulus), K)};
+    verify({.scene = what,
+            .source = source,
+            .quantity = "K_I factor",
+            .reference = factor,
+            .ours = tip.K_I / unit,
+            .within = 0.01 * within,
+            .mesh = mesh_of(solution)});
     std::cout << fmt::format("{:34s} {:2d} across: K_I {:+.2f} %, by J {:+.2f} %\n", what, solution.elements_across(),
                              off.K, off.J);
     EXPECT_LE(solution.elements_across(), 41);
     return off;
 }
 
-void expect_within(const PercentOff& off, double limit) {
-    EXPECT_LT(std::abs(off.K), limit);
-    EXPECT_LT(std::abs(off.J), limit);
+/// K_I, and the K that J stands for: both within `limit` percent.
+void expect_within(double limit, const std::string& what, const std::string& source, const ElasticSolution& solution,
+                   const coarse::TipResult& tip, double factor, double unit) {
+    EXPECT_LT(std::abs(compare(what, source, solution, tip, factor, unit, limit).J), limit);
 }
 
 struct Strip {
@@ -50,16 +64,17 @@ constexpr std::array strips{Strip{0.1, 1.1892}, Strip{0.2, 1.3673}, Strip{0.3, 1
                             Strip{0.5, 2.8246}, Strip{0.6, 4.0332}, Strip{0.7, 6.3549}};
 
 TEST(Specimens, EdgeCrackFreeToTurn) {
+    const std::string source = "Kaya, Erdogan 1987 (2.1)";
     for (const auto& [x, F] : strips) {
-        const double K = F * std::sqrt(pi * x);
+        const double unit = std::sqrt(pi * x);
         EXPECT_NEAR(coarse::sent_factor(x), F, 0.006 * F);
         const ElasticSolution graded(graded_to_tips(edge_crack(x, 4.0, End::Pulled)));
-        expect_within(compare(fmt::format("sent a/W {}, graded", x), graded, graded.tips[0], K), 0.2);
+        expect_within(0.2, fmt::format("sent a/W {}, graded", x), source, graded, graded.tips[0], F, unit);
         // An odd number of rows: the crack runs through the middles of elements.
         const ElasticSolution middles(uniform(edge_crack(x, 163.0 / 41.0, End::Pulled)));
-        expect_within(compare(fmt::format("sent a/W {}, uniform", x), middles, middles.tips[0], K), 0.2);
+        expect_within(0.2, fmt::format("sent a/W {}, uniform", x), source, middles, middles.tips[0], F, unit);
         const ElasticSolution edges(uniform(edge_crack(x, 4.0, End::Pulled)));
-        expect_within(compare(fmt::format("sent a/W {}, along edges", x), edges, edges.tips[0], K), 0.2);
+        expect_within(0.2, fmt::format("sent a/W {}, along edges", x), source, edges, edges.tips[0], F, unit);
     }
 }
 
@@ -81,20 +96,20 @@ TEST(Specimens, EdgeCrackWithGrippedEnds) {
             const ElasticSolution solution(graded_to_tips(edge_crack(x, 2.0 * half_height, end)));
             const std::string what =
                 fmt::format("sent a/W {} H/W {} {}", x, half_height, end == End::Guided ? "guided" : "clamped");
-            const double K = F * solution.reaction("top") * std::sqrt(pi * x);
-            expect_within(compare(what, solution, solution.tips[0], K), 0.1);
+            expect_within(0.1, what, "independent code (2.1)", solution, solution.tips[0], F,
+                          solution.reaction("top") * std::sqrt(pi * x));
         }
     }
 }
 
 TEST(Specimens, MiddleCrack) {
     for (const double x : {0.2, 0.5, 0.7}) {
-        const double K = coarse::mt_factor(x) * std::sqrt(pi * x / 2.0);
         const ElasticSolution solution(graded_to_tips(middle_crack(x, 3.0), 0.015));
         ASSERT_EQ(solution.tips.size(), 2U);
         for (const coarse::TipResult& tip : solution.tips) {
             EXPECT_NEAR(tip.a, x / 2.0, 1e-12);
-            expect_within(compare(fmt::format("mt 2a/W {}, graded", x), solution, tip, K), 0.3);
+            expect_within(0.3, fmt::format("mt 2a/W {}, graded", x), "Tada, Paris, Irwin (2.3)", solution, tip,
+                          coarse::mt_factor(x), std::sqrt(pi * x / 2.0));
         }
     }
 }
@@ -103,14 +118,21 @@ TEST(Specimens, CompactTension) {
     for (const double x : {0.3, 0.4, 0.5, 0.6, 0.7}) {
         const ElasticSolution solution(graded_to_tips(compact_tension(x)));
         EXPECT_NEAR(solution.tips[0].a, x, 1e-12);
-        expect_within(compare(fmt::format("ct a/W {}, graded", x), solution, solution.tips[0], coarse::ct_factor(x)),
+        const std::string what = fmt::format("ct a/W {}, graded", x);
+        expect_within(1.0, what, "Srawley 1976, ASTM E399 (2.2)", solution, solution.tips[0], coarse::ct_factor(x),
                       1.0);
         const auto lines = coarse::compare_with_handbook(solution.nominal);
         ASSERT_EQ(lines.size(), 4U);
         for (const auto& line : {lines[2], lines[3]}) {
             const double off = percent(line.own, line.handbook);
             std::cout << fmt::format("    {} {:+.2f} %\n", line.quantity, off);
-            EXPECT_LT(std::abs(off), x == 0.3 ? 1.5 : 1.0);
+            verify({.scene = what,
+                    .source = "Saxena, Hudak 1978 (2.2)",
+                    .quantity = line.quantity,
+                    .reference = line.handbook,
+                    .ours = line.own,
+                    .within = x == 0.3 ? 0.015 : 0.01,
+                    .mesh = mesh_of(solution)});
         }
         EXPECT_NEAR(coarse::ct_crack_length_from_front_face(lines[3].own), x, 0.003);
     }

@@ -119,6 +119,41 @@ TEST(CrackPath, SnapsOntoNearbyNodes) {
     for (const CrackPiece& piece : path.pieces) EXPECT_EQ(piece.points.back().y(), 0.5);
 }
 
+// The crack passes the node at 0.3e-3 of an edge, and its tip lies as near beyond it, or beside it: the piece from the
+// node to the tip would run anywhere, even back.
+TEST(CrackPath, PutsPointsBesideANodeOntoIt) {
+    const double hair = 0.25 * 0.3e-3;
+    const Vec2 from(0.1, 0.3), at_node(0.5, 0.5);
+    for (const Vec2& off :
+         {Vec2(hair, -hair), Vec2(hair, 0.0), Vec2(0.0, hair), Vec2(-hair, hair), Vec2(1e-9, -1e-9)}) {
+        const CrackPath ends = resolve_crack(square_mesh(4), 0, {from, at_node + off});
+        EXPECT_EQ(ends.points.back(), at_node);
+        EXPECT_TRUE(ends.tip_at_end);
+        EXPECT_EQ(ends.pieces.back().points.back(), at_node);
+        EXPECT_EQ(ends.pieces.back().exit, 2.0);
+        const CrackPath bent = resolve_crack(square_mesh(4), 0, {from, at_node + off, at_node - off, {0.9, 0.55}});
+        EXPECT_EQ(bent.points, (Points{from, at_node, {0.9, 0.55}}));
+        for (const CrackPiece& piece : bent.pieces) EXPECT_EQ(piece.points.size(), 2U);
+    }
+    const Vec2 beyond = at_node + Vec2(0.25 * 1.1e-3, 0.0);
+    EXPECT_EQ(resolve_crack(square_mesh(4), 0, {from, beyond}).points.back(), beyond);
+    const Points tiny{at_node, at_node + Vec2(hair, hair)};
+    EXPECT_EQ(resolve_crack(square_mesh(4), 0, tiny).points, tiny);  // nothing else would be left of it
+}
+
+// A hair beside an edge that it runs along, a crack would cut a sliver off the element there.
+TEST(CrackPath, PutsPointsBesideAnEdgeOntoIt) {
+    for (const double hair : {1e-7, -1e-7}) {
+        const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.6, 0.5 + hair}});
+        EXPECT_EQ(path.points.back(), Vec2(0.6, 0.5));
+        for (const CrackPiece& piece : path.pieces) EXPECT_GE(piece.neighbour, 0);
+    }
+    for (const double hair : {1e-7, 3e-12, 1e-16})  // a kink in mid-edge
+        EXPECT_THROW(resolve_crack(square_mesh(4), 0, {{0.0, 0.5}, {0.6, 0.5 + hair}, {0.9, 0.6}}), CaseError);
+    const Vec2 tip(0.6, 0.5 + 1e-5);
+    EXPECT_EQ(resolve_crack(square_mesh(4), 0, {{0.1, 0.3}, tip}).points.back(), tip);
+}
+
 TEST(CrackPath, BothTipsInsideOneElement) {
     const CrackPath path = resolve_crack(square_mesh(3), 0, {{0.4, 0.5}, {0.6, 0.55}});
     ASSERT_EQ(path.pieces.size(), 1U);
@@ -149,6 +184,8 @@ TEST(CrackPath, RefusesWhatTheMeshCannotHold) {
     EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.4}, {0.4, 0.4}, {0.0, 0.3}}), CaseError);  // one element twice
     EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.5}, {0.6, 0.5}, {0.9, 0.6}}), CaseError);  // leaves an edge midway
     EXPECT_THROW(resolve_crack(mesh, 0, {{0.0, 0.0}, {1.0, 0.0}}), CaseError);              // along the boundary
+    EXPECT_THROW(resolve_crack(mesh, 0, {{0.1, 0.4}, {0.6, 0.4}, {0.5, 0.6}}), CaseError);  // turns back
+    EXPECT_NO_THROW(resolve_crack(mesh, 0, {{0.1, 0.4}, {0.6, 0.4}, {0.6, 0.6}}));
 }
 
 }  // namespace

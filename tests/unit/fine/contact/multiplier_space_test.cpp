@@ -68,6 +68,16 @@ TEST(MultiplierSpace, PressureIsConstantTowardsATip) {
     EXPECT_EQ(acting_between(space, last, 11.5), std::set<int>{space.size() - 1});
 }
 
+// There is no jump at a tip, whatever functions its nodes carry: on a node, in the middle of an edge.
+TEST(MultiplierSpace, NoneStandsAtATip) {
+    for (const Vec2& tip : {Vec2(2.0, 3.0), Vec2(4.0, 3.4)}) {
+        const MultiplierSpace space = space_of({{0.0, 1.0}, tip});
+        const double length = (tip - Vec2(0.0, 1.0)).norm();
+        EXPECT_LT(space.nodes().back(), length - 0.5);
+        EXPECT_EQ(acting_between(space, space.nodes().back(), length), std::set<int>{space.size() - 1});
+    }
+}
+
 TEST(MultiplierSpace, CrossingsThatTheZoneSharesCarryNone) {
     const EnrichedMesh mesh = plate_mesh(6, 5, plate_case({{0.0, 2.4}, {4.3, 2.6}}));
     const MultiplierSpace own(mesh, plate_patch(mesh).boundary, 0, 0.0), all(mesh, {}, 0, 0.0);
@@ -113,6 +123,23 @@ TEST(MultiplierSpace, AKinkBreaksThePressure) {
     for (const int multiplier : before) EXPECT_FALSE(after.contains(multiplier));
     const MultiplierSpace bent = space_of({{0.0, 1.4}, {corner, 1.4}, {11.5, 1.9}});  // 5 degrees
     EXPECT_EQ(bent.acting_at(corner)[0].multiplier, bent.acting_at(corner + 1e-6)[0].multiplier);
+}
+
+// A branch of a hundredth of an element has next to no jumps of its own: at a tip, between two kinks, behind a notch.
+TEST(MultiplierSpace, AShortBranchGoesWithItsNeighbour) {
+    const MultiplierSpace at_tip = space_of({{0.0, 1.4}, {6.3, 1.4}, {6.31, 1.41}});
+    EXPECT_EQ(at_tip.size(), space_of({{0.0, 1.4}, {6.31, 1.4}}).size());
+    EXPECT_EQ(at_tip.branch(6.29), at_tip.branch(6.305));
+    EXPECT_EQ(acting_between(at_tip, 6.3, 6.31).size(), 1U);  // constant towards the tip
+    const MultiplierSpace between = space_of({{0.0, 1.4}, {6.3, 1.4}, {6.31, 1.41}, {10.0, 1.6}});
+    EXPECT_EQ(between.branch(6.29), between.branch(6.305));
+    EXPECT_NE(between.branch(6.305), between.branch(7.0));
+    EXPECT_NEAR(sum_at(between, 6.305), 1.0, 1e-14);
+    const MultiplierSpace behind_notch = space_of({{0.0, 1.4}, {6.3, 1.4}, {9.3, 4.4}}, 6.29);
+    EXPECT_EQ(behind_notch.branch(6.295), behind_notch.branch(7.0));
+    EXPECT_EQ(behind_notch.branch(6.28), -1);
+    const MultiplierSpace long_enough = space_of({{0.0, 1.4}, {6.3, 1.4}, {6.4, 1.5}});
+    EXPECT_NE(long_enough.branch(6.29), long_enough.branch(6.35));
 }
 
 TEST(MultiplierSpace, ANotchCarriesNone) {

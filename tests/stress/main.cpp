@@ -1,0 +1,39 @@
+// stria_stress N SEED: random cracks, as many as asked for, through what must hold for all of them. Prints the worst of
+// each measure, and what failed with its seed. `stria_stress 1 SEED` repeats one and shows it. Exit code 1 where
+// something failed.
+#include <cstdlib>
+#include <fmt/format.h>
+#include <iostream>
+
+#include "common/linear/sparse_lu.hpp"
+#include "tests/stress/crack_trials.hpp"
+
+namespace {
+
+void show(const stria::test::CrackedPlate& plate) {
+    std::cout << fmt::format("{} elements across; the crack, in elements:", plate.mesh_name);
+    for (const stria::Vec2& x : plate.points)
+        std::cout << fmt::format(" ({:.12g}, {:.12g})", x.x() / plate.h, x.y() / plate.h);
+    std::cout << '\n';
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    if (count != 3) {
+        std::cerr << "usage: stria_stress N SEED\n";
+        return 2;
+    }
+    const auto trials = static_cast<unsigned>(std::strtoul(words[1], nullptr, 10)),
+               first = static_cast<unsigned>(std::strtoul(words[2], nullptr, 10));
+    stria::use_one_thread();
+    stria::test::Tally tally;
+    for (unsigned seed = first; seed < first + trials; ++seed) {
+        const stria::test::CrackedPlate plate = stria::test::random_crack(seed);
+        if (trials == 1) show(plate);
+        stria::test::try_crack(plate, seed, tally);
+    }
+    std::cout << fmt::format("{} cracks, of the seeds from {}\n", trials, first);
+    tally.print();
+    return tally.clean() ? 0 : 1;
+}
