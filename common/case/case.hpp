@@ -153,8 +153,8 @@ struct LoadBlock {
 enum class Control { Load, Displacement, StressIntensity };
 
 struct LoadSection {
-    int steps = 12;                 // increments per cycle
-    double grading = 0.5;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
+    int steps = 16;                 // increments per cycle
+    double grading = 0.6;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
     std::vector<LoadBlock> blocks;  // those of a spectrum file included
     std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
     double scale = 1.0;                        // of every max and min

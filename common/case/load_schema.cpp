@@ -46,7 +46,7 @@ Section<LoadSection> load_section() {
         .says("Increments per cycle; the first ramp takes half as many more.");
     s.value("grading", &LoadSection::grading)
         .positive()
-        .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.5: "
+        .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.6: "
               "large where little flows, small where much does.");
     s.list("blocks", &LoadSection::blocks, block_section())
         .says("Blocks of equal cycles, one after the other. A cycle runs from its maximum to its minimum and on to the "

@@ -252,12 +252,7 @@ double Bulk::energy_since_rest(int e) const {
     return moved.dot(committed_force_.of(e) + 0.5 * elements_.stiffness()[at(e)] * moved);
 }
 
-// What has yielded in the last increment has no elastic tangent.
-ElementSet Bulk::may_rest() const {
-    ElementSet may = resting_.may_rest(elements_, history_);
-    for (const int e : yielded_.members()) may.erase(e);
-    return may;
-}
+ElementSet Bulk::may_rest() const { return resting_.may_rest(elements_, history_, yielded_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
     resting_.rest(elements, displacement, operators());

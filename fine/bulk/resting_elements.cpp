@@ -58,7 +58,8 @@ void RestingElements::note_half_cycle(const PointHistory& history) {
     }
 }
 
-ElementSet RestingElements::may_rest(const BulkElements& bulk, const PointHistory& history) const {
+ElementSet RestingElements::may_rest(const BulkElements& bulk, const PointHistory& history,
+                                     const ElementSet& yielded) const {
     constexpr int same_direction = 2;
     const EnrichedMesh& mesh = bulk.mesh();
     std::vector<char> flows(mesh.nodes.size(), 0);
@@ -68,7 +69,8 @@ ElementSet RestingElements::may_rest(const BulkElements& bulk, const PointHistor
     ElementSet may(elements_.size());
     const auto still = [&](int node) { return flows[at(node)] == 0; };
     for (int e = 0; e < may.size(); ++e)
-        if (!history.law(e).can_yield() || std::ranges::all_of(mesh.elements[at(e)], still)) may.insert(e);
+        if (!yielded.contains(e) && (!history.law(e).can_yield() || std::ranges::all_of(mesh.elements[at(e)], still)))
+            may.insert(e);
     return may;
 }
 

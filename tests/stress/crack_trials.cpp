@@ -36,8 +36,8 @@ coarse::Scene scene_of(const CrackedPlate& plate, const Case& input, const coars
     scene.input = input;
     scene.mesh = plate.mesh;
     scene.materials = Materials(input);
-    scene.loads = boundary_tractions(plate.mesh, stress);
-    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads);
+    scene.loads.main = boundary_tractions(plate.mesh, stress);
+    scene.free_motions = coarse::analyse_rigid_motions(scene.mesh, scene.loads.main);
     scene.enriched = coarse::enrich(scene.mesh, input.cracks, tips);
     coarse::put_loads_on_unknowns(scene);
     return scene;

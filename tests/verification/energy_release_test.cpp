@@ -112,7 +112,8 @@ TEST(EnergyRelease, FrozenFunctionsHoldBackTheLessTheMoreElementsAStepSpans) {
 /// The shipped case with elements of `element` at its tip, which grows by `growth` mm in each of two cycles. Fewer
 /// iterations: new faces are released in more parts.
 GrownRun grow_flowing(double element, int iterations, Enrichment enrichment, double growth = 0.05) {
-    Case input = sent_case({mesh_at_tip(element), "load.steps=20", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
+    Case input = sent_case({mesh_at_tip(element), "load.steps=20", "load.grading=0.6",
+                            "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]", "solver.tolerance=1e-8",
                             "solver.max_iterations=" + std::to_string(iterations)});
     input.fine.enrichment = enrichment;
     input.growth.emplace().increment = growth;

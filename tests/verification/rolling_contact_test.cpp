@@ -13,16 +13,17 @@
 namespace stria::test {
 namespace {
 
-constexpr double p0 = 100.0, half_width = 1.0, width = 400.0, height = 200.0, middle = 0.5 * width;
+constexpr double p0 = 100.0, half_width = 1.0, block_width = 400.0, block_height = 200.0,
+                 block_middle = 0.5 * block_width;
 
 /// A body that stands for a half plane, under a wheel that rolls over the middle of its top.
 Case below_wheel(const TravellingPressure& wheel, int steps) {
-    Case input = specimen("plate", height, {});
+    Case input = specimen("plate", block_height, {});
     input.cracks.clear();
-    input.mesh.width = width;
+    input.mesh.width = block_width;
     input.mesh.size = 20.0;
     input.load = {.steps = steps, .grading = 1.0, .blocks = {{.cycles = 1, .max = 0.0, .min = -1.0}}};
-    input.boundaries = {held("bottom"), under_wheel("top", wheel, {middle, height})};
+    input.boundaries = {held("bottom"), under_wheel("top", wheel, {block_middle, block_height})};
     return input;
 }
 
@@ -33,8 +34,10 @@ TravellingPressure wheel(double friction = 0.0) {
 // At every position, with a crack's mouth below the path and elements that the ends of the pressure cut anywhere.
 TEST(RollingContact, ForceAndMomentAreThoseOfTheWheelEverywhere) {
     Case input = below_wheel(wheel(0.2), 38);
-    input.mesh.grading = {{.at = {{middle, height}}, .size = 0.3, .outer_size = 0.3, .radius = 2.0, .growth = 0.3}};
-    input.cracks = {{.points = {{middle + 0.013, height}, {middle + 1.0, height - 1.0}}, .contact = {}}};
+    input.mesh.grading = {
+        {.at = {{block_middle, block_height}}, .size = 0.3, .outer_size = 0.3, .radius = 2.0, .growth = 0.3}};
+    input.cracks = {
+        {.points = {{block_middle + 0.013, block_height}, {block_middle + 1.0, block_height - 1.0}}, .contact = {}}};
     const coarse::Scene scene = coarse::refined_scene(input);
     ASSERT_EQ(scene.case_forces.size(), 39U);
     const double P = 0.5 * std::numbers::pi * p0 * half_width;
@@ -47,10 +50,10 @@ TEST(RollingContact, ForceAndMomentAreThoseOfTheWheelEverywhere) {
             force += f;
             moment += x.x() * f.y() - x.y() * f.x();
         }
-        const double at_x = middle - 8.0 + 16.0 * static_cast<double>(k) / 38.0;
+        const double at_x = block_middle - 8.0 + 16.0 * static_cast<double>(k) / 38.0;
         EXPECT_NEAR(force.y(), -P, 1e-10 * P) << k;
         EXPECT_NEAR(force.x(), 0.2 * P, 1e-10 * P) << k;
-        EXPECT_NEAR(moment, -P * at_x - 0.2 * P * height, 1e-10 * P * width) << k;
+        EXPECT_NEAR(moment, -P * at_x - 0.2 * P * block_height, 1e-10 * P * block_width) << k;
     }
 }
 
@@ -69,7 +72,8 @@ struct BelowHertz {
 
 TEST(RollingContact, StressesBelowAreThoseOfAHalfPlane) {
     Case input = below_wheel(wheel(), 4);
-    input.mesh.grading = {{.at = {{middle, height}}, .size = 0.05, .outer_size = 0.05, .radius = 2.5, .growth = 0.25}};
+    input.mesh.grading = {
+        {.at = {{block_middle, block_height}}, .size = 0.05, .outer_size = 0.05, .radius = 2.5, .growth = 0.25}};
     const coarse::Scene scene = coarse::refined_scene(input);
     const coarse::Structure structure(scene);
     const Eigen::VectorXd u = structure.expand({}, coarse::LoadFactors::of_one_case(2));  // in the middle
@@ -82,7 +86,7 @@ TEST(RollingContact, StressesBelowAreThoseOfAHalfPlane) {
             strain += op.strain(local, q) / static_cast<double>(op.points.size());
             centre += op.points[q].x / static_cast<double>(op.points.size());
         }
-        const double x = centre.x() - middle, z = height - centre.y();
+        const double x = centre.x() - block_middle, z = block_height - centre.y();
         if (std::hypot(x, z) > 2.0 || z < 0.1) return;
         const Mandel stress = scene.stiffness(op.element) * strain;
         const BelowHertz exact(x, z);
@@ -101,7 +105,8 @@ struct Peaks {
 Peaks peaks_of(double friction, double size, int steps) {
     Case input = below_wheel(wheel(), steps);
     input.load.blocks = {{.cycles = 3, .max = 0.0, .min = -1.0}};
-    const Vec2 mouth(middle, height), down(std::cos(std::numbers::pi / 6.0), -std::sin(std::numbers::pi / 6.0));
+    const Vec2 mouth(block_middle, block_height),
+        down(std::cos(std::numbers::pi / 6.0), -std::sin(std::numbers::pi / 6.0));
     input.cracks = {{.points = {mouth, mouth + half_width * down}, .contact = ContactSection{friction}}};
     input.mesh.grading = {
         {.at = {mouth + 0.5 * half_width * down}, .size = size, .outer_size = size, .radius = 0.8, .growth = 0.25}};

@@ -207,6 +207,7 @@ TEST(SeveralMaterials, AnInsertNeverYields) {
         input.boundaries.back().at = Vec2(0.0, y);
     }
     input.load = {.steps = 8, .blocks = {{.cycles = 0, .max = 0.024, .min = 0.0}}};
+    input.solver.tolerance = 1e-8;
     const RunHistory history = run_direct(input);
     const Followed& last = history.increments.back();
     const double strain = 0.024 / 6.0;

@@ -65,11 +65,14 @@ Place place_of(const Mesh& mesh, const BoundarySection& section, const std::stri
         for (const SpreadPoint::Share& share : pin->second.shares) place.nodes.push_back(share.node);
         return place;
     }
+    if (const auto set = mesh.node_sets.find(section.on); set != mesh.node_sets.end())
+        return {{}, set->second, nullptr};
     const auto found = mesh.boundary.find(section.on);
     if (found == mesh.boundary.end()) {
         std::string names;
         for (const auto& [name, edges] : mesh.boundary) names += name + ", ";
         for (const auto& [name, pin] : mesh.pins) names += name + ", ";
+        for (const auto& [name, nodes] : mesh.node_sets) names += name + ", ";
         throw CaseError(
             fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}point", key, section.on, names));
     }

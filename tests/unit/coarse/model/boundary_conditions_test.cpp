@@ -202,7 +202,7 @@ TEST(BoundaryConditions, NodesWithoutEdgesAreHeldAndMoved) {
     const Loads loads = resolve_boundaries(with_set, sections);
     ASSERT_EQ(loads.displacements.size(), 2U);
     EXPECT_EQ(loads.displacements[1].node, 2);
-    const auto boundary = loaded_boundary(with_set, sections);
+    const auto boundary = loaded_among(with_set, sections);
     ASSERT_TRUE(boundary.has_value());
     for (const NodalWeight& weight : mean_displacement(with_set, *boundary)) EXPECT_EQ(weight.weight, Vec2(0.0, 0.5));
     EXPECT_THROW(resolve_boundaries(with_set, {traction_on("feet", 0.0, 1.0)}), CaseError);

@@ -31,7 +31,8 @@ protected:
 
 // Nothing is known before a half cycle of each direction has passed. Then what has flowed rests in the other direction.
 TEST_F(Rest, IsForThoseThatStayedElasticTheLastTimeInThisDirectionAndWhatIsAroundThem) {
-    const auto may_rest = [&] { return resting.may_rest(plate.elements, history); };
+    ElementSet yielded(plate.elements.operators().size());
+    const auto may_rest = [&] { return resting.may_rest(plate.elements, history, yielded); };
     const auto touches = [&](int e, int other) {
         const auto& nodes = plate.mesh.elements[at(other)];
         return std::ranges::any_of(plate.mesh.elements[at(e)],
@@ -48,6 +49,8 @@ TEST_F(Rest, IsForThoseThatStayedElasticTheLastTimeInThisDirectionAndWhatIsAroun
     EXPECT_GT(may_rest().count(), 0);
     resting.note_half_cycle(history);
     EXPECT_EQ(may_rest().count(), plate.elements.count());
+    yielded.insert(5);
+    EXPECT_FALSE(may_rest().contains(5));
 }
 
 TEST_F(Rest, EndsWhereTheStateMeetsTheYieldCriterion) {
