@@ -271,7 +271,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& scenery) { return std::string(scenery.param.name); });
 
 TEST_P(SharedZone, ExtendsWhereItsSceneSays) {
-    EXPECT_EQ(direct->extensions > 0, std::string(GetParam().name) == "extended");
+    const std::string name = GetParam().name;
+    EXPECT_EQ(direct->extensions > 0, name == "extended" || name == "loaded");  // a wheel presses beyond the zone, too
 }
 
 TEST_P(SharedZone, SplitsElementsWhereItsSceneSays) {
