@@ -19,9 +19,8 @@ template <int rows> class ExactFlow {
 public:
     using S = Scalars<rows>;
 
-    /// `before`, `d`: relative stress at the start and 2 G dev(d eps), MPa; `radius`: of the surface, sqrt(2/3)
-    /// (sigma_y
-    /// + R), MPa. A point that does not flow, or does not move, is elastic.
+    /// `before`, `d`: relative stress at the start and 2 G dev(d eps), MPa. `radius`: sqrt(2/3) (sigma_y + R), of the
+    /// surface, MPa. A point that does not flow, or does not move, is elastic. The arguments must outlive the flow.
     ExactFlow(const Tensors<rows>& before, const Tensors<rows>& d, const S& radius,
               const Eigen::Array<bool, rows, 1>& flows, double h)
         : before_(before), d_(d), radius_(radius), h_(h),

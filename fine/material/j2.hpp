@@ -1,4 +1,5 @@
-// J2 plasticity in plane strain with linear isotropic hardening and Prager back stresses: radial return in closed form.
+// J2 plasticity in plane strain with linear isotropic hardening and Prager back stresses: returned exactly along a
+// straight strain increment, or radially at once, in closed form.
 #pragma once
 
 #include "fine/material/j2_law.hpp"

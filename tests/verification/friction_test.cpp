@@ -157,15 +157,10 @@ TEST(SlidingCrack, PhansInclinedCrack) {
     input.material.poisson = 0.25004;
     const Followed pushed = run_direct(input).at_minimum();
     const Faces faces(pushed.zone.faces);
-    const auto row = [](const std::string& quantity, double reference, double ours) {
-        verify({.scene = "closed crack at 20 degrees, friction angle 30 degrees",
-                .source = "Phan and others 2003 (8.1)",
-                .quantity = quantity,
-                .reference = reference,
-                .ours = ours,
-                .within = 0.01,
-                .mesh = "a / 10"});
-    };
+    const auto row = rows_of({.scene = "closed crack at 20 degrees, friction angle 30 degrees",
+                              .source = "Phan and others 2003 (8.1)",
+                              .within = 0.01,
+                              .mesh = "a / 10"});
     row("normal traction, MPa", 11.69778, faces.pressure);
     row("slip in the middle, m", 3.807638e-3, std::abs(faces.slip));
     row("K_II, MPa sqrt(m)", 44.9949, std::abs(pushed.tips[0].K_II));
@@ -207,15 +202,10 @@ TEST(SlidingCrack, FullCyclesFollowTheClosedForm) {
         100.0 * worst_K, 100.0 * worst_shear, 100.0 * (per_cycle[0] / exact.dissipated() - 1.0),
         100.0 * ((per_cycle[1] - per_cycle[0]) / exact.dissipated() - 1.0), iterations, run.increments.size());
     EXPECT_LT(worst_shear, 0.01);
-    const auto row = [&](const std::string& quantity, double reference, double ours) {
-        verify({.scene = "closed crack at 45 degrees, two cycles, friction 0.3",
-                .source = "closed form (cases/inclined-compression)",
-                .quantity = quantity,
-                .reference = reference,
-                .ours = ours,
-                .within = 0.01,
-                .mesh = "a / 10"});
-    };
+    const auto row = rows_of({.scene = "closed crack at 45 degrees, two cycles, friction 0.3",
+                              .source = "closed form (cases/inclined-compression)",
+                              .within = 0.01,
+                              .mesh = "a / 10"});
     row("K_II where it is farthest off, MPa sqrt(mm)", whole, whole * (1.0 + worst_K));
     row("dissipation per cycle, N", exact.dissipated(), per_cycle[0]);
     EXPECT_NEAR(per_cycle[1] - per_cycle[0], per_cycle[0], 1e-3 * per_cycle[0]);
@@ -295,16 +285,11 @@ TEST(Interface, SticksWithTheTractionsOfAUniformState) {
                 farthest_shear = std::abs(face.shear);
             EXPECT_EQ(face.status, 1);
         }
-        const auto row = [&](const std::string& quantity, double reference, double ours) {
-            verify({.scene = fmt::format("interface that sticks, {} degrees", shear == 0.0 ? 0.0 : 22.5),
-                    .source = "Code_Aster SSNV182 (5.3)",
-                    .quantity = quantity,
-                    .reference = reference,
-                    .ours = ours,
-                    .within = 1e-6,
-                    .mesh = "11 x 11",
-                    .scale = pressure});
-        };
+        const auto row = rows_of({.scene = fmt::format("interface that sticks, {} degrees", shear == 0.0 ? 0.0 : 22.5),
+                                  .source = "Code_Aster SSNV182 (5.3)",
+                                  .within = 1e-6,
+                                  .mesh = "11 x 11",
+                                  .scale = pressure});
         row("pressure where it is farthest off, Pa", pressure, farthest);
         row("shear where it is farthest off, Pa", shear, farthest_shear);
     };

@@ -149,16 +149,11 @@ TEST(SeveralMaterials, ARoundInclusionBearsItsShare) {
         const double bulk = mu_i * (kappa + 1.0) / (2.0 * mu_i + mu * (kappa - 1.0)) / 2.0;
         const double shear = mu_i * (kappa + 1.0) / (mu + mu_i * kappa) / 2.0;
         const Mandel inside = stress_at(solution, {10.0, 10.0});
-        const auto row = [&](const std::string& quantity, double reference, double ours) {
-            verify({.scene = fmt::format("round inclusion, E = {:.0f} in 200 GPa", 1e-3 * E),
-                    .source = "Goodier 1933",
-                    .quantity = quantity,
-                    .reference = reference,
-                    .ours = ours,
-                    .within = 0.02,
-                    .mesh = "radius / 20",
-                    .scale = bulk + shear});
-        };
+        const auto row = rows_of({.scene = fmt::format("round inclusion, E = {:.0f} in 200 GPa", 1e-3 * E),
+                                  .source = "Goodier 1933",
+                                  .within = 0.02,
+                                  .mesh = "radius / 20",
+                                  .scale = bulk + shear});
         row("stress inside along the load / remote", bulk + shear, inside[1]);
         row("stress inside across the load / remote", bulk - shear, inside[0]);
     }

@@ -72,15 +72,10 @@ TEST(SlidingLoads, CyclicShearUnderConstantPressure) {
     std::cout << fmt::format("8.3: dK_II {:+.3f} %, dissipation per cycle {:+.3f} %, K_I {:.4f} % of dK_II\n",
                              100.0 * (dK / (range * std::sqrt(pi)) - 1.0), 100.0 * (cycle / exact - 1.0),
                              100.0 * first.tips[0].K_I / dK);
-    const auto row = [](const std::string& quantity, double reference, double ours) {
-        verify({.scene = "closed crack, cyclic shear at constant pressure",
-                .source = "closed form (8.3)",
-                .quantity = quantity,
-                .reference = reference,
-                .ours = ours,
-                .within = 0.01,
-                .mesh = "a / 10"});
-    };
+    const auto row = rows_of({.scene = "closed crack, cyclic shear at constant pressure",
+                              .source = "closed form (8.3)",
+                              .within = 0.01,
+                              .mesh = "a / 10"});
     row("range of K_II, MPa sqrt(mm)", range * std::sqrt(pi), dK);
     row("dissipation per cycle, N", exact, cycle);
     EXPECT_NEAR(dissipated[0] + dissipated[1], cycle, 1e-6 * cycle);

@@ -16,15 +16,8 @@ namespace {
 TEST(WilliamsField, MatchesReferenceValues) {  // docs/references.md 2.6: K = 1, r = 1
     const Tip tip{.crack = 0, .position = {0.0, 0.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = 1};
     const Vec2 at_60(0.5, std::sqrt(0.75));
-    const auto row = [](const std::string& quantity, double reference, double ours) {
-        verify({.scene = "singular fields, K = 1, r = 1",
-                .source = "Williams 1957 (2.6)",
-                .quantity = quantity,
-                .reference = reference,
-                .ours = ours,
-                .within = 1e-6,
-                .scale = 1.0});
-    };
+    const auto row = rows_of(
+        {.scene = "singular fields, K = 1, r = 1", .source = "Williams 1957 (2.6)", .within = 1e-6, .scale = 1.0});
     const Vec2 opening = williams_field(1, tip, at_60, 0, unit).displacement;
     const Vec2 sliding = williams_field(2, tip, at_60, 0, unit).displacement;
     row("u_x, mode I, 60 degrees", 0.583885, opening.x());
