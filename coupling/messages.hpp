@@ -54,7 +54,8 @@ struct PatchDisplacement {
     bool put_aside = false;    // in that first iteration: the trial state that it leaves is wanted as a predictor
     double load_factor = 0.0;
     Eigen::VectorXd cases = {};  // factors of the load cases
-    double step = 1.0;           // part of Newton's correction that Gamma has moved by: the interior takes the same
+    bool further = false;        // Gamma has moved on, or back, along the correction before ...
+    double step = 1.0;           // ... by this part of it, and the interior goes with it; 1: a new correction
     double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
     double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more
     bool check_rest = false;     // look at the elements at rest: this state may be the last
@@ -86,6 +87,8 @@ struct PatchResponse {
     double contact_residual = 0;       // largest complementarity residual, as a force
     double interior_correction = 0;    // largest change of an interior displacement since the last call, mm
     double interior_displacement = 0;  // largest interior displacement, mm
+    double along = 0;                  // work of all that is out of balance along the last correction, taken whole, N
+    double along_before = 0;           // likewise, where that correction began
     bool provisional = false;          // elements at rest have not been looked at: one of them may yield
     Digest digest;
 };

@@ -70,12 +70,20 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
 
+/// Of growth, mm; where the program chooses it, what it may be at the first tip to begin with.
+double largest_increment(const coarse::Scene& scene, const std::vector<double>& K_I) {
+    const GrowthSection& growth = *scene.input.growth;
+    if (!growth.increment.is_auto()) return growth.increment.value();
+    return growth.zone_fraction *
+           coarse::forward_zone(K_I.front(), scene.yield_stress_at_tips().front(), scene.input.model.plane);
+}
+
 /// Small elements follow the tips: what there will be of them.
 void print_way(const coarse::Scene& scene, const std::vector<double>& K_I) {
     const Case& input = scene.input;
     if (!input.growth || input.fine.refine == 1) return;
     const int cycles = coarse::cycle_count(input.load);
-    const double way = input.growth->increment * (cycles / input.growth->every);
+    const double way = largest_increment(scene, K_I) * (cycles / input.growth->every);
     const coarse::ElementsOfAWay after = coarse::elements_after(scene, K_I, way);
     const int subcells = subcells_elsewhere(input.fine);
     const double points = 4.0 * subcells * subcells * after.split;

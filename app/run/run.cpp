@@ -9,7 +9,7 @@
 #include "app/process/interruption.hpp"
 #include "app/run/coarse_run.hpp"
 #include "app/run/fine_side.hpp"
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/linear/sparse_lu.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "coarse/analysis/growth_increment.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
@@ -58,6 +59,7 @@ struct AnalysisState {
     std::vector<TipResult> nominal;       // one per tip, of the present crack lengths
     RunCounts counts;
     bool growth_ended = false;  // growth has ended the run
+    GrowthIncrementMemory growth_increment;
     FaceRelease release;
     LoadPosition load;
     WorkBalance work;

@@ -3,16 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
+#include <utility>
 
 #include "coarse/analysis/crack_advance.hpp"
 #include "coarse/analysis/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/crack_room.hpp"
+#include "coarse/model/tip_reach.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 
 namespace {
+
+/// Of an element, mm.
+double edge_at(const EnrichedMesh& mesh, const Tip& tip) { return tip_element_size(mesh, tip) / std::numbers::sqrt2; }
+
+/// Some tip turns by more than ten degrees.
+bool turns_sharply(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
+    const double straight = std::cos(std::numbers::pi / 18.0);
+    return std::ranges::any_of(tips, [&](const Tip& tip) {
+        return tip.direction.dot(direction_of_end(longer[at(tip.crack)], tip)) < straight;
+    });
+}
 
 /// Those of all loads together: load cases give a K another mode as their factors change.
 std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
@@ -34,14 +49,37 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
-    if (!is_over(nominal, factors, last))
-        grown = with_cracks(
-            body, longer_cracks(present.input.cracks, growth_.direction, present.enriched.tips,
-                                directing(present.input.cracks, present.enriched.tips,
-                                          factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached),
-                                advances(growth_, last, nominal.size())));
+    if (!is_over(nominal, factors, last)) {
+        const std::vector<TipResult> guides =
+            directing(present.input.cracks, present.enriched.tips,
+                      factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
+        grown = with_cracks(body, lengthened(present, guides, last));
+    }
     ended_ = !grown.longer;
     return grown;
+}
+
+// Rings about a tip pass over a bend that is nearer to it than they are: K behind a sharp one wants two elements.
+std::vector<CrackSection> CrackGrowth::lengthened(const Scene& present, const std::vector<TipResult>& guides,
+                                                  const std::vector<CycleResult>& last) {
+    const std::vector<Tip>& tips = present.enriched.tips;
+    double element = 0.0;
+    for (const Tip& tip : tips) element = std::max(element, edge_at(present.enriched, tip));
+    const double resolved = 2.0 * element;
+    const auto by = [&](double increment) {
+        return longer_cracks(present.input.cracks, growth_.direction, tips, guides,
+                             advances(growth_, increment, last, tips.size()));
+    };
+    const bool chosen = growth_.increment.is_auto();
+    const double increment = chosen ? increment_.next(growth_, last, element) : growth_.increment.value();
+    std::vector<CrackSection> cracks = by(increment);
+    if (increment >= resolved || !turns_sharply(tips, cracks)) return cracks;
+    if (chosen) return by(resolved);
+    note_(fmt::format(
+        "warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} mm: K is "
+        "not resolved until it is as far behind the bend",
+        increment, element));
+    return cracks;
 }
 
 // What drives the tips has been measured.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coarse/analysis/cracked_body.hpp"
+#include "coarse/analysis/growth_increment.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
@@ -17,12 +18,15 @@ struct GrownScene {
 
 class CrackGrowth {
 public:
-    /// `note` must outlive it. `ended`: growth has ended the run already.
-    CrackGrowth(const GrowthSection& growth, const Note& note, bool ended)
-        : growth_(growth), note_(note), ended_(ended) {}
+    /// `note` must outlive it. `ended`: growth has ended the run already. `increment`: of a run that goes on.
+    CrackGrowth(const GrowthSection& growth, const Note& note, bool ended, GrowthIncrementMemory increment)
+        : growth_(growth), note_(note), ended_(ended), increment_(std::move(increment)) {}
 
     /// Growth has ended the run.
     [[nodiscard]] bool ended() const { return ended_; }
+
+    /// What the next increment goes by, where the program chooses it.
+    [[nodiscard]] const GrowthIncrementMemory& increment() const { return increment_.memory(); }
 
     /// A tip grows by the law, from what the tips went through in the `last` cycle.
     [[nodiscard]] bool is_driven(const std::vector<CycleResult>& last) const;
@@ -43,11 +47,14 @@ private:
     void require_drive(const std::vector<CycleResult>& last) const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors,
                                const std::vector<CycleResult>& last) const;
+    [[nodiscard]] std::vector<CrackSection> lengthened(const Scene& present, const std::vector<TipResult>& guides,
+                                                       const std::vector<CycleResult>& last);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, std::vector<CrackSection> cracks) const;
 
     GrowthSection growth_;
     const Note& note_;
     bool ended_;
+    GrowthIncrement increment_;
 };
 
 }  // namespace stria::coarse

@@ -22,17 +22,18 @@ double driving_range(GrowthDriving driving, const CycleResult& cycle) {
 }  // namespace
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
-    if (growth.law == GrowthLaw::Prescribed) return growth.increment;
+    if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
     const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.opening_range();
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
 }
 
-std::vector<double> advances(const GrowthSection& growth, const std::vector<CycleResult>& last, std::size_t tips) {
-    std::vector<double> advance(tips, growth.increment);
+std::vector<double> advances(const GrowthSection& growth, double increment, const std::vector<CycleResult>& last,
+                             std::size_t tips) {
+    std::vector<double> advance(tips, increment);
     if (growth.law == GrowthLaw::Prescribed) return advance;
     const double fastest = fastest_rate(growth, last);
     for (std::size_t t = 0; t < tips; ++t)
-        advance[t] = fastest > 0.0 ? growth.increment * (growth_rate(growth, last[t]) / fastest) : 0.0;
+        advance[t] = fastest > 0.0 ? increment * (growth_rate(growth, last[t]) / fastest) : 0.0;
     return advance;
 }
 

@@ -14,10 +14,10 @@ namespace stria::coarse {
 /// The largest growth_rate() of all tips, mm per cycle. `cycles`: one per tip.
 [[nodiscard]] double fastest_rate(const GrowthSection& growth, const std::vector<CycleResult>& cycles);
 
-/// What each tip advances next, mm: the fastest one by the increment, the others in proportion. By a prescribed law,
+/// What each tip advances next, mm: the fastest one by `increment`, the others in proportion. By a prescribed law,
 /// and before the first cycle is over (`last` is empty), all tips advance alike. `last`: one per tip.
-[[nodiscard]] std::vector<double> advances(const GrowthSection& growth, const std::vector<CycleResult>& last,
-                                           std::size_t tips);
+[[nodiscard]] std::vector<double> advances(const GrowthSection& growth, double increment,
+                                           const std::vector<CycleResult>& last, std::size_t tips);
 
 /// Cycles that it took to grow by `grown`, mm, from one state to another with the rates da/dN, mm per cycle, of the
 /// fastest tip (trapezoidal rule). A prescribed law: 1, the cycle itself.

@@ -54,7 +54,7 @@ Neighbourhood with_room(const Scene& scene, int tip, const NodeSet& nodes_of_zon
     constexpr int steps = 20;
     const double radius = largest_ring(scene, tip);
     if (!scene.input.growth) return {radius, 0.0};
-    const double room = std::min(steps * scene.input.growth->increment, most * radius);
+    const double room = std::min(steps * scene.input.growth->increment.value_or(radius), most * radius);
     return {std::max(radius, reach_of_zone(scene.enriched, tip, nodes_of_zone)) + room, room};
 }
 

@@ -78,10 +78,15 @@ Residual CondensedEquilibrium::linearise() {
     result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_.displacement), 1e-300});
     if (fine_ == nullptr) return result;
     ask_zone(u);
-    if (!response_.same_tangent) zone_tangent_ = std::move(response_.tangent);
+    if (!response_.same_tangent) {
+        zone_tangent_ = std::move(response_.tangent);
+        factor_is_due_ = true;
+    }
+    structure_residual_ = residual_;
     residual_ -= on_free(response_.force);
     result.boundary = largest(residual_);
     add_zone(result, response_);
+    add_structure_work(result);
     // A factor serves twice, not for ever: the second correction in a row would gain less and less.
     const double tolerance = input_.tolerance, left = result.largest() / result.scale;
     request_.settled_below = response_.same_tangent ? 0.0 : tolerance * result.scale;
@@ -125,7 +130,7 @@ Eigen::MatrixXd CondensedEquilibrium::tangent() const {
 
 double CondensedEquilibrium::solve() {
     if (fine_ == nullptr) return 0.0;
-    if (response_.same_tangent) {
+    if (!std::exchange(factor_is_due_, false)) {
         ++effort_.work.gamma_factors_reused;
     } else {
         ++effort_.work.gamma_factored;
@@ -138,13 +143,34 @@ double CondensedEquilibrium::solve() {
     return largest(du) / std::max({largest(trial_.displacement), largest(du), response_.interior_displacement, 1e-300});
 }
 
-void CondensedEquilibrium::apply(double step) {
+// Where the load factor is an unknown too, its equation has no part in any work.
+void CondensedEquilibrium::add_structure_work(Residual& result) const {
+    if (request_.iteration == 0 || !controlled_.is_load_factor()) {
+        result.along = result.along_before = 0.0;
+        return;
+    }
+    result.along += taken_.correction.displacement.dot(structure_residual_);
+    result.along_before += taken_.work_before;
+}
+
+void CondensedEquilibrium::apply() {
     if (fine_ == nullptr) return;
-    for (std::size_t k = 0; k < structure_.free_places().size(); ++k)
-        trial_.displacement[structure_.free_places()[k]] +=
-            step * correction_.displacement[static_cast<Eigen::Index>(k)];
-    trial_.load_factor += step * correction_.load_factor;
-    request_.step = step;
+    taken_ = {correction_, correction_.displacement.dot(structure_residual_)};
+    move(1.0);
+    request_.further = false;
+}
+
+void CondensedEquilibrium::apply_further(double part) {
+    if (fine_ == nullptr) return;
+    move(part);
+    request_.further = true;
+}
+
+void CondensedEquilibrium::move(double part) {
+    const std::vector<int>& free = structure_.free_places();
+    trial_.displacement(free) += part * taken_.correction.displacement;
+    trial_.load_factor += part * taken_.correction.load_factor;
+    request_.step = part;
     impose_held();
     ++request_.iteration;
 }

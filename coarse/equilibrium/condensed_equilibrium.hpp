@@ -23,7 +23,8 @@ public:
     Residual linearise() override;
     double solve() override;
     void look_at_rest() override { request_.check_rest = true; }
-    void apply(double step) override;
+    void apply() override;
+    void apply_further(double part) override;
     void put_aside() override;
     void begin_commit(bool reversal) override;
     coupling::StepReport commit(bool reversal) override;
@@ -46,6 +47,8 @@ private:
     [[nodiscard]] Eigen::MatrixXd tangent() const;
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
     [[nodiscard]] double largest_applied_force() const;
+    void add_structure_work(Residual& result) const;
+    void move(double part);
 
     /// A place on Gamma that is prescribed.
     struct Held {
@@ -64,12 +67,18 @@ private:
     double target_ = 0.0, off_target_ = 0.0;
     GammaState committed_, trial_;
     IncrementMemory<GammaState> increments_;
-    Eigen::VectorXd residual_;             // on the free places, N/mm
-    GammaState correction_;                // likewise, mm
+    Eigen::VectorXd residual_;            // on the free places, N/mm
+    Eigen::VectorXd structure_residual_;  // likewise, without the zone's forces
+    GammaState correction_;               // likewise, mm
+    struct Taken {
+        GammaState correction;  // the last one that was applied, whole
+        double work_before;     // along it, of the structure's residual where it began, N
+    } taken_;
     coupling::PatchDisplacement request_;  // the next one; its boundary is put in when it leaves
     coupling::PatchResponse response_;
     CondensedTangent zone_tangent_;  // of the last response that brought one
     BorderedSystem system_;          // for as long as the zone's tangent is the same
+    bool factor_is_due_ = true;      // it is not any more
     bool put_aside_ = false;         // the zone does not know yet
     bool near_wanted_ = false;       // of the next trial state, which may well be the last
     ExpandedDisplacement expanded_;  // of the trial state

@@ -16,11 +16,13 @@ namespace stria::coarse {
 
 /// How far the trial state is from equilibrium. Residuals are largest nodal forces, N/mm.
 struct Residual {
-    double boundary = 0.0;  // on the unknowns of the structure
-    double interior = 0.0;  // inside the zone
-    double contact = 0.0;   // complementarity
-    double scale = 0.0;     // the forces that balance
-    double target = 0.0;    // of what is controlled, relative to its target
+    double boundary = 0.0;                   // on the unknowns of the structure
+    double interior = 0.0;                   // inside the zone
+    double contact = 0.0;                    // complementarity
+    double scale = 0.0;                      // the forces that balance
+    double target = 0.0;                     // of what is controlled, relative to its target
+    double along = 0.0, along_before = 0.0;  // work of what is out of balance along the last correction, taken whole,
+                                             // N: here, and where that correction began; zero: not known
     int yielding_points = 0;
     int closed = 0;                               // multipliers
     int status_changes = 0;                       // since the iteration before
@@ -73,8 +75,11 @@ public:
     /// The next state may be the last: elements at rest are to be looked at, so that it is not provisional.
     virtual void look_at_rest() {}
 
-    /// Takes a part of the correction, everywhere the same.
-    virtual void apply(double step) = 0;
+    /// Takes the correction.
+    virtual void apply() = 0;
+
+    /// Takes one more part of the correction that was applied last, everywhere the same; below zero: gives it back.
+    virtual void apply_further(double part) = 0;
 
     /// The trial state is wanted again: Predictor with `back` 0 leads there, until the next commit. To be called before
     /// the rollback.

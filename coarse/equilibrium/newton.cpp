@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "coarse/equilibrium/damping.hpp"
+#include "coarse/equilibrium/line_search.hpp"
 #include "common/error.hpp"
 
 namespace stria::coarse {
@@ -35,10 +35,15 @@ bool is_misled(const NewtonReport& report) {
 /// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
 [[nodiscard]] bool iterate(Equilibrium& equilibrium, const SolverSection& solver, double largest_force, bool guessed,
                            NewtonReport& report) {
-    Damping damping;
+    LineSearch search;
     for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
         const Residual residual = equilibrium.linearise();
         if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
+        if (const double part = search.further(residual); part != 0.0) {
+            report.iterations.push_back({residual, 0.0});
+            equilibrium.apply_further(part);
+            continue;
+        }
         const double correction = equilibrium.solve();
         report.iterations.push_back({residual, correction});
         const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
@@ -49,7 +54,7 @@ bool is_misled(const NewtonReport& report) {
             equilibrium.look_at_rest();
         }
         if (guessed && is_misled(report)) return false;
-        equilibrium.apply(damping.factor(residual.interior));
+        equilibrium.apply();
     }
     report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
     return true;

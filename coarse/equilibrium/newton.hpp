@@ -1,4 +1,5 @@
-// Newton's method for one equilibrium: full steps, consistent tangents, a residual test and a correction test.
+// Newton's method for one equilibrium: consistent tangents, full steps with a line search where they lead nowhere, a
+// residual test and a correction test.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@ namespace stria::coarse {
 
 struct NewtonIteration {
     Residual residual;
-    double correction;  // relative to the largest displacement
+    double correction;  // relative to the largest displacement; 0: none, but one more part of the last one
 };
 
 struct NewtonReport {

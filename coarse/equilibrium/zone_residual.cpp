@@ -16,6 +16,8 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.faces = digest.contact;
     residual.force_ahead = digest.force_ahead;
     residual.slides = digest.slides;
+    residual.along = response.along;
+    residual.along_before = response.along_before;
     residual.provisional = response.provisional;
 }
 

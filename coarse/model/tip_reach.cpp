@@ -72,6 +72,15 @@ double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std:
     return reach;
 }
 
+Vec2 end_of(const CrackSection& crack, const Tip& tip) {
+    return tip.upper > 0 ? crack.points.back() : crack.points.front();
+}
+
+Vec2 direction_of_end(const CrackSection& crack, const Tip& tip) {
+    const Vec2 before = tip.upper > 0 ? crack.points.end()[-2] : crack.points[1];
+    return (end_of(crack, tip) - before).normalized();
+}
+
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
     double size = 0.0;
     for (const CrackPiece& piece : mesh.pieces) {  // the crack's first, or its last

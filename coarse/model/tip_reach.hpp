@@ -24,6 +24,10 @@ double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip);
 /// mm.
 double distance_to_boundary(const Mesh& mesh, const Vec2& x);
 
+/// The end of a crack at which a tip is, of this crack or of a shorter one, and the unit vector in which it gets there.
+Vec2 end_of(const CrackSection& crack, const Tip& tip);
+Vec2 direction_of_end(const CrackSection& crack, const Tip& tip);
+
 /// Diagonal of the element that holds a tip, mm.
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
 

@@ -206,9 +206,22 @@ void members(auto& archive, Is<FaceRelease> auto& m) {
     archive("cuts", cuts);
 }
 
+void members(auto& archive, Is<GrowthPoint> auto& m) {
+    auto& [a, per_mm, closure] = m;
+    archive("a", a);
+    archive("per_mm", per_mm);
+    archive("closure", closure);
+}
+
+void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
+    auto& [increment, points] = m;
+    archive("increment", increment);
+    archive("points", points);
+}
+
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, signal, cycle, last_cycle,
-           nominal, counts, growth_ended, release, load, work, equilibrium, zone] = m;
+           nominal, counts, growth_ended, growth_increment, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -231,6 +244,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("flowing_rings", flowing_rings);
     archive("mesh_splits", mesh_splits);
     archive("growth_ended", growth_ended);
+    archive("growth_increment", growth_increment);
     archive("release", release);
     archive("load", load);
     archive("work", work);

@@ -67,8 +67,8 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
         const double zone = forward_zone(largest_K_I[t], yield_stress[t], input.model.plane);
         if (zone > 0.0 && zone < wanted * element)
             warnings.push_back(zone_warning(t, zone, element, input.fine.refine));
-        if (input.growth && input.growth->increment >= most_at_a_time * element)
-            warnings.push_back(growth_warning(t, input.growth->increment, element));
+        const double at_a_time = input.growth ? input.growth->increment.value_or(0.0) : 0.0;
+        if (at_a_time >= most_at_a_time * element) warnings.push_back(growth_warning(t, at_a_time, element));
     }
     return warnings;
 }

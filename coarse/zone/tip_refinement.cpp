@@ -20,15 +20,6 @@ const CrackPiece& piece_at(const EnrichedMesh& mesh, const Tip& tip) {
 }
 
 /// Where a crack, which may have grown since, ends on the side of a tip.
-Vec2 end_of(const CrackSection& crack, const Tip& tip) {
-    return tip.upper > 0 ? crack.points.back() : crack.points.front();
-}
-
-Vec2 direction_of_end(const CrackSection& crack, const Tip& tip) {
-    const Vec2 before = tip.upper > 0 ? crack.points.end()[-2] : crack.points[1];
-    return (end_of(crack, tip) - before).normalized();
-}
-
 /// How often an element at a tip is split.
 int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
 
@@ -45,7 +36,7 @@ double way_ahead(const Case& input, double flow, double radius, Room room) {
     constexpr int steps = 10;
     if (!input.growth) return 0.0;
     return std::min(flow, radius) +
-           (room == Room::ToGrow ? std::min(steps * input.growth->increment, most * radius) : 0.0);
+           (room == Room::ToGrow ? std::min(steps * input.growth->increment.value_or(radius), most * radius) : 0.0);
 }
 
 }  // namespace

@@ -157,6 +157,11 @@ void check_material_test(const MaterialTestSection& test, const Value& table, co
 void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {
     if (growth.law != GrowthLaw::Prescribed && (growth.C <= 0.0 || growth.m <= 0.0))
         reject(place.inside("law"), *find(table, "law"), {}, "needs C and m, both positive");
+    if (growth.law == GrowthLaw::Prescribed && growth.increment.is_auto())
+        reject(place.inside("increment"), *find(table, "increment"), {}, "needs law = \"paris\" or \"ctod\"");
+    if (growth.increment.is_auto()) return;
+    for (const char* key : {"accuracy", "zone_fraction"})
+        if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, "needs increment = \"auto\"");
 }
 
 void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {

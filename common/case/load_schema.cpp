@@ -4,6 +4,7 @@
 
 #include "common/case/case_checks.hpp"
 #include "common/case/loads/load_case_checks.hpp"
+#include "common/schema/auto_values.hpp"
 
 namespace stria {
 
@@ -139,7 +140,20 @@ Section<GrowthSection> growth_section() {
         .in("mm")
         .positive()
         .must_be_given()
-        .says("What a tip, by a law of da/dN the fastest one, advances at a time.");
+        .says(
+            "What a tip, by a law of da/dN the fastest one, advances at a time. auto, with such a law: as accuracy and "
+            "zone_fraction let it; it never passes until.");
+    s.value("accuracy", &GrowthSection::accuracy)
+        .positive()
+        .below(1.0)
+        .says(
+            "With increment = \"auto\": an increment is at most twice the one before, and smaller where the life that "
+            "it takes, relative to it, or K_op / K_max may be off by more than this.");
+    s.value("zone_fraction", &GrowthSection::zone_fraction)
+        .positive()
+        .at_most(1.0)
+        .says("With increment = \"auto\": largest increment, of the forward plastic zone of the cycle before; of the "
+              "crack's length a hundredth where nothing flows. The smallest is an element at the tip.");
     s.value("every", &GrowthSection::every).at_least(1).says("Cycles from one advance to the next.");
     s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
         .says("At which extreme of the cycle the crack grows.");

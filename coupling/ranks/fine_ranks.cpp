@@ -99,10 +99,12 @@ void FineRanks::request(const PatchDisplacement& displacement) {
         trial_ = committed_;
         if (const Eigen::VectorXd* earlier = increments_.find(displacement.predictor))
             trial_ += displacement.predictor.factor * *earlier;
+        correction_ = Eigen::VectorXd::Zero(trial_.size());
     } else {
-        const double part = displacement.step;
-        const Eigen::VectorXd step = (displacement.boundary - gather(trial_, seams_.gamma)) / part;
-        trial_ += part * tree_->follow(step, (displacement.load_factor - load_factor_) / part);
+        if (!displacement.further)
+            correction_ = tree_->follow(displacement.boundary - gather(trial_, seams_.gamma),
+                                        displacement.load_factor - load_factor_);
+        trial_ += displacement.step * correction_;
     }
     trial_(seams_.gamma) = displacement.boundary;
     load_factor_ = displacement.load_factor;
@@ -120,6 +122,8 @@ PatchResponse FineRanks::collect() {
     response.digest.yielding_points.assign(patch_.mesh.elements.size(), 0);
     Eigen::VectorXd unit_load = gather(patch_.unit_load, seams_.kept), load = load_factor_ * unit_load;
     if (patch_.case_loads.cols() > 0) load += patch_.case_loads(seams_.kept, Eigen::all) * cases_;
+    const double applied = correction_.dot(load);  // the parts know of the forces inside them
+    response.along = response.along_before = applied;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         add(response, answers[k], parts_[k].elements);
         load(parts_[k].shared) -= answers[k].force;

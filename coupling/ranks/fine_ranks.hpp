@@ -52,6 +52,7 @@ private:
     Seams seams_;
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm
+    Eigen::VectorXd correction_;         // likewise, the last one, taken whole
     double load_factor_ = 0.0;
     Eigen::VectorXd cases_;  // factors of the load cases
     IncrementMemory<Eigen::VectorXd> increments_;

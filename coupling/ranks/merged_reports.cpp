@@ -104,6 +104,8 @@ void add(PatchResponse& whole, const PatchResponse& part, const std::vector<int>
     raise(whole.contact_residual, part.contact_residual);
     raise(whole.interior_correction, part.interior_correction);
     raise(whole.interior_displacement, part.interior_displacement);
+    whole.along += part.along;
+    whole.along_before += part.along_before;
     whole.provisional = whole.provisional || part.provisional;
     add_digest(whole.digest, part.digest, elements);
 }

@@ -66,8 +66,9 @@ void fields(auto& wire, Is<Patch> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, put_aside, load_factor, cases, step, held, settled_below, check_rest, boundary] = m;
-    wire(iteration, predictor.factor, predictor.back, put_aside, load_factor, cases, step, held, settled_below,
+    auto& [iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below, check_rest,
+           boundary] = m;
+    wire(iteration, predictor.factor, predictor.back, put_aside, load_factor, cases, further, step, held, settled_below,
          check_rest, boundary);
 }
 
@@ -89,9 +90,9 @@ void fields(auto& wire, Is<CondensedTangent> auto& m) {
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {
     auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-           interior_correction, interior_displacement, provisional, digest] = m;
+           interior_correction, interior_displacement, along, along_before, provisional, digest] = m;
     wire(force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-         interior_correction, interior_displacement, provisional, digest);
+         interior_correction, interior_displacement, along, along_before, provisional, digest);
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {

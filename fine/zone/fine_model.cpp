@@ -56,8 +56,10 @@ coupling::PatchResponse FineModel::collect() {
         if (asked_.put_aside) system_.put_aside();
         system_.predict(asked_.predictor);
         rest_was_checked_ = false;
+        correction_ = {};
     } else {
-        advance_interior();
+        if (!asked_.further) correct();
+        system_.move(asked_.step * correction_.displacement, asked_.step * correction_.traction);
     }
     system_.set_held(asked_.held);
     system_.set_load_factor(asked_.load_factor);
@@ -70,6 +72,8 @@ coupling::PatchResponse FineModel::collect() {
         linearise();
         response = system_.measure();
     }
+    response.along = work_along_correction();
+    response.along_before = correction_.work_before;
     condense(response);
     return response;
 }
@@ -236,13 +240,25 @@ Eigen::VectorXd FineModel::due() const {
     return due;
 }
 
-void FineModel::advance_interior() {
-    const Eigen::VectorXd part = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
-    const Eigen::VectorXd step = part / asked_.step;
-    const double load_step = (asked_.load_factor - system_.load_factor()) / asked_.step;
+// The interior's share of Newton's correction.
+void FineModel::correct() {
+    const Eigen::VectorXd step = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
+    const double load_step = asked_.load_factor - system_.load_factor();
     const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
-    const Eigen::VectorXd move = asked_.step * tree_->expand(moving, step);
-    system_.move(move.head(system_.displacement().size()), move.tail(system_.traction().size()));
+    const Eigen::VectorXd whole = tree_->expand(moving, step);
+    correction_.displacement = whole.head(system_.displacement().size());
+    correction_.traction = whole.tail(system_.traction().size());
+    correction_.work_before = work_along_correction();
+}
+
+// What rests follows the others: nothing is out of balance inside it.
+double FineModel::work_along_correction() const {
+    const Eigen::VectorXd& move = correction_.displacement;
+    const UnknownSet& resting = tree_->inside();
+    double work = 0.0;
+    for (Eigen::Index i = 0; i < move.size(); ++i)
+        if (!resting.contains(i)) work += system_.load()[i] * move[i];
+    return work;
 }
 
 coupling::StepReport FineModel::commit(bool reversal) {

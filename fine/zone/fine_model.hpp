@@ -41,7 +41,8 @@ private:
     void carry_rest_load();
     void find_changes();
     [[nodiscard]] Eigen::VectorXd due() const;
-    void advance_interior();
+    void correct();
+    [[nodiscard]] double work_along_correction() const;
     [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
     void factor();
     void condense(coupling::PatchResponse& response);
@@ -53,6 +54,10 @@ private:
     std::vector<Eigen::MatrixXd> multiplier_matrices_;
     ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
     coupling::PatchDisplacement asked_;
+    struct Correction {
+        Eigen::VectorXd displacement, traction;  // taken whole
+        double work_before = 0.0;                // along it, of what was out of balance where it began, N
+    } correction_;
     double factor_s_ = 0.0;
     bool all_changed_ = true;
     // Something rests; it was looked at: at the present trial state, in this increment.

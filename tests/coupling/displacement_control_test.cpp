@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"

@@ -74,6 +74,8 @@ TEST_P(FineRanks, AnswerAsOne) {
             EXPECT_LT(difference(b.force, a.force), 1e-9);
             EXPECT_LT(difference(b.tangent.matrix, a.tangent.matrix), 1e-9);
             EXPECT_LT(difference(b.unit_load, a.unit_load), 1e-9);
+            EXPECT_NEAR(b.along, a.along, 1e-9 * std::max(std::abs(a.along), std::abs(a.along_before)));
+            EXPECT_NEAR(b.along_before, a.along_before, 1e-9 * std::abs(a.along_before));
             EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
             EXPECT_EQ(b.digest.status, a.digest.status);
         }

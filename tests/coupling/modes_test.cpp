@@ -7,7 +7,7 @@
 #include <map>
 
 #include "app/run/fine_side.hpp"
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "coupling/transport/memory_transport.hpp"
 #include "coupling/transport/remote_fine_scale.hpp"
 #include "coupling/transport/serve.hpp"

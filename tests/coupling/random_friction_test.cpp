@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "common/error.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "app/run/fine_side.hpp"
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "coarse/results/checkpoint.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coupling/transport/wire.hpp"

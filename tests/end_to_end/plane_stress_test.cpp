@@ -1,7 +1,7 @@
 // The paper's first example in plane stress, on a coarser mesh: converges like plane strain, condensed and monolithic.
 #include <gtest/gtest.h>
 
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {

@@ -71,7 +71,7 @@ GrownRun grow_linear(double elements, Enrichment enrichment, End end = End::Pull
     input.growth.emplace().increment = elements * smallest;
     // Elements that are split on the way would release what they held too stiffly, 0.3 % of a step.
     const Vec2 tip = input.cracks[0].points.back();
-    GrownRun run = grow(input, refined_along(input, tip, tip + Vec2(5.0 * input.growth->increment, 0.0), 0.02));
+    GrownRun run = grow(input, refined_along(input, tip, tip + Vec2(5.0 * input.growth->increment.value(), 0.0), 0.02));
     EXPECT_EQ(run.releases.size(), 4U);
     const Release whole = run.whole();
     std::cout << fmt::format("{:4} elements a step, {:13}: released {:.4f} of K^2/E' da, K off by {:.1e} at most\n",

@@ -67,7 +67,7 @@ Retardation retardation(std::vector<std::string> settings, std::size_t before) {
     const auto overload = opening.begin() + static_cast<std::ptrdiff_t>(before) - 1;
     const auto peak = std::max_element(overload + 1, opening.end());
     const Retardation found{*(overload - 1), *peak, opening.back(),
-                            input.growth->increment * static_cast<double>(peak - overload)};
+                            input.growth->increment.value() * static_cast<double>(peak - overload)};
     std::cout << fmt::format("K_op/K_max: {:.3f} before, {:.3f} {:.2f} mm behind the overload, {:.3f} at the end\n",
                              found.before, found.peak, found.delay, found.end);
     return found;

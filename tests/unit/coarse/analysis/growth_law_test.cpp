@@ -35,12 +35,12 @@ TEST(GrowthLaw, IsAsFastAsItsLawSays) {
 TEST(GrowthLaw, LeadsWithTheFastestTip) {
     GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 2.0};
     const std::vector<CycleResult> last{cycle_with(300.0, 0.0, 0.0), cycle_with(600.0, 0.0, 0.0)};
-    const std::vector<double> found = advances(growth, last, 2);
+    const std::vector<double> found = advances(growth, 0.1, last, 2);
     EXPECT_NEAR(found[0], 0.025, 1e-15);
     EXPECT_EQ(found[1], 0.1);
     growth.law = GrowthLaw::Prescribed;
-    EXPECT_EQ(advances(growth, {}, 2), (std::vector<double>{0.1, 0.1}));
-    EXPECT_EQ(advances(growth, last, 2), (std::vector<double>{0.1, 0.1}));
+    EXPECT_EQ(advances(growth, 0.1, {}, 2), (std::vector<double>{0.1, 0.1}));
+    EXPECT_EQ(advances(growth, 0.1, last, 2), (std::vector<double>{0.1, 0.1}));
 }
 
 TEST(GrowthLaw, TakesTheCyclesBetweenTwoRates) {

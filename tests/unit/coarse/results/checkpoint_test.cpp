@@ -32,6 +32,7 @@ Checkpoint some_checkpoint() {
     state.signal = {1.5};
     state.counts.increments = 57;
     state.growth_ended = true;
+    state.growth_increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
     state.load.reached = -1.0 / 3.0;
     state.load.taken = {{2, 0.0, 5.0, Eigen::Vector2d(0.0, 1.0), state.load.cases}, {2, 5.0, 10.0}};
     state.equilibrium.increments = {Vec2(1.0, 2.0), Vec2(3.0, 4.0)};
@@ -94,6 +95,10 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.signal, in.analysis.signal);
     EXPECT_EQ(out.analysis.counts.increments, 57);
     EXPECT_TRUE(out.analysis.growth_ended);
+    EXPECT_EQ(out.analysis.growth_increment.increment, 0.07);
+    ASSERT_EQ(out.analysis.growth_increment.points.size(), 2U);
+    EXPECT_EQ(out.analysis.growth_increment.points[0].closure, 0.25);
+    EXPECT_EQ(out.analysis.growth_increment.points[0].per_mm, 3e5);
     EXPECT_EQ(out.analysis.load.reached, in.analysis.load.reached);
     EXPECT_EQ(out.analysis.load.taken.at(1).from, 5.0);
     EXPECT_EQ(out.analysis.equilibrium.increments, in.analysis.equilibrium.increments);

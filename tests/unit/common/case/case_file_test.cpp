@@ -219,6 +219,26 @@ TEST_F(CaseFile, AnOpeningRangeIsReadSomewhere) {
     EXPECT_EQ(read(grows + "[closure]\ndistance = 0.2\n").closure.distance, 0.2);
 }
 
+TEST_F(CaseFile, AnIncrementOfGrowthIsANumberOrAuto) {
+    const auto growing = [](const std::string& law, const std::string& more) {
+        return std::string(complete) + "[growth]\nlaw = \"" + law + "\"\n" + more;
+    };
+    const std::string rate = "C = 1e-12\nm = 3.0\n";
+    const Case scene = read(growing("paris", rate + "increment = \"auto\"\nzone_fraction = 0.1\n"));
+    EXPECT_TRUE(scene.growth->increment.is_auto());
+    EXPECT_EQ(scene.growth->zone_fraction, 0.1);
+    EXPECT_EQ(read(resolved_toml(scene)), scene);
+    EXPECT_EQ(read(growing("paris", rate + "increment = 0.1\n")).growth->increment, 0.1);
+    EXPECT_EQ(complaint(growing("paris", rate + "increment = \"some\"\n")),
+              "case.toml:30: growth.increment = \"some\" mm must be number or \"auto\"");
+    EXPECT_EQ(complaint(growing("paris", rate + "increment = -0.1\n")),
+              "case.toml:30: growth.increment = -0.1 mm must be > 0");
+    EXPECT_EQ(complaint(growing("prescribed", "increment = \"auto\"\n")),
+              "case.toml:28: growth.increment = \"auto\" needs law = \"paris\" or \"ctod\"");
+    EXPECT_EQ(complaint(growing("paris", rate + "increment = 0.1\naccuracy = 0.1\n")),
+              "case.toml:31: growth.accuracy = 0.1 needs increment = \"auto\"");
+}
+
 const std::string two_regions = R"(
 [[region]]
 outline = [[0.0, 0.0], [50.0, 20.0]]

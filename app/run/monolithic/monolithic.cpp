@@ -1,9 +1,10 @@
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/run/monolithic_loads.hpp"
+#include "app/run/monolithic/loads.hpp"
+#include "app/run/monolithic/matrix.hpp"
 #include "coarse/elements/support_forces.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/zone_residual.hpp"
@@ -44,6 +45,7 @@ public:
         if (by_load) factors_.main = target_;
         factors_.cases = target.cases;
         impose_held();
+        taken_.resize(0);
         zone_.predict(predictor);
         zone_.set_held(target.held);
         zone_.set_load_factor(factors_.main);
@@ -65,6 +67,9 @@ public:
         result.scale = loads_.largest(factors_);
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         coarse::add_zone(result, response);
+        const bool known = taken_.size() > 0 && controlled_.is_load_factor();
+        result.along = known ? work_along_taken() : 0.0;
+        result.along_before = known ? before_ : 0.0;
         return result;
     }
 
@@ -73,24 +78,25 @@ public:
         Eigen::VectorXd right(n + m + 1);
         right << residual_, zone_.contact_right_hand_side(), off_target_;
         for (int i = 0; i < n; ++i) right[i] = held_[at(i)] != 0 ? 0.0 : right[i];
-        std::vector<Triplet> entries;
-        add_bulk(entries);
-        add_contact(entries);
-        add_held_and_target(entries);
-        SparseMatrix matrix(n + m + 1, n + m + 1);
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        correction_ = solve_general(matrix, right);
+        const MonolithicMatrix matrix{scene_, stiffness_, zone_, whole_, held_, controlled_};
+        correction_ = solve_general(matrix.assembled(), right);
         const double move = correction_.head(n).cwiseAbs().maxCoeff();
         return move / std::max({trial_.cwiseAbs().maxCoeff(), move, 1e-300});
     }
 
-    void apply(double step) override {
+    void apply() override {
+        taken_ = correction_;
+        before_ = work_along_taken();
+        apply_further(1.0);
+    }
+
+    void apply_further(double part) override {
         const int n = scene_.enriched.unknowns, m = zone_.contact().tractions();
-        correction_ *= step;
-        trial_ += correction_.head(n);
-        factors_.main += correction_[n + m];
+        const Eigen::VectorXd move = part * taken_;
+        trial_ += move.head(n);
+        factors_.main += move[n + m];
         impose_held();
-        zone_.move(gather(correction_.head(n), whole_), correction_.segment(n, m));
+        zone_.move(gather(move.head(n), whole_), move.segment(n, m));
         zone_.set_load_factor(factors_.main);
         zone_.set_boundary(on_boundary());
     }
@@ -176,62 +182,11 @@ public:
     }
 
 private:
-    void add(std::vector<Triplet>& entries, int row, int column, double value) const {
-        const bool is_held = row < scene_.enriched.unknowns && held_[at(row)] != 0;
-        if (!is_held && value != 0.0) entries.emplace_back(row, column, value);
-    }
-
-    void add_bulk(std::vector<Triplet>& entries) const {
-        for (int j = 0; j < scene_.enriched.unknowns; ++j)
-            for (SparseMatrix::InnerIterator it(stiffness_, j); it; ++it)
-                add(entries, static_cast<int>(it.row()), j, it.value());
-        const auto& operators = zone_.bulk().operators();
-        for (std::size_t e = 0; e < operators.size(); ++e) {
-            const auto& unknowns = operators[e].unknowns;
-            const Eigen::MatrixXd& K = zone_.bulk().tangents()[e];
-            for (std::size_t i = 0; i < unknowns.size(); ++i) {
-                for (std::size_t j = 0; j < unknowns.size(); ++j) {
-                    add(entries, whole_[at(unknowns[i])], whole_[at(unknowns[j])],
-                        K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-                }
-            }
-        }
-    }
-
-    void add_contact(std::vector<Triplet>& entries) const {
-        const int n = scene_.enriched.unknowns;
-        const fine::ContactInterface& contact = zone_.contact();
-        const int own = static_cast<int>(whole_.size());  // unknowns of the zone
-        for (int k = 0; k < contact.multipliers(); ++k) {
-            std::vector<int> unknowns = contact.unknowns_of(k, own);
-            for (int& unknown : unknowns) unknown = unknown < own ? whole_[at(unknown)] : n + unknown - own;
-            const Eigen::MatrixXd matrix = contact.matrix_of(k);
-            for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-                for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-                    add(entries, unknowns[at(i)], unknowns[at(j)], matrix(i, j));
-            if (!fine::is_closed(contact.statuses()[at(k)])) add_push(entries, k);  // of what they lose
-        }
-    }
-
-    void add_push(std::vector<Triplet>& entries, int k) const {
-        const fine::FaceOperators& contact = zone_.contact().operators();
-        const int n = scene_.enriched.unknowns;
-        for (SparseRows::InnerIterator it(contact.operator_B(), k); it; ++it)
-            add(entries, whole_[at(it.col())], n + k, -it.value());
-        for (SparseRows::InnerIterator it(contact.operator_T(), k); it; ++it)
-            add(entries, whole_[at(it.col())], n + contact.shear_of(k), it.value());
-    }
-
-    // K du - f dlambda = R; a held unknown moves with the load factor; what is controlled goes to its target.
-    void add_held_and_target(std::vector<Triplet>& entries) const {
-        const int n = scene_.enriched.unknowns, lambda = n + zone_.contact().tractions();
-        for (int i = 0; i < n; ++i) {
-            add(entries, i, lambda, -scene_.unit_force[i]);
-            if (held_[at(i)] != 0) entries.emplace_back(i, i, 1.0);
-            if (controlled_.weights[i] != 0.0) entries.emplace_back(lambda, i, controlled_.weights[i]);
-        }
-        for (const auto& p : scene_.prescribed) entries.emplace_back(p.unknown, lambda, -p.value);
-        entries.emplace_back(lambda, lambda, controlled_.per_load_factor);
+    [[nodiscard]] double work_along_taken() const {
+        double work = 0.0;
+        for (Eigen::Index i = 0; i < residual_.size(); ++i)
+            if (held_[at(i)] == 0) work += residual_[i] * taken_[i];
+        return work;
     }
 
     void impose_held() { coarse::impose(scene_.prescribed, factors_, trial_); }
@@ -263,7 +218,8 @@ private:
     coarse::LinearReading controlled_;
     double target_ = 0.0, off_target_ = 0.0;
     MonolithicLoads loads_;
-    Eigen::VectorXd committed_, trial_, residual_, correction_;
+    Eigen::VectorXd committed_, trial_, residual_, correction_, taken_;
+    double before_ = 0.0;  // work of the residual along what is taken, before it was
     coarse::LoadFactors committed_factors_, factors_;
     struct Increment {
         Eigen::VectorXd displacement;

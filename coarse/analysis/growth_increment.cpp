@@ -1,0 +1,46 @@
+#include "coarse/analysis/growth_increment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/analysis/growth_law.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// Of a crack's length, where nothing flows.
+constexpr double elastic_fraction = 0.01;
+
+GrowthPoint point_of(double rate, const CycleResult& tip) {
+    const double K_op = tip.opening.K_op;
+    return {.a = tip.a, .per_mm = 1.0 / rate, .closure = std::isfinite(K_op) ? K_op / tip.K_max : 0.0};
+}
+
+}  // namespace
+
+double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last, double element) {
+    const auto rate = [&](const CycleResult& tip) { return growth_rate(growth, tip); };
+    const CycleResult& fastest = *std::ranges::max_element(last, {}, rate);
+    const GrowthPoint now = point_of(rate(fastest), fastest);
+    const double wanted = fastest.forward > 0.0 ? growth.zone_fraction * fastest.forward : elastic_fraction * fastest.a;
+    double factor = 2.0;
+    if (const double error = error_at(now); error > 0.0)
+        factor = std::clamp(std::sqrt(growth.accuracy / error), 0.5, 2.0);
+    memory_.increment = std::clamp(factor * memory_.increment, element, std::max(element, wanted));
+    if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
+    memory_.points.push_back(now);
+    return growth.until ? std::min(memory_.increment, *growth.until - now.a) : memory_.increment;
+}
+
+double GrowthIncrement::error_at(const GrowthPoint& now) const {
+    if (memory_.points.empty()) return 0.0;
+    const GrowthPoint &first = memory_.points.front(), &middle = memory_.points.back();
+    const bool two = memory_.points.size() == 2 && now.a > first.a;
+    const double share = two ? (middle.a - first.a) / (now.a - first.a) : 0.5;
+    const auto off_the_chord = [&](double GrowthPoint::*value) {
+        return std::abs(middle.*value - (first.*value + share * (now.*value - first.*value)));
+    };
+    return std::max(off_the_chord(&GrowthPoint::per_mm) / (2.0 * now.per_mm), off_the_chord(&GrowthPoint::closure));
+}
+
+}  // namespace stria::coarse

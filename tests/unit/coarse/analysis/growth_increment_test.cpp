@@ -1,0 +1,121 @@
+// Increments of growth that the program chooses.
+#include "coarse/analysis/growth_increment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "coarse/analysis/growth_law.hpp"
+
+namespace stria::coarse {
+namespace {
+
+const GrowthSection by_K_eff{.law = GrowthLaw::Paris,
+                             .increment = {},
+                             .accuracy = 0.01,
+                             .zone_fraction = 0.25,
+                             .C = 1e-12,
+                             .m = 3.0,
+                             .driving = GrowthDriving::EffectiveRange};
+
+constexpr double element = 0.1 / 16.0;  // mm
+
+/// A tip at K = 300 sqrt(a / 10) in a zone of 0.4 mm.
+CycleResult tip_at(double a, double closure) {
+    CycleResult tip;
+    tip.a = a;
+    tip.K_max = 300.0 * std::sqrt(a / 10.0);
+    tip.K_min = 0.0;
+    tip.opening.K_op = closure * tip.K_max;
+    tip.forward = 0.4;
+    return tip;
+}
+
+struct Life {
+    double cycles = 0.0;
+    std::vector<double> increments;
+};
+
+/// From 10 mm to 12.
+Life live(GrowthSection growth, const std::function<double(double)>& closure) {
+    growth.until = 12.0;
+    GrowthIncrement increment;
+    Life life;
+    std::vector<CycleResult> last{tip_at(10.0, closure(10.0))};
+    while (last[0].a < 12.0 - 1e-9) {
+        const double size = life.increments.emplace_back(increment.next(growth, last, element));
+        const std::vector<CycleResult> now{tip_at(last[0].a + size, closure(last[0].a + size))};
+        life.cycles += cycles_passed(growth, size, fastest_rate(growth, last), fastest_rate(growth, now));
+        last = now;
+    }
+    return life;
+}
+
+TEST(GrowthIncrement, BeginsSmallAndDoublesUpToAFractionOfTheZone) {
+    const Life life = live(by_K_eff, [](double) { return 0.3; });
+    EXPECT_NEAR(life.increments[0], element, 1e-15);
+    for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(life.increments[k], 2.0 * life.increments[k - 1], 1e-14);
+    EXPECT_NEAR(life.increments[5], 0.1, 1e-14);
+}
+
+TEST(GrowthIncrement, EndsWhereGrowthEnds) {
+    const Life life = live(by_K_eff, [](double) { return 0.3; });
+    EXPECT_LT(life.increments.back(), 0.1);
+    double grown = 0.0;
+    for (const double size : life.increments) grown += size;
+    EXPECT_NEAR(grown, 2.0, 1e-12);
+}
+
+// Closure that builds up within a few tenths of a millimetre: small increments there, and the life to the accuracy.
+TEST(GrowthIncrement, KeepsTheLifeToItsAccuracy) {
+    const auto closure = [](double a) { return 0.4 * (1.0 - std::exp(-(a - 10.0) / 0.2)); };
+    double exact = 0.0;
+    constexpr int parts = 200'000;
+    for (int k = 0; k < parts; ++k) {
+        const double a = 10.0 + 2.0 * (k + 0.5) / parts;
+        exact += 2.0 / parts / growth_rate(by_K_eff, tip_at(a, closure(a)));
+    }
+    GrowthSection loose = by_K_eff;
+    loose.accuracy = 0.5;
+    loose.zone_fraction = 1.0;
+    GrowthSection tight = loose;
+    tight.accuracy = 0.01;
+    EXPECT_LT(std::abs(live(tight, closure).cycles / exact - 1.0), 0.01);
+    EXPECT_GT(std::abs(live(loose, closure).cycles / exact - 1.0), 0.01);
+    EXPECT_LT(live(loose, closure).increments.size(), live(tight, closure).increments.size());
+}
+
+TEST(GrowthIncrement, IsHalvedWhereClosureJumps) {
+    const Life life = live(by_K_eff, [](double a) { return a < 11.0 ? 0.1 : 0.4; });
+    double a = 10.0;
+    std::size_t k = 0;
+    while (a < 11.0) a += life.increments[k++];
+    EXPECT_NEAR(life.increments[k], 0.05, 1e-14);  // the first that knows of it
+}
+
+TEST(GrowthIncrement, IsNoSmallerThanAnElement) {
+    GrowthIncrement increment({.increment = 0.1, .points = {{.a = 9.9, .per_mm = 1.0, .closure = 0.9}}});
+    EXPECT_EQ(increment.next(by_K_eff, {tip_at(10.0, 0.1)}, 0.3), 0.3);  // though a quarter of the zone is less
+}
+
+TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
+    CycleResult tip = tip_at(10.0, 0.0);
+    tip.forward = 0.0;
+    tip.opening.K_op = std::nan("");
+    GrowthSection growth = by_K_eff;
+    growth.driving = GrowthDriving::Range;
+    EXPECT_NEAR(GrowthIncrement({.increment = 1.0}).next(growth, {tip}, element), 0.1, 1e-15);
+}
+
+TEST(GrowthIncrement, GoesOnFromItsMemory) {
+    const std::vector<CycleResult> first{tip_at(10.0, 0.1)}, second{tip_at(10.01, 0.1)}, third{tip_at(10.02, 0.3)};
+    GrowthIncrement whole;
+    whole.next(by_K_eff, first, element);
+    whole.next(by_K_eff, second, element);
+    GrowthIncrement resumed(whole.memory());
+    EXPECT_EQ(whole.next(by_K_eff, third, element), resumed.next(by_K_eff, third, element));
+}
+
+}  // namespace
+}  // namespace stria::coarse
