@@ -26,6 +26,7 @@ FLOWED = 1e-7  # plastic strain: less is rounding
 # What is shown, its title, and the share of its largest value at which colours end: a tip in an elastic body would take them all.
 FLOW = ("accumulated_plastic_strain", "plastic strain", 1.0)
 STRESS = ("von_mises", "von Mises stress, MPa", 0.2)
+ASIDE = 1e-3  # of the distance of stations
 ON_FACES = ("pressure", "shear", "opening", "slip", "status")  # columns of faces.csv
 
 def field_file(folder):
@@ -63,7 +64,17 @@ def stations_of(folder, increment):
     return cracks
 
 
-def face_lines(folder, increment):
+def places_of(rows, side):
+    """Of stations in their order; on the plus (1) or minus (-1) side of the crack by a little, where fields tell one from the other."""
+    places = [(float(row["x"]), float(row["y"])) for row in rows]
+    off = side * ASIDE * (float(rows[-1]["s"]) - float(rows[0]["s"])) / len(rows)
+    for k, (x, y) in enumerate(places):
+        (x0, y0), (x1, y1) = places[max(k - 2, 0)], places[min(k + 2, len(places) - 1)]
+        length = math.hypot(x1 - x0, y1 - y0) or 1.0
+        yield x - off * (y1 - y0) / length, y + off * (x1 - x0) / length
+
+
+def face_lines(folder, increment, side=0):
     """The faces at an increment as a line for each crack; nothing where none are written."""
     cracks = stations_of(folder, increment)
     if not cracks:
@@ -77,8 +88,8 @@ def face_lines(folder, increment):
         data.GetPointData().AddArray(array)
     for rows in cracks.values():
         lines.InsertNextCell(len(rows))
-        for row in rows:
-            lines.InsertCellPoint(points.InsertNextPoint(float(row["x"]), float(row["y"]), 0.0))
+        for row, place in zip(rows, places_of(rows, side)):
+            lines.InsertCellPoint(points.InsertNextPoint(*place, 0.0))
             for name, array in arrays.items():
                 array.InsertNextValue(float(row[name] or math.nan))
     producer = simple.TrivialProducer()
@@ -129,10 +140,10 @@ def show_fields(view, warp, plastic):
     colour_by(view, display, ("CELLS", name), title, float(f"{largest:.1g}"))
 
 
-def show_faces(view, fields, lines, middle, factor, increment):
-    """Lines that go with the body: the displacement at a station is that of the fields where they have it."""
+def show_faces(view, fields, lines, middle, factor, name):
+    """A line that goes with the body."""
     moved = simple.ResampleWithDataset(SourceDataArrays=fields, DestinationMesh=lines, PassPointArrays=1, MarkBlankPointsAndCells=0)
-    warp = warped(moved, middle, factor, f"faces at increment {increment:g}")
+    warp = warped(moved, middle, factor, name)
     display = simple.Show(warp, view)
     display.SetRepresentationType("Wireframe")
     display.LineWidth = 3.0
@@ -170,9 +181,10 @@ def draw(folder, factor=None):
     view = simple.GetActiveViewOrCreate("RenderView")
     show_fields(view, warped(fields, middle, factor, f"crack open, displacement x {factor:.3g}"), plastic)
     increment = increment_of(fields)
-    lines = face_lines(folder, increment)
-    if lines:
-        show_faces(view, fields, lines, middle, factor, increment)
+    for side, word in ((1, "plus"), (-1, "minus")):
+        lines = face_lines(folder, increment, side)
+        if lines:
+            show_faces(view, fields, lines, middle, factor, f"{word} face at increment {increment:g}")
     aim(view, bounds)
     simple.Render(view)
     return view
