@@ -39,6 +39,16 @@ void expect_same_cycles(const std::vector<coarse::CycleResult>& a, const std::ve
     }
 }
 
+/// Once it is on, a dead load has its share in the work of an increment: that of its factor in the mean of all factors.
+void expect_its_share(const RunHistory& with_dead, std::size_t k, double dead) {
+    const coarse::Increment &now = with_dead.increments[k], &before = with_dead.increments[k - 1];
+    if (before.step.target.cases[0] != dead) return;
+    const double mean = dead + 0.5 * (now.load_factor + before.load_factor);
+    EXPECT_NEAR((now.work.by_cases[0] - before.work.by_cases[0]) * mean,
+                (now.work.external - before.work.external) * dead, 1e-9 * now.work.external * dead)
+        << k;
+}
+
 /// Increment by increment. `dead`: the load factor that the one has as a dead load.
 void expect_shifted(const RunHistory& with_dead, const RunHistory& whole, double dead) {
     ASSERT_EQ(with_dead.increments.size(), whole.increments.size());
@@ -54,6 +64,7 @@ void expect_shifted(const RunHistory& with_dead, const RunHistory& whole, double
         EXPECT_NEAR(a.K_at_end(0), b.K_at_end(0), 1e-9 * 800.0) << k;
         EXPECT_NEAR(a.machine.displacement, b.machine.displacement, 1e-9 * 0.1) << k;
         EXPECT_NEAR(a.work.external, b.work.external, 1e-9 * b.work.stored) << k;
+        if (k > 0) expect_its_share(with_dead, k, dead);
         EXPECT_NEAR(a.work.stored, b.work.stored, 1e-9 * b.work.stored) << k;
         EXPECT_NEAR(a.work.dissipated, b.work.dissipated, 1e-9 * b.work.stored) << k;
     }
