@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "app/process/children.hpp"
 #include "app/process/version.hpp"
 #include "common/error.hpp"
 
@@ -59,7 +60,13 @@ void add_study_options(CLI::App& app, study::StudyOptions& options) {
         ->type_name("RESULT=VALUE");
     app.add_option("-o,--output", options.run.output_directory, "Folder of the study; default runs/<case name>-study")
         ->type_name("DIR");
-    app.add_flag("--resume", options.resume, "Keep the variants that are done");
+    app.add_flag("--resume", options.resume, "Keep the variants that are done, go on with those that are begun");
+    app.add_option("--jobs", options.jobs, "Variants at a time, each on its share of the cores; 0: read what there is")
+        ->type_name("N")
+        ->check(CLI::Range(0, most_children));
+    app.add_flag("--print-commands{lines}", options.commands,
+                 "Run nothing; print a line for each run, or with =slurm the script of a job array")
+        ->check(CLI::IsMember({"lines", "slurm"}));
     add_manners(app, options.run);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/run/run_options.hpp"
-#include "app/study/study_options.hpp"
+#include "app/study/plan.hpp"
 
 #include <optional>
 #include <string>

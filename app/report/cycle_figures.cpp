@@ -50,10 +50,41 @@ std::string abscissa(const RunRecord& run) { return grows(growth_rates(run, 0)) 
 
 std::string label_of(const std::string& abscissa) { return abscissa == "a" ? "a, mm" : abscissa; }
 
+/// The rows of a tip at which it has come to another place.
+std::vector<std::size_t> steps_of_tip(const RunRecord& run, std::size_t tip) {
+    const std::vector<double>&x = run.history["x"], &y = run.history["y"];
+    std::vector<std::size_t> steps;
+    for (const std::size_t row : rows_of_tip(run.history, tip))
+        if (steps.empty() || x[row] != x[steps.back()] || y[row] != y[steps.back()]) steps.push_back(row);
+    return steps;
+}
+
+/// The places of the tips, where a way bends.
+std::string ways(const RunRecord& run) {
+    LineChart chart{.title = "Way of the tip: y over x, mm", .x_label = "x, mm"};
+    std::string links;
+    bool bends = false;
+    if (!run.history.columns.contains("x")) return "";
+    for (std::size_t tip = 0; tip < run.tips(); ++tip) {
+        Sheet sheet{.name = fmt::format("way-tip-{}", tip)};
+        const std::vector<std::size_t> rows = steps_of_tip(run, tip);
+        for (const char* column : {"x", "y", "a"})
+            sheet.columns.push_back({column, values_of(run.history, column, rows)});
+        if (rows.empty()) continue;
+        const auto [low, high] = std::ranges::minmax(sheet["y"]);
+        bends = bends || high - low > 1e-3 * sheet["a"].back();
+        chart.curves.push_back(curve_of(sheet, "x", "y", name_of_tip(run, tip, "y")));
+        chart.curves.back().markers = false;
+        links += csv_link(sheet);
+    }
+    return bends ? charts::captioned(svg(chart), links) : "";
+}
+
 Figure growth(const RunRecord& run) {
     return {.title = "Growth",
             .charts = {chart_of_tips(run, "a-N", {"N", "a", "da", "dN"},
-                                     {.title = "Crack length a, mm", .x_label = "N, cycles"})}};
+                                     {.title = "Crack length a, mm", .x_label = "N, cycles"}),
+                       ways(run)}};
 }
 
 Figure rates(const RunRecord& run) {
@@ -144,7 +175,10 @@ std::vector<Figure> cycle_figures(const RunRecord& run) {
     // Where it is prescribed the rate is given, not found.
     const bool given = run.input && run.input->growth && run.input->growth->law == GrowthLaw::Prescribed;
     if (!given) figures.push_back(rates(run));
-    figures.push_back(closure(run));
+    const bool never_touch = run.input && std::ranges::none_of(run.input->cracks, [](const CrackSection& crack) {
+                                 return crack.contact.has_value();
+                             });
+    if (!never_touch) figures.push_back(closure(run));
     figures.push_back(zones(run));
     return figures;
 }

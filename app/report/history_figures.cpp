@@ -34,6 +34,14 @@ std::string chart_of(const Sheet& sheet, const std::vector<std::string>& curves,
     return svg(chart);
 }
 
+/// Those of the columns that are not zero throughout.
+std::vector<std::string> telling(const Sheet& sheet, std::vector<std::string> columns) {
+    std::erase_if(columns, [&](const std::string& column) {
+        return std::ranges::none_of(sheet[column], [](double value) { return std::isfinite(value) && value != 0.0; });
+    });
+    return columns;
+}
+
 /// Whole cycles, evenly over the run, the last one among them; each as its rows and the one that it starts from.
 std::vector<Rows> loops(const RunRecord& run, const Rows& rows) {
     std::vector<Rows> cycles;
@@ -102,7 +110,7 @@ Figure fracture(const RunRecord& run, const Rows& rows) {
             .sentence = "The first tip." + note_on(run, rows),
             .charts = {chart_of(sheet, {"K_I", "K_II"}, {.title = "K_I and K_II, MPa sqrt(mm)", .x_label = x}),
                        chart_of(sheet, {"J"}, {.title = "J, N/mm", .x_label = x}),
-                       chart_of(sheet, {"contact_length", "plastic_zone"},
+                       chart_of(sheet, telling(sheet, {"contact_length", "plastic_zone"}),
                                 {.title = "Closed length and plastic zone, mm", .x_label = x})},
             .tables = csv_link(sheet)};
 }
@@ -116,9 +124,10 @@ Figure work(const RunRecord& run, const Rows& rows) {
         .sentence = "Per mm of thickness, total so far. The error is what the loads have done less what is "
                     "stored, dissipated and released." +
                     note_on(run, rows),
-        .charts = {chart_of(sheet, {"external_work", "stored_energy", "dissipation", "released_energy"},
+        .charts = {chart_of(sheet, telling(sheet, {"external_work", "stored_energy", "dissipation", "released_energy"}),
                             {.title = "Work, N", .x_label = "increment"}),
-                   chart_of(sheet, {"balance_error"}, {.title = "Error of the balance, N", .x_label = "increment"})},
+                   chart_of(sheet, telling(sheet, {"balance_error"}),
+                            {.title = "Error of the balance, N", .x_label = "increment"})},
         .tables = csv_link(sheet)};
 }
 

@@ -73,7 +73,7 @@ std::string list_of_warnings(const RunRecord& run) {
 }
 
 std::string fact(const std::string& name, double value, const std::string& unit) {
-    return std::isfinite(value) ? fmt::format("<li>{}<b>{:.5g}{}</b></li>\n", name, value, unit) : "";
+    return std::isfinite(value) ? fmt::format("<li>{}<b>{:.6g}{}</b></li>\n", name, value, unit) : "";
 }
 
 std::string facts(const RunRecord& run) {

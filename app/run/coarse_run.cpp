@@ -100,6 +100,9 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         recorder->record(increment, structure, running->closure());
         progress_.accepted(increment, recorder->N());
     };
+    listener.growth_ended = [&](const coarse::Increment& last, const coarse::Structure& structure) {
+        recorder->record_end(last, structure);
+    };
     listener.reached = [&](const coarse::LoadStep& step) {
         if (running->finished()) return true;  // that one is written with the summary
         const bool stop = interrupted();

@@ -1,24 +1,17 @@
 #include "app/run/launch.hpp"
 
-#include "app/process/exit_code.hpp"
+#include "app/process/children.hpp"
 #include "app/run/fine_side.hpp"
 #include "app/run/run_files.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace stria {
@@ -40,39 +33,6 @@ constexpr std::array<std::pair<const char*, const char*>, 10> environment = {{
     {"OMP_THREAD_LIMIT", "1"},
 }};
 
-volatile std::sig_atomic_t interruption = 0;
-volatile std::sig_atomic_t child = 0, child_stands_apart = 0;
-
-/// mpirun would answer SIGINT and SIGTERM by killing the components: it stands apart from our terminal and is sent what
-/// it passes on to them, SIGUSR1, on which they write a checkpoint; who asks twice does not want to wait for that. To
-/// another child the terminal has sent its SIGINT already.
-void note_signal(int signal) {
-    const bool again = interruption != 0;
-    interruption = signal;
-    if (child <= 0) return;
-    if (child_stands_apart != 0)
-        kill(static_cast<pid_t>(child), again ? SIGTERM : SIGUSR1);
-    else if (signal == SIGTERM)
-        kill(static_cast<pid_t>(child), SIGTERM);
-}
-
-/// In the child: out of reach of the terminal, and gone when we are.
-void stand_apart() {
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    const int nothing = open("/dev/null", O_RDONLY);
-    if (nothing < 0) return;
-    dup2(nothing, STDIN_FILENO);
-    close(nothing);
-}
-
-void listen_for_signals() {
-    struct sigaction action {};
-    action.sa_handler = note_signal;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
-
 void append_common_options(const RunOptions& options, std::vector<std::string>& command) {
     command.insert(command.end(), {options.case_path, "-o", options.output_directory});
     for (const std::string& value : options.overrides) command.insert(command.end(), {"--set", value});
@@ -89,60 +49,6 @@ std::vector<std::string> component_command(const RunOptions& options, const std:
     append_common_options(options, command);
     command.emplace_back("--no-report");  // who starts the components writes it, whatever becomes of them
     return command;
-}
-
-[[noreturn]] void become(const std::vector<std::string>& command) {
-    std::vector<char*> arguments;
-    arguments.reserve(command.size() + 1);
-    // execvp takes its words by pointers to char and leaves them alone.
-    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments.front(), arguments.data());
-    fmt::print(stderr, "stria: {} cannot be started: {}\n", command.front(), std::strerror(errno));
-    _exit(LostComponent);
-}
-
-/// Output and errors of this process go to the file from here on.
-void write_into(const char* log) {
-    const int file = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    if (file < 0) return;  // rather on the terminal than nowhere
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
-    close(file);
-}
-
-/// Not one of mpirun, of the loader or of a signal.
-bool is_our_own(int code) {
-    constexpr std::array ours{Done, InputWrong, NumbersFailed, LostComponent, FileFailed, Defect, Interrupted};
-    return std::ranges::find(ours, code) != ours.end();
-}
-
-int wait_for(pid_t process) {
-    int status = 0;
-    while (waitpid(process, &status, 0) < 0)
-        if (errno != EINTR) throw std::runtime_error(fmt::format("waitpid: {}", std::strerror(errno)));
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    if (interruption != 0 && code != Done) return Interrupted;
-    if (is_our_own(code)) return code;
-    throw ComponentLost(fmt::format("a component was lost (exit code {})", code));
-}
-
-/// `log`: null: it says what it says where we do, and stands apart.
-pid_t start(const std::vector<std::string>& command, const char* log) {
-    std::fflush(nullptr);
-    child_stands_apart = log == nullptr ? 1 : 0;
-    listen_for_signals();
-    const pid_t process = fork();
-    if (process < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
-    if (process == 0) {
-        if (log != nullptr)
-            write_into(log);
-        else
-            stand_apart();
-        become(command);
-    }
-    child = static_cast<std::sig_atomic_t>(process);
-    return process;
 }
 
 /// Where this program and its components are.
@@ -187,20 +93,18 @@ int launch(const RunOptions& options) {
     for (const auto& [name, value] : environment) setenv(name, value, 0);
     // Under mpirun a component writes into a pipe and cannot see the terminal.
     if (isatty(STDOUT_FILENO) != 0) setenv("STRIA_TERMINAL", "1", 0);
-    return wait_for(start(command, nullptr));
+    start_child(command, {});
+    const EndedChild ended = wait_for_child();
+    if (ended.ours) return ended.code;
+    throw ComponentLost(fmt::format("a component was lost (exit code {})", ended.code));
 }
 
-int launch_logged(const RunOptions& options, const std::string& log) {
-    if (interruption != 0) return Interrupted;
+std::vector<std::string> run_command(const RunOptions& options) {
     std::vector<std::string> command = {programs_folder() + "/stria", "run"};
     append_common_options(options, command);
     command.insert(command.end(), {"--mode", options.mode, "--fine", std::to_string(options.fine_ranks)});
     if (!options.report) command.emplace_back("--no-report");
-    try {
-        return wait_for(start(command, log.c_str()));
-    } catch (const ComponentLost&) {
-        return LostComponent;
-    }
+    return command;
 }
 
 }  // namespace stria

@@ -18,8 +18,7 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
 /// Runs that command with the environment that Open MPI needs. Returns its exit code: 4 where a component was lost.
 int launch(const RunOptions& options);
 
-/// Runs `stria run` with these options as a child process whose output goes to the file `log`. Returns its exit code: 4
-/// where it crashed, 130 where the user interrupted it, or interrupted this process before the child was started.
-int launch_logged(const RunOptions& options, const std::string& log);
+/// The words of `stria run` with these options, by this program.
+std::vector<std::string> run_command(const RunOptions& options);
 
 }  // namespace stria

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/charts/page.hpp"
-#include "app/study/report.hpp"
+#include "app/study/table.hpp"
 
 namespace stria::study {
 

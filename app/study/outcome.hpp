@@ -30,10 +30,10 @@ std::span<const Quantity> endings();
 
 struct Outcome {
     std::string status = "not run";  // "done", "failed", ...
-    std::string message;             // why it is not done
+    std::string message = {};        // why it is not done
     int exit_code = 0;
-    std::map<std::string, double> values;  // by the name of the quantity; missing ones are absent
-    Profile at_maximum, at_minimum;        // of the first crack
+    std::map<std::string, double> values = {};  // by the name of the quantity; missing ones are absent
+    Profile at_maximum = {}, at_minimum = {};   // of the first crack
 
     /// NaN where it is missing.
     [[nodiscard]] double value(const std::string& name) const;

@@ -70,7 +70,7 @@ std::string head_of(const Report& report, const std::vector<Column>& columns, co
 
 std::string line_of(const Row& row, const Report& report, const std::vector<Column>& columns,
                     const std::vector<Quantity>& errors) {
-    std::string text = row.outcome.status == "done" ? "<tr>" : "<tr class=\"bad\">";
+    std::string text = row.outcome.exit_code == 0 ? "<tr>" : "<tr class=\"bad\">";
     text +=
         fmt::format("<td class=\"word\">{}</td>", row.number > 0 ? std::to_string(row.number) : escaped(row.folder));
     for (const Axis& axis : report.axes) {
@@ -105,8 +105,11 @@ std::string complaints(const Report& report) {
 
 std::string introduction(const Report& report) {
     const auto done = std::ranges::count_if(report.rows, [](const Row& row) { return row.outcome.status == "done"; });
+    const auto running = [](const Row& row) { return row.outcome.status == "running"; };
     std::string text =
         fmt::format("<p>{} of {} variants of {} done.", done, report.rows.size(), escaped(report.case_path));
+    if (std::ranges::any_of(report.rows, running) || std::ranges::any_of(report.references, running))
+        text += " The study goes on: load this page again for more.";
     for (const Axis& axis : report.axes)
         text += escaped(fmt::format(" {} = {}.", axis.key, fmt::join(axis.values, ", ")));
     if (!report.fixed.empty()) text += escaped(fmt::format(" In all: {}.", fmt::join(report.fixed, ", ")));

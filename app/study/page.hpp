@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/study/report.hpp"
+#include "app/study/table.hpp"
 
 namespace stria::study {
 

@@ -86,7 +86,8 @@ void read_reference(const StudyOptions& options, Plan& plan) {
     if (options.reference.empty()) return;
     if (std::filesystem::is_directory(options.reference)) {
         plan.reference_folder = options.reference;
-        if (read_outcome(options.reference).status != "done")
+        plan.reference_run = read_outcome(options.reference);
+        if (plan.reference_run.status != "done")
             throw CaseError(fmt::format("--reference {}: holds no run that is done", options.reference));
         for (Row& variant : plan.variants) variant.reference = options.reference;
         return;

@@ -5,10 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "app/study/study_options.hpp"
+#include "app/run/run_options.hpp"
 #include "app/study/table.hpp"
 
 namespace stria::study {
+
+/// How its runs are to be made.
+struct StudyOptions {
+    RunOptions run;                  // case, folder, --set, --force; mode and fine_ranks are in the lists below
+    std::vector<std::string> over;   // key=v1,v2,...
+    std::vector<std::string> modes;  // more than one: an axis
+    std::vector<std::string> fine_ranks;
+    std::string reference;                      // key=value,... or the folder of a run; empty: none
+    std::vector<std::string> reference_values;  // result=value,...
+    bool resume = false;                        // keep variants that are done, go on with those that are begun
+    int jobs = 1;                               // variants at a time; 0: none is run
+    std::string commands;                       // "lines" or "slurm": print them, run nothing; empty: run
+};
 
 struct Plan {
     std::vector<Axis> axes;
@@ -16,6 +29,7 @@ struct Plan {
     std::vector<Row> variants;
     bool with_errors = false;
     std::string reference_folder;                    // an existing run instead
+    Outcome reference_run;                           // what that gave
     std::map<std::string, double> reference_values;  // these win over a run's
 };
 

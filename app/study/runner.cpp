@@ -1,6 +1,6 @@
 #include "app/study/runner.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -10,14 +10,14 @@
 #include "app/process/version.hpp"
 #include "app/run/launch.hpp"
 #include "app/run/run_files.hpp"
+#include "app/run/run_lock.hpp"
 #include "app/study/plan.hpp"
 #include "common/case/case_file.hpp"
+#include "common/error.hpp"
 
 namespace stria::study {
 
 namespace {
-
-const char* const log_name = "stria.log";
 
 std::string text_of(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -55,64 +55,157 @@ std::string status_of(int exit_code) {
     }
 }
 
-/// The folder holds the finished run of the same case, in the same way and by the same program.
-bool is_done(const RunOptions& options) {
+/// What the folder holds of the same case, computed in the same way and by the same program.
+enum class Found { Nothing, Begun, Done };
+
+Found found_in(const RunOptions& options) {
     const std::filesystem::path folder = options.output_directory;
+    const Case input = read_case(options.case_path, options.overrides);
+    if (text_of(folder / "case.resolved.toml") != resolved_toml(input)) return Found::Nothing;
     const JsonObject summary = read_json(folder / "summary.json");
+    if (summary.words.empty()) return Found::Begun;  // it is written last
     const auto is = [&](const char* name, const std::string& word) {
         const auto found = summary.words.find(name);
         return found != summary.words.end() && found->second == word;
     };
-    const Case input = read_case(options.case_path, options.overrides);
     const int ranks = options.mode == "mpi" && needs_fine(input) ? 1 + options.fine_ranks : 1;
-    const auto found = summary.numbers.find("ranks");
-    return is("status", "done") && is("version", version_text()) && is("mode", options.mode) &&
-           found != summary.numbers.end() && found->second == ranks &&
-           text_of(folder / "case.resolved.toml") == resolved_toml(input);
+    if (!is("version", version_text()) || !is("mode", options.mode) || summary.number("ranks") != ranks)
+        return Found::Nothing;
+    return is("status", "done") ? Found::Done : Found::Begun;
 }
 
-void perform(const RunOptions& options, Row& row) {
+bool has_checkpoint(const std::filesystem::path& folder) {
+    return std::filesystem::exists(folder / "checkpoint.h5") ||
+           std::filesystem::exists(folder / "checkpoint.previous.h5");
+}
+
+/// Makes the folder. Results of an earlier run must not be taken for those of one that dies before it writes any.
+/// Throws CaseError where a run is writing there.
+void make_ready(const RunOptions& options) {
     const std::filesystem::path folder = options.output_directory;
-    // Results of an earlier run must not be taken for those of one that dies before it writes any.
-    for (const char* file : {"summary.json", "history.csv", "faces.csv"}) std::filesystem::remove(folder / file);
     std::filesystem::create_directories(folder);
-    const int code = launch_logged(options, (folder / log_name).string());
-    row.outcome = read_outcome(folder);
-    row.outcome.exit_code = code;
-    row.outcome.status = status_of(code);
-    if (code != Done && code != Interrupted) row.outcome.message = complaint_in(folder / log_name);
+    const RunLock lock(folder);
+    if (options.resume) return;
+    for (const char* file : {"summary.json", "history.csv", "faces.csv"}) std::filesystem::remove(folder / file);
+}
+
+Outcome outcome_of(const std::filesystem::path& folder, int code) {
+    Outcome outcome = read_outcome(folder);
+    outcome.exit_code = code;
+    outcome.status = status_of(code);
+    if (code != Done && code != Interrupted) outcome.message = complaint_in(folder / log_name);
+    return outcome;
+}
+
+bool is_written_to(const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder)) return false;
+    try {
+        const RunLock lock(folder);
+        return false;
+    } catch (const CaseError&) {
+        return true;
+    }
+}
+
+/// Of a run that others make. One that has failed says so in its log.
+Outcome outcome_so_far(const RunOptions& options) {
+    if (is_written_to(options.output_directory)) return {.status = "running"};
+    Outcome outcome;
+    if (found_in(options) != Found::Nothing) outcome = read_outcome(options.output_directory);
+    if (outcome.status == "failed")
+        outcome = outcome_of(options.output_directory, NumbersFailed);
+    else if (outcome.status == "interrupted")
+        outcome.exit_code = Interrupted;
+    return outcome;
 }
 
 }  // namespace
 
-Runner::Runner(RunOptions shared, bool resume, std::size_t count)
-    : shared_(std::move(shared)), resume_(resume), count_(count), terminal_(isatty(STDOUT_FILENO) != 0) {}
+Runner::Runner(RunOptions shared, bool resume, int jobs)
+    : shared_(std::move(shared)), resume_(resume), jobs_(jobs), cores_(own_cores()),
+      terminal_(isatty(STDOUT_FILENO) != 0) {}
 
-void Runner::say(const std::string& text, const char* end) const {
-    if (shared_.quiet) return;
-    fmt::print("{}{}", text, end);
-    std::fflush(stdout);
+void Runner::run(std::span<Row* const> rows, const std::function<void()>& changed) {
+    count_ = rows.size();
+    std::size_t next = 0;
+    if (jobs_ == 0)
+        for (Row* row : rows) row->outcome = outcome_so_far(options_of(*row));
+    while (jobs_ > 0) {
+        while (next < rows.size() && std::ssize(running_) < jobs_ && !interrupted_) {
+            begin(*rows[next], next + 1);
+            ++next;
+        }
+        if (running_.empty()) return;
+        changed();
+        say_how_far();
+        end(wait_for_child());
+    }
 }
 
-void Runner::run(Row& row) {
-    ++begun_;
-    if (interrupted_) return;
+RunOptions Runner::options_of(const Row& row) const {
     RunOptions options = run_options(shared_, row.settings);
     options.output_directory = (std::filesystem::path(shared_.output_directory) / row.folder).string();
     options.quiet = false;  // into its log
-    const std::string name = fmt::format("run {} of {}  {}", begun_, count_, to_text(row.settings));
-    if (resume_ && is_done(options)) {
+    return options;
+}
+
+void Runner::begin(Row& row, std::size_t number) {
+    interrupted_ = interrupted_ || asked_to_end();
+    if (interrupted_) return;
+    RunOptions options = options_of(row);
+    const Found found = resume_ ? found_in(options) : Found::Nothing;
+    if (found == Found::Done) {
         row.outcome = read_outcome(options.output_directory);
-        say(name + "  done before", "\n");
+        say(row, number, "done before");
         return;
     }
-    if (terminal_) say(name + " ...", "\r");
-    const auto start = std::chrono::steady_clock::now();
-    perform(options, row);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    interrupted_ = row.outcome.exit_code == Interrupted;
+    options.resume = found == Found::Begun && has_checkpoint(options.output_directory);
+    try {
+        make_ready(options);
+    } catch (const CaseError& taken) {
+        row.outcome = {.status = status_of(InputWrong), .message = taken.what(), .exit_code = InputWrong};
+        say(row, number, row.outcome.status + ": " + row.outcome.message);
+        return;
+    }
+    const int part = free_part();
+    const std::string log = (std::filesystem::path(options.output_directory) / log_name).string();
+    const pid_t process = start_child(run_command(options), {.log = log, .cores = share_of(cores_, part, jobs_)});
+    running_[process] = {&row, number, part, std::chrono::steady_clock::now()};
+    row.outcome.status = "running";
+}
+
+void Runner::end(const EndedChild& child) {
+    const auto found = running_.find(child.process);
+    if (found == running_.end()) return;
+    const Job job = found->second;
+    running_.erase(found);
+    Row& row = *job.row;
+    row.outcome = outcome_of(options_of(row).output_directory, child.ours ? child.code : LostComponent);
+    interrupted_ = interrupted_ || row.outcome.exit_code == Interrupted;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - job.start).count();
     const std::string why = row.outcome.message.empty() ? "" : ": " + row.outcome.message;
-    say(fmt::format("{}  {} in {:.1f} s{}", name, row.outcome.status, seconds, why), "\n");
+    say(row, job.number, fmt::format("{} in {:.1f} s{}", row.outcome.status, seconds, why));
+}
+
+int Runner::free_part() const {
+    int part = 0;
+    const auto taken = [&](const auto& running) { return running.second.part == part; };
+    while (std::ranges::any_of(running_, taken)) ++part;
+    return part;
+}
+
+void Runner::say(const Row& row, std::size_t number, const std::string& what) const {
+    if (shared_.quiet) return;
+    fmt::print("{}run {} of {}  {}  {}\n", terminal_ ? "\r\033[K" : "", number, count_, to_text(row.settings), what);
+    std::fflush(stdout);
+}
+
+void Runner::say_how_far() const {
+    if (shared_.quiet || !terminal_) return;
+    const Job& first = running_.begin()->second;
+    const std::string others = running_.size() > 1 ? fmt::format(" and {} more", running_.size() - 1) : "";
+    fmt::print("\r\033[Krun {} of {}  {}{} ...\r", first.number, count_, to_text(first.row->settings), others);
+    std::fflush(stdout);
 }
 
 }  // namespace stria::study

@@ -7,6 +7,8 @@
 
 #include "app/process/exit_code.hpp"
 #include "app/process/version.hpp"
+#include "app/run/run_lock.hpp"
+#include "app/study/commands.hpp"
 #include "app/study/page.hpp"
 #include "app/study/plan.hpp"
 #include "app/study/runner.hpp"
@@ -19,9 +21,13 @@ namespace stria::study {
 
 namespace {
 
-void claim_folder(StudyOptions& options) {
+void name_folder(StudyOptions& options) {
     std::string& folder = options.run.output_directory;
     if (folder.empty()) folder = "runs/" + read_case(options.run.case_path, options.run.overrides).name + "-study";
+}
+
+void claim_folder(StudyOptions& options) {
+    const std::string& folder = options.run.output_directory;
     if (!options.run.force && !options.resume && std::filesystem::exists(std::filesystem::path(folder) / "study.csv"))
         throw CaseError(fmt::format(
             "{} holds a study; --resume keeps what is done, --force overwrites, -o DIR writes elsewhere", folder));
@@ -46,7 +52,7 @@ Outcome reference_of(const Plan& plan, const Row& variant) {
     for (const auto* rows : {&plan.references, &plan.variants})
         for (const Row& row : *rows)
             if (row.folder == variant.reference) reference = row.outcome;
-    if (!plan.reference_folder.empty()) reference = read_outcome(plan.reference_folder);
+    if (!plan.reference_folder.empty()) reference = plan.reference_run;
     for (const auto& [name, value] : plan.reference_values) {
         reference.values[name] = value;
         // A number for the mean opening is compared with the mean, not with a profile.
@@ -54,11 +60,6 @@ Outcome reference_of(const Plan& plan, const Row& variant) {
         if (name == "opening_at_min") reference.at_minimum = {};
     }
     return reference;
-}
-
-void write_table(const Plan& plan, const std::filesystem::path& folder) {
-    CsvWriter table(folder / "study.csv", columns(plan.axes, plan.with_errors));
-    for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
 }
 
 Report report_of(const StudyOptions& options, const Plan& plan) {
@@ -75,10 +76,29 @@ Report report_of(const StudyOptions& options, const Plan& plan) {
             .reference = reference};
 }
 
-int worst_code(const Plan& plan) {
+/// As far as the study has come.
+void write_results(const StudyOptions& options, Plan& plan) {
+    const std::filesystem::path folder = options.run.output_directory;
+    if (plan.with_errors)
+        for (Row& variant : plan.variants) variant.errors = errors(variant.outcome, reference_of(plan, variant));
+    write_whole(folder / "study.csv", [&](const std::filesystem::path& file) {
+        CsvWriter table(file, columns(plan.axes, plan.with_errors));
+        for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
+    });
+    write_whole_text(folder / "study.html", page(report_of(options, plan)));
+}
+
+/// What is compared with comes first: errors are known as soon as a variant is done.
+std::vector<Row*> rows_of(Plan& plan) {
+    std::vector<Row*> rows;
+    for (auto* some : {&plan.references, &plan.variants})
+        for (Row& row : *some) rows.push_back(&row);
+    return rows;
+}
+
+int worst_code(const std::vector<Row*>& rows) {
     int worst = Done;
-    for (const auto* rows : {&plan.references, &plan.variants})
-        for (const Row& row : *rows) worst = std::max(worst, row.outcome.exit_code);
+    for (const Row* row : rows) worst = std::max(worst, row->outcome.exit_code);
     return worst;
 }
 
@@ -86,21 +106,20 @@ int worst_code(const Plan& plan) {
 
 int run_study(StudyOptions options) {
     fix_single_values(options);
+    name_folder(options);
     Plan plan = make_plan(options);
-    claim_folder(options);
-    const std::filesystem::path folder = options.run.output_directory;
-    Runner runner(options.run, options.resume, plan.references.size() + plan.variants.size());
-    for (Row& reference : plan.references) runner.run(reference);
-    for (Row& variant : plan.variants) {
-        runner.run(variant);
-        write_table(plan, folder);
+    if (!options.commands.empty()) {
+        fmt::print("{}", options.commands == "slurm" ? job_array(options, plan) : command_lines(options, plan));
+        return Done;
     }
-    if (plan.with_errors)
-        for (Row& variant : plan.variants) variant.errors = errors(variant.outcome, reference_of(plan, variant));
-    write_table(plan, folder);
-    write_whole_text(folder / "study.html", page(report_of(options, plan)));
-    if (!options.run.quiet) fmt::print("table and charts in {}/study.csv and study.html\n", folder.string());
-    return worst_code(plan);
+    claim_folder(options);
+    const RunLock lock(options.run.output_directory);
+    const std::vector<Row*> rows = rows_of(plan);
+    Runner(options.run, options.resume, options.jobs).run(rows, [&] { write_results(options, plan); });
+    write_results(options, plan);
+    if (!options.run.quiet)
+        fmt::print("table and charts in {}/study.csv and study.html\n", options.run.output_directory);
+    return worst_code(rows);
 }
 
 }  // namespace stria::study

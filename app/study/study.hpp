@@ -1,7 +1,7 @@
 // `stria study`: a case with every combination of some values, in one table and one page of charts.
 #pragma once
 
-#include "app/study/study_options.hpp"
+#include "app/study/plan.hpp"
 
 namespace stria::study {
 

@@ -1,4 +1,4 @@
-// The table of a study: one row per variant.
+// A study as a table: one row per variant.
 #pragma once
 
 #include <string>
@@ -23,6 +23,18 @@ struct Row {
 
     /// NaN where it is missing.
     [[nodiscard]] double error(const std::string& result) const;
+};
+
+/// A study, as far as it has come: what its page and its charts are made of.
+struct Report {
+    std::string title;
+    std::string case_path;
+    std::string version;
+    std::vector<std::string> fixed;  // key=value, the same in all variants
+    std::vector<Axis> axes;
+    std::vector<Row> rows;
+    std::vector<Row> references;  // runs beyond the variants
+    std::string reference;        // in words; empty: none
 };
 
 /// Header and cells of study.csv; the columns of errors only if there is a reference.

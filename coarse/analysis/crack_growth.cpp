@@ -109,7 +109,7 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const LoadFacto
     }
     for (std::size_t t = 0; t < nominal.size(); ++t) {
         const double K = nominal[t].K_I * factors.main + sum_over_cases(nominal[t].K_I_of_cases, factors.cases);
-        if (growth_.until && nominal[t].a >= *growth_.until * (1.0 - 1e-9)) {
+        if (is_as_long_as_asked(growth_, nominal[t].a)) {
             note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal[t].a));
             return true;
         }

@@ -207,11 +207,11 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
         increment.K_initial.push_back(tip.K_initial);
         if (!tip.K_I_of_cases.empty()) increment.K_of_cases.push_back(tip.K_I_of_cases);
     }
-    reached_tips_ = increment.tips;
     note_flowing_rings(increment);
     cycle_meter_.add(increment);
     if (step.ends_cycle) end_cycle(increment);
     listener_.accepted(increment, body_.structure());
+    accepted_ = std::move(increment);
 }
 
 void FatigueAnalysis::end_cycle(Increment& increment) {
@@ -234,7 +234,8 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
 // without them.
 bool FatigueAnalysis::grow(const LoadStep& reached) {
-    GrownScene grown = growth_->next(body_, model_.factors(), reached_tips_, last_cycle_);
+    GrownScene grown = growth_->next(body_, model_.factors(), accepted_.tips, last_cycle_);
+    if (growth_->ended()) listener_.growth_ended(accepted_, body_.structure());
     if (!grown.longer) return true;
     if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
     controller_.set_scale(body_.load_scale());
@@ -263,6 +264,7 @@ bool FatigueAnalysis::release_new_faces() {
 LoadStep FatigueAnalysis::next_release() const {
     LoadStep step;
     step.cycle = release_.cycle;
+    step.moment = accepted_.step.moment;
     step.target = controller_.reached_target();
     step.target.held = release_.left() / release_.held;
     step.reversal = true;  // what flows while it grows is no part of the half cycles before and after

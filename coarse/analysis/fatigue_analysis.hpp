@@ -70,7 +70,7 @@ private:
     LoadController controller_;
     ClosureMeasurement closure_;
     CycleMeter cycle_meter_;
-    std::vector<TipResult> reached_tips_;  // of the last increment
+    Increment accepted_;                   // the last one
     std::vector<CycleResult> last_cycle_;  // one per tip, of the last cycle that ended
     std::optional<CrackGrowth> growth_;
     FaceRelease release_;

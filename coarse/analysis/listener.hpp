@@ -15,6 +15,8 @@ using Note = std::function<void(const std::string&)>;
 struct Listener {
     /// An increment has been committed.
     std::function<void(const Increment&, const Structure&)> accepted = [](const Increment&, const Structure&) {};
+    /// The last increment accepted is that at which growth has ended the run.
+    std::function<void(const Increment&, const Structure&)> growth_ended = [](const Increment&, const Structure&) {};
     Note note = [](const std::string&) {};
     /// Newton's method has ended, converged or not.
     std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {};

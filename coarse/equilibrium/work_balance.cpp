@@ -26,16 +26,26 @@ LoadDisplacements load_displacements(const Structure& structure, const Eigen::Ve
     return all;
 }
 
+/// In an increment.
+struct CaseWork {
+    Eigen::VectorXd each;
+    double total;
+};
+
 /// By load cases: trapezoids of load and displacement, and of what is moved and what it costs. Before the first
 /// increment everything is zero.
-double work_of_cases(const WorkBalance& before, const LoadFactors& factors, const Eigen::VectorXd& displacements,
-                     const Eigen::VectorXd& forces, const Eigen::VectorXd& zone_paths) {
+CaseWork work_of_cases(const WorkBalance& before, const LoadFactors& factors, const Eigen::VectorXd& displacements,
+                       const Eigen::VectorXd& forces, const Eigen::VectorXd& zone_paths) {
     const auto of = [](const Eigen::VectorXd& all, Eigen::Index k) { return k < all.size() ? all[k] : 0.0; };
-    double work = 0.0;
+    CaseWork work{Eigen::VectorXd(displacements.size()), 0.0};
     for (Eigen::Index k = 0; k < displacements.size(); ++k) {
         const double path = displacements[k] - of(before.case_displacements, k) + of(zone_paths, k);
-        work += 0.5 * (of(before.cases, k) + factors.of_case(k)) * path;
-        work += 0.5 * (of(before.case_forces, k) + forces[k]) * (factors.of_case(k) - of(before.cases, k));
+        const double of_loads = 0.5 * (of(before.cases, k) + factors.of_case(k)) * path;
+        const double of_imposed =
+            0.5 * (of(before.case_forces, k) + forces[k]) * (factors.of_case(k) - of(before.cases, k));
+        work.each[k] = of_loads + of_imposed;
+        work.total += of_loads;
+        work.total += of_imposed;
     }
     return work;
 }
@@ -49,8 +59,11 @@ void add_increment(WorkBalance& balance, const Structure& structure, const Eigen
     balance.external +=
         0.5 * (balance.load_factor + load_factor) * (path - balance.load_displacement + zone.energy.load_path);
     balance.external += 0.5 * (balance.imposed_force + imposed_force) * (load_factor - balance.load_factor);
-    balance.external +=
+    const CaseWork of_cases =
         work_of_cases(balance, factors, case_paths, machine.imposed_forces_of_cases, zone.energy.case_paths);
+    balance.external += of_cases.total;
+    if (balance.by_cases.size() == 0) balance.by_cases.setZero(of_cases.each.size());
+    balance.by_cases += of_cases.each;
     balance.released += zone.energy.released;
     balance.stored = structure.loads().stored_energy(structure.tangent(), on_free_places(structure, u), factors) +
                      zone.energy.stored;

@@ -10,6 +10,7 @@ namespace stria::coarse {
 /// Of the whole body so far, N (per mm of thickness). All that must be kept to go on from a converged increment.
 struct WorkBalance {
     double external = 0.0;     // done by loads and imposed displacements
+    Eigen::VectorXd by_cases;  // its shares of the load cases; empty before the first increment
     double stored = 0.0;       // elastic energy and what hardening holds: of the present state
     double dissipated = 0.0;   // by plastic flow and friction
     double by_friction = 0.0;  // its share

@@ -55,7 +55,7 @@ std::string FieldWriter::file_name(std::int64_t increment) const {
     return fmt::format("fields/step_{:05}.{}", increment, format_ == FieldFormat::VtkHdf ? "hdf" : "vtu");
 }
 
-void FieldWriter::write(std::int64_t increment, const FieldData& data, std::optional<double> time) {
+void FieldWriter::write(std::int64_t increment, const FieldData& data, double time) {
     std::filesystem::create_directories(directory_ / "fields");
     const std::filesystem::path path = directory_ / file_name(increment);
     if (format_ == FieldFormat::VtkHdf) {
@@ -64,7 +64,9 @@ void FieldWriter::write(std::int64_t increment, const FieldData& data, std::opti
         write_vtu(path, data);
     }
     std::erase_if(steps_, [&](const Step& step) { return step.increment == increment; });
-    steps_.push_back({increment, time.value_or(static_cast<double>(increment))});
+    constexpr double right_behind = 1e-6;
+    if (!steps_.empty()) time = std::max(time, steps_.back().time + right_behind);
+    steps_.push_back({increment, time});
     write_index();
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,9 @@ public:
     /// `written`: the steps of a run that is resumed (its files are there already). Files of other steps go.
     FieldWriter(std::filesystem::path directory, FieldFormat format, std::vector<Step> written = {});
 
-    /// Writes fields/step_00040.hdf (.vtu) and then fields.hdf.series (fields.pvd). Time: the increment unless told.
-    void write(std::int64_t increment, const FieldData& data, std::optional<double> time = {});
+    /// Writes fields/step_00040.hdf (.vtu) and then fields.hdf.series (fields.pvd). A time that is not after the last
+    /// one is put right behind it: readers want times that grow.
+    void write(std::int64_t increment, const FieldData& data, double time);
 
     /// What a checkpoint remembers.
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }

@@ -6,6 +6,9 @@
 
 namespace stria::coarse {
 
+/// True where a crack of this length, mm, ends the run where it would grow next.
+[[nodiscard]] bool is_as_long_as_asked(const GrowthSection& growth, double a);
+
 /// True where the cracks advance once a step of the load has been reached.
 [[nodiscard]] bool grows_at(const GrowthSection& growth, const LoadStep& step);
 

@@ -73,6 +73,7 @@ std::optional<LoadStep> LoadController::next() const {
     const double part = position_.fraction * (stop(increment) - stop(increment - 1));
     LoadStep step;
     step.cycle = leg.cycle;
+    step.moment = leg.cycle - (leg.at_minimum || leg.leads ? 0.5 : 0.0) - 0.5 * (1.0 - way);
     // Dead loads come on while the main load is none, not while a displacement is held.
     step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);

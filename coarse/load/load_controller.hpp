@@ -12,7 +12,8 @@
 namespace stria::coarse {
 
 struct LoadStep {
-    int cycle = 0;  // 0: the ramp
+    int cycle = 0;        // 0: the ramp
+    double moment = 0.0;  // in cycles: c where cycle c ends, half a cycle earlier at its minimum; below 0 on the ramp
     Target target;
     // The same increment a cycle ago; else the last one, in proportion; nothing at the start and after a reversal.
     Predictor predictor;

@@ -1,5 +1,6 @@
 #include "coarse/results/rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -105,7 +106,23 @@ std::vector<std::string> load_columns(const Case& input) {
     int travelling = 0;
     for (const BoundarySection& boundary : input.boundaries)
         if (boundary.travelling) columns.push_back(fmt::format("position_{}", ++travelling));
+    columns.emplace_back("work");
+    for (const LoadCaseSection& load_case : input.load_cases) columns.push_back("work_" + load_case.name);
+    for (int k = 1; k <= travelling; ++k) columns.push_back(fmt::format("work_position_{}", k));
     return columns;
+}
+
+/// Shares of the external work: of [load], of each load case, of each pressure that travels, in all of its positions.
+void add_work(const Case& input, const WorkBalance& work, std::vector<Cell>& cells) {
+    const Eigen::Index named = std::ssize(input.load_cases), positions = positions_of_travel(input.load);
+    const Eigen::Index travelling = std::ranges::count_if(
+        input.boundaries, [](const BoundarySection& boundary) { return boundary.travelling.has_value(); });
+    Eigen::VectorXd shares = work.by_cases;
+    if (shares.size() == 0) shares.setZero(named + travelling * positions);
+    cells.emplace_back(work.external - shares.sum());
+    for (Eigen::Index k = 0; k < named; ++k) cells.emplace_back(shares[k]);
+    for (Eigen::Index k = 0; k < travelling; ++k)
+        cells.emplace_back(shares.segment(named + k * positions, positions).sum());
 }
 
 std::vector<Cell> load_cells(const Case& input, const Increment& increment) {
@@ -125,6 +142,7 @@ std::vector<Cell> load_cells(const Case& input, const Increment& increment) {
         }
         cells.emplace_back(moment / sum);
     }
+    add_work(input, increment.work, cells);
     return cells;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coarse/fields/zone_fields.hpp"
+#include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/results/rows.hpp"
 #include "common/io/whole_file.hpp"
@@ -22,8 +23,8 @@ CsvWriter table(const std::filesystem::path& path, const std::vector<std::string
 
 RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
-    : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), zone_state_(std::move(zone_state)),
-      loaded_(loaded_boundary(scene.mesh, scene.input)),
+    : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), growth_(scene.input.growth),
+      zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input)),
       history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
       cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
       faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),
@@ -59,10 +60,17 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
     zone_ = increment.zone;
     record_history(increment, structure.scene());
     cycle_iterations_ += increment.newton.count();
-    if (due(output_.faces, increment.step)) record_faces(increment, structure);
-    if (due(output_.fields, increment.step)) record_fields(increment, structure);
+    if (due(output_.faces, increment)) record_faces(increment, structure);
+    if (due(output_.fields, increment)) record_fields(increment, structure);
     if (increment.step.ends_cycle) record_cycle(increment, closure);
     if (increment.step.ends_cycle || increment.step.cycle == 0) begin_cycle();
+}
+
+void RunRecorder::record_end(const Increment& last, const Structure& structure) {
+    if (in_last_cycle(last)) return;  // its extremes are written
+    const Stopwatch watch(output_s_);
+    if (output_.faces == Written::Extremes) record_faces(last, structure);
+    if (output_.fields == Written::Extremes) record_fields(last, structure);
 }
 
 void RunRecorder::record_faces(const Increment& increment, const Structure& structure) {
@@ -76,8 +84,10 @@ void RunRecorder::record_fields(const Increment& increment, const Structure& str
     if (!structure.in_zone().none()) zone = zone_state_();
     FieldData fields = make_fields(structure, increment.equilibrium->structure_displacement(), zone ? &*zone : nullptr,
                                    increment.zone.faces);
-    fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}}, {"cycle", 1, {double(increment.step.cycle)}}};
-    fields_.write(increment.number, fields);
+    fields.whole_arrays = {{"load_factor", 1, {increment.load_factor}},
+                           {"cycle", 1, {double(increment.step.cycle)}},
+                           {"increment", 1, {double(increment.number)}}};
+    fields_.write(increment.number, fields, increment.step.moment);
 }
 
 void RunRecorder::record_history(const Increment& increment, const Scene& present) {
@@ -110,7 +120,16 @@ double RunRecorder::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-bool RunRecorder::due(Written wish, const LoadStep& step) const {
+// Of the load history, or that in which growth finds a crack as long as asked. Other ends of growth come unforeseen.
+bool RunRecorder::in_last_cycle(const Increment& increment) const {
+    if (increment.step.cycle == last_cycle_) return true;
+    return growth_ && increment.step.cycle % growth_->every == 0 &&
+           std::ranges::any_of(increment.tips,
+                               [&](const TipResult& tip) { return is_as_long_as_asked(*growth_, tip.a); });
+}
+
+bool RunRecorder::due(Written wish, const Increment& increment) const {
+    const LoadStep& step = increment.step;
     const bool extreme = step.at_maximum || step.at_minimum || step.at_zero;
     switch (wish) {
     case Written::All:
@@ -122,7 +141,7 @@ bool RunRecorder::due(Written wish, const LoadStep& step) const {
     case Written::Extremes:
         break;
     }
-    return extreme && step.cycle == last_cycle_;
+    return extreme && in_last_cycle(increment);
 }
 
 double RunRecorder::load(const Increment& increment) const {

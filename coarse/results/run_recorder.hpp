@@ -36,6 +36,9 @@ public:
 
     void record(const Increment& increment, const Structure& structure, const ClosureMeter& closure);
 
+    /// Growth has ended the run at the increment last recorded: its faces and fields are those of the end.
+    void record_end(const Increment& last, const Structure& structure);
+
     [[nodiscard]] const std::vector<HistoryRow>& last_rows() const { return last_; }
     [[nodiscard]] const coupling::StepReport& last_zone() const { return zone_; }
     /// Cycles up to now, with all that the computed ones stand for.
@@ -49,11 +52,13 @@ private:
     void record_cycle(const Increment& increment, const ClosureMeter& closure);
     void begin_cycle();
     [[nodiscard]] double seconds() const;
-    [[nodiscard]] bool due(Written wish, const LoadStep& step) const;
+    [[nodiscard]] bool due(Written wish, const Increment& increment) const;
+    [[nodiscard]] bool in_last_cycle(const Increment& increment) const;
     [[nodiscard]] double load(const Increment& increment) const;
 
     OutputSection output_;
     int last_cycle_;  // of the load history
+    std::optional<GrowthSection> growth_;
     std::function<coupling::ZoneState()> zone_state_;
     std::optional<LoadedBoundary> loaded_;
     CsvWriter history_, cycles_, faces_;

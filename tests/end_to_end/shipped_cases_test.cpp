@@ -1,12 +1,15 @@
 // The tables and figures that stand beside the shipped cases are those of a run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "common/io/number_table.hpp"
 #include "tests/end_to_end/figures.hpp"
+#include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace stria::test {
 namespace {
@@ -80,6 +83,36 @@ TEST(ShippedCases, ParisLifeLastsAsLongAsItsReadmeSaysLong) {
         const std::string row = driving == "dK" ? "dK = K_max - K_min" : "dK_eff = K_max - K_op";
         EXPECT_NEAR(life, figures_of("paris-life", row).at(0), 0.001 * life) << driving;
     }
+}
+
+TEST(ShippedCases, ResidualStressShortensTheLifeOfTheTJointAsItsReadmeSaysLong) {
+    const auto life = [](const std::vector<std::string>& values) {
+        double cycles = 0.0;
+        for (const coarse::CycleResult& cycle : run_cycles(changed("t-joint", values))) cycles += cycle.dN;
+        return cycles;
+    };
+    const std::vector<std::string> relaxed = {"region.0.initial_stress.xx=0", "region.0.initial_stress.yy=0"};
+    const double with = life({}), without = life(relaxed);
+    EXPECT_NEAR(with, figures_of("t-joint", "with the residual stress").at(0), 1e-3 * with);
+    EXPECT_NEAR(without, figures_of("t-joint", "without").at(0), 1e-3 * without);
+}
+
+TEST(ShippedCases, ThreeHolesSteerTheCrackAsTheirReadmeSaysLong) {
+    const TemporaryFolder folder;
+    const std::string input = (folder_of_case("three-holes") / "case.toml").string();
+    ASSERT_EQ(run_program("stria", {"run", input, "-o", folder / "out", "--mode", "inprocess", "--no-report"},
+                          folder / "log"),
+              0);
+    const NumberTable history = read_table(folder / "out/history.csv");
+    for (const int step : {8, 16, 24, 32, 40}) {
+        const std::vector<double> place = figures_of("three-holes", std::to_string(step));
+        double nearest = 1e9;
+        for (std::size_t row = 0; row < history.rows; ++row)
+            nearest = std::min(nearest, std::hypot(history["x"][row] - place.at(0), history["y"][row] - place.at(1)));
+        EXPECT_LT(nearest, 0.02) << "step " << step;
+    }
+    const double radius = 6.35, to_centre = std::hypot(history["x"].back() - 152.4, history["y"].back() - 120.65);
+    EXPECT_LT(to_centre, radius + 2.54);  // the next step ends in the middle hole
 }
 
 /// A row of opening loads over load ratios in a README against runs at some of them.

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <fstream>
+#include <functional>
 
 #include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
@@ -20,6 +22,18 @@ boundary = [ { on = "top", traction = [0.0, 1.0] }, { on = "bottom", traction = 
 load = { steps = 2, blocks = [ { cycles = 1, max = 10.0, ratio = 0.5 } ] }
 output = { fields = "none" }
 )";
+
+long occurrences(const std::string& text, const std::string& part) {
+    long count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+    return count;
+}
+
+/// Waits until it holds, half a minute at most.
+bool comes_true(const std::function<bool()>& holds) {
+    for (int tries = 0; tries < 6000 && !holds(); ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return holds();
+}
 
 class Study : public testing::Test {
 protected:
@@ -92,6 +106,106 @@ TEST_F(Study, ResumeKeepsWhatIsDone) {
     EXPECT_NE(said().find("mesh.size=2  done in"), std::string::npos) << said();
 }
 
+/// A table without what two runs of one case differ in: times.
+std::string without_times(const NumberTable& table) {
+    std::string text;
+    for (const auto& [name, values] : table.columns)
+        if (!name.ends_with("_s") && !name.starts_with("ms_"))
+            for (const double value : values) text += fmt::format("{} {}\n", name, value);
+    return text;
+}
+
+TEST_F(Study, SeveralAtATimeGiveTheTableOfOneByOneInTheOrderOfTheVariants) {
+    // The first takes much longer than the others, so it ends last.
+    const std::vector<std::string> axes = {"--over", "mesh.size=0.25,4,2,3", "--mode", "inprocess"};
+    ASSERT_EQ(run(axes), 0) << said();
+    const std::string one_by_one = without_times(table());
+    std::vector<std::string> several = axes;
+    several.insert(several.end(), {"--jobs", "2", "--force"});
+    ASSERT_EQ(run(several), 0) << said();
+    EXPECT_EQ(without_times(table()), one_by_one);
+    EXPECT_EQ(table()["mesh.size"], (std::vector<double>{0.25, 4, 2, 3}));
+    EXPECT_GT(said().find("run 1 of 4"), said().find("run 2 of 4")) << said();
+}
+
+TEST_F(Study, OneThatFailsDoesNotStopThoseBesideIt) {
+    const std::string outside = "[[30.0,20.0],[40.0,20.0]]", inside = "[[0.0,20.0],[6.0,20.0]]";
+    EXPECT_EQ(run({"--over", "crack.0.points=" + outside + "," + inside, "--over", "mesh.size=2,4", "--mode",
+                   "inprocess", "--jobs", "3"}),
+              2);
+    const std::string text = text_of(folder / "out/study.csv");
+    EXPECT_EQ(occurrences(text, ",wrong input,2,"), 2) << text;
+    EXPECT_EQ(occurrences(text, ",done,0,"), 2) << text;
+}
+
+TEST_F(Study, TableAndPageGrowWhileItRuns) {
+    std::ofstream(folder / "case.toml") << elastic_plate;
+    Program study(
+        "stria",
+        {"study", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--over", "load.steps=2,100000"},
+        folder / "log");
+    ASSERT_TRUE(comes_true([&] { return occurrences(text_of(folder / "out/study.html"), "1 of 2 variants") == 1; }));
+    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",done,0,"), 1);
+    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",running,0,"), 1);
+    EXPECT_NE(text_of(folder / "out/study.html").find("The study goes on"), std::string::npos);
+    kill(study.pid(), SIGTERM);
+    EXPECT_EQ(study.wait(std::chrono::seconds(60)), 130);
+    EXPECT_EQ(text_of(folder / "out/study.html").find("The study goes on"), std::string::npos);
+    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",interrupted,130,"), 1);
+}
+
+TEST_F(Study, AnInterruptedOneGoesOnFromTheCheckpointsOfItsVariants) {
+    std::ofstream(folder / "case.toml") << elastic_plate;
+    const Words rest = {"-o",    folder / "out",    "--mode", "inprocess", "--over", "material.poisson=0.2,0.3,0.1",
+                        "--set", "load.steps=200", "--jobs", "2"};
+    Words words = {"study", folder / "case.toml"};
+    words.insert(words.end(), rest.begin(), rest.end());
+    Program study("stria", words, folder / "log");
+    const std::string second = folder / "out/02-material.poisson=0.3/";
+    ASSERT_TRUE(comes_true([&] { return occurrences(text_of(second + "history.csv"), "\n") > 10; }));
+    kill(study.pid(), SIGTERM);
+    EXPECT_EQ(study.wait(std::chrono::seconds(60)), 130);
+    ASSERT_TRUE(std::filesystem::exists(second + "checkpoint.h5")) << study.said();
+    words.emplace_back("--resume");
+    ASSERT_EQ(run_program("stria", words, folder / "log"), 0) << said();
+    EXPECT_NE(text_of(second + "stria.log").find("resumed from"), std::string::npos) << text_of(second + "stria.log");
+    EXPECT_EQ(table()["exit_code"], (std::vector<double>{0, 0, 0}));
+    const std::string alone = folder / "alone";
+    ASSERT_EQ(run_program("stria",
+                          {"run", folder / "case.toml", "-o", alone, "--mode", "inprocess", "--set", "load.steps=200",
+                           "--set", "material.poisson=0.3"},
+                          folder / "log"),
+              0);
+    EXPECT_EQ(text_of(second + "history.csv"), text_of(alone + "/history.csv"));
+}
+
+TEST_F(Study, PrintsCommandsWhoseResultsItPicksUp) {
+    const std::vector<std::string> axes = {"--over", "mesh.size=4,2", "--over", "crack.0.points=[[0, 20], [8, 20]]",
+                                           "--mode", "inprocess"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = axes;
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    };
+    ASSERT_EQ(with({"--print-commands"}), 0);
+    ASSERT_EQ(occurrences(said(), "\n"), 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    std::istringstream lines(said());
+    std::string line;
+    std::getline(lines, line);
+    ASSERT_EQ(run_program("sh", {"-c", "cd / && " + line}, folder / "shell"), 0);
+    ASSERT_EQ(with({"--jobs", "0"}), 0);
+    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",done,0,"), 1);
+    EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",not run,0,"), 1);
+    ASSERT_EQ(with({"--print-commands=slurm"}), 0);
+    std::ofstream(folder / "array.sh") << said();
+    EXPECT_NE(said().find("#SBATCH --array=1-2\n"), std::string::npos) << said();
+    ASSERT_EQ(run_program("sh", {"-c", "SLURM_ARRAY_TASK_ID=2 bash " + (folder / "array.sh")}, folder / "shell"), 0);
+    EXPECT_EQ(run_program("sh", {"-c", "SLURM_ARRAY_TASK_ID=3 bash " + (folder / "array.sh")}, folder / "shell"), 2);
+    ASSERT_EQ(with({"--resume"}), 0) << said();
+    EXPECT_EQ(occurrences(said(), "done before"), 2) << said();
+}
+
 TEST_F(Study, BadInputIsOneLineBeforeAnythingIsRun) {
     const std::vector<std::vector<std::string>> wrong = {{},
                                                          {"--over", "mesh.size"},
@@ -101,6 +215,8 @@ TEST_F(Study, BadInputIsOneLineBeforeAnythingIsRun) {
                                                          {"--over", "mesh.size=1,2", "--set", "mesh.size=3"},
                                                          {"--over", "mesh.size=1,-2"},
                                                          {"--over", "mesh.size=1,2", "--mode", "mpi,psychic"},
+                                                         {"--over", "mesh.size=1,2", "--jobs", "-1"},
+                                                         {"--over", "mesh.size=1,2", "--print-commands=csh"},
                                                          {"--over", "mesh.size=1,2", "--reference", "nowhere"},
                                                          {"--over", "mesh.size=1,2", "--reference-value", "Q=3"}};
     for (const std::vector<std::string>& arguments : wrong) {

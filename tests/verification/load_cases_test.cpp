@@ -39,6 +39,17 @@ void expect_same_cycles(const std::vector<coarse::CycleResult>& a, const std::ve
     }
 }
 
+/// Once it is on, a dead force has its share in the work of an increment: that of its factor in the mean of all
+/// factors.
+void expect_its_share(const RunHistory& with_dead, std::size_t k, double dead) {
+    const coarse::Increment &now = with_dead.increments[k], &before = with_dead.increments[k - 1];
+    if (before.step.target.cases[0] != dead) return;
+    const double mean = dead + 0.5 * (now.load_factor + before.load_factor);
+    EXPECT_NEAR((now.work.by_cases[0] - before.work.by_cases[0]) * mean,
+                (now.work.external - before.work.external) * dead, 1e-9 * now.work.external * dead)
+        << k;
+}
+
 /// Increment by increment. `dead`: the load factor that the one has as a dead load.
 void expect_shifted(const RunHistory& with_dead, const RunHistory& whole, double dead) {
     ASSERT_EQ(with_dead.increments.size(), whole.increments.size());
@@ -69,6 +80,7 @@ TEST(LoadCases, ADeadLoadAndCyclesAreTheOneLoadShifted) {
     expect_shifted(found, expected, 20.0);
     for (std::size_t k = 0; k < found.increments.size(); ++k)
         expect_same_cycles(found.increments[k].cycles, expected.increments[k].cycles);
+    for (std::size_t k = 1; k < found.increments.size(); ++k) expect_its_share(found, k, 20.0);
     EXPECT_GT(expected.increments.back().cycles[0].opening.K_op, expected.increments.back().cycles[0].K_min);
 }
 

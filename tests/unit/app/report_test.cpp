@@ -22,7 +22,7 @@ namespace {
 /// A crack that grows by 0.01 mm in each cycle of four increments, with faces at the extremes of each.
 void write_long_run(const test::TemporaryFolder& folder, int cycles, int stations) {
     std::ofstream history(folder / "history.csv"), table(folder / "cycles.csv"), faces(folder / "faces.csv");
-    history << "increment,cycle,load_factor,load,tip,a,K_I,K_II,J,CMOD,opening,newton_iterations,contact_length,"
+    history << "increment,cycle,load_factor,load,tip,x,y,a,K_I,K_II,J,CMOD,opening,newton_iterations,contact_length,"
                "plastic_zone,dissipation,external_work,stored_energy,released_energy,balance_error,"
                "frictional_dissipation\n";
     table << "cycle,tip,a,da,dN,K_max,K_min,K_op,K_cl,U,dK_eff,forward_zone,cyclic_zone,newton_iterations,"
@@ -34,8 +34,9 @@ void write_long_run(const test::TemporaryFolder& folder, int cycles, int station
         for (int k = 0; k < 20; ++k) {
             ++increment;
             const double load = 1000.0 / 3.0 * std::cos(0.3 * k);
-            history << fmt::format("{},{},{},{},0,{},{},1e-7,0.4,{},{},4,0.1,0.2,{},{},{},0,{},0\n", increment, cycle,
-                                   load / 7, load, a, K, load / 1e5 / 3, load / 1e6 / 3, a / 3, a / 7, a / 9, a / 1e7);
+            history << fmt::format("{},{},{},{},0,{},{},{},{},1e-7,0.4,{},{},4,0.1,0.2,{},{},{},0,{},0\n", increment,
+                                   cycle, load / 7, load, a, a * a / 100, a, K, load / 1e5 / 3, load / 1e6 / 3, a / 3,
+                                   a / 7, a / 9, a / 1e7);
             if (k % 10 != 9) continue;
             for (int station = 0; station < stations; ++station)
                 faces << fmt::format("{0},0,{1},{1},0,{2},0,{3},0,1\n", increment, station * a / stations,
@@ -104,6 +105,7 @@ TEST(Report, NumbersAreThoseOfTheTablesToTheLastDigit) {
     expect_same("opening-loads-tip-0.csv", cycles, {"a", "K_max", "K_op", "K_op_contact", "K_op_offset"});
     expect_same("zones-tip-0.csv", cycles, {"forward_zone", "cyclic_zone_axis"});
     expect_same("work.csv", history, {"increment", "external_work", "balance_error"});
+    EXPECT_EQ(count(columns_of(table_in(page, "way-tip-0.csv"), {"x", "y"}), "\n"), 8);  // one place a cycle
     expect_same("iterations.csv", history, {"increment", "newton_iterations"});
     expect_same("faces-0.csv", test::text_of(folder / "faces.csv"), {"increment", "s", "opening", "pressure"});
 }

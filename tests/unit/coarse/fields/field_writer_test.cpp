@@ -32,12 +32,14 @@ protected:
 
 TEST_F(Fields, AreVtkHdfFilesInASeries) {
     FieldWriter writer(folder, FieldFormat::VtkHdf);
-    writer.write(40, two_cells());
+    writer.write(40, two_cells(), 1.0);
     writer.write(60, two_cells(), 1.5);
+    writer.write(61, two_cells(), 1.5);  // the same moment
     EXPECT_EQ(test::text_of(folder / "fields.hdf.series"),
               "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n"
-              "    {\n      \"name\": \"fields/step_00040.hdf\",\n      \"time\": 40\n    },\n"
-              "    {\n      \"name\": \"fields/step_00060.hdf\",\n      \"time\": 1.5\n    }\n  ]\n}\n");
+              "    {\n      \"name\": \"fields/step_00040.hdf\",\n      \"time\": 1\n    },\n"
+              "    {\n      \"name\": \"fields/step_00060.hdf\",\n      \"time\": 1.5\n    },\n"
+              "    {\n      \"name\": \"fields/step_00061.hdf\",\n      \"time\": 1.500001\n    }\n  ]\n}\n");
     const hdf5::Group root = hdf5::read_file(folder / "fields/step_00040.hdf").group("VTKHDF");
     EXPECT_EQ(root.read_attribute<std::int64_t>("Version"), (std::vector<std::int64_t>{1, 0}));
     EXPECT_EQ(root.read_text("Type"), "UnstructuredGrid");
@@ -54,13 +56,13 @@ TEST_F(Fields, AreVtkHdfFilesInASeries) {
 
 TEST_F(Fields, ContinueAResumedSeries) {
     FieldWriter writer(folder, FieldFormat::VtkHdf, {{10, 10.0}, {20, 20.0}});
-    writer.write(20, two_cells());  // computed again
+    writer.write(20, two_cells(), 20.0);  // computed again
     ASSERT_EQ(writer.steps().size(), 2U);
     EXPECT_EQ(writer.steps().back().increment, 20);
 }
 
 TEST_F(Fields, OfStepsThatAreNoneOfTheSeriesGo) {
-    FieldWriter(folder, FieldFormat::VtkHdf).write(10, two_cells());
+    FieldWriter(folder, FieldFormat::VtkHdf).write(10, two_cells(), 10.0);
     FieldWriter writer(folder, FieldFormat::VtkHdf, {{20, 20.0}});
     EXPECT_FALSE(std::filesystem::exists(folder / "fields/step_00010.hdf"));
     EXPECT_EQ(test::text_of(folder / "fields.hdf.series").find("step_00010"), std::string::npos);
@@ -68,7 +70,7 @@ TEST_F(Fields, OfStepsThatAreNoneOfTheSeriesGo) {
 
 TEST_F(Fields, AreVtuFilesInACollection) {
     FieldWriter writer(folder, FieldFormat::Vtu);
-    writer.write(5, two_cells());
+    writer.write(5, two_cells(), 5.0);
     EXPECT_NE(test::text_of(folder / "fields.pvd")
                   .find("<DataSet timestep=\"5\" part=\"0\" file=\"fields/step_00005.vtu\"/>"),
               std::string::npos);

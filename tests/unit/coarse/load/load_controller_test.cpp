@@ -34,6 +34,7 @@ TEST(LoadController, RampsToTheMaximumThenCyclesFromItAndBack) {
     const std::vector<LoadStep> steps = all_steps(loads);
     for (std::size_t k = 0; k < steps.size(); ++k) {
         EXPECT_EQ(steps[k].cycle, k < 4 ? 0 : 1);
+        EXPECT_DOUBLE_EQ(steps[k].moment, (static_cast<double>(k) - 3.0) / 8.0);  // in cycles
         EXPECT_EQ(steps[k].reversal, k % 4 == 3);
         EXPECT_EQ(steps[k].at_maximum, k == 3 || k == 11);
         EXPECT_EQ(steps[k].at_minimum, k == 7);

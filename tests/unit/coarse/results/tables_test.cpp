@@ -66,7 +66,8 @@ TEST(Tables, SayHowLoadCasesLoadAndWhereAWheelIs) {
     input.load_cases = {test::dead_load("dead", 3.0)};
     input.boundaries.resize(2);
     input.boundaries[1].travelling = TravellingPressure{.from = -8.0, .to = 8.0};
-    EXPECT_EQ(joined(load_columns(input)), "increment,cycle,load_factor,dead,position_1");
+    EXPECT_EQ(joined(load_columns(input)),
+              "increment,cycle,load_factor,dead,position_1,work,work_dead,work_position_1");
     Increment increment;
     increment.number = 7;
     increment.load_factor = 2.0;
@@ -76,6 +77,11 @@ TEST(Tables, SayHowLoadCasesLoadAndWhereAWheelIs) {
     EXPECT_EQ(std::get<double>(cells[2]), 2.0);
     EXPECT_EQ(std::get<double>(cells[3]), 3.0);
     EXPECT_EQ(std::get<double>(cells[4]), 2.0);  // a quarter of the way from 0 to 8
+    increment.work.external = 10.0;
+    increment.work.by_cases = Eigen::Vector4d(1.0, 0.5, 1.5, 2.0);
+    const std::vector<Cell> later = load_cells(input, increment);
+    for (const auto& [column, work] : {std::pair(5U, 5.0), {6U, 1.0}, {7U, 4.0}})
+        EXPECT_EQ(std::get<double>(later[column]), work);
     increment.step.target.cases.resize(0);
     EXPECT_TRUE(std::isnan(std::get<double>(load_cells(input, increment)[4])));
 }

@@ -1,0 +1,78 @@
+// Faces and fields of a run that growth ends before its load history does.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <fstream>
+#include <set>
+
+#include "common/io/number_table.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr const char* plate_that_grows = R"(
+units = "N-mm-MPa"
+mesh = { specimen = "sent", width = 20.0, height = 40.0, size = 2.0 }
+material = { young = 200e3, poisson = 0.3 }
+crack = [ { points = [[0.0, 20.0], [8.0, 20.0]] } ]
+boundary = [ { on = "top", traction = [0.0, 1.0] }, { on = "bottom", traction = [0.0, -1.0] } ]
+load = { steps = 2, blocks = [ { cycles = 50, max = 10.0, ratio = 0.5 } ] }
+growth = { increment = 1.0, direction = "straight" }
+)";
+
+class GrowthEnd : public testing::Test {
+protected:
+    void run(const std::string& setting) {
+        std::ofstream(folder / "case.toml") << plate_that_grows;
+        ASSERT_EQ(
+            run_program("stria",
+                        {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--set", setting},
+                        folder / "log"),
+            0)
+            << text_of(folder / "log");
+        history = read_table(folder / "out/history.csv");
+    }
+    [[nodiscard]] std::set<double> increments_with_faces() const {
+        const NumberTable faces = read_table(folder / "out/faces.csv");
+        if (faces.rows == 0) return {};
+        return {faces["increment"].begin(), faces["increment"].end()};
+    }
+    [[nodiscard]] long field_files() const {
+        const std::filesystem::directory_iterator files(folder / "out/fields");
+        return std::distance(begin(files), end(files));
+    }
+
+    TemporaryFolder folder;
+    NumberTable history;
+};
+
+TEST_F(GrowthEnd, AtALengthAskedForLeavesTheExtremesOfItsLastCycle) {
+    run("growth.until=11");
+    const double last = history["increment"].back();
+    EXPECT_EQ(history["a"].back(), 11.0);
+    EXPECT_EQ(increments_with_faces(), (std::set<double>{last - 1, last}));  // the minimum and the maximum
+    EXPECT_EQ(field_files(), 2);
+    const std::string series = text_of(folder / "out/fields.hdf.series");
+    const double cycle = history["cycle"].back();
+    EXPECT_NE(series.find(fmt::format("\"time\": {}\n", cycle - 0.5)), std::string::npos) << series;
+    EXPECT_NE(series.find(fmt::format("\"time\": {}\n", cycle)), std::string::npos) << series;
+}
+
+TEST_F(GrowthEnd, UnforeseenLeavesTheIncrementAtWhichItCame) {
+    run("growth.toughness=350");
+    EXPECT_LT(history["cycle"].back(), 50);
+    EXPECT_EQ(increments_with_faces(), std::set<double>{history["increment"].back()});
+    EXPECT_EQ(field_files(), 1);
+}
+
+TEST_F(GrowthEnd, ThatDoesNotComeLeavesTheExtremesOfTheLastCycleOfTheHistory) {
+    run("load.blocks.0.cycles=2");
+    EXPECT_EQ(history["cycle"].back(), 2);
+    EXPECT_EQ(increments_with_faces().size(), 2U);
+    EXPECT_EQ(field_files(), 2);
+}
+
+}  // namespace
+}  // namespace stria::test
