@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "coarse/model/crack_front.hpp"
@@ -128,11 +129,12 @@ private:
             if (!without_jump.contains(node))
                 result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
-        sides.put_on_elements(result_.element_side);
+        const int tips = int(path.tip_at_start) + int(path.tip_at_end);
+        sides.put_on_elements(std::span(result_.tips).last(at(tips)), result_.element_side);
         met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());
         note_met_edges(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
-        add_tip_terms(path, sides);
+        add_tip_terms(path, sides, tips);
     }
 
     void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& without_jump) {
@@ -163,8 +165,7 @@ private:
         }
     }
 
-    void add_tip_terms(const CrackPath& path, const CrackSides& sides) {
-        const int count = int(path.tip_at_start) + int(path.tip_at_end);
+    void add_tip_terms(const CrackPath& path, const CrackSides& sides, int count) {
         const bool gathered = tip_enrichment_.support == TipSupport::Gathered;
         for (int k = 0; k < count; ++k) {
             const int index = static_cast<int>(result_.tips.size()) - count + k;
