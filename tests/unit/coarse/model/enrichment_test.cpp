@@ -108,6 +108,24 @@ TEST(Enrichment, SidesBesideATipTearNoElement) {
     }
 }
 
+// docs/enrichment.md: r^(1/(n+1)) where the metal hardens by a power law and nothing else, and no crack grows.
+TEST(Enrichment, ThePowerOfTheFunctionsIsThatOfTheMaterial) {
+    Case input;
+    input.material.yield_stress = 300.0;
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
+    input.material.isotropic = {.law = "power", .n = 4.0, .alpha = 1.0};
+    EXPECT_EQ(coarse::choose_enrichment(input).functions, 1);
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.2);
+    input.material.kinematic.push_back({.C = 1000.0});
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
+    input.fine.enrichment_n = 9.0;
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.1);
+    input.fine.enrichment_n = {};
+    input.material.kinematic.clear();
+    input.growth = GrowthSection{};
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
+}
+
 TEST(Enrichment, ACrackInsideHasTwoTipsThatFaceOutwards) {
     const EnrichedMesh mesh = cracked(square_mesh(8), {{0.2, 0.4}, {0.8, 0.4}});
     ASSERT_EQ(mesh.tips.size(), 2U);
