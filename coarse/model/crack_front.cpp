@@ -43,6 +43,14 @@ std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
     return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])], mesh.nodes[at(n[3])]};
 }
 
+/// A straight piece from one place of an edge to another one of it.
+bool cuts_nothing_off(const CrackPiece& piece, double exit) {
+    if (piece.neighbour >= 0 || piece.entry < 0.0 || piece.points.size() > 2) return false;
+    const auto lies_on = [](double place, int edge) { return std::fmod(place - edge + 4.0, 4.0) <= 1.0; };
+    return std::ranges::any_of(std::views::iota(0, 4),
+                               [&](int edge) { return lies_on(piece.entry, edge) && lies_on(exit, edge); });
+}
+
 /// The front at the end of the last piece, which holds a tip.
 void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     constexpr double rounding = 1e-6;
@@ -50,7 +58,8 @@ void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     const Vec2 &tip = last.points.back(), before = last.points[last.points.size() - 2];
     const Exit exit = leaves(corners_of(mesh, last.element), tip, (tip - before).normalized());
     const double behind = last.s.back() - last.s.front();
-    if (pieces.size() > 1 && behind <= (1.0 + rounding) * exit.distance) {
+    const bool ends_behind = behind <= (1.0 + rounding) * exit.distance || cuts_nothing_off(last, exit.place);
+    if (pieces.size() > 1 && ends_behind) {
         pieces.pop_back();
         return;
     }

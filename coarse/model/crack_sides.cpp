@@ -1,8 +1,11 @@
 #include "coarse/model/crack_sides.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
+#include "common/enrichment/tip_functions.hpp"
 #include "common/fem/centre.hpp"
 #include "common/geometry/clipping.hpp"
 #include "common/index.hpp"
@@ -49,7 +52,7 @@ int CrackSides::near_tip(const CrackPiece& piece, int node) const {
 
 // At a node, left or right of the two pieces that meet there; beside a tip, like the nodes of its element (a kink may
 // put them across the straight line behind the tip); along an edge.
-void CrackSides::put_on_elements(std::vector<signed char>& sides) const {
+void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed char>& sides) const {
     std::set<int> cut;
     for (const CrackPiece& piece : path_.pieces)
         if (piece.neighbour < 0) cut.insert(piece.element);
@@ -58,8 +61,8 @@ void CrackSides::put_on_elements(std::vector<signed char>& sides) const {
         for (const int element : around[at(node)])
             if (!cut.contains(element)) sides[at(element)] = side_at_node(mesh_.nodes[at(node)], element);
     }
-    if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), cut, around, sides);
-    if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), cut, around, sides);
+    if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), tips.front(), cut, around, sides);
+    if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), tips.back(), cut, around, sides);
     for (const CrackPiece& piece : path_.pieces) {
         if (piece.neighbour < 0) continue;
         sides[at(piece.element)] = -1;
@@ -67,7 +70,7 @@ void CrackSides::put_on_elements(std::vector<signed char>& sides) const {
     }
 }
 
-void CrackSides::put_beside_tip(const CrackPiece& piece, const std::set<int>& cut, const Around& around,
+void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
                                 std::vector<signed char>& sides) const {
     std::map<int, std::set<int>> seen;  // sides of each element's nodes; both: it lies ahead of the tip
     for (const int node : tip_nodes(mesh_, piece)) {
@@ -76,9 +79,21 @@ void CrackSides::put_beside_tip(const CrackPiece& piece, const std::set<int>& cu
     }
     for (const auto& [element, of_its_nodes] : seen) {
         signed char& known = sides[at(element)];
-        if (known == 0 && of_its_nodes.size() == 1 && !cut.contains(element))
-            known = static_cast<signed char>(*of_its_nodes.begin());
+        const int side = *of_its_nodes.begin();
+        if (known != 0 || of_its_nodes.size() > 1 || cut.contains(element) || is_torn(element, tip, side)) continue;
+        known = static_cast<signed char>(side);
     }
+}
+
+// Seen from a tip outside it an element spans less than half a turn; more where the branch of theta changes inside it.
+bool CrackSides::is_torn(int element, const Tip& tip, int side) const {
+    double least = 1e300, most = -1e300;
+    for (const Vec2& corner : corners(element)) {
+        const double theta = tip_polar(tip, corner, side).theta;
+        least = std::min(least, theta);
+        most = std::max(most, theta);
+    }
+    return most - least > 1.001 * std::numbers::pi;
 }
 
 /// The crack's points before and after one of its points; beyond an end its line goes on.

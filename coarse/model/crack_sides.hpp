@@ -4,10 +4,12 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "common/crack/crack_path.hpp"
+#include "common/crack/tip.hpp"
 #include "common/fem/mesh.hpp"
 
 namespace stria::coarse {
@@ -27,16 +29,18 @@ public:
     /// Side of a node of the element that holds the tip at the end of a piece. Ahead of the tip either will do.
     [[nodiscard]] int near_tip(const CrackPiece& piece, int node) const;
 
-    /// Sets the side, +1 or -1, of the elements that touch the crack without being cut. `sides`: one per element.
-    void put_on_elements(std::vector<signed char>& sides) const;
+    /// Sets the side, +1 or -1, of the elements that touch the crack without being cut. `tips`: those at its start and
+    /// its end, if they are; `sides`: one per element.
+    void put_on_elements(std::span<const Tip> tips, std::vector<signed char>& sides) const;
 
 private:
     using Around = std::vector<std::vector<int>>;  // the elements around each node
 
     void note_piece(const CrackPiece& piece);
     void note_if_node(const CrackPiece& piece, double place);
-    void put_beside_tip(const CrackPiece& piece, const std::set<int>& cut, const Around& around,
+    void put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
                         std::vector<signed char>& sides) const;
+    [[nodiscard]] bool is_torn(int element, const Tip& tip, int side) const;
     [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
     [[nodiscard]] signed char side_at_node(const Vec2& x, int element) const;
     [[nodiscard]] std::array<Vec2, 4> corners(int element) const;

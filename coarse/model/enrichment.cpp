@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "coarse/model/crack_front.hpp"
@@ -128,11 +129,12 @@ private:
             if (!without_jump.contains(node))
                 result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
-        sides.put_on_elements(result_.element_side);
+        const int tips = int(path.tip_at_start) + int(path.tip_at_end);
+        sides.put_on_elements(std::span(result_.tips).last(at(tips)), result_.element_side);
         met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());
         note_met_edges(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
-        add_tip_terms(path, sides);
+        add_tip_terms(path, sides, tips);
     }
 
     void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& without_jump) {
@@ -163,8 +165,7 @@ private:
         }
     }
 
-    void add_tip_terms(const CrackPath& path, const CrackSides& sides) {
-        const int count = int(path.tip_at_start) + int(path.tip_at_end);
+    void add_tip_terms(const CrackPath& path, const CrackSides& sides, int count) {
         const bool gathered = tip_enrichment_.support == TipSupport::Gathered;
         for (int k = 0; k < count; ++k) {
             const int index = static_cast<int>(result_.tips.size()) - count + k;
@@ -219,13 +220,20 @@ private:
     std::set<std::pair<int, int>> crossed_edges_;
 };
 
+/// n of the strain's r^(-n/(n+1)) at the tip. Behind a growing tip the metal has unloaded: there it is no power law's.
+double singular_n(const Case& input) {
+    const MaterialSection& metal = input.material;
+    const bool of_power_law = metal.yield_stress && metal.isotropic.law == "power" && metal.kinematic.empty();
+    return input.fine.enrichment_n.value_or(of_power_law && !input.growth ? metal.isotropic.n : 1.0);
+}
+
 }  // namespace
 
 TipEnrichment choose_enrichment(const Case& input) {
     const FineSection& fine = input.fine;
-    const TipEnrichment none{0, 0.5}, single{1, 0.5};
-    const TipEnrichment growing{.functions = 1, .exponent = 0.5, .none_below = 0.02};
-    const TipEnrichment topological{6, 1.0 / (fine.enrichment_n.value_or(1.0) + 1.0)};
+    const double exponent = 1.0 / (singular_n(input) + 1.0);
+    const TipEnrichment none{0, 0.5}, single{1, exponent}, topological{6, exponent};
+    const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = 0.02};
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, fine.enrichment_radius};
     const TipEnrichment near_sliding{4, 0.5, TipSupport::Nodal, {}, 1.6};

@@ -20,7 +20,15 @@ std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone) {
         else
             mark(ElementBasis(mesh, e, piece[at(e)] >= 0).unknowns(), side);
     }
-    for (const PrescribedUnknown& p : scene.prescribed) coarse.insert(p.unknown);
+    UnknownSet movable = coarse, of_zone = fine;
+    movable |= scene.observed;
+    for (const PrescribedUnknown& p : scene.prescribed) {
+        movable.erase(p.unknown);
+        of_zone.erase(p.unknown);
+        coarse.insert(p.unknown);
+    }
+    // Where the zone is all of the body and all that is held or reported, the structure keeps an unknown nevertheless.
+    if (movable.none() && !of_zone.none()) coarse.insert(of_zone.members().front());
     std::vector<int> gamma;
     for (int i = 0; i < mesh.unknowns; ++i)
         if (fine.contains(i) && (coarse.contains(i) || scene.observed.contains(i))) gamma.push_back(i);

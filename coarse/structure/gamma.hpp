@@ -9,7 +9,7 @@
 namespace stria::coarse {
 
 /// Gamma: unknowns of the whole mesh, ascending, that a zone element sees and that a coarse element also sees, or that
-/// are prescribed or reported.
+/// are prescribed or reported. Where the structure would have none that can move, it has the zone's first one.
 std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone);
 
 }  // namespace stria::coarse

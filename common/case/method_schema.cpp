@@ -61,8 +61,8 @@ Section<FineSection> fine_section() {
         .says("Radius of geometrical enrichment.");
     s.value("enrichment_n", &FineSection::enrichment_n)
         .at_least(1.0)
-        .or_else("from the material")
-        .says("Hardening exponent n of the singular functions.");
+        .or_else("that of isotropic hardening by a power law alone, where no crack grows; else 1")
+        .says("Hardening exponent n of the singular functions r^(1/(n+1)), geometrical ones aside.");
     s.choice<Guard>("guard", &FineSection::guard, {{"extend", Guard::Extend}, {"warn", Guard::Warn}})
         .says("When a coarse point yields: extend the zone and redo the increment, or warn.");
     return s;

@@ -13,6 +13,8 @@ namespace {
 
 // Of an interval. Where a crack enters through a node its end is as long as the next interval, but for this.
 constexpr double alike = 0.01;
+// Of the next interval, what a multiplier weighs at least.
+constexpr double least_weight = 0.2;
 // Of an element: on branches of 0.03 of one the pressure is off by some percent, on those of 0.1 it is not.
 constexpr double too_short = 0.05;
 constexpr double rounding = 1e-9;
@@ -119,19 +121,27 @@ int MultiplierSpace::branch(double s) const {
     return found != branches_.end() ? static_cast<int>(found - branches_.begin()) : -1;
 }
 
+// What the second multiplier loses to the end it gets back from what follows, if anything does.
+bool MultiplierSpace::goes_straight_on(const Branch& branch, int outer, int inwards) const {
+    const int second = outer + inwards, third = second + inwards;
+    const bool is_last = third < branch.first_multiplier || third >= branch.first_multiplier + branch.multipliers;
+    const double here = nodes_[at(outer)], interval = std::abs(nodes_[at(second)] - here),
+                 end = inwards > 0 ? here - branch.first_s : branch.last_s - here,
+                 other_end = inwards > 0 ? branch.last_s - nodes_[at(second)] : nodes_[at(second)] - branch.first_s,
+                 follows = is_last ? other_end : 0.5 * std::abs(nodes_[at(third)] - nodes_[at(second)]),
+                 weight = 0.5 * (interval - end * end / interval) + follows;
+    return end <= (1.0 + alike) * interval && weight >= least_weight * interval;
+}
+
 std::array<MultiplierSpace::Value, 2> MultiplierSpace::acting_at(double s) const {
     const int index = branch(s);
     if (index < 0) return {Value{-1, 0.0}, Value{-1, 0.0}};
     const Branch& b = branches_[at(index)];
     const int first = b.first_multiplier, last = first + b.multipliers - 1;
     const auto node = [&](int k) { return nodes_[at(k)]; };
-    // Straight on over more than the next interval, the multiplier behind would have a negative weight.
-    const auto is_longer = [](double end, double interval) { return end > (1.0 + alike) * interval; };
-    const bool constant_at_start =
-        b.tip_at_start || is_longer(node(first) - b.first_s, node(std::min(first + 1, last)) - node(first));
-    const bool constant_at_end =
-        b.tip_at_end || is_longer(b.last_s - node(last), node(last) - node(std::max(last - 1, first)));
-    if (first == last || (constant_at_start && s <= node(first))) return {Value{first, 1.0}, Value{-1, 0.0}};
+    const bool constant_at_start = b.tip_at_start || first == last || !goes_straight_on(b, first, 1),
+               constant_at_end = b.tip_at_end || first == last || !goes_straight_on(b, last, -1);
+    if (constant_at_start && s <= node(first)) return {Value{first, 1.0}, Value{-1, 0.0}};
     if (constant_at_end && s >= node(last)) return {Value{last, 1.0}, Value{-1, 0.0}};
     int left = first;
     while (left + 1 < last && node(left + 1) <= s) ++left;

@@ -14,7 +14,7 @@ namespace stria::fine {
 /// (Bechet, Moes, Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh.
 /// Branches end at kinks: the pressure may jump there. One that is much shorter than an element has next to no jumps of
 /// its own, and goes with its neighbour. The pressure is constant towards a tip, and straight on towards any other
-/// end that is no farther than the next node.
+/// end that is no farther than the next node, unless that would leave the multiplier there without a weight.
 class MultiplierSpace {
 public:
     /// One multiplier at each of `points`, ascending arc lengths, constant half way to the next: the paper's plain
@@ -57,6 +57,8 @@ private:
     void split_into_branches(const EnrichedMesh& mesh, int crack, double notch);
     void join_short_branches();
     void choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch);
+    /// From the outer one of two multipliers or more to the branch's end; `inwards`: 1 from its start, -1 from its end.
+    [[nodiscard]] bool goes_straight_on(const Branch& branch, int outer, int inwards) const;
 
     std::vector<Branch> branches_;
     std::vector<double> nodes_;

@@ -55,6 +55,16 @@ const std::vector<std::string> sliding_scene{
     "load.steps=12",
     "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
 
+/// The ends are held, and nothing is left to the structure.
+const std::vector<std::string> whole_scene{
+    "mesh.grading=[]",
+    "mesh.size=12.4",
+    "fine.radius=300.0",
+    "boundary=[{on=\"top\", displacement=[0.0, 1e-3]}, {on=\"bottom\", displacement=[0.0, 0.0]}]",
+    "load.steps=12",
+    "load.blocks=[{cycles=1, max=200.0, ratio=-1.0}]",
+    "solver.tolerance=1e-12"};
+
 /// The plastic zone reaches into a weaker metal ahead, and from there into a strip that never yields. The weaker one
 /// has a misfit, and the plate a stress across it before any load.
 const std::vector<std::string> layered_scene{
@@ -259,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(SettingsOfCase{"graded", small_scene}, SettingsOfCase{"refined", refined_scene},
                     SettingsOfCase{"growing", growing_scene}, SettingsOfCase{"following", following_scene},
                     SettingsOfCase{"sliding", sliding_scene}, SettingsOfCase{"layered", layered_scene},
-                    SettingsOfCase{"loaded", loaded_scene}),
+                    SettingsOfCase{"loaded", loaded_scene}, SettingsOfCase{"whole", whole_scene}),
     [](const auto& scenery) { return std::string(scenery.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(

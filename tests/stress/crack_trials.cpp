@@ -116,6 +116,7 @@ struct Pressed {
     std::optional<double> yield_stress = {};  // that nothing reaches
     double limit = 0.0;
     double poisson = steel.poisson;
+    std::optional<double> n = {};  // of the function
 };
 
 // Exact without functions, but for crossings moved onto nodes. With them the jump is no polynomial, and the work of the
@@ -123,7 +124,8 @@ struct Pressed {
 const std::array presses{Pressed{"pressure, no function", Enrichment::None, {}, 1e-3},
                          Pressed{"pressure, six functions", Enrichment::Auto, {}, 6e-3},
                          Pressed{"pressure, one function, J2", Enrichment::Auto, 1e6, 6e-3},
-                         Pressed{"pressure, the same, nu = 0.4999", Enrichment::Auto, 1e6, 6e-3, 0.4999}};
+                         Pressed{"pressure, the same, nu = 0.4999", Enrichment::Auto, 1e6, 6e-3, 0.4999},
+                         Pressed{"pressure, one function, n = 10", Enrichment::Auto, 1e6, 6e-3, steel.poisson, 10.0}};
 
 /// Pressed alike from all sides the faces bear that pressure, whatever their shape.
 void try_pressure(const CrackedPlate& plate, const Pressed& press, unsigned seed, Tally& tally) {
@@ -132,6 +134,7 @@ void try_pressure(const CrackedPlate& plate, const Pressed& press, unsigned seed
     input.material.poisson = press.poisson;
     if (press.yield_stress) input.fine.radius = 0.2;
     input.fine.enrichment = press.enrichment;
+    input.fine.enrichment_n = press.n;
     input.solver.tolerance = 1e-11;
     const Eigen::Matrix2d stress = -compression * Eigen::Matrix2d::Identity();
     const Equilibrated result = equilibrate(scene_of(plate, input, coarse::choose_enrichment(input), stress), 1.0);

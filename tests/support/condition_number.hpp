@@ -8,12 +8,10 @@
 
 namespace stria::test {
 
-/// Of the free unknowns' stiffness, every diagonal entry scaled to 1: largest over smallest eigenvalue, by `iterations`
-/// power iterations (some percent too small: the largest eigenvalues lie close together).
-inline double condition_number(const coarse::Structure& structure, int iterations = 60) {
-    const SparseMatrix whole = structure.elements().stiffness();
-    UnknownSet held(structure.scene().enriched.unknowns);
-    for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held.insert(p.unknown);
+/// Of a symmetric matrix without the rows and columns that are held, every diagonal entry scaled to 1: largest over
+/// smallest eigenvalue, by `iterations` power iterations (some percent too small: the largest eigenvalues lie close
+/// together).
+inline double condition_number(const SparseMatrix& whole, const UnknownSet& held, int iterations) {
     const Eigen::VectorXd scale = whole.diagonal().cwiseSqrt().cwiseInverse();
     std::vector<Triplet> entries;
     entries.reserve(at(whole.nonZeros()));
@@ -36,6 +34,13 @@ inline double condition_number(const coarse::Structure& structure, int iteration
         smallest = 1.0 / small.norm();
     }
     return largest / smallest;
+}
+
+/// Of the free unknowns' stiffness.
+inline double condition_number(const coarse::Structure& structure, int iterations = 60) {
+    UnknownSet held(structure.scene().enriched.unknowns);
+    for (const coarse::PrescribedUnknown& p : structure.scene().prescribed) held.insert(p.unknown);
+    return condition_number(structure.elements().stiffness(), held, iterations);
 }
 
 }  // namespace stria::test

@@ -29,6 +29,7 @@ inline void impose(coarse::Scene& scene, int mode) {
     }
     std::ranges::sort(held, {}, &coarse::PrescribedUnknown::unknown);
     scene.prescribed = held;
+    scene.pull = Eigen::VectorXd::Zero(std::ssize(held));
 }
 
 struct Setting {

@@ -75,6 +75,31 @@ TEST(OpeningLoads, InPlaneStressAreThoseOfAHalfModelWithoutAFunctionLong) {
         EXPECT_NEAR(fine[d], medium[d], distances[d] == 0.05 ? 0.035 : 0.015) << distances[d];
 }
 
+// Over R the trend of strip yield, which has no strain along the strip and no hardening: K_op rises with R, and the
+// part of a cycle in which the crack is closed shrinks, with us to nothing between R = 0.48 and 0.69.
+TEST(OpeningLoads, OverTheLoadRatioFollowStripYieldLong) {
+    struct At {
+        double R, closes, opens;  // closing and opening over K_max: 4.3
+    };
+    double last = 0.0;
+    for (const auto& [R, closes, opens] :
+         {At{0.0, 0.4834, 0.5567}, {0.2390, 0.5093, 0.5774}, {0.4838, 0.5951, 0.6465}}) {
+        const double ours = openings(32, {"load.steps=32", "load.grading=1.0", "crack.0.notch=18.0",
+                                          fmt::format("load.blocks=[{{cycles=30, max=501.0, ratio={}}}]", R)})[0];
+        verify({.scene = fmt::format("opening load, plane stress, R = {}: the trend of strip yield", R),
+                .source = "Budiansky, Hutchinson 1978 (4.3)",
+                .quantity = "K_op / K_max between first and last contact",
+                .reference = 0.5 * (closes + opens),
+                .ours = ours,
+                .within = 0.1,
+                .mesh = "0.05 mm",
+                .scale = 1.0});
+        EXPECT_GT(ours, last);
+        EXPECT_GT(ours, R);
+        last = ours;
+    }
+}
+
 // The forward zone on the axis is 0.13 mm, so it takes smaller elements, and fewer cycles. The contact is one stretch
 // behind the tip that ends at 0.05 mm: there K_op drops to half over the length of a multiplier.
 TEST(OpeningLoads, InPlaneStrainConvergeLong) {

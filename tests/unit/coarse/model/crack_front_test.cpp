@@ -65,6 +65,15 @@ TEST(CrackFront, AlongEdgesAnUlpDoesNotMatter) {
     }
 }
 
+// From a kink on an edge the last piece runs beside that edge, and beyond the tip it meets the edge's node: nothing
+// would hold a jump between both.
+TEST(CrackFront, StaysOnAnEdgeBesideWhichTheLastPieceRuns) {
+    const Vec2 kink(0.5, 0.72);
+    const EnrichedMesh mesh = ending_on_edges({{0.0, 0.4}, kink, {0.5 + 0.7e-3 * 0.25, 0.75 - 2e-3 * 0.25}});
+    EXPECT_EQ(mesh.pieces.back().points.back(), kink);
+    EXPECT_EQ(jumping_nodes(mesh), 6);
+}
+
 TEST(CrackFront, ArcLengthsBeginAtTheFirstPointOfAnInnerCrack) {
     const EnrichedMesh mesh = ending_on_edges({{0.26 + 0.1, 0.4}, {0.9, 0.4}});
     EXPECT_EQ(mesh.pieces.front().points.front(), Vec2(0.25, 0.4));

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ranges>
 #include <set>
 
+#include "common/enrichment/tip_functions.hpp"
 #include "common/error.hpp"
 #include "tests/support/cracked_mesh.hpp"
 
@@ -83,6 +86,44 @@ TEST(Enrichment, ThroughNodesTheyCountAsPlus) {
     for (int k = 0; k < 5; ++k) EXPECT_EQ(heaviside_side(mesh, node(k, k)), 1.0);
     EXPECT_EQ(mesh.element_side[1], -1);  // below the crack, touches it at one node
     EXPECT_EQ(mesh.element_side[4], 1);
+}
+
+// Slanted so much that the element beyond the tip's next corner reaches back across the line through the tip: on either
+// branch of theta elements beside a tip are in one piece.
+TEST(Enrichment, SidesBesideATipTearNoElement) {
+    Mesh mesh = square_mesh(4, 4.0);
+    for (Vec2& x : mesh.nodes) x.x() -= 0.8 * x.y();
+    const Vec2 tip(1.16, 1.0);
+    const EnrichedMesh enriched = cracked(mesh, {tip - Vec2(2.65, 1.41), tip}, 1);
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const auto corners = corners_of(enriched, e);
+        const auto angle = [&](const Vec2& x) {
+            return tip_polar(enriched.tips[0], x, enriched.element_side[at(e)]).theta;
+        };
+        const auto [least, most] = std::ranges::minmax(corners | std::views::transform(angle));
+        const bool beside =
+            std::ranges::any_of(mesh.elements[at(e)], [&](int n) { return has_tip_terms(enriched, n); });
+        if (!beside || piece_in(enriched, e) != nullptr) continue;
+        EXPECT_LT(most - least, 3.15) << e;
+    }
+}
+
+// docs/enrichment.md: r^(1/(n+1)) where the metal hardens by a power law and nothing else, and no crack grows.
+TEST(Enrichment, ThePowerOfTheFunctionsIsThatOfTheMaterial) {
+    Case input;
+    input.material.yield_stress = 300.0;
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
+    input.material.isotropic = {.law = "power", .n = 4.0, .alpha = 1.0};
+    EXPECT_EQ(coarse::choose_enrichment(input).functions, 1);
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.2);
+    input.material.kinematic.push_back({.C = 1000.0});
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
+    input.fine.enrichment_n = 9.0;
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.1);
+    input.fine.enrichment_n = {};
+    input.material.kinematic.clear();
+    input.growth = GrowthSection{};
+    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
 }
 
 TEST(Enrichment, ACrackInsideHasTwoTipsThatFaceOutwards) {

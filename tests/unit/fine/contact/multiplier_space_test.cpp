@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <ranges>
 #include <set>
 
 #include "common/index.hpp"
@@ -34,6 +37,16 @@ std::set<int> acting_between(const MultiplierSpace& space, double from, double t
         }
     }
     return acting;
+}
+
+/// Of the multipliers that act between two arc lengths.
+double least_weight(const MultiplierSpace& space, double from, double to) {
+    constexpr int points = 6000;
+    std::map<int, double> weight;
+    for (int k = 0; k < points; ++k)
+        for (const auto& [multiplier, value] : space.acting_at(from + (to - from) * (k + 0.5) / points))
+            if (multiplier >= 0) weight[multiplier] += value * (to - from) / points;
+    return std::ranges::min(weight | std::views::values);
 }
 
 TEST(MultiplierSpace, HatsAddUpToOne) {
@@ -94,14 +107,19 @@ TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
     for (const auto& [node, term, unknown] : mesh.own_unknowns())
         if (mesh.nodes[at(node)].x() < 4.1) shared.insert(shared.end(), {unknown, unknown + 1});
     std::ranges::sort(shared);
-    for (const double notch : {0.0, 1.0, 3.9, 4.05, 4.15, 4.25}) {
-        const MultiplierSpace space(mesh, shared, 0, notch);
-        std::vector<double> weight(at(space.size()), 0.0);
-        for (int k = 0; k < 6000; ++k)
-            for (const auto& [multiplier, value] : space.acting_at(notch + (5.9 - notch) * (k + 0.5) / 6000))
-                if (multiplier >= 0) weight[at(multiplier)] += value;
-        for (const double w : weight) EXPECT_GT(w, 0.0) << notch;
-    }
+    for (const double notch : {0.0, 1.0, 3.9, 4.05, 4.15, 4.25})
+        EXPECT_GT(least_weight(MultiplierSpace(mesh, shared, 0, notch), notch, 5.9), 0.0) << notch;
+}
+
+// In through a node whose jump the zone shares, and a kink on the second crossing: the branch's end is as long as its
+// only interval, and what hats gain beyond that they have lost before.
+TEST(MultiplierSpace, TheLastOfTwoKeepsItsWeight) {
+    const EnrichedMesh mesh = plate_mesh(12, 6, plate_case({{0.0, 3.0}, {2.0, 3.4}, {6.3, 2.4}}));
+    const double kink = std::hypot(2.0, 0.4);
+    const MultiplierSpace space(mesh, plate_patch(mesh).boundary, 0, 0.0);
+    ASSERT_NEAR(space.nodes()[0], 0.5 * kink, 1e-12);
+    ASSERT_NEAR(space.nodes()[1], kink, 1e-12);
+    EXPECT_GT(least_weight(space, 0.0, kink), 0.2 * kink);
 }
 
 TEST(MultiplierSpace, OneAtEachPointActsHalfWayToTheNext) {
