@@ -132,7 +132,7 @@ struct StepReport {
     std::vector<FaceSample> faces;       // ordered by crack and s
     std::vector<double> contact_length;  // per crack, mm
     std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN
-    double dissipation = 0;              // N, per mm of thickness: integral over the zone
+    double dissipation = 0;              // N, per mm of thickness: by flow, in this increment
     EnergyReport energy;
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
     WorkCounts work;

@@ -29,6 +29,10 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
     summary.work.history_moves = fine.history_moves();
 }
 
+/// For the end of an increment, once a signal has come, s: what ends in time is resumed to the last bit. An iteration
+/// that is given up has perhaps woken elements at rest, which changes rounding.
+constexpr double patience = 0.5;
+
 /// "life N = 264000 cycles, a = 13 mm"; empty before the first cycle has ended, and where the crack does not grow.
 std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
     const coarse::Scene& scene = analysis.structure().scene();
@@ -97,6 +101,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         progress_.attempted(step, report);
     };
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
+        note_sizes(structure);
         recorder->record(increment, structure, running->closure());
         progress_.accepted(increment, recorder->N());
     };
@@ -109,16 +114,14 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         if (stop || is_due(step)) write_checkpoint(*running, *recorder);
         return !stop;
     };
-    listener.released_in_part = [&] {
-        const bool stop = interrupted();
-        if (stop) write_checkpoint(*running, *recorder);
-        return !stop;
-    };
-    listener.stuck = [&] {
+    listener.goes_on = [] { return !interrupted(); };
+    listener.waits = [] { return seconds_since_interruption() < patience; };
+    listener.breaks_off = [&] {
         if (saved_.value_or(0) != running->effort().counts.increments) write_checkpoint(*running, *recorder);
     };
     coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
     running = &analysis;
+    note_sizes(analysis.structure());
     warnings_ = coarse::mesh_warnings(scene_, analysis.largest_K_I());
     for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
     if (analysis.finished()) {
@@ -143,8 +146,13 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     if (done)
         progress_.finished(directory_.string(), seconds(), cycles_passed(analysis, recorder->N()));
     else
-        progress_.note(fmt::format("interrupted: {}; --resume goes on from there", last_checkpoint()));
+        progress_.note(fmt::format("interrupted: {}; --resume {}", last_checkpoint(),
+                                   saved_ ? "goes on from there" : "begins anew"));
     return done ? Done : Interrupted;
+}
+
+void CoarseRun::note_sizes(const coarse::Structure& structure) {
+    sizes_ = {structure.unknowns(), std::ssize(structure.gamma())};
 }
 
 bool CoarseRun::is_due(const coarse::LoadStep& step) const {
@@ -173,8 +181,8 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.version = version_text();
     summary.mode = manner_.mode;
     summary.ranks = manner_.ranks;
-    summary.coarse_unknowns = analysis.structure().unknowns();
-    summary.interface_unknowns = std::ssize(analysis.structure().gamma());
+    summary.coarse_unknowns = sizes_.unknowns;
+    summary.interface_unknowns = sizes_.on_gamma;
     summary.fine_unknowns = zone.unknowns;
     summary.fine_points = zone.points;
     summary.multipliers = zone.multipliers;

@@ -41,6 +41,7 @@ private:
     [[nodiscard]] double seconds() const;
     [[nodiscard]] std::filesystem::path checkpoint_path() const { return directory_ / "checkpoint.h5"; }
     void read_last_checkpoint();
+    void note_sizes(const coarse::Structure& structure);
     [[nodiscard]] bool is_due(const coarse::LoadStep& step) const;
     void write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder);
     [[nodiscard]] std::string last_checkpoint() const;
@@ -60,6 +61,11 @@ private:
     std::optional<coarse::Checkpoint> from_;  // where the run resumes
     std::vector<std::string> warnings_;       // of the mesh
     std::optional<int> saved_;                // increment of the last checkpoint
+
+    /// Of the last structure that has borne an increment: what fails in the middle of a growth has none.
+    struct Sizes {
+        std::int64_t unknowns = 0, on_gamma = 0;
+    } sizes_;
 };
 
 }  // namespace stria

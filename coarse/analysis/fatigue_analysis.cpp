@@ -6,26 +6,12 @@
 #include <fmt/ranges.h>
 #include <utility>
 
+#include "coarse/analysis/limit_load_hint.hpp"
 #include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
-namespace {
-
-/// Where forces drive a body that yields, its limit load may be what is in the way. `moved`: its loaded boundary, mm.
-/// No equilibrium of a body that bears its load moves a boundary by a tenth of the body.
-std::string limit_load_hint(const Scene& scene, double moved) {
-    const bool may_have = scene.materials.may_yield() && !scene.unit_force.isZero(0.0);
-    if (!may_have || scene.input.load.control != Control::Load) return "";
-    constexpr auto remedy = "load.control = \"displacement\" goes past its limit load";
-    const auto [left, right] = std::ranges::minmax(scene.mesh.nodes, {}, [](const Vec2& x) { return x.x(); });
-    if (moved < 0.1 * (right.x() - left.x())) return fmt::format("; if the body bears no more, {}", remedy);
-    return fmt::format("; the body bears no more, its loaded boundary has moved by {:.3g} mm: {}", moved, remedy);
-}
-
-}  // namespace
-
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
@@ -72,9 +58,11 @@ CoarseEffort FatigueAnalysis::effort() const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
-    if (effort_.counts.increments == 0 && body_.scene().initial_stress().any()) settle_initial_stress();
+    const bool settles = effort_.counts.increments == 0 && body_.scene().initial_stress().any();
+    if (settles && !settle_initial_stress()) return;
     if (!release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
+        if (is_to_end()) return;
         std::optional<NewtonReport> found = solve_equilibrium(*step);
         if (!found) continue;  // the increment is made again, shorter or with a larger zone
         std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
@@ -87,20 +75,28 @@ void FatigueAnalysis::run() {
 }
 
 // Equilibrium without load: what follows differs from it by the load's alone.
-void FatigueAnalysis::settle_initial_stress() {
+bool FatigueAnalysis::settle_initial_stress() {
     LoadStep step;
     step.settles = true;
     NewtonReport report;
     do {
         report = attempt(step);
+        if (report.stopped) return false;
         if (!report.converged) {
-            listener_.stuck();
+            listener_.breaks_off();
             throw NumericalFailure("the initial stress finds no equilibrium without load: " + report.failure +
                                    "; it may be more than the body bears");
         }
     } while (zone_must_grow(step));
     accept(step, report, {});
     judge_settled_stress(body_.scene(), model_.work().stored, listener_.note);
+    return true;
+}
+
+bool FatigueAnalysis::is_to_end() const {
+    if (listener_.goes_on()) return false;
+    listener_.breaks_off();
+    return true;
 }
 
 std::optional<LoadStep> FatigueAnalysis::next() const {
@@ -120,13 +116,14 @@ std::optional<NewtonReport> FatigueAnalysis::solve_equilibrium(const LoadStep& s
 }
 
 NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
-    NewtonReport report = model_.solve(step);
+    NewtonReport report = model_.solve(step, listener_.waits);
     listener_.attempted(step, report);
     return report;
 }
 
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
+    if (report.stopped) return;
     if (!controller_.cut()) {
         fail(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", effort_.counts.increments + 1,
                          step.cycle, to_text(step.target), report.failure, controller_.max_cuts(),
@@ -166,15 +163,18 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
 std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadStep step, NewtonReport& report) {
     if (!closure_.has_changed(step, report)) return std::vector<OpeningChange>();
     model_.put_aside();
+    bool stopped = false;
     auto changes =
         closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
                          {step.target, model_.trial_load_factor()}, controller_.extreme(), [&](const LoadStep& part) {
                              model_.rollback();
                              ClosureMeter::Trial found{attempt(part), 0.0};
                              found.load_factor = model_.trial_load_factor();
+                             stopped = stopped || found.report.stopped;
                              return found;
                          });
     model_.rollback();
+    if (stopped) return std::nullopt;
     step.predictor = {1.0, 0};
     const NewtonReport again = attempt(step);
     if (!again.converged) {
@@ -237,7 +237,11 @@ bool FatigueAnalysis::grow(const LoadStep& reached) {
     GrownScene grown = growth_->next(body_, model_.factors(), accepted_.tips, last_cycle_);
     if (growth_->ended()) listener_.growth_ended(accepted_, body_.structure());
     if (!grown.longer) return true;
-    if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
+    try {
+        if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
+    } catch (const NumericalFailure& failure) {  // no state is whole now: only an earlier one can be gone on from
+        throw NumericalFailure(fmt::format("cycle {}: the cracks cannot grow: {}", reached.cycle, failure.what()));
+    }
     controller_.set_scale(body_.load_scale());
     release_ = {.cycle = reached.cycle, .held = 1.0};
     return release_new_faces();
@@ -246,6 +250,7 @@ bool FatigueAnalysis::grow(const LoadStep& reached) {
 // At once where Newton's method gets there; else in parts, halved like any increment.
 bool FatigueAnalysis::release_new_faces() {
     while (release_.held > 0.0) {
+        if (is_to_end()) return false;
         const LoadStep step = next_release();
         const NewtonReport report = attempt(step);
         if (!report.converged) {
@@ -256,7 +261,6 @@ bool FatigueAnalysis::release_new_faces() {
         accept(step, report, {});
         controller_.committed_besides(step.cycle);
         release_.advance();
-        if (release_.held > 0.0 && !listener_.released_in_part()) return false;
     }
     return true;
 }
@@ -273,6 +277,7 @@ LoadStep FatigueAnalysis::next_release() const {
 
 void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
+    if (report.stopped) return;
     if (release_.cuts >= controller_.max_cuts()) {
         std::vector<double> lengths;
         for (const TipResult& tip : body_.nominal()) lengths.push_back(tip.a);
@@ -289,7 +294,7 @@ void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonRepo
 
 // The committed state is whole.
 void FatigueAnalysis::fail(const std::string& what) const {
-    listener_.stuck();
+    listener_.breaks_off();
     throw NumericalFailure(what + limit_load_hint(body_.scene(), std::abs(model_.loaded_displacement())));
 }
 

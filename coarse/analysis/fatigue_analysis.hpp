@@ -44,7 +44,8 @@ public:
     [[nodiscard]] CoarseEffort effort() const;
 
 private:
-    void settle_initial_stress();
+    [[nodiscard]] bool is_to_end() const;
+    [[nodiscard]] bool settle_initial_stress();
     [[nodiscard]] std::optional<LoadStep> next() const;
     [[nodiscard]] std::optional<NewtonReport> solve_equilibrium(const LoadStep& step);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
@@ -56,7 +57,7 @@ private:
     void end_cycle(Increment& increment);
     void note_flowing_rings(const Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
-    /// Both: false where the listener stops it.
+    /// Both: false where the run is to end.
     bool grow(const LoadStep& reached);
     bool release_new_faces();
     [[nodiscard]] LoadStep next_release() const;

@@ -22,10 +22,13 @@ struct Listener {
     std::function<void(const LoadStep&, const NewtonReport&)> attempted = [](const LoadStep&, const NewtonReport&) {};
     /// A load has been reached, and the cracks have grown where they do so there. False: stop here.
     std::function<bool(const LoadStep&)> reached = [](const LoadStep&) { return true; };
-    /// A part of what holds the faces that a growth has opened. False: stop here.
-    std::function<bool()> released_in_part = [] { return true; };
-    /// No equilibrium has been found, and the run is about to fail: the state is the last one that has converged.
-    std::function<void()> stuck = [] {};
+    /// Asked before each search for an equilibrium. False: the run is to end.
+    std::function<bool()> goes_on = [] { return true; };
+    /// Asked within one. False: it is to end there, and what it has found so far is lost; goes_on() is false, too.
+    Waits waits = [] { return true; };
+    /// The run ends between two loads: no equilibrium is found, or it is not to go on. The state is the last one that
+    /// has converged.
+    std::function<void()> breaks_off = [] {};
 };
 
 }  // namespace stria::coarse

@@ -72,8 +72,8 @@ coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::ve
     return patch;
 }
 
-NewtonReport TwoScaleModel::solve(const LoadStep& step) {
-    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver_, largest_force_);
+NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
+    NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver_, largest_force_, waits);
     effort_.counts.newton_iterations += report.count();
     return report;
 }

@@ -20,7 +20,7 @@ public:
                   EquilibriumFactory& factory, CoarseEffort& effort, const Note& note, const AnalysisState* from);
 
     /// Newton's method, to a trial state.
-    [[nodiscard]] NewtonReport solve(const LoadStep& step);
+    [[nodiscard]] NewtonReport solve(const LoadStep& step, const Waits& waits);
     void rollback() { equilibrium_->rollback(); }
     /// The state that an attempt has reached is wanted again before the next commit (Predictor, `back` 0).
     void put_aside() { equilibrium_->put_aside(); }

@@ -34,9 +34,11 @@ bool is_misled(const NewtonReport& report) {
 
 /// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
 [[nodiscard]] bool iterate(Equilibrium& equilibrium, const SolverSection& solver, double largest_force, bool guessed,
-                           NewtonReport& report) {
+                           const Waits& waits, NewtonReport& report) {
     LineSearch search;
     for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
+        report.stopped = !waits();
+        if (report.stopped) return true;
         const Residual residual = equilibrium.linearise();
         if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
         if (const double part = search.further(residual); part != 0.0) {
@@ -63,13 +65,13 @@ bool is_misled(const NewtonReport& report) {
 }  // namespace
 
 NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
-                              const SolverSection& solver, double largest_force) {
+                              const SolverSection& solver, double largest_force, const Waits& waits) {
     NewtonReport report;
     const auto is_done_from = [&](const Predictor& start) {
         const bool guessed = start.factor != 0.0;
         try {
             equilibrium.begin(target, start);
-            return iterate(equilibrium, solver, largest_force, guessed, report);
+            return iterate(equilibrium, solver, largest_force, guessed, waits, report);
         } catch (const NumericalFailure& failure) {
             report.failure = failure.what();
             return !guessed;

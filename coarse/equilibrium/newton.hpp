@@ -18,6 +18,7 @@ struct NewtonIteration {
 
 struct NewtonReport {
     bool converged = false;
+    bool stopped = false;  // as the caller wished; nothing is known of the increment
     std::vector<NewtonIteration> iterations;
     std::vector<NewtonIteration> lost;  // from what the predictor said, where that misled
     std::string failure;                // what went wrong, where it did not converge
@@ -28,12 +29,17 @@ struct NewtonReport {
     [[nodiscard]] std::string table() const;
 };
 
+/// False: nobody waits for the equilibrium any more.
+using Waits = std::function<bool()>;
+
 /// From where the predictor says, or without it where that leads nowhere. Converged: the largest of the three residuals
 /// is at most `tolerance` times the force scale, the target is met to `tolerance`, and the correction that is still due
 /// is at most 100 `tolerance` of the largest displacement. Where an elastic body is without load no force balances
 /// another, and all that is left is the rounding of forces that were there: residuals within 1e-13 of `largest_force`,
-/// N/mm, the largest scale that this body has seen, are nothing. Does not throw on failure: the caller cuts.
-NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, const Predictor& predictor,
-                              const SolverSection& solver, double largest_force = 0.0);
+/// N/mm, the largest scale that this body has seen, are nothing. Does not throw on failure: the caller cuts. `waits`
+/// is asked in each iteration.
+NewtonReport find_equilibrium(
+    Equilibrium& equilibrium, const Target& target, const Predictor& predictor, const SolverSection& solver,
+    double largest_force = 0.0, const Waits& waits = [] { return true; });
 
 }  // namespace stria::coarse

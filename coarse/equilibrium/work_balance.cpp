@@ -68,7 +68,7 @@ void add_increment(WorkBalance& balance, const Structure& structure, const Eigen
     balance.stored = structure.loads().stored_energy(structure.tangent(), on_free_places(structure, u), factors) +
                      zone.energy.stored;
     balance.by_friction += zone.energy.friction;
-    balance.dissipated = zone.dissipation + balance.by_friction;
+    balance.dissipated += zone.dissipation + zone.energy.friction;
     balance.load_factor = load_factor;
     balance.load_displacement = path;
     balance.imposed_force = imposed_force;

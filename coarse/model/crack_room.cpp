@@ -24,6 +24,19 @@ double extent_of(const Mesh& mesh) {
 
 }  // namespace
 
+void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks) {
+    constexpr double far = 1e6;  // of the body
+    const double farthest = far * extent_of(mesh);
+    for (std::size_t c = 0; c < cracks.size(); ++c) {
+        for (const Vec2& point : cracks[c].points) {
+            if (point.lpNorm<Eigen::Infinity>() > farthest)
+                throw CaseError(fmt::format("crack[{}].points: ({}, {}) is too far from the body; a mouth may lie just "
+                                            "outside of it",
+                                            c + 1, point.x(), point.y()));
+        }
+    }
+}
+
 void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
     const double least = smallest_edge * extent_of(mesh);
     for (const Tip& tip : enriched.tips) {

@@ -1,10 +1,15 @@
 // What a crack needs of the mesh for its results to mean something.
 #pragma once
 
+#include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
 
 namespace stria::coarse {
+
+/// Throws CaseError, naming the crack and the point, where one is so far outside the body that its rounding moves the
+/// crack inside.
+void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks);
 
 /// Throws CaseError, naming the crack, where one is shorter than an element at its tip, or a tip lies nearer to the
 /// boundary than an element is long: no ring about the tip could tell K or J. `refined`: an element of the mesh becomes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "coarse/model/crack_room.hpp"
 #include "coarse/model/enrichment.hpp"
 #include "coarse/specimen/initial_field.hpp"
 #include "coarse/specimen/regions.hpp"
@@ -138,6 +139,7 @@ Scene make_scene(const Case& input, Mesh mesh) {
     scene.loads = resolve_loads(scene.mesh, input);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads.main);
     require_balanced_cases(scene);
+    require_near(scene.mesh, input.cracks);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
     put_loads_on_unknowns(scene);
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))

@@ -35,7 +35,7 @@ double OpeningFaces::release(const Eigen::VectorXd& move, double share) {
     const Eigen::VectorXd opening = gather(move, jumps_);
     const bool begun = first_step_.size() == opening.size();
     const double opened = held_.dot(opening);
-    const double first = begun ? held_.dot(first_step_.array().isNaN().select(opening, first_step_)) : opened;
+    const double first = begun ? held_.dot(first_step_) : opened;
     const double released = share * opened + (1.0 - share) * (opened / 3.0 + first / 6.0);
     held_ *= share;
     first_step_.resize(0);

@@ -35,8 +35,7 @@ public:
     /// Forces are held back.
     [[nodiscard]] bool any() const { return !jumps_.empty(); }
 
-    /// Newton's first step on the way to an equilibrium, of all unknowns, mm; not a number where it is not known: such
-    /// an unknown counts as linear.
+    /// Newton's first step on the way to an equilibrium, of all unknowns, mm.
     void begin(const Eigen::VectorXd& first_step);
 
     /// N per mm of thickness: released by a move to equilibrium with that share, which is all that is left then.

@@ -65,10 +65,14 @@ coupling::PatchResponse FineModel::collect() {
     system_.set_load_factor(asked_.load_factor);
     system_.set_cases(asked_.cases);
     system_.set_boundary(asked_.boundary);
+    // New faces send the stress where no half cycle before has sent it: every iterate looks at what rests.
+    const bool looked = some_rest_ && system_.opens_faces() && asked_.iteration > 0;
+    if (looked) (void)wake_what_would_yield();
     linearise();
     coupling::PatchResponse response = system_.measure();
-    response.provisional = some_rest_ && !is_time_to_check_rest(response);
-    if (some_rest_ && !response.provisional && wake_what_would_yield()) {
+    const bool unseen = some_rest_ && !looked;
+    response.provisional = unseen && !is_time_to_check_rest(response);
+    if (unseen && !response.provisional && wake_what_would_yield()) {
         linearise();
         response = system_.measure();
     }

@@ -97,7 +97,7 @@ void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
 }
 
 void ZoneSystem::linearise() {
-    if (steps_ == 1 && memory_.opening.any()) note_first_step();
+    if (steps_ == 1) memory_.opening.begin(trial_.displacement - memory_.committed.displacement);
     {
         const Stopwatch watch(constitutive_s_);
         bulk_->evaluate(trial_.displacement);
@@ -111,14 +111,6 @@ void ZoneSystem::linearise() {
     if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads * cases_;
     memory_.opening.hold(held_, load_);
     at_rest_.response.resize(0);
-}
-
-// What rests follows the others without being looked at.
-void ZoneSystem::note_first_step() {
-    Eigen::VectorXd step = trial_.displacement - memory_.committed.displacement;
-    for (Eigen::Index i = 0; i < step.size(); ++i)
-        if (at_rest_.inside.contains(i)) step[i] = std::numeric_limits<double>::quiet_NaN();
-    memory_.opening.begin(step);
 }
 
 void ZoneSystem::add_response(const Eigen::VectorXd& load) {
@@ -214,6 +206,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
+    const double dissipated_before = fine::dissipation(*bulk_);
     memory_.committed = trial_;
     bulk_->commit(reversal, !memory_.opening.any());
     contact_->commit(memory_.committed.displacement);
@@ -225,7 +218,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
     memory_.increments.push(move);
     report_on(report);
-    report.dissipation = fine::dissipation(*bulk_);
+    report.dissipation = fine::dissipation(*bulk_) - dissipated_before;
     report.points = bulk_->history().points();
     report.unknowns = patch_.mesh.unknowns + contact_->tractions();
     report.multipliers = contact_->tractions();

@@ -32,6 +32,8 @@ public:
 
     /// Share of the forces on faces that growth has opened that still holds them, until it is set again.
     void set_held(double share) { held_ = share; }
+    /// Growth has opened faces that forces still hold in the committed state.
+    [[nodiscard]] bool opens_faces() const { return memory_.opening.any(); }
 
     /// Moves the trial unknowns: displacements of the zone, tractions of the faces.
     void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction);
@@ -93,7 +95,6 @@ private:
     [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
     void set_inside(const UnknownSet& inside);
     void open_new_faces(const EnrichedMesh& before);
-    void note_first_step();
     void report_on(coupling::StepReport& report);
 
     /// What rests, as this sees it.

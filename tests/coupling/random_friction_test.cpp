@@ -129,15 +129,14 @@ void expect_same(const Case& input, const RunHistory& condensed, const RunHistor
             EXPECT_NEAR(value(condensed.increments[k]), value(whole.increments[k]), tolerance * scale)
                 << name << " of increment " << k + 1;
     };
-    const auto of = [&](const char* name, const auto& value) { compare(name, largest(condensed, value), value); };
     const auto K = [](const Followed& now) { return std::hypot(now.tips[0].K_I, now.tips[0].K_II); };
     const double largest_K = largest(condensed, K);
     compare("K_I", largest_K, [](const Followed& now) { return now.tips[0].K_I; });
     compare("K_II", largest_K, [](const Followed& now) { return now.tips[0].K_II; });
     const auto J = [](const Followed& now) { return now.tips[0].J; };
     compare("J", std::max(largest(condensed, J), J_of_load(input)), J);
-    of("dissipation", [](const Followed& now) { return now.zone.dissipation; });
     const auto external = [](const Followed& now) { return now.work.external; };
+    compare("dissipation", largest(condensed, external), [](const Followed& now) { return now.work.dissipated; });
     compare("friction", largest(condensed, external), [](const Followed& now) { return now.work.by_friction; });
     const double displacement =
         largest(condensed, [](const Followed& now) { return now.displacement.lpNorm<Eigen::Infinity>(); });

@@ -98,6 +98,16 @@ TEST_F(ExitCode, IsZeroForACrackThatBendsBesideARow) {
     EXPECT_EQ(run_program("stria", words, folder / "log"), 0) << said();
 }
 
+// Before anybody asks where it enters an element.
+TEST_F(ExitCode, IsTwoForACrackFromFarOutside) {
+    EXPECT_EQ(run_program("stria",
+                          {"check", std::string(source_folder) + "/cases/ct-pins/case.toml", "--set",
+                           "crack.0.points=[[-12.5, 1e308], [25.0, 0.0]]"},
+                          folder / "log"),
+              2);
+    EXPECT_TRUE(says("crack[1].points: (-12.5, 1e+308) is too far from the body")) << said();
+}
+
 // One line with the case, the key, the file and what is wrong in it.
 TEST_F(ExitCode, IsTwoForAMeshFileThatIsNoBody) {
     std::ofstream(folder / "part.inp") << "*NODE\n1,0,0\n2,1,0\n3,1,1\n*ELEMENT,TYPE=CPS3\n1,1,2,4\n";

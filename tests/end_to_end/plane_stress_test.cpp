@@ -56,8 +56,8 @@ TEST(SentInPlaneStress, MonolithicIsTheSameToRoundingLong) {
         EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J) << k;
         EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I) << k;
         EXPECT_NEAR(p.CMOD, q.CMOD, 1e-9 * scale.CMOD) << k;
-        EXPECT_NEAR(direct.increments[k].zone.dissipation, whole.increments[k].zone.dissipation,
-                    1e-9 * direct.increments.back().zone.dissipation)
+        EXPECT_NEAR(direct.increments[k].work.dissipated, whole.increments[k].work.dissipated,
+                    1e-9 * direct.increments.back().work.dissipated)
             << k;
     }
 }

@@ -70,7 +70,7 @@ void expect_shipped_table(const RunHistory& run) {
     compare("CTOD", tip(&coarse::TipResult::CTOD));
     compare("plastic_zone", tip(&coarse::TipResult::plastic_zone));
     compare("contact_length", [](const coarse::Increment& increment) { return increment.zone.contact_length[0]; });
-    compare("dissipation", [](const coarse::Increment& increment) { return increment.zone.dissipation; });
+    compare("dissipation", [](const coarse::Increment& increment) { return increment.work.dissipated; });
     compare("external_work", [](const coarse::Increment& increment) { return increment.work.external; });
 }
 
@@ -224,7 +224,7 @@ struct Said {
 };
 Said said_by(const RunHistory& run) {
     const coarse::TipResult& tip = run.at_maximum().tips[0];
-    return {tip.J, tip.CMOD, run.increments.back().zone.dissipation};
+    return {tip.J, tip.CMOD, run.increments.back().work.dissipated};
 }
 
 // Radial return is of first order in the increment: each halving changes half as much as the one before it.

@@ -145,6 +145,19 @@ TEST(Newton, AsksForAllThreeResiduals) {
     }
 }
 
+TEST(Newton, StopsWhereNobodyWaitsAnyMore) {
+    Spring spring;
+    spring.interior = 1e-3;  // never settles
+    SolverSection patient = solver;
+    patient.max_iterations = 10'000;
+    int asked = 0;
+    const NewtonReport report =
+        find_equilibrium(spring, {Control::Load, 2.0}, 0.0, patient, 0.0, [&] { return ++asked <= 30; });
+    EXPECT_TRUE(report.stopped);
+    EXPECT_FALSE(report.converged);
+    EXPECT_EQ(report.count(), 30);
+}
+
 TEST(Newton, GoesOnFromAStateThatIsProvisional) {
     Spring spring, sure;
     spring.provisional = 7;

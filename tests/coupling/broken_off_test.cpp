@@ -1,0 +1,103 @@
+// Runs that end before their end: where nobody waits any more, and where the geometry of a longer crack leaves the zone
+// without an equilibrium.
+#include <gtest/gtest.h>
+
+#include "app/run/coarse_run.hpp"
+#include "app/run/run_files.hpp"
+#include "common/error.hpp"
+#include "tests/support/deadline.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace stria::test {
+namespace {
+
+/// Of an analysis that is not to go on once so many equilibria have been looked for.
+struct BrokenOff {
+    std::size_t attempts = 0, increments = 0;
+    int times = 0;
+    bool finished = true;
+};
+
+BrokenOff broken_off(const Case& input, std::size_t patience) {
+    const Deadline deadline(std::chrono::seconds(20));
+    BrokenOff seen;
+    coarse::Listener listener;
+    listener.attempted = [&](const coarse::LoadStep&, const coarse::NewtonReport&) { ++seen.attempts; };
+    listener.accepted = [&](const coarse::Increment&, const coarse::Structure&) { ++seen.increments; };
+    listener.goes_on = [&] { return seen.attempts < patience; };
+    listener.breaks_off = [&] { ++seen.times; };
+    const coarse::Scene scene = coarse::refined_scene(input);
+    fine::FineModel fine(input);
+    coarse::CondensedFactory factory(&fine, input);
+    coarse::FatigueAnalysis analysis(scene, factory, listener);
+    analysis.run();
+    seen.finished = analysis.finished();
+    return seen;
+}
+
+const std::vector<std::string> short_scene{mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6",
+                                           "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]", "growth.increment=0.8"};
+
+TEST(BrokenOff, BetweenTwoHalvingsOfAnIncrement) {
+    Case input = sent_case(short_scene);
+    input.load.steps = 2;  // flows at once
+    input.solver.max_iterations = 1;
+    input.solver.max_cuts = 40;
+    const BrokenOff seen = broken_off(input, 5);
+    EXPECT_EQ(seen.attempts, 5U);
+    EXPECT_EQ(seen.times, 1);
+    EXPECT_FALSE(seen.finished);
+}
+
+TEST(BrokenOff, BeforeTheNewFacesAreReleased) {
+    const Case input = sent_case(short_scene);
+    const RunHistory whole = run_direct(input);
+    std::size_t before_release = 0;
+    while (whole.attempts.at(before_release).first.cycle < 1 || !whole.attempts[before_release].first.ends_cycle)
+        ++before_release;
+    const BrokenOff seen = broken_off(input, before_release + 1);
+    EXPECT_EQ(seen.attempts, before_release + 1);
+    EXPECT_EQ(seen.times, 1);
+    EXPECT_FALSE(seen.finished);
+}
+
+/// Its zone cannot take the small elements that a longer crack wants.
+class WithoutSmallerElements : public coarse::CondensedFactory {
+public:
+    using CondensedFactory::CondensedFactory;
+    void extend_zone(const coupling::Patch& patch) override {
+        if (!patch.part_of.empty()) throw NumericalFailure("the tangent of the zone is singular");
+        CondensedFactory::extend_zone(patch);
+    }
+};
+
+TEST(BrokenOff, InTheMiddleOfAGrowthSaysSoAndLeavesASummary) {
+    const TemporaryFolder folder;
+    const Case input =
+        sent_case({"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.radius=1.0", "load.steps=6",
+                   "load.blocks=[{cycles=5, max=50.0, ratio=-1.0}]", "growth.increment=0.6", "output.fields=none"});
+    RunOptions options;
+    options.case_path = shipped_sent;
+    options.output_directory = folder / "out";
+    options.quiet = true;
+    std::filesystem::create_directory(options.output_directory);
+    fine::FineModel fine(input);
+    WithoutSmallerElements factory(&fine, input);
+    CoarseRun run(options, input, {"inprocess", 1, false});
+    std::string said;
+    try {
+        run.perform(factory, nullptr);
+    } catch (const NumericalFailure& failure) {
+        said = failure.what();
+    }
+    EXPECT_NE(said.find("the cracks cannot grow: the tangent of the zone is singular; "), std::string::npos) << said;
+    const auto summary = read_json(folder / "out/summary.json");
+    EXPECT_EQ(summary.words.at("status"), "failed");
+    EXPECT_GT(summary.numbers.at("coarse_unknowns"), 0.0);
+    EXPECT_GT(summary.numbers.at("fine_points"), 0.0);
+}
+
+}  // namespace
+}  // namespace stria::test
