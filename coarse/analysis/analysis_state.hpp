@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "coarse/analysis/growth_increment.hpp"
+#include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/work_balance.hpp"

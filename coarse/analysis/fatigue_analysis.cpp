@@ -21,10 +21,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
-    if (scene.input.growth) {
-        growth_.emplace(*scene.input.growth, listener_.note, from != nullptr && from->growth_ended,
-                        from != nullptr ? from->growth_increment : GrowthIncrementMemory());
-    }
+    if (scene.input.growth) growth_.emplace(*scene.input.growth, listener_.note, from);
     if (from == nullptr) return;
     controller_.resume(from->load);
     cycle_meter_.resume(from->cycle);
@@ -43,8 +40,7 @@ AnalysisState FatigueAnalysis::state() const {
     state.cycle = cycle_meter_.memory();
     state.last_cycle = last_cycle_;
     state.counts = effort_.counts;
-    state.growth_ended = growth_ && growth_->ended();
-    if (growth_) state.growth_increment = growth_->increment();
+    if (growth_) growth_->write(state);
     state.release = release_;
     state.load = controller_.position();
     return state;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "coarse/analysis/crack_growth.hpp"
+#include "coarse/analysis/growth/crack_growth.hpp"
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"

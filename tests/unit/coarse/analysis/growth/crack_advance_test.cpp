@@ -1,4 +1,4 @@
-#include "coarse/analysis/crack_advance.hpp"
+#include "coarse/analysis/growth/crack_advance.hpp"
 
 #include <gtest/gtest.h>
 

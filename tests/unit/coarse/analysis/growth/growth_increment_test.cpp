@@ -1,12 +1,12 @@
 // Increments of growth that the program chooses.
-#include "coarse/analysis/growth_increment.hpp"
+#include "coarse/analysis/growth/growth_increment.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "coarse/analysis/growth_law.hpp"
+#include "coarse/analysis/growth/growth_law.hpp"
 
 namespace stria::coarse {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coarse/analysis/cracked_body.hpp"
-#include "coarse/analysis/growth_increment.hpp"
+#include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
@@ -18,15 +18,14 @@ struct GrownScene {
 
 class CrackGrowth {
 public:
-    /// `note` must outlive it. `ended`: growth has ended the run already. `increment`: of a run that goes on.
-    CrackGrowth(const GrowthSection& growth, const Note& note, bool ended, GrowthIncrementMemory increment)
-        : growth_(growth), note_(note), ended_(ended), increment_(std::move(increment)) {}
+    /// `note` must outlive it. `from`: null at the start of a run.
+    CrackGrowth(const GrowthSection& growth, const Note& note, const AnalysisState* from);
+
+    /// Its part of what a run remembers.
+    void write(AnalysisState& state) const;
 
     /// Growth has ended the run.
     [[nodiscard]] bool ended() const { return ended_; }
-
-    /// What the next increment goes by, where the program chooses it.
-    [[nodiscard]] const GrowthIncrementMemory& increment() const { return increment_.memory(); }
 
     /// A tip grows by the law, from what the tips went through in the `last` cycle.
     [[nodiscard]] bool is_driven(const std::vector<CycleResult>& last) const;

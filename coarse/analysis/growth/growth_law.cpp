@@ -1,4 +1,4 @@
-#include "coarse/analysis/growth_law.hpp"
+#include "coarse/analysis/growth/growth_law.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "coarse/analysis/growth_increment.hpp"
+#include "coarse/analysis/growth/growth_increment.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "coarse/analysis/growth_law.hpp"
+#include "coarse/analysis/growth/growth_law.hpp"
 
 namespace stria::coarse {
 namespace {

@@ -1,4 +1,4 @@
-#include "coarse/analysis/crack_growth.hpp"
+#include "coarse/analysis/growth/crack_growth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "coarse/analysis/crack_advance.hpp"
-#include "coarse/analysis/growth_law.hpp"
+#include "coarse/analysis/growth/crack_advance.hpp"
+#include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/tip_reach.hpp"
@@ -39,6 +39,15 @@ std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> 
 }
 
 }  // namespace
+
+CrackGrowth::CrackGrowth(const GrowthSection& growth, const Note& note, const AnalysisState* from)
+    : growth_(growth), note_(note), ended_(from != nullptr && from->growth_ended),
+      increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()) {}
+
+void CrackGrowth::write(AnalysisState& state) const {
+    state.growth_ended = ended_;
+    state.growth_increment = increment_.memory();
+}
 
 bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
 
