@@ -2,7 +2,7 @@
 // iterate, so that two components go the same way as one matrix. What has flowed where it cuts stays dissipated.
 #include <gtest/gtest.h>
 
-#include "app/run/monolithic.hpp"
+#include "app/run/monolithic/monolithic.hpp"
 #include "tests/support/pulled_plate.hpp"
 #include "tests/support/sent_analysis.hpp"
 
