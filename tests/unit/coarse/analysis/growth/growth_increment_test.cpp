@@ -105,7 +105,7 @@ TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
     tip.opening.K_op = std::nan("");
     GrowthSection growth = by_K_eff;
     growth.driving = GrowthDriving::Range;
-    EXPECT_NEAR(GrowthIncrement({.increment = 1.0}).next(growth, {tip}, element), 0.1, 1e-15);
+    EXPECT_NEAR(GrowthIncrement({.increment = 1.0, .points = {}}).next(growth, {tip}, element), 0.1, 1e-15);
 }
 
 TEST(GrowthIncrement, GoesOnFromItsMemory) {
