@@ -159,9 +159,6 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
         reject(place.inside("law"), *find(table, "law"), {}, "needs C and m, both positive");
     if (growth.law == GrowthLaw::Prescribed && growth.increment.is_auto())
         reject(place.inside("increment"), *find(table, "increment"), {}, "needs law = \"paris\" or \"ctod\"");
-    if (growth.increment.is_auto()) return;
-    for (const char* key : {"accuracy", "zone_fraction"})
-        if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, "needs increment = \"auto\"");
 }
 
 void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {
