@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/run/coarse_run.hpp"
+#include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
@@ -70,20 +71,25 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
 
-/// Of growth, mm; where the program chooses it, what it may be at the first tip to begin with.
-double largest_increment(const coarse::Scene& scene, const std::vector<double>& K_I) {
+/// Of growth, mm; where the program chooses it, what it may be at first.
+double largest_increment(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
+                         const std::vector<double>& K_I) {
     const GrowthSection& growth = *scene.input.growth;
     if (!growth.increment.is_auto()) return growth.increment.value();
-    return growth.zone_fraction *
-           coarse::forward_zone(K_I.front(), scene.yield_stress_at_tips().front(), scene.input.model.plane);
+    double largest = 0.0;
+    for (std::size_t t = 0; t < K_I.size(); ++t) {
+        const double zone = coarse::forward_zone(K_I[t], scene.yield_stress_at_tips()[t], scene.input.model.plane);
+        largest = std::max(largest, coarse::largest_increment(growth, zone, nominal.tips[t].a));
+    }
+    return largest;
 }
 
 /// Small elements follow the tips: what there will be of them.
-void print_way(const coarse::Scene& scene, const std::vector<double>& K_I) {
+void print_way(const coarse::Scene& scene, const coarse::NominalSolution& nominal, const std::vector<double>& K_I) {
     const Case& input = scene.input;
     if (!input.growth || input.fine.refine == 1) return;
     const int cycles = coarse::cycle_count(input.load);
-    const double way = largest_increment(scene, K_I) * (cycles / input.growth->every);
+    const double way = largest_increment(scene, nominal, K_I) * (cycles / input.growth->every);
     const coarse::ElementsOfAWay after = coarse::elements_after(scene, K_I, way);
     const int subcells = subcells_elsewhere(input.fine);
     const double points = 4.0 * subcells * subcells * after.split;
@@ -118,7 +124,7 @@ int check(const RunOptions& options) {
         return 0;
     }
     print_zone_estimate(scene, nominal);
-    print_way(scene, K_I);
+    print_way(scene, nominal, K_I);
     return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "coarse/model/boundary_conditions.hpp"
 #include "common/geometry/segment.hpp"
@@ -90,6 +91,10 @@ double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
         if (tip.upper < 0) break;
     }
     return size;
+}
+
+double tip_element_edge(const EnrichedMesh& mesh, const Tip& tip) {
+    return tip_element_size(mesh, tip) / std::numbers::sqrt2;
 }
 
 }  // namespace stria::coarse

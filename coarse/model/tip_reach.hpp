@@ -31,4 +31,7 @@ Vec2 direction_of_end(const CrackSection& crack, const Tip& tip);
 /// Diagonal of the element that holds a tip, mm.
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
 
+/// Edge of a square of that diagonal, mm.
+double tip_element_edge(const EnrichedMesh& mesh, const Tip& tip);
+
 }  // namespace stria::coarse

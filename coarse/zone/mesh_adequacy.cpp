@@ -40,7 +40,7 @@ void add_ring_warnings(const Scene& scene, std::vector<std::string>& warnings) {
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
         const Tip& tip = scene.enriched.tips[at(t)];
         const double radius = largest_ring(scene, t);
-        const double element = tip_element_size(scene.enriched, tip) / std::numbers::sqrt2;
+        const double element = tip_element_edge(scene.enriched, tip);
         if (radius >= elements_in_ring * element) continue;
         warnings.push_back(fmt::format("tip {}: the largest ring inside its material has a radius of {:.3g} mm, {:.2g} "
                                        "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
@@ -63,7 +63,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
         if (!std::isfinite(yield_stress[t])) continue;
-        const double element = tip_element_size(scene.enriched, scene.enriched.tips[t]) / std::numbers::sqrt2;
+        const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
         const double zone = forward_zone(largest_K_I[t], yield_stress[t], input.model.plane);
         if (zone > 0.0 && zone < wanted * element)
             warnings.push_back(zone_warning(t, zone, element, input.fine.refine));

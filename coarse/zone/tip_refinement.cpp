@@ -19,7 +19,6 @@ const CrackPiece& piece_at(const EnrichedMesh& mesh, const Tip& tip) {
     return tip.upper < 0 ? *first : *(std::find_if_not(first, mesh.pieces.end(), of_crack) - 1);
 }
 
-/// Where a crack, which may have grown since, ends on the side of a tip.
 /// How often an element at a tip is split.
 int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
 

@@ -73,7 +73,9 @@ Section<OutputSection> output_section() {
         {"extremes", Written::Extremes}, {"cycles", Written::Cycles}, {"all", Written::All}, {"none", Written::None}};
     Section<OutputSection> s;
     s.choice<Written>("faces", &OutputSection::faces, when)
-        .says("Increments in faces.csv: max, zero and min of the last cycle (where growth ends a run unforeseen, where it does), those of every cycle, all or none.");
+        .says("Increments in faces.csv: max, zero and min of the last cycle (where growth ends a run unforeseen, where "
+              "it does), "
+              "those of every cycle, all or none.");
     s.choice<Written>("fields", &OutputSection::fields, when).says("Increments with field files, likewise.");
     s.value("format", &OutputSection::format).one_of({"vtkhdf", "vtu"}).says("Format of the field files.");
     s.value("checkpoint_every", &OutputSection::checkpoint_every)

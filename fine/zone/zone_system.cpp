@@ -50,6 +50,7 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = memory_.committed;
+    dissipated_ = fine::dissipation(*bulk_);  // new weights are no flow
     at_rest_.inside = UnknownSet(patch_.mesh.unknowns);
     contact_->settle(memory_.committed.displacement);
     rings_ = rings_of(patch_, input_.materials, input_.cracks, subcells_at_crack(input_.fine));
@@ -206,7 +207,6 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
-    const double dissipated_before = fine::dissipation(*bulk_);
     memory_.committed = trial_;
     bulk_->commit(reversal, !memory_.opening.any());
     contact_->commit(memory_.committed.displacement);
@@ -218,7 +218,8 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
     memory_.increments.push(move);
     report_on(report);
-    report.dissipation = fine::dissipation(*bulk_) - dissipated_before;
+    const double before = std::exchange(dissipated_, fine::dissipation(*bulk_));
+    report.dissipation = dissipated_ - before;
     report.points = bulk_->history().points();
     report.unknowns = patch_.mesh.unknowns + contact_->tractions();
     report.multipliers = contact_->tractions();

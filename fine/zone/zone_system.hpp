@@ -116,6 +116,7 @@ private:
     AtRest at_rest_;
     int steps_ = 0;  // of Newton's method in this attempt
     double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
+    double dissipated_ = 0.0;  // by flow, in the committed state, N
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;
 };

@@ -156,7 +156,7 @@ TEST_F(Study, TableAndPageGrowWhileItRuns) {
 
 TEST_F(Study, AnInterruptedOneGoesOnFromTheCheckpointsOfItsVariants) {
     std::ofstream(folder / "case.toml") << elastic_plate;
-    const Words rest = {"-o",    folder / "out",    "--mode", "inprocess", "--over", "material.poisson=0.2,0.3,0.1",
+    const Words rest = {"-o",    folder / "out",   "--mode", "inprocess", "--over", "material.poisson=0.2,0.3,0.1",
                         "--set", "load.steps=200", "--jobs", "2"};
     Words words = {"study", folder / "case.toml"};
     words.insert(words.end(), rest.begin(), rest.end());

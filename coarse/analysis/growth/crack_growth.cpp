@@ -18,9 +18,6 @@ namespace stria::coarse {
 
 namespace {
 
-/// Of an element, mm.
-double edge_at(const EnrichedMesh& mesh, const Tip& tip) { return tip_element_size(mesh, tip) / std::numbers::sqrt2; }
-
 /// Some tip turns by more than ten degrees.
 bool turns_sharply(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
     const double straight = std::cos(std::numbers::pi / 18.0);
@@ -72,23 +69,21 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
 std::vector<CrackSection> CrackGrowth::lengthened(const Scene& present, const std::vector<TipResult>& guides,
                                                   const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
-    double element = 0.0;
-    for (const Tip& tip : tips) element = std::max(element, edge_at(present.enriched, tip));
-    const double resolved = 2.0 * element;
     const auto by = [&](double increment) {
         return longer_cracks(present.input.cracks, growth_.direction, tips, guides,
                              advances(growth_, increment, last, tips.size()));
     };
-    const bool chosen = growth_.increment.is_auto();
-    const double increment = chosen ? increment_.next(growth_, last, element) : growth_.increment.value();
-    std::vector<CrackSection> cracks = by(increment);
-    if (increment >= resolved || !turns_sharply(tips, cracks)) return cracks;
-    if (chosen) return by(resolved);
-    note_(fmt::format(
-        "warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} mm: K is "
-        "not resolved until it is as far behind the bend",
-        increment, element));
-    return cracks;
+    double element = 0.0;
+    for (const Tip& tip : tips) element = std::max(element, tip_element_edge(present.enriched, tip));
+    const bool sharp = turns_sharply(tips, by(element));
+    const double least = sharp ? 2.0 * element : element;
+    if (growth_.increment.is_auto()) return by(increment_.next(growth_, last, least));
+    const double increment = growth_.increment.value();
+    if (sharp && increment < least)
+        note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
+                          "mm: K is not resolved until it is as far behind the bend",
+                          increment, element));
+    return by(increment);
 }
 
 // What drives the tips has been measured.

@@ -8,9 +8,6 @@
 namespace stria::coarse {
 namespace {
 
-/// Of a crack's length, where nothing flows.
-constexpr double elastic_fraction = 0.01;
-
 GrowthPoint point_of(double rate, const CycleResult& tip) {
     const double K_op = tip.opening.K_op;
     return {.a = tip.a, .per_mm = 1.0 / rate, .closure = std::isfinite(K_op) ? K_op / tip.K_max : 0.0};
@@ -18,18 +15,27 @@ GrowthPoint point_of(double rate, const CycleResult& tip) {
 
 }  // namespace
 
-double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last, double element) {
+double largest_increment(const GrowthSection& growth, double forward_zone, double a) {
+    constexpr double elastic_fraction = 0.01;  // of the length, where nothing flows
+    return forward_zone > 0.0 ? growth.zone_fraction * forward_zone : elastic_fraction * a;
+}
+
+double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last, double least) {
     const auto rate = [&](const CycleResult& tip) { return growth_rate(growth, tip); };
     const CycleResult& fastest = *std::ranges::max_element(last, {}, rate);
     const GrowthPoint now = point_of(rate(fastest), fastest);
-    const double wanted = fastest.forward > 0.0 ? growth.zone_fraction * fastest.forward : elastic_fraction * fastest.a;
     double factor = 2.0;
     if (const double error = error_at(now); error > 0.0)
         factor = std::clamp(std::sqrt(growth.accuracy / error), 0.5, 2.0);
-    memory_.increment = std::clamp(factor * memory_.increment, element, std::max(element, wanted));
+    const double largest = largest_increment(growth, fastest.forward, fastest.a);
+    memory_.increment = std::clamp(factor * memory_.increment, least, std::max(least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);
-    return growth.until ? std::min(memory_.increment, *growth.until - now.a) : memory_.increment;
+    double increment = memory_.increment;
+    if (growth.until)
+        for (const CycleResult& tip : last)
+            if (rate(tip) > 0.0) increment = std::min(increment, (*growth.until - tip.a) * rate(fastest) / rate(tip));
+    return increment;
 }
 
 double GrowthIncrement::error_at(const GrowthPoint& now) const {

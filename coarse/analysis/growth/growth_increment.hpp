@@ -21,6 +21,9 @@ struct GrowthIncrementMemory {
     std::vector<GrowthPoint> points;  // the last two
 };
 
+/// The largest that is chosen, mm, for a forward plastic zone and a crack length, mm.
+[[nodiscard]] double largest_increment(const GrowthSection& growth, double forward_zone, double a);
+
 /// Increments of the fastest tip: at most `zone_fraction` of the plastic zone that the tip has just loaded, so that the
 /// wake is laid down in steps that the zone is large against; at least an element at the tip, because K behind a bend
 /// that is nearer is not resolved. The first is the smallest, each at most twice the one before, and smaller where
@@ -31,9 +34,9 @@ class GrowthIncrement {
 public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}
 
-    /// The next one, mm; `last`: the cycle that has ended, one per tip, of which one at least is driven. `element`: its
-    /// edge at a tip, mm.
-    double next(const GrowthSection& growth, const std::vector<CycleResult>& last, double element);
+    /// The next one, mm; `last`: the cycle that has ended, one per tip, of which one at least is driven. `least`: mm,
+    /// as the mesh has it; only an end of growth is nearer.
+    double next(const GrowthSection& growth, const std::vector<CycleResult>& last, double least);
 
     [[nodiscard]] const GrowthIncrementMemory& memory() const { return memory_; }
 

@@ -100,6 +100,17 @@ TEST(GrowthIncrement, IsNoSmallerThanAnElement) {
     EXPECT_EQ(increment.next(by_K_eff, {tip_at(10.0, 0.1)}, 0.3), 0.3);  // though a quarter of the zone is less
 }
 
+TEST(GrowthIncrement, NoTipPassesUntil) {
+    GrowthSection growth = by_K_eff;
+    growth.until = 10.05;
+    constexpr double least = 0.3;
+    EXPECT_NEAR(GrowthIncrement().next(growth, {tip_at(10.0, 0.1)}, least), 0.05, 1e-14);
+    const std::vector<CycleResult> both{tip_at(9.0, 0.1), tip_at(10.0, 0.4)};  // the slower one is there first
+    const double ratio = growth_rate(growth, both[0]) / growth_rate(growth, both[1]);
+    ASSERT_GT(ratio, 1.0);
+    EXPECT_NEAR(GrowthIncrement().next(growth, both, least), 0.05 * ratio, 1e-14);
+}
+
 TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
     CycleResult tip = tip_at(10.0, 0.0);
     tip.forward = 0.0;
