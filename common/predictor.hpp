@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/index.hpp"
+#include "common/or_auto.hpp"
 
 namespace stria {
 
@@ -19,8 +20,10 @@ struct Predictor {
     int back;
 };
 
-/// How many increments are remembered: a cycle and a cycle's worth of halvings.
-inline std::size_t remembered_increments(int steps_per_cycle) { return 2 * at(steps_per_cycle); }
+/// How many increments are remembered: a cycle and a cycle's worth of halvings, or as many as a cycle may have.
+inline std::size_t remembered_increments(const OrAuto<int>& steps_per_cycle) {
+    return steps_per_cycle.is_auto() ? 48 : 2 * at(steps_per_cycle.value());
+}
 
 /// The last increments of something. `Increment`: what a scalar multiplies.
 template <class Increment> class IncrementMemory {

@@ -27,10 +27,10 @@ public:
     virtual PatchResponse collect() = 0;
 
     /// Lets the commit() that must follow begin, where the transport allows: several commit side by side.
-    virtual void begin_commit(bool /*reversal*/) {}
+    virtual void begin_commit(const Commit& /*what*/) {}
 
-    /// Trial becomes committed. `reversal`: the load turned after this increment (plastic zones start anew).
-    virtual StepReport commit(bool reversal) = 0;
+    /// Trial becomes committed.
+    virtual StepReport commit(const Commit& what) = 0;
 
     /// Trial becomes what was committed.
     virtual void rollback() = 0;

@@ -118,18 +118,24 @@ struct TipReport {
 
 /// The zone's share in the balance of work, N (per mm of thickness).
 struct EnergyReport {
-    double stored = 0;     // elastic and by hardening, in all points: a state
+    double stored = 0;     // elastic and by hardening, in all points: a state; zero in brief
     double released = 0;   // in this increment by faces that a growth has opened (docs/equations.md, work balance)
     double friction = 0;   // dissipated in this increment by faces that slide
     double load_path = 0;  // mm: displacement in this increment that the zone's own unit loads do work on
     Eigen::VectorXd case_paths = {};  // likewise, one per load case; empty where none loads the zone itself
 };
 
+/// What a commit is to do and to tell.
+struct Commit {
+    bool reversal = false;  // the load turned after this increment: plastic zones start anew
+    bool brief = false;     // nobody reads rings, faces and stored energy
+};
+
 /// After commit.
 struct StepReport {
     std::vector<TipReport> tips;
-    std::vector<RingReport> rings;       // one per ring of the patch
-    std::vector<FaceSample> faces;       // ordered by crack and s
+    std::vector<RingReport> rings;       // one per ring of the patch; empty in brief
+    std::vector<FaceSample> faces;       // ordered by crack and s; empty in brief
     std::vector<double> contact_length;  // per crack, mm
     std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN
     double dissipation = 0;              // N, per mm of thickness: by flow, in this increment

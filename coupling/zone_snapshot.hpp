@@ -24,11 +24,11 @@ struct ZoneSnapshot {
     std::int32_t ranks = 1;  // that gave it
 
     // Per element.
-    std::vector<std::int32_t> element;            // id in the whole mesh
-    std::vector<std::int32_t> rank;               // whose it is
-    std::vector<std::int32_t> points;             // how many it has
+    std::vector<std::int32_t> element;      // id in the whole mesh
+    std::vector<std::int32_t> rank;         // whose it is
+    std::vector<std::int32_t> points;       // how many it has
     std::vector<std::int32_t> recent_flow;  // bit k: in the half cycle k before the last one
-    std::vector<std::int32_t> resting;            // its points are those of `rest_displacement`
+    std::vector<std::int32_t> resting;      // its points are those of `rest_displacement`
 
     // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has
     // flowed in this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.

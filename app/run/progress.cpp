@@ -5,8 +5,8 @@
 namespace stria {
 
 Progress::Progress(const LoadSection& load, bool quiet, bool verbose, bool terminal)
-    : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(load.steps / 2) {
-    increments_ += coarse::cycle_count(load) * load.steps;
+    : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(load.first_steps() / 2) {
+    increments_ += coarse::cycle_count(load) * load.first_steps();
 }
 
 void Progress::end_live_line() {

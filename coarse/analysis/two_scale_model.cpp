@@ -78,6 +78,12 @@ NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
     return report;
 }
 
+// Growth and cycles look at extremes only.
+bool TwoScaleModel::is_read(const OutputSection& output, const LoadStep& step) {
+    if (step.reversal || step.at_extreme() || step.settles) return true;
+    return output.history == Written::All || output.faces == Written::All || output.fields == Written::All;
+}
+
 Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report) {
     const Structure& structure = body_.structure();
     Increment increment;
@@ -88,9 +94,10 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     increment.load_factor = factors_.main;
     largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
     increment.machine = equilibrium_->machine_reading();
-    equilibrium_->begin_commit(step.reversal);  // the zone commits while the structure looks at its rings
-    const RingIntegrals own = rings_->integrals(equilibrium_->near_displacement());
-    increment.zone = equilibrium_->commit(step.reversal);
+    const coupling::Commit what{.reversal = step.reversal, .brief = !is_read(body_.scene().input.output, step)};
+    equilibrium_->begin_commit(what);  // the zone commits while the structure looks at its rings
+    const RingIntegrals own = what.brief ? rings_->unknown() : rings_->integrals(equilibrium_->near_displacement());
+    increment.zone = equilibrium_->commit(what);
     is_behind_ = true;
     increment.equilibrium = equilibrium_.get();
     body_.note_flow(equilibrium_->yielding_points());

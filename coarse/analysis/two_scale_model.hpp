@@ -49,6 +49,8 @@ public:
     void write(AnalysisState& state) const;
 
 private:
+    /// Somebody reads rings, faces and energies of an increment.
+    [[nodiscard]] static bool is_read(const OutputSection& output, const LoadStep& step);
     void couple(const AnalysisState* from = nullptr);
     void split_elements(FinerScene finer);
     void refresh_displacement();

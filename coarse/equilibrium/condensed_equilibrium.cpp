@@ -180,16 +180,16 @@ void CondensedEquilibrium::put_aside() {
     put_aside_ = true;
 }
 
-void CondensedEquilibrium::begin_commit(bool reversal) {
-    if (fine_ != nullptr) fine_->begin_commit(reversal);
+void CondensedEquilibrium::begin_commit(const coupling::Commit& what) {
+    if (fine_ != nullptr) fine_->begin_commit(what);
 }
 
-coupling::StepReport CondensedEquilibrium::commit(bool reversal) {
+coupling::StepReport CondensedEquilibrium::commit(const coupling::Commit& what) {
     increments_.push({trial_.displacement - committed_.displacement, trial_.load_factor - committed_.load_factor});
     committed_ = trial_;
     if (fine_ == nullptr) return {};
     const Stopwatch watch(effort_.exchange_s);
-    coupling::StepReport report = fine_->commit(reversal);
+    coupling::StepReport report = fine_->commit(what);
     if (input_.coupling.state == "auto")
         ++effort_.work.states_not_sent;
     else

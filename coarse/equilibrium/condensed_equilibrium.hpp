@@ -26,8 +26,8 @@ public:
     void apply() override;
     void apply_further(double part) override;
     void put_aside() override;
-    void begin_commit(bool reversal) override;
-    coupling::StepReport commit(bool reversal) override;
+    void begin_commit(const coupling::Commit& what) override;
+    coupling::StepReport commit(const coupling::Commit& what) override;
     void rollback() override;
     [[nodiscard]] LoadFactors factors() const override { return trial_.factors(); }
     [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override {

@@ -86,10 +86,10 @@ public:
     virtual void put_aside() = 0;
 
     /// Lets the commit() that must follow begin, where somebody else has a part in it.
-    virtual void begin_commit(bool /*reversal*/) {}
+    virtual void begin_commit(const coupling::Commit& /*what*/) {}
 
-    /// Trial becomes committed; `reversal` as in coupling::FineScale.
-    virtual coupling::StepReport commit(bool reversal) = 0;
+    /// Trial becomes committed.
+    virtual coupling::StepReport commit(const coupling::Commit& what) = 0;
     virtual void rollback() = 0;
 
     /// Of the trial state.

@@ -6,8 +6,8 @@
 namespace stria::coarse {
 
 struct EquilibriumSections {
-    int steps;         // increments per cycle
-    double tolerance;  // of the relative residual
+    OrAuto<int> steps;  // increments per cycle
+    double tolerance;   // of the relative residual
     CouplingSection coupling;
 
     EquilibriumSections(const Case& input)  // NOLINT(google-explicit-constructor): a view of the case

@@ -1,5 +1,7 @@
 #include "coarse/fracture/structure_rings.hpp"
 
+#include <limits>
+
 namespace stria::coarse {
 
 StructureRings::StructureRings(const Structure& structure) : structure_(&structure) {
@@ -11,6 +13,14 @@ RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {
     if (!structure_->scene().initial_stress().any()) return integrals_of_displacement(u);
     RingIntegrals integrals;
     for (const RingForms& tip : tips_) integrals.push_back(tip.values_with_initial_stress(structure_->elements(), u));
+    return integrals;
+}
+
+RingIntegrals StructureRings::unknown() const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    RingIntegrals integrals;
+    for (const RingForms& tip : tips_)
+        integrals.emplace_back(tip.rings().size(), DomainIntegral{none, none, none, none});
     return integrals;
 }
 

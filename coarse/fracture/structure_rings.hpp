@@ -24,6 +24,8 @@ public:
     [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
     /// The same of a displacement alone.
     [[nodiscard]] RingIntegrals integrals_of_displacement(const Eigen::VectorXd& u) const;
+    /// As many, all NaN: nobody has looked.
+    [[nodiscard]] RingIntegrals unknown() const;
 
 private:
     const Structure* structure_;

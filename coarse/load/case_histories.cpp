@@ -31,7 +31,7 @@ const CaseBlock& block_of_cycle(const std::vector<CaseBlock>& blocks, int cycle)
 
 }  // namespace
 
-int positions_of_travel(const LoadSection& load) { return load.steps + 1; }
+int positions_of_travel(const LoadSection& load) { return load.first_steps() + 1; }
 
 CaseHistories::CaseHistories(const Case& input)
     : load_(input.load), cases_(input.load_cases),
@@ -104,8 +104,8 @@ void CaseHistories::put_travelling(const LoadPlace& place, Eigen::Index first, E
         return;
     }
     const bool goes_down = place.leg == 0 || legs_[place.leg - 1].cycle != leg.cycle;
-    const Eigen::Index to = place.increment + (goes_down ? 0 : load_.steps / 2);
-    const Eigen::Index from = to == 1 && leg.cycle > 1 ? load_.steps : to - 1;
+    const Eigen::Index to = place.increment + (goes_down ? 0 : load_.first_steps() / 2);
+    const Eigen::Index from = to == 1 && leg.cycle > 1 ? load_.first_steps() : to - 1;
     factors[first + from] += 1.0 - place.share;
     factors[first + to] += place.share;
 }

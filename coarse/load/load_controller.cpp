@@ -2,34 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "common/index.hpp"
 
 namespace stria::coarse {
 
-namespace {
-
-/// Where the increments of a leg end. The one that ends nearest to where a load case turns ends there.
-std::vector<double> ways_of(int steps, double grading, const std::vector<double>& turns) {
-    std::vector<double> ways;
-    for (int k = 0; k <= steps; ++k) ways.push_back(std::pow(static_cast<double>(k) / steps, grading));
-    for (const double turn : turns) {
-        const auto inner = std::span(ways).subspan(1, ways.size() - 2);
-        const auto distance = [&](double way) { return std::abs(way - turn); };
-        if (!inner.empty()) *std::ranges::min_element(inner, {}, distance) = turn;
-    }
-    return ways;
-}
-
-}  // namespace
-
 LoadController::LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases)
     : control_(load.control == Control::Displacement ? Control::Displacement : Control::Load), cases_(std::move(cases)),
-      legs_(cases_.count() > 0 ? cases_.legs() : legs(load)), steps_(load.steps / 2),
-      ways_(ways_of(steps_, load.grading, cases_.turns())), remembered_(remembered_increments(load.steps)),
-      max_cuts_(solver.max_cuts) {
+      legs_(cases_.count() > 0 ? cases_.legs() : legs(load)), schedule_(load, cases_.turns(), cases_.count() == 0),
+      remembered_(remembered_increments(load.steps)), max_cuts_(solver.max_cuts) {
     position_.cases = Eigen::VectorXd::Zero(cases_.count());
+}
+
+LoadPosition LoadController::position() const {
+    LoadPosition position = position_;
+    position.schedule = schedule_.state();
+    return position;
+}
+
+void LoadController::resume(const LoadPosition& position) {
+    position_ = position;
+    schedule_.resume(position.schedule);
 }
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
@@ -38,26 +31,26 @@ double LoadController::extreme() const { return std::max(std::abs(position_.leg_
 
 double LoadController::stop(int increment) const {
     if (increment == 0) return position_.leg_start;
-    if (increment == steps_) return end_of_leg();  // exact: later legs start from the same number
-    return position_.leg_start + (end_of_leg() - position_.leg_start) * ways_[at(increment)];
+    if (increment == increments()) return end_of_leg();  // exact: later legs start from the same number
+    return position_.leg_start + (end_of_leg() - position_.leg_start) * ways()[at(increment)];
 }
 
 int LoadController::stop_nearest_to_zero() const {
     int nearest = 1;
-    for (int k = 2; k <= steps_; ++k)
+    for (int k = 2; k <= increments(); ++k)
         if (std::abs(stop(k)) < std::abs(stop(nearest))) nearest = k;
     return nearest;
 }
 
 LoadController::Way LoadController::next_way() const {
-    const double from = ways_[at(position_.increments)], to = ways_[at(position_.increments + 1)];
+    const double from = ways()[at(position_.increments)], to = ways()[at(position_.increments + 1)];
     const double part = position_.fraction * (to - from);
     const bool arrives = to - position_.way <= part * (1.0 + 1e-9);
     return {arrives ? to : position_.way + part, arrives};
 }
 
 Eigen::VectorXd LoadController::cases_at(double way) const {
-    const double from = ways_[at(position_.increments)], to = ways_[at(position_.increments + 1)];
+    const double from = ways()[at(position_.increments)], to = ways()[at(position_.increments + 1)];
     return cases_.at({.leg = position_.leg,
                       .way = way,
                       .increment = position_.increments + 1,
@@ -78,7 +71,7 @@ std::optional<LoadStep> LoadController::next() const {
     step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
     step.predictor = predictor({leg.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
-    if (arrives && increment == steps_) {
+    if (arrives && increment == increments()) {
         step.reversal = leg.reversal;
         step.at_maximum = leg.at_maximum;
         step.at_minimum = leg.at_minimum;
@@ -115,19 +108,22 @@ void LoadController::remember(const LoadPosition::Taken& last) {
     if (taken.size() > remembered_) taken.pop_back();
 }
 
-void LoadController::committed_besides(int cycle) {
+void LoadController::committed_besides(int cycle, std::vector<double> openings) {
+    schedule_.begin(std::move(openings));
     remember({cycle, position_.reached, position_.reached, position_.cases, position_.cases});
 }
 
-void LoadController::accepted() {
+void LoadController::accepted(std::vector<double> openings) {
     const LoadStep step = *next();
     const auto [way, arrives] = next_way();
     remember({step.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
     position_.reached = step.target.value;
     position_.cases = step.target.cases;
     position_.way = way;
+    schedule_.add(way, std::move(openings));
     if (arrives) ++position_.increments;
-    if (position_.increments == steps_) {
+    if (position_.increments == increments()) {
+        schedule_.end_leg(rises());
         ++position_.leg;
         position_.increments = 0;
         position_.leg_start = position_.reached;

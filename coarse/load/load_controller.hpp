@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coarse/load/case_histories.hpp"
+#include "coarse/load/increment_schedule.hpp"
 #include "coarse/load/target.hpp"
 #include "common/predictor.hpp"
 
@@ -22,6 +23,8 @@ struct LoadStep {
          at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;
     bool settles = false;  // the initial stress comes to equilibrium, without load
+
+    [[nodiscard]] bool at_extreme() const { return at_maximum || at_minimum || at_zero; }
 };
 
 /// How far a load has come: all that a controller remembers.
@@ -40,15 +43,16 @@ struct LoadPosition {
     double fraction = 1.0;       // of a whole increment, after cuts
     int consecutive_cuts = 0, cuts = 0;
     std::vector<Taken> taken;  // increments to predict from, the last one first
+    IncrementSchedule::State schedule = {};
 };
 
 class LoadController {
 public:
     explicit LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases = {});
 
-    [[nodiscard]] const LoadPosition& position() const { return position_; }
+    [[nodiscard]] LoadPosition position() const;
     /// Goes on from where another one stood, in a history that was the same up to there.
-    void resume(const LoadPosition& position) { position_ = position; }
+    void resume(const LoadPosition& position);
 
     /// What a unit of the history is as a target, from now on; 1, or where K is controlled the load factor of a unit of
     /// K.
@@ -57,10 +61,11 @@ public:
     /// The next target, or nothing when all is done.
     [[nodiscard]] std::optional<LoadStep> next() const;
 
-    void accepted();
+    /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments.
+    void accepted(std::vector<double> openings = {});
 
     /// An increment has been committed at the load that is reached, which is no step of the history.
-    void committed_besides(int cycle);
+    void committed_besides(int cycle, std::vector<double> openings = {});
 
     /// Increments taken so far are of no use to predict from: their unknowns are gone.
     void forget_increments() { position_.taken.clear(); }
@@ -83,6 +88,10 @@ private:
         bool arrives;
     };
     [[nodiscard]] double end_of_leg() const;
+    [[nodiscard]] bool rises() const { return legs_[position_.leg].to > legs_[position_.leg].from; }
+    /// Parts of the leg at the ends of its uncut increments; the first is its start.
+    [[nodiscard]] const std::vector<double>& ways() const { return schedule_.ways(rises()); }
+    [[nodiscard]] int increments() const { return static_cast<int>(ways().size()) - 1; }  // of the leg, uncut
     [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Way next_way() const;
@@ -93,8 +102,7 @@ private:
     Control control_;
     CaseHistories cases_;
     std::vector<Leg> legs_;
-    int steps_;                 // of a leg
-    std::vector<double> ways_;  // of a leg, at the end of each uncut increment; the first is its start
+    IncrementSchedule schedule_;
     double scale_ = 1.0;
     LoadPosition position_;
     std::size_t remembered_;

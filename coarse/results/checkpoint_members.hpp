@@ -150,8 +150,21 @@ void members(auto& archive, Is<LoadPosition::Taken> auto& m) {
     archive("cases_to", cases_to);
 }
 
+void members(auto& archive, Is<OpeningPath> auto& m) {
+    auto& [way, opening] = m;
+    archive("way", way);
+    archive("opening", opening);
+}
+
+void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
+    auto& [rising, falling, path] = m;
+    archive("rising", rising);
+    archive("falling", falling);
+    archive("path", path);
+}
+
 void members(auto& archive, Is<LoadPosition> auto& m) {
-    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken] = m;
+    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, schedule] = m;
     archive("leg", leg);
     archive("increments", increments);
     archive("leg_start", leg_start);
@@ -162,6 +175,7 @@ void members(auto& archive, Is<LoadPosition> auto& m) {
     archive("consecutive_cuts", consecutive_cuts);
     archive("cuts", cuts);
     archive("taken", taken);
+    archive("schedule", schedule);
 }
 
 void members(auto& archive, Is<EquilibriumState> auto& m) {

@@ -58,7 +58,8 @@ RecorderState RunRecorder::state() const {
 void RunRecorder::record(const Increment& increment, const Structure& structure, const ClosureMeter& closure) {
     const Stopwatch watch(output_s_);
     zone_ = increment.zone;
-    record_history(increment, structure.scene());
+    if (output_.history == Written::All || increment.step.at_extreme() || increment.step.reversal)
+        record_history(increment, structure.scene());
     cycle_iterations_ += increment.newton.count();
     if (due(output_.faces, increment)) record_faces(increment, structure);
     if (due(output_.fields, increment)) record_fields(increment, structure);
@@ -129,8 +130,7 @@ bool RunRecorder::in_last_cycle(const Increment& increment) const {
 }
 
 bool RunRecorder::due(Written wish, const Increment& increment) const {
-    const LoadStep& step = increment.step;
-    const bool extreme = step.at_maximum || step.at_minimum || step.at_zero;
+    const bool extreme = increment.step.at_extreme();
     switch (wish) {
     case Written::All:
         return true;

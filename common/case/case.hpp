@@ -154,14 +154,16 @@ struct LoadBlock {
 enum class Control { Load, Displacement, StressIntensity };
 
 struct LoadSection {
-    int steps = 16;                 // increments per cycle
-    double grading = 0.6;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
+    OrAuto<int> steps = {};         // increments per cycle
+    double accuracy = 0.002;        // where the program chooses them (IncrementSchedule)
+    double grading = 0.4;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
     std::vector<LoadBlock> blocks;  // those of a spectrum file included
     std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
     double scale = 1.0;                        // of every max and min
     int repeat = 1;                            // of the whole sequence
     Control control = Control::Load;
     double K_gradient = 0.0;  // 1/mm, with control of K: K = block value exp(K_gradient (a - a at the start))
+    [[nodiscard]] int first_steps() const { return steps.value_or(12); }  // to begin with
     bool operator==(const LoadSection&) const = default;
 };
 
@@ -247,8 +249,7 @@ struct CouplingSection {
 enum class Written { Extremes, Cycles, All, None };
 
 struct OutputSection {
-    Written faces = Written::Extremes;
-    Written fields = Written::Extremes;
+    Written faces = Written::Extremes, fields = Written::Extremes, history = Written::All;
     std::string format = "vtkhdf";  // vtkhdf | vtu
     int checkpoint_every = 10;      // cycles; 0: only at the end, and where a run is interrupted
     bool operator==(const OutputSection&) const = default;

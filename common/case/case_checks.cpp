@@ -251,10 +251,10 @@ void check_length(const LoadSection& load, const Value& root, const Place& place
     for (const LoadBlock& block : load.blocks) cycles += static_cast<double>(load.repeat) * block.cycles;
     if (cycles == 0.0) return;
     const Value& table = *find(root, "load");
-    if (cycles * load.steps > std::numeric_limits<int>::max())
+    if (cycles * load.first_steps() > std::numeric_limits<int>::max())
         reject(place.inside("load"), table.line,
                fmt::format("has {:.4g} cycles of {} increments, at most {} increments can be counted", cycles,
-                           load.steps, std::numeric_limits<int>::max()));
+                           load.first_steps(), std::numeric_limits<int>::max()));
     require_memory(fmt::format("{}:{}: load: {:.4g} cycles", place.file, table.line, cycles), cycles * bytes_of_cycle);
 }
 

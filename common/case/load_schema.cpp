@@ -44,11 +44,19 @@ Section<LoadSection> load_section() {
         .at_least(2)
         .at_most(100'000)
         .even()
-        .says("Increments per cycle; the first ramp takes half as many more.");
+        .says("Increments per cycle; the first ramp takes half as many more. auto: 12 in the first cycle, then as many "
+              "as accuracy wants, from 3 to 24 between two reversals; 12 always where load cases are there, or no tip "
+              "whose opening is known.");
+    s.value("accuracy", &LoadSection::accuracy)
+        .positive()
+        .below(1.0)
+        .says("With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
+              "cycle, "
+              "of its range, as the last increments of the half cycle before tell it.");
     s.value("grading", &LoadSection::grading)
         .positive()
-        .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.6: "
-              "large where little flows, small where much does.");
+        .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.4: "
+              "large where little flows, small where the load turns.");
     s.list("blocks", &LoadSection::blocks, block_section())
         .says("Blocks of equal cycles, one after the other. A cycle runs from its maximum to its minimum and on to the "
               "maximum of the next one.");

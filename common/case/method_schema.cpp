@@ -77,6 +77,10 @@ Section<OutputSection> output_section() {
               "it does), "
               "those of every cycle, all or none.");
     s.choice<Written>("fields", &OutputSection::fields, when).says("Increments with field files, likewise.");
+    s.choice<Written>("history", &OutputSection::history, {{"all", Written::All}, {"cycles", Written::Cycles}})
+        .says(
+            "Increments in history.csv: all, or extremes of the load and what growth releases. What is not written is "
+            "not computed.");
     s.value("format", &OutputSection::format).one_of({"vtkhdf", "vtu"}).says("Format of the field files.");
     s.value("checkpoint_every", &OutputSection::checkpoint_every)
         .in("cycles")

@@ -155,12 +155,12 @@ std::vector<PatchResponse> FineRanks::collect_all() {
     return answers;
 }
 
-StepReport FineRanks::commit(bool reversal) {
+StepReport FineRanks::commit(const Commit& what) {
     const Eigen::VectorXd increment = trial_ - committed_;
     increments_.push(increment);
     committed_ = trial_;
-    for (const RankPart& part : parts_) scale_of(part).begin_commit(reversal);
-    for (const RankPart& part : parts_) reports_[at(part.rank)] = scale_of(part).commit(reversal);
+    for (const RankPart& part : parts_) scale_of(part).begin_commit(what);
+    for (const RankPart& part : parts_) reports_[at(part.rank)] = scale_of(part).commit(what);
     StepReport report = sum_of(reports_, patch_.rings);
     report.unknowns = patch_.mesh.unknowns + report.multipliers;  // seams once
     report.energy.load_path += gather(patch_.unit_load, seams_.kept).dot(increment);

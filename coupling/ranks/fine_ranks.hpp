@@ -25,7 +25,7 @@ public:
     [[nodiscard]] bool keeps_increments() const override { return false; }  // Patch::shared
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
-    StepReport commit(bool reversal) override;
+    StepReport commit(const Commit& what) override;
     void rollback() override;
     ZoneState state() override;
     ZoneSnapshot snapshot() override;

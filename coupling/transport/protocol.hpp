@@ -11,18 +11,13 @@
 namespace stria::coupling {
 
 /// Grows with any change of messages.hpp or of the layouts in wire.cpp; Hello's own layout never changes.
-inline constexpr std::uint32_t protocol_version = 13;
+inline constexpr std::uint32_t protocol_version = 14;
 
 /// An exception on its way across: thrown again on the other side with the same type and text.
 struct Failure {
     enum class Kind : std::uint32_t { Numerical = 1, Case = 2 };
     Kind kind = Kind::Numerical;
     std::string text;
-};
-
-/// Question of Tag::Commit.
-struct Commit {
-    bool reversal = false;
 };
 
 /// Question of Tag::Restore.

@@ -46,13 +46,13 @@ PatchResponse RemoteFineScale::collect() {
     return response;
 }
 
-void RemoteFineScale::begin_commit(bool reversal) {
-    send(Tag::Commit, pack(Commit{reversal}));
+void RemoteFineScale::begin_commit(const Commit& what) {
+    send(Tag::Commit, pack(what));
     commit_begun_ = true;
 }
 
-StepReport RemoteFineScale::commit(bool reversal) {
-    if (!commit_begun_) begin_commit(reversal);
+StepReport RemoteFineScale::commit(const Commit& what) {
+    if (!commit_begun_) begin_commit(what);
     commit_begun_ = false;
     return unpack<StepReport>(answer(Tag::Report).bytes);
 }

@@ -23,8 +23,8 @@ public:
     void set_patch(const Patch& patch) override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
-    void begin_commit(bool reversal) override;
-    StepReport commit(bool reversal) override;
+    void begin_commit(const Commit& what) override;
+    StepReport commit(const Commit& what) override;
     void rollback() override;
     ZoneState state() override;
     ZoneSnapshot snapshot() override;

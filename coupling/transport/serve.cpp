@@ -16,7 +16,7 @@ Message reply(const Message& question, FineScale& fine) {
         fine.request(unpack<PatchDisplacement>(question.bytes));
         return {Tag::Response, pack(fine.collect())};
     case Tag::Commit:
-        return {Tag::Report, pack(fine.commit(unpack<Commit>(question.bytes).reversal))};
+        return {Tag::Report, pack(fine.commit(unpack<Commit>(question.bytes)))};
     case Tag::Rollback:
         fine.rollback();
         return {Tag::Done, {}};

@@ -22,8 +22,8 @@ void fields(auto& wire, Is<Failure> auto& m) {
 }
 
 void fields(auto& wire, Is<Commit> auto& m) {
-    auto& [reversal] = m;
-    wire(reversal);
+    auto& [reversal, brief] = m;
+    wire(reversal, brief);
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {

@@ -265,9 +265,9 @@ double FineModel::work_along_correction() const {
     return work;
 }
 
-coupling::StepReport FineModel::commit(bool reversal) {
-    coupling::StepReport report = system_.commit(reversal);
-    if (reversal) {
+coupling::StepReport FineModel::commit(const coupling::Commit& what) {
+    coupling::StepReport report = system_.commit(what);
+    if (what.reversal) {
         system_.wake_all();
         begin_rest();
     }

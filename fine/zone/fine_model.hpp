@@ -20,7 +20,7 @@ public:
     void set_patch(const coupling::Patch& patch) override;
     void request(const coupling::PatchDisplacement& displacement) override;
     coupling::PatchResponse collect() override;
-    coupling::StepReport commit(bool reversal) override;
+    coupling::StepReport commit(const coupling::Commit& what) override;
     void rollback() override {}  // the next increment starts from what is committed
     coupling::ZoneState state() override;
     coupling::ZoneSnapshot snapshot() override;

@@ -16,8 +16,8 @@ struct ZoneSections {
     Materials materials;
     std::vector<CrackSection> cracks;
     FineSection fine;
-    int steps_per_cycle;  // increments: how many predictors are remembered
-    double tolerance;     // relative residual
+    OrAuto<int> steps_per_cycle;  // increments: how many predictors are remembered
+    double tolerance;             // relative residual
 };
 
 }  // namespace stria::fine

@@ -201,23 +201,23 @@ std::vector<std::vector<std::int8_t>> ZoneSystem::find_sliding() const {
     return sliding;
 }
 
-coupling::StepReport ZoneSystem::commit(bool reversal) {
+coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     // Where a face is open the solver has left the rounding of a pressure: it would count as contact.
     contact_->clean(trial_.traction);
     const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
     memory_.committed = trial_;
-    bulk_->commit(reversal, !memory_.opening.any());
+    bulk_->commit(what.reversal, !memory_.opening.any());
     contact_->commit(memory_.committed.displacement);
     coupling::StepReport report;
-    report.energy = {.stored = fine::stored_energy(*bulk_),
+    report.energy = {.stored = what.brief ? 0.0 : fine::stored_energy(*bulk_),
                      .released = memory_.opening.release(move.displacement, held_),
                      .friction = friction,
                      .load_path = patch_.unit_load.dot(move.displacement)};
     if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
     memory_.increments.push(move);
-    report_on(report);
+    report_on(report, what.brief);
     const double before = std::exchange(dissipated_, fine::dissipation(*bulk_));
     report.dissipation = dissipated_ - before;
     report.points = bulk_->history().points();
@@ -232,7 +232,7 @@ coupling::StepReport ZoneSystem::commit(bool reversal) {
     return report;
 }
 
-void ZoneSystem::report_on(coupling::StepReport& report) {
+void ZoneSystem::report_on(coupling::StepReport& report, bool brief) {
     const CommittedZone zone{.patch = patch_,
                              .bulk = *bulk_,
                              .contact = *contact_,
@@ -240,10 +240,11 @@ void ZoneSystem::report_on(coupling::StepReport& report) {
                              .displacement = memory_.committed.displacement,
                              .traction = memory_.committed.traction};
     report.tips = report_tips(zone);
-    report.rings = report_rings(zone, rings_);
-    report.faces = report_faces(zone);
     report.contact_length = contact_lengths(zone, input_.cracks.size());
     report.mouth_opening = mouth_openings(zone, input_.cracks.size());
+    if (brief) return;
+    report.rings = report_rings(zone, rings_);
+    report.faces = report_faces(zone);
 }
 
 coupling::ZoneState ZoneSystem::state() const {

@@ -74,7 +74,7 @@ public:
     [[nodiscard]] coupling::PatchResponse measure();
     [[nodiscard]] double tolerance() const { return input_.tolerance; }
 
-    coupling::StepReport commit(bool reversal);
+    coupling::StepReport commit(const coupling::Commit& what);
     [[nodiscard]] coupling::ZoneState state() const;
 
     /// As coupling::FineScale has it; roots of trees are the affair of who has a tree.
@@ -95,7 +95,7 @@ private:
     [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
     void set_inside(const UnknownSet& inside);
     void open_new_faces(const EnrichedMesh& before);
-    void report_on(coupling::StepReport& report);
+    void report_on(coupling::StepReport& report, bool brief);
 
     /// What rests, as this sees it.
     struct AtRest {

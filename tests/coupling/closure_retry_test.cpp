@@ -22,7 +22,7 @@ public:
         if (fails) throw NumericalFailure("as asked for");
         return response;
     }
-    coupling::StepReport commit(bool reversal) override { return model_.commit(reversal); }
+    coupling::StepReport commit(const coupling::Commit& what) override { return model_.commit(what); }
     void rollback() override { model_.rollback(); }
     coupling::ZoneState state() override { return model_.state(); }
     coupling::ZoneSnapshot snapshot() override { return model_.snapshot(); }

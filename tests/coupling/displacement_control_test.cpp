@@ -82,7 +82,7 @@ protected:
             increment.load_factor = equilibrium->load_factor();
             increment.displacement = equilibrium->structure_displacement();
             mean_.push_back(scene.mean_displacement.dot(increment.displacement));
-            increment.zone = equilibrium->commit(false);
+            increment.zone = equilibrium->commit({});
             history.increments.push_back(increment);
         }
         return history;

@@ -95,7 +95,7 @@ TEST_F(MemoryConversation, FailuresArriveAsTheyWereAndTheConversationGoesOn) {
         remote.request(displacement_of(0, 3));
         EXPECT_THROW(remote.collect(), NumericalFailure);
         fine.trouble = Trouble::Numerical;
-        EXPECT_THROW(remote.commit(false), NumericalFailure);
+        EXPECT_THROW(remote.commit({}), NumericalFailure);
         compare(direct, remote, 5);
     }
     join();

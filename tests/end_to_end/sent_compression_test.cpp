@@ -27,8 +27,8 @@ public:
     }
     void request(const coupling::PatchDisplacement& displacement) override { model_.request(displacement); }
     coupling::PatchResponse collect() override { return last_ = model_.collect(); }
-    coupling::StepReport commit(bool reversal) override {
-        coupling::StepReport report = model_.commit(reversal);
+    coupling::StepReport commit(const coupling::Commit& what) override {
+        coupling::StepReport report = model_.commit(what);
         statuses.push_back(last_.digest.status);
         displacements.push_back(model_.state().displacement);
         return report;

@@ -27,7 +27,7 @@ inline Equilibrated equilibrate(const coarse::Scene& scene, double load_factor) 
     Equilibrated result;
     result.newton = coarse::find_equilibrium(equilibrium, {Control::Load, load_factor}, 0.0, scene.input.solver);
     result.displacement = equilibrium.structure_displacement();
-    result.zone = equilibrium.commit(false);
+    result.zone = equilibrium.commit({});
     result.tips = coarse::fracture_parameters(structure, result.displacement, result.zone);
     return result;
 }

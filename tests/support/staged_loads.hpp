@@ -49,7 +49,7 @@ public:
         Equilibrated result;
         result.newton = stage.newton;
         result.displacement = displacement_ = stage.equilibrium.structure_displacement();
-        result.zone = stage.equilibrium.commit(false);
+        result.zone = stage.equilibrium.commit({});
         result.tips = coarse::fracture_parameters(stage.structure, result.displacement, result.zone);
         return result;
     }

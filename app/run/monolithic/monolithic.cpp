@@ -106,11 +106,11 @@ public:
         zone_.put_aside();
     }
 
-    coupling::StepReport commit(bool reversal) override {
+    coupling::StepReport commit(const coupling::Commit& what) override {
         increments_.push({trial_ - committed_, factors_.main - committed_factors_.main});
         committed_ = trial_;
         committed_factors_ = factors_;
-        return zone_.commit(reversal);
+        return zone_.commit(what);
     }
 
     void rollback() override {

@@ -46,8 +46,8 @@ public:
     }
     void request(const coupling::PatchDisplacement& displacement) override { model_.request(displacement); }
     coupling::PatchResponse collect() override { return model_.collect(); }
-    coupling::StepReport commit(bool reversal) override {
-        coupling::StepReport report = model_.commit(reversal);
+    coupling::StepReport commit(const coupling::Commit& what) override {
+        coupling::StepReport report = model_.commit(what);
         if (const auto last = std::ranges::find(changes.rbegin(), changes.rend(), true, &Change::grows);
             last != changes.rend() && last->released == 0.0)
             last->released = report.energy.released;

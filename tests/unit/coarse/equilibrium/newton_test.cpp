@@ -51,7 +51,7 @@ public:
         ++parts;
     }
     void put_aside() override {}
-    coupling::StepReport commit(bool) override { return {}; }
+    coupling::StepReport commit(const coupling::Commit&) override { return {}; }
     void rollback() override {}
     [[nodiscard]] LoadFactors factors() const override { return load_; }
     [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override { return none_; }

@@ -101,7 +101,8 @@ TEST_F(CaseFile, ReadsValuesAndDefaults) {
     EXPECT_FALSE(scene.boundaries.at(1).displacement[0]);
     EXPECT_EQ(scene.boundaries[1].displacement[1], 0.0);
     EXPECT_EQ(scene.load.blocks.at(0).min, -50.0);
-    EXPECT_EQ(scene.load.steps, 16);
+    EXPECT_TRUE(scene.load.steps.is_auto());
+    EXPECT_EQ(scene.load.first_steps(), 16);
     EXPECT_TRUE(needs_fine(scene));
 }
 

@@ -63,7 +63,7 @@ void follow(FineModel& model, double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / 2.5e-4));
     for (int k = 1; k <= steps; ++k) {
         settled(model, stretched(from + (to - from) * k / steps));
-        model.commit(false);
+        model.commit({});
     }
 }
 
@@ -134,7 +134,7 @@ public:
         return evaluate(boundary);
     }
 
-    void commit(bool reversal) { last_ = system_.commit(reversal); }
+    void commit(const coupling::Commit& what) { last_ = system_.commit(what); }
     [[nodiscard]] const coupling::StepReport& last() const { return last_; }
     [[nodiscard]] coupling::ZoneState state() const { return system_.state(); }
     /// On the boundary.
@@ -198,8 +198,8 @@ long follow_both(const Case& input, double shear, const std::vector<double>& str
             EXPECT_EQ(condensed.digest.yielding_points, whole.digest.yielding_points);
             EXPECT_EQ(condensed.digest.status, whole.digest.status);
         }
-        for (const coupling::FaceSample& face : model.commit(false).faces) sliding += face.status == 2 ? 1 : 0;
-        full.commit(false);
+        for (const coupling::FaceSample& face : model.commit({}).faces) sliding += face.status == 2 ? 1 : 0;
+        full.commit({});
         EXPECT_LT((model.state().displacement - full.displacement()).lpNorm<Eigen::Infinity>(), 1e-12) << strain;
     }
     return sliding;
@@ -227,9 +227,9 @@ TEST_P(RoughSuperelement, CondensedTangentIsTheDerivativeOfTheCondensedForce) {
     FineModel model(rough_scene);
     model.set_patch(patch);
     settled(model, sheared(-2e-4, 0.5 * rubbing.there));
-    model.commit(false);
+    model.commit({});
     settled(model, sheared(-4e-4, rubbing.there));
-    model.commit(false);
+    model.commit({});
     const Eigen::VectorXd u = sheared(-4.5e-4, rubbing.here);
     const PatchResponse here = settled(model, u);
     EXPECT_GT(std::ranges::count(here.digest.status, rubbing.status), 0);
@@ -266,8 +266,8 @@ protected:
             if (iteration > 2 && settled_whole(condensed) && settled_whole(whole)) break;
         }
         EXPECT_LT((condensed.force - full_.force()).lpNorm<Eigen::Infinity>(), 1e-9 * condensed.interior_force);
-        coupling::StepReport report = model_.commit(reversal);
-        full_.commit(reversal);
+        coupling::StepReport report = model_.commit(what);
+        full_.commit(what);
         const Eigen::VectorXd difference = model_.state().displacement - full_.displacement();
         EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-11) << strain;
         return report;
@@ -340,7 +340,7 @@ TEST(FineModel, WithoutContactSaysNothingOfIt) {
     model.set_patch(patch);
     const PatchResponse response = settled(model, stretched(1e-3));
     EXPECT_TRUE(response.digest.status.empty() && response.digest.multiplier.empty());
-    const coupling::StepReport report = model.commit(false);
+    const coupling::StepReport report = model.commit({});
     EXPECT_TRUE(report.faces.empty());
     EXPECT_EQ(report.multipliers + report.work.interface_elements + report.work.gaps_evaluated, 0);
 }
