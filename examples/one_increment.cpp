@@ -32,7 +32,7 @@ int main(int count, char** words) {
     if (!newton.converged) return fmt::print(stderr, "{}\n{}", newton.failure, newton.table()), 3;
 
     const Eigen::VectorXd u = equilibrium.structure_displacement();
-    const coupling::StepReport report = equilibrium.commit(false);
+    const coupling::StepReport report = equilibrium.commit({});
     fmt::print("{} iterations\n", newton.count());
     for (const auto& tip : coarse::fracture_parameters(structure, u, report))
         fmt::print("a = {:.6g} mm, K_I = {:.6g} MPa sqrt(mm), J = {:.6g} N/mm\n", tip.a, tip.K_I, tip.J);

@@ -65,7 +65,7 @@ void FatigueAnalysis::run() {
         std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
-        controller_.accepted(openings());
+        controller_.accepted(openings(accepted_.tips));
         if (growth_ && growth_->is_due(*step) && !grow(*step)) return;
         if (!listener_.reached(*step)) return;
     }
@@ -211,12 +211,6 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     accepted_ = std::move(increment);
 }
 
-std::vector<double> FatigueAnalysis::openings() const {
-    std::vector<double> openings;
-    for (const TipResult& tip : accepted_.tips) openings.push_back(tip.opening);
-    return openings;
-}
-
 void FatigueAnalysis::end_cycle(Increment& increment) {
     increment.cycles = cycle_meter_.finish();
     if (growth_) growth_->count_cycles(increment.cycles, last_cycle_);
@@ -262,7 +256,7 @@ bool FatigueAnalysis::release_new_faces() {
         }
         if (zone_must_grow(step)) continue;
         accept(step, report, {});
-        controller_.committed_besides(step.cycle, openings());
+        controller_.committed_besides(step.cycle, openings(accepted_.tips));
         release_.advance();
     }
     return true;

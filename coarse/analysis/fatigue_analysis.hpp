@@ -54,7 +54,6 @@ private:
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(LoadStep step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
-    [[nodiscard]] std::vector<double> openings() const;  // behind the tips, mm, last increment
     void end_cycle(Increment& increment);
     void note_flowing_rings(const Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;

@@ -98,6 +98,12 @@ void put_openings(const EnrichedMesh& mesh, int t, const Eigen::VectorXd& u, con
 
 }  // namespace
 
+std::vector<double> openings(const std::vector<TipResult>& tips) {
+    std::vector<double> openings;
+    for (const TipResult& tip : tips) openings.push_back(tip.opening);
+    return openings;
+}
+
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report) {
     const StructureRings rings(structure);

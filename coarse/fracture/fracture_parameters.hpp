@@ -26,6 +26,9 @@ struct TipResult {
     std::vector<double> K_I_of_cases = {}, K_II_of_cases = {};  // likewise, of each load case at its factor 1
 };
 
+/// At their stated distances behind the tips, mm.
+[[nodiscard]] std::vector<double> openings(const std::vector<TipResult>& tips);
+
 /// What load cases add to a K: their factors times those of `of_unit`, one per load case.
 [[nodiscard]] inline double sum_over_cases(const std::vector<double>& of_unit, const Eigen::VectorXd& factors) {
     double sum = 0.0;

@@ -81,7 +81,7 @@ TEST_P(FineRanks, AnswerAsOne) {
             EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
             EXPECT_EQ(b.digest.status, a.digest.status);
         }
-        const coupling::StepReport a = one.commit({}), b = team.together->commit(false);
+        const coupling::StepReport a = one.commit({}), b = team.together->commit({});
         EXPECT_GT(a.dissipation, 0.0);
         EXPECT_NEAR(b.dissipation, a.dissipation, 1e-9 * a.dissipation);
         EXPECT_NEAR(b.tips[0].CTOD, a.tips[0].CTOD, 1e-9);
@@ -115,7 +115,7 @@ protected:
             EXPECT_LT(difference(b.tangent.matrix, a.tangent.matrix), 1e-9);
             EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
         }
-        const coupling::StepReport a = one.commit({}), b = team.together->commit(false);
+        const coupling::StepReport a = one.commit({}), b = team.together->commit({});
         EXPECT_NEAR(b.dissipation, a.dissipation, 1e-9 * a.dissipation);
         EXPECT_NEAR(b.energy.released, a.energy.released, 1e-9 * a.dissipation);
         EXPECT_NEAR(b.energy.stored, a.energy.stored, 1e-9 * a.energy.stored);

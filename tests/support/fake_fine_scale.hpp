@@ -47,11 +47,11 @@ public:
         return response;
     }
 
-    coupling::StepReport commit(bool reversal) override {
+    coupling::StepReport commit(const coupling::Commit& what) override {
         fail_if_told();
         committed_ = trial_;
         ++commits;
-        reversals += reversal ? 1 : 0;
+        reversals += what.reversal ? 1 : 0;
         coupling::StepReport report;
         report.dissipation = 0.1 * commits;
         report.unknowns = trial_.size();

@@ -70,20 +70,21 @@ TEST(IncrementSchedule, TakesWhatTheEndOfALegAsksFor) {
     // The last increment of h is off by 2 (1 - ((h - 1) / h)^0.4)^2 / 6.
     for (const double accuracy : {1e-3, 2e-4}) {
         const auto error = [](int h) { return std::pow(1.0 - std::pow((h - 1.0) / h, 0.4), 2) / 3.0; };
-        const int chosen = after({.accuracy = accuracy}, square);
+        const int chosen = after({.accuracy = accuracy, .blocks = {}}, square);
         EXPECT_LE(error(chosen), accuracy);
         EXPECT_GT(error(chosen - 1), accuracy);
         EXPECT_GT(chosen, begins);
     }
-    EXPECT_EQ(after({.accuracy = 1e-9}, square), 24);
-    EXPECT_EQ(after({.accuracy = 0.0015}, square), begins) << "near enough, and one less would not clearly be";
+    EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, square), 24);
+    EXPECT_EQ(after({.accuracy = 0.0015, .blocks = {}}, square), begins)
+        << "near enough, and one less would not clearly be";
 }
 
 TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
     const auto bent = [](double w) { return 1.0 + std::pow(w, 9); };
     const int begins = LoadSection().first_steps() / 2;
     EXPECT_GT(after({}, bent), begins);
-    EXPECT_EQ(after({.steps = 16}, bent), 8);
+    EXPECT_EQ(after({.steps = 16, .blocks = {}}, bent), 8);
     EXPECT_EQ(after({}, bent, false), begins);
     EXPECT_EQ(after({}, [](double) { return std::numeric_limits<double>::quiet_NaN(); }), begins);
 }

@@ -266,8 +266,8 @@ protected:
             if (iteration > 2 && settled_whole(condensed) && settled_whole(whole)) break;
         }
         EXPECT_LT((condensed.force - full_.force()).lpNorm<Eigen::Infinity>(), 1e-9 * condensed.interior_force);
-        coupling::StepReport report = model_.commit(what);
-        full_.commit(what);
+        coupling::StepReport report = model_.commit({.reversal = reversal});
+        full_.commit({.reversal = reversal});
         const Eigen::VectorXd difference = model_.state().displacement - full_.displacement();
         EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-11) << strain;
         return report;
