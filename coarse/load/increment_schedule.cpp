@@ -39,7 +39,8 @@ void OpeningPath::begin(std::vector<double> openings) {
 }
 
 void OpeningPath::add(double at, std::vector<double> openings) {
-    if (way.empty() || opening.back().size() != openings.size()) return;  // the leg's start is not known
+    const bool goes_on = !opening.empty() && opening.back().size() == openings.size();
+    if (!goes_on) *this = {};
     way.push_back(at);
     opening.push_back(std::move(openings));
 }
@@ -102,14 +103,19 @@ int IncrementSchedule::enough(double curvature, int present) const {
     return increments == present && fewer_do ? increments - 1 : increments;
 }
 
-void IncrementSchedule::end_leg(bool rises) {
-    if (!chooses_ || state_.path.way.empty()) return;
-    int& present = rises ? state_.rising : state_.falling;
+// A path whose start nobody knows is that of the ramp, virgin metal, which is no cycle.
+void IncrementSchedule::learn(int& present, bool rises) {
+    if (state_.path.way.front() > 0.0) return;
     if (const std::optional<double> curvature = curvature_at_end(state_.path))
         present = enough(*curvature, present);
     else if (!rises)
         present = state_.rising;
     lay_out();
+}
+
+void IncrementSchedule::end_leg(bool rises) {
+    if (!chooses_ || state_.path.way.empty()) return;
+    learn(rises ? state_.rising : state_.falling, rises);
     begin(std::vector<double>(state_.path.opening.back()));
 }
 

@@ -11,7 +11,7 @@ namespace stria::coarse {
 
 /// What was measured on a leg: openings behind the tips, mm, over parts of its way.
 struct OpeningPath {
-    std::vector<double> way;                   // ascending, from 0
+    std::vector<double> way;                   // ascending, from 0; from beyond it where the start is not known
     std::vector<std::vector<double>> opening;  // per station: one per tip, NaN where there is none
 
     void begin(std::vector<double> openings);
@@ -56,6 +56,7 @@ public:
 private:
     [[nodiscard]] double error(double curvature, int increments) const;
     [[nodiscard]] int enough(double curvature, int present) const;
+    void learn(int& present, bool rises);
     void lay_out();
 
     bool chooses_;

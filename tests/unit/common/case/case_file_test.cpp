@@ -102,7 +102,7 @@ TEST_F(CaseFile, ReadsValuesAndDefaults) {
     EXPECT_EQ(scene.boundaries[1].displacement[1], 0.0);
     EXPECT_EQ(scene.load.blocks.at(0).min, -50.0);
     EXPECT_TRUE(scene.load.steps.is_auto());
-    EXPECT_EQ(scene.load.first_steps(), 16);
+    EXPECT_EQ(scene.load.first_steps(), 12);
     EXPECT_TRUE(needs_fine(scene));
 }
 
@@ -339,7 +339,7 @@ TEST_F(CaseFile, RefusesLoadsBeyondAllUse) {
               "or be zero");
     EXPECT_NE(complaint(complete, {"load.blocks.0.max=1e300"}).find("beyond all use"), std::string::npos);
     EXPECT_EQ(complaint_about("{ max", "{ cycles = 1000000000, max"),
-              "case.toml:24: load has 1e+09 cycles of 16 increments, at most 2147483647 increments can be counted");
+              "case.toml:24: load has 1e+09 cycles of 12 increments, at most 2147483647 increments can be counted");
     if (available_memory() < 1e11) {
         EXPECT_EQ(complaint(complete, {"load.steps=2", "load.repeat=500000000"}).substr(0, 55),
                   "case.toml:24: load: 5e+08 cycles would take about 100 G");
