@@ -215,6 +215,25 @@ TEST(CyclicHardening, ArmstrongAndFrederickRatchetBySoMuchACycle) {
     }
 }
 
+// With parts within an error bound the increments of a run are enough: nothing is extrapolated.
+TEST(CyclicHardening, TwentyIncrementsInPartsRatchetAsExactly) {
+    const double L = 62400.0 / 300.0, at_max = 300.0 - 200.0, at_min = -250.0 + 200.0;
+    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+        Case input =
+            tested(armstrong_frederick(), plane, TestControl::Stress, {.cycles = 5, .max = 300.0, .min = -250.0}, 20);
+        input.fine.substeps = 40;
+        const std::vector<Turns> found = turns_of(input);
+        verify({.scene = fmt::format("Armstrong and Frederick in parts, 300 and -250 MPa, {}",
+                                     plane == PlaneState::Strain ? "plane strain" : "plane stress"),
+                .source = "closed form (6.5)",
+                .quantity = "ratchet of the fifth cycle",
+                .reference = std::log((L * L - at_min * at_min) / (L * L - at_max * at_max)) / 300.0,
+                .ours = found[4].plastic_at_max - found[3].plastic_at_max,
+                .within = 1e-4,
+                .mesh = "20 a cycle"});
+    }
+}
+
 // references 6.5: the stress at the tip of a cycle that repeats itself.
 TEST(CyclicHardening, StabilisedCyclesOfArmstrongAndFrederick) {
     for (const auto& [amplitude, stress] : {std::pair{0.006, 375.648175}, {0.004, 326.962823}, {0.01, 404.558006}}) {
