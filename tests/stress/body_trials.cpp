@@ -92,7 +92,7 @@ void compare_units(const RandomBody& body, unsigned seed, Tally& tally) {
         double off = here.size() == there.size() ? 0.0 : INFINITY;
         for (std::size_t t = 0; t < here.size() && t < there.size(); ++t)
             off = std::max(off, std::abs(there[t] / (length * stress * here[t]) - 1.0));
-        tally.measure("J, in other units, " + body.kind(), seed, off, 1e-9);
+        tally.measure("J, in other units, " + body.kind(), seed, off, body.input.solver.tolerance);
     }
 }
 

@@ -80,14 +80,18 @@ double J_about_tip(const fine::Bulk& bulk, double radius) {
     return J;
 }
 
-/// What is read over half a decade of r in a sector ahead of the tip.
+/// What is read over half a decade of r in a sector ahead of the tip; the exponent is that of J / r.
 struct Reading {
     double exponent, I, J;  // I with J, which is relative to that far away
 };
 
 Reading read_ahead(fine::FineModel& fine, const Hrr& hrr, double far_J, double from, double sector) {
     const coupling::ZoneState state = fine.state();
-    const double unit = far_J / reference_stress, J = J_about_tip(fine.system().bulk(), from * unit);
+    const double unit = far_J / reference_stress;
+    // A mean over a ring; J falls towards the tip, and is wanted where the stress is read.
+    const auto J_at = [&](double radius) { return J_about_tip(fine.system().bulk(), radius / 1.5 * unit); };
+    const double J = J_at(from * std::sqrt(half_decade)),
+                 J_grows = std::log(J_at(from * half_decade) / J_at(from)) / std::log(half_decade);
     double count = 0.0, x_sum = 0.0, y_sum = 0.0, xx = 0.0, xy = 0.0;
     for (std::size_t p = 0; p < state.x.size(); ++p) {
         const double r = std::hypot(state.x[p], state.y[p]) / unit;
@@ -99,7 +103,7 @@ Reading read_ahead(fine::FineModel& fine, const Hrr& hrr, double far_J, double f
     const double stress = std::exp(y_sum / count), r = std::exp(-x_sum / count) * unit,
                  I = J * elastic_modulus / (reference_stress * reference_stress * r) *
                      std::pow(hrr.hoop / stress, hrr.n + 1.0);
-    return {(count * xy - x_sum * y_sum) / (count * xx - x_sum * x_sum), I, J / far_J};
+    return {(count * xy - x_sum * y_sum) / (count * xx - x_sum * x_sum) / (1.0 - J_grows), I, J / far_J};
 }
 
 /// What is left of a number at r = 0, and what it may be off by.
