@@ -80,30 +80,33 @@ double J_about_tip(const fine::Bulk& bulk, double radius) {
     return J;
 }
 
-/// What is read over half a decade of r in a sector ahead of the tip; the exponent is that of J / r.
+/// Means over half a decade of r in a sector ahead of the tip, J there too; it is relative to that far away.
 struct Reading {
-    double exponent, I, J;  // I with J, which is relative to that far away
+    double stress, J_per_r, J;  // over sigma_0; J / r over sigma_0
 };
 
-Reading read_ahead(fine::FineModel& fine, const Hrr& hrr, double far_J, double from, double sector) {
+Reading read_ahead(fine::FineModel& fine, double far_J, double from, double sector) {
     const coupling::ZoneState state = fine.state();
     const double unit = far_J / reference_stress;
-    // A mean over a ring; J falls towards the tip, and is wanted where the stress is read.
-    const auto J_at = [&](double radius) { return J_about_tip(fine.system().bulk(), radius / 1.5 * unit); };
-    const double J = J_at(from * std::sqrt(half_decade)),
-                 J_grows = std::log(J_at(from * half_decade) / J_at(from)) / std::log(half_decade);
-    double count = 0.0, x_sum = 0.0, y_sum = 0.0, xx = 0.0, xy = 0.0;
+    double count = 0.0, log_r = 0.0, log_stress = 0.0;
     for (std::size_t p = 0; p < state.x.size(); ++p) {
         const double r = std::hypot(state.x[p], state.y[p]) / unit;
         if (std::abs(state.y[p]) > sector * state.x[p] || r < from || r > half_decade * from) continue;
-        const double x = -std::log(r), y = std::log(state.stress[4 * p + 1] / reference_stress);
-        count += 1.0, x_sum += x, y_sum += y, xx += x * x, xy += x * y;
+        count += 1.0, log_r += std::log(r), log_stress += std::log(state.stress[4 * p + 1] / reference_stress);
     }
-    // sigma_tt = sigma_0 (J E / (sigma_0^2 I r))^(1/(n+1)) hoop, alpha = 1.
-    const double stress = std::exp(y_sum / count), r = std::exp(-x_sum / count) * unit,
-                 I = J * elastic_modulus / (reference_stress * reference_stress * r) *
-                     std::pow(hrr.hoop / stress, hrr.n + 1.0);
-    return {(count * xy - x_sum * y_sum) / (count * xx - x_sum * x_sum) / (1.0 - J_grows), I, J / far_J};
+    const double r = std::exp(log_r / count) * unit;
+    const double J = J_about_tip(fine.system().bulk(), r / 1.5);  // a mean over its ring
+    return {std::exp(log_stress / count), J / (reference_stress * r), J / far_J};
+}
+
+/// sigma_tt = sigma_0 (J E / (sigma_0^2 I r))^(1/(n+1)) hoop, alpha = 1.
+double I_of(const Hrr& hrr, const Reading& reading) {
+    return reading.J_per_r * elastic_modulus / reference_stress * std::pow(hrr.hoop / reading.stress, hrr.n + 1.0);
+}
+
+/// Of J / r, between two places.
+double exponent_of(const Reading& near, const Reading& farther) {
+    return std::log(near.stress / farther.stress) / std::log(near.J_per_r / farther.J_per_r);
 }
 
 /// What is left of a number at r = 0, and what it may be off by.
@@ -135,18 +138,20 @@ Field field_at_tip(const Hrr& hrr, const Fineness& fineness, double from) {
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine, input);
     const double far_J = run_analysis(factory, scene).increments.back().tips[0].J;
-    std::array<Reading, 3> wide, narrow;
-    for (std::size_t k = 0; k < 3; ++k, from *= half_decade) {
-        wide[k] = read_ahead(fine, hrr, far_J, from, 0.15);
-        narrow[k] = read_ahead(fine, hrr, far_J, from, 0.075);
+    std::array<Reading, 4> wide{}, narrow{};
+    for (std::size_t k = 0; k < 4; ++k, from *= half_decade) {
+        wide[k] = read_ahead(fine, far_J, from, 0.15);
+        narrow[k] = read_ahead(fine, far_J, from, 0.075);
     }
-    const auto limit = [&](double Reading::*what) {
+    const auto limit = [&](const auto& number_at) {
         std::array<double, 3> ahead{};
-        for (std::size_t k = 0; k < 3; ++k) ahead[k] = narrow[k].*what + (narrow[k].*what - wide[k].*what) / 3.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            ahead[k] = number_at(narrow, k) + (number_at(narrow, k) - number_at(wide, k)) / 3.0;
         const Limit found = limit_of(ahead, hrr.n);
-        return Limit{found.value, found.bound + std::abs(ahead[0] - narrow[0].*what)};
+        return Limit{found.value, found.bound + std::abs(ahead[0] - number_at(narrow, 0))};
     };
-    return {limit(&Reading::exponent), limit(&Reading::I), narrow[0].J};
+    return {limit([](const auto& all, std::size_t k) { return exponent_of(all[k], all[k + 1]); }),
+            limit([&](const auto& all, std::size_t k) { return I_of(hrr, all[k]); }), narrow[0].J};
 }
 
 /// On two meshes, of which the coarser one's elements grow twice as fast with the distance from the tip. What the finer
