@@ -124,15 +124,15 @@ TEST_P(EveryLawInParts, WorkIsStoredOrDissipated) {
     std::vector<double> committed(at(law_.state_size()), 0.0);
     committed = update_point(law_, committed, Mandel(-1e-3, 2e-3, 0.0, 1e-3)).state;
     const auto missing = [&](double size) {
-        const Mandel turned = size * Mandel(3.0, 2.0, 0.0, -4.0);
-        const PointUpdate end = update_point(law_, committed, turned);
+        const Mandel aside = size * Mandel(0.5, 3.0, 0.0, 4.0);
+        const PointUpdate end = update_point(law_, committed, aside);
+        EXPECT_TRUE(end.yields);
         const auto booked = [&](const std::vector<double>& state) {
             return law_.stored_energy(state.data(), 1) + state[at(fine::state::dissipation)] -
                    state[at(fine::state::work)];
         };
         return std::abs(booked(end.state) - booked(committed));
     };
-    EXPECT_LT(missing(1e-5), 1e-3 * 1e-5 * 350.0);
     EXPECT_LT(missing(1e-6), 1e-2 * missing(1e-5) + 1e-13);
 }
 
