@@ -11,26 +11,6 @@
 #include "common/index.hpp"
 
 namespace stria::coarse {
-namespace {
-
-/// Where the polyline, walked from the tip, leaves the band around the tip's line: its distance from the tip.
-double straight_length(std::vector<Vec2> points, const Tip& tip, double band) {
-    if (tip.upper > 0) std::ranges::reverse(points);
-    const auto across = [&](const Vec2& x) {
-        const Vec2 d = x - tip.position;
-        return std::abs(tip.direction.x() * d.y() - tip.direction.y() * d.x());
-    };
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-        const double here = across(points[k]), next = across(points[k + 1]);
-        if (next <= band) continue;
-        const double t = std::clamp((band - here) / (next - here), 0.0, 1.0);
-        return (points[k] + t * (points[k + 1] - points[k]) - tip.position).norm();
-    }
-    return 1e300;
-}
-
-}  // namespace
-
 double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
     double distance = 1e300;
     for (const auto& [name, edges] : mesh.boundary) {
@@ -54,6 +34,23 @@ double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip) {
     return distance;
 }
 
+// Where the polyline, walked from the tip, leaves the band.
+double straight_length(const CrackSection& crack, const Tip& tip, double band) {
+    std::vector<Vec2> points = crack.points;
+    if (tip.upper > 0) std::ranges::reverse(points);
+    const auto across = [&](const Vec2& x) {
+        const Vec2 d = x - tip.position;
+        return std::abs(tip.direction.x() * d.y() - tip.direction.y() * d.x());
+    };
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const double here = across(points[k]), next = across(points[k + 1]);
+        if (next <= band) continue;
+        const double t = std::clamp((band - here) / (next - here), 0.0, 1.0);
+        return (points[k] + t * (points[k + 1] - points[k]) - tip.position).norm();
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
                  double band) {
     double reach = distance_to_boundary(mesh, tip.position);
@@ -64,7 +61,7 @@ double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std:
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const std::vector<Vec2>& points = cracks[at(crack)].points;
         if (crack == tip.crack) {
-            reach = std::min(reach, straight_length(points, tip, band));
+            reach = std::min(reach, straight_length(cracks[at(crack)], tip, band));
             continue;
         }
         for (std::size_t k = 0; k + 1 < points.size(); ++k)

@@ -18,6 +18,9 @@ constexpr double bend_to_element = 0.25;
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
                  double band);
 
+/// The last of these alone; infinite where the crack does not leave it.
+double straight_length(const CrackSection& crack, const Tip& tip, double band);
+
 /// Distance from a tip to the nearest element of another material than its own, mm; infinite where there is none.
 double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip);
 

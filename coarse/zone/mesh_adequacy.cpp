@@ -15,6 +15,7 @@ namespace {
 constexpr double wanted = 5.0;            // elements across the forward zone
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double elements_in_ring = 4.0;  // across the radius of the largest one
+constexpr double elements_to_bend = 2.0;  // from the tip
 
 bool asks_for_opening_loads(const Case& input) {
     const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
@@ -48,6 +49,21 @@ void add_ring_warnings(const Scene& scene, std::vector<std::string>& warnings) {
     }
 }
 
+/// Rings about a tip pass over a bend that is nearer to it than they are.
+void add_bend_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+    for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
+        const Tip& tip = scene.enriched.tips[t];
+        const double straight = straight_length(scene.input.cracks[at(tip.crack)], tip,
+                                                bend_to_element * tip_element_size(scene.enriched, tip));
+        const double element = tip_element_edge(scene.enriched, tip);
+        if (straight >= elements_to_bend * element) continue;
+        warnings.push_back(
+            fmt::format("tip {}: its crack bends {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; K is "
+                        "not resolved nearer than {:g}: smaller elements there",
+                        t, straight, straight / element, element, elements_to_bend));
+    }
+}
+
 }  // namespace
 
 double forward_zone(double K_I, double yield_stress, PlaneState plane) {
@@ -59,6 +75,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     const Case& input = scene.input;
     std::vector<std::string> warnings = region_warnings(scene.mesh, input.regions);
     if (!input.regions.empty()) add_ring_warnings(scene, warnings);
+    add_bend_warnings(scene, warnings);
     if (!asks_for_opening_loads(input)) return warnings;
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (std::size_t t = 0; t < largest_K_I.size(); ++t) {

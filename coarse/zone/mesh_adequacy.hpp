@@ -13,9 +13,10 @@ namespace stria::coarse {
 double forward_zone(double K_I, double yield_stress, PlaneState plane);
 
 /// One sentence per region whose outline elements do not follow, per tip so near to another material that no ring of
-/// four elements lies about it in its own, per tip whose forward zone spans fewer than five elements where contact or
-/// growth is asked for, with the `fine.refine` that would do, and per tip that grows by two elements or more at a time.
-/// `largest_K_I`: one per tip, MPa sqrt(mm), of the load history. Nothing where nothing flows.
+/// four elements lies about it in its own, per tip less than two elements from a bend behind it, per tip whose forward
+/// zone spans fewer than five elements where contact or growth is asked for, with the `fine.refine` that would do, and
+/// per tip that grows by two elements or more at a time. `largest_K_I`: one per tip, MPa sqrt(mm), of the load history.
+/// Of zones nothing where nothing flows.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I);
 
 }  // namespace stria::coarse

@@ -45,8 +45,9 @@ Section<FineSection> fine_section() {
     s.value("substeps", &FineSection::substeps)
         .at_least(1)
         .at_most(10'000)
-        .says("Parts of a strain increment at points that flow: the return mapping is of first order in them. Linear "
-              "hardening in plane strain returns exactly where there is more than one.");
+        .says("How finely a strain increment is taken at points that flow: in as many parts as leave the stress within "
+              "0.4 % of the yield stress over this number, by the estimate of the return mapping. 1: at once, by "
+              "backward Euler. Linear hardening in plane strain returns exactly where it is more.");
     s.choice<Enrichment>("enrichment", &FineSection::enrichment,
                          {{"auto", Enrichment::Auto},
                           {"none", Enrichment::None},

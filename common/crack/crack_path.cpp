@@ -74,7 +74,7 @@ private:
         for (const int e : shared) {
             const int inside = side_of_polygon(polygon(e), middle);
             if (inside > 0) return make_piece(e, chain, &a, &b);
-            if (inside == 0) refuse_partial_edge(b);
+            if (inside == 0) refuse_partial_edge(b.position);
         }
         return std::nullopt;  // outside the body
     }
@@ -84,18 +84,18 @@ private:
         const bool whole_edge = a.node >= 0 && b.node >= 0;
         const bool ends_at_tip =
             (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
-        if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b);
+        if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b.position);
         const bool first_is_left = orientation(a.position, b.position, centre(mesh_, shared[0])) > 0;
         CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
         result.neighbour = first_is_left ? shared[0] : shared[1];
         return result;
     }
 
-    [[noreturn]] void refuse_partial_edge(const Crossing& b) const {
+    [[noreturn]] void refuse_partial_edge(const Vec2& x) const {
         throw CaseError(
             fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
                         "change the mesh size a little",
-                        crack_ + 1, b.position.x(), b.position.y()));
+                        crack_ + 1, x.x(), x.y()));
     }
 
     // A piece that ends at a tip inside an element (null end), or lies wholly inside one.
@@ -118,8 +118,9 @@ private:
             return result;
         }
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-            if (side_of_polygon(polygon(static_cast<int>(e)), middle) > 0)
-                return make_piece(static_cast<int>(e), chain, a, b);
+            const int inside = side_of_polygon(polygon(static_cast<int>(e)), middle);
+            if (inside > 0) return make_piece(static_cast<int>(e), chain, a, b);
+            if (inside == 0) refuse_partial_edge(middle);  // and then leaves it, or it would be one of the above
         }
         throw CaseError(
             fmt::format("crack {}: no element holds the crack near ({}, {})", crack_ + 1, middle.x(), middle.y()));

@@ -1,7 +1,7 @@
 #include "common/error.hpp"
 #include "fine/material/elastic.hpp"
+#include "fine/material/implicit/j2_implicit.hpp"
 #include "fine/material/j2.hpp"
-#include "fine/material/j2_implicit.hpp"
 #include "fine/material/j2_plane_stress.hpp"
 
 #include <fmt/format.h>

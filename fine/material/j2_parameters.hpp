@@ -28,7 +28,10 @@ struct J2Parameters {
     HardeningCurve isotropic;                   // R(p)
     std::vector<KinematicHardening> kinematic;  // each dX = 2/3 C d(eps_p) - gamma X dp
 
-    int substeps = 1;  // of a strain increment at points that flow
+    int substeps = 1;  // how finely strain increments are taken at points that flow; 1: at once, by backward Euler
+
+    /// What the stress may be off at the end of an increment in parts, over the yield stress.
+    [[nodiscard]] double error_of_parts() const { return 4e-3 / substeps; }
 
     /// Sum of C, MPa.
     [[nodiscard]] double prager_modulus() const;

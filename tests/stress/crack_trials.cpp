@@ -6,6 +6,7 @@
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/enrichment.hpp"
 #include "coarse/model/rings.hpp"
+#include "coarse/zone/mesh_adequacy.hpp"
 #include "common/error.hpp"
 #include "common/fracture/williams.hpp"
 #include "common/integration/crack_faces.hpp"
@@ -236,7 +237,15 @@ Room room_of(const CrackedPlate& plate) {
     return {"rings of three elements and more", 0.02, 5e-3};
 }
 
+/// What a run says of tips whose K is not resolved.
+std::vector<std::string> warnings_of(const CrackedPlate& plate) {
+    const Case input = case_of(plate, false);
+    return coarse::mesh_warnings(scene_of(plate, input, coarse::choose_enrichment(input), Eigen::Matrix2d::Zero()), {});
+}
+
 void try_intensities(const CrackedPlate& plate, unsigned seed, Tally& tally) {
+    if (const auto warnings = warnings_of(plate); !warnings.empty())
+        return tally.refuse("warning: " + warnings.front(), seed);
     const Room room = room_of(plate);
     if (plate.straight)
         tally.measure(fmt::format("K of an exact field, {}", room.elements), seed, intensity_error(plate), room.K);

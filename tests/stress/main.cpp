@@ -1,14 +1,18 @@
-// stria_stress N SEED: random cracks, as many as asked for, through what must hold for all of them. Prints the worst of
-// each measure, and what failed with its seed. `stria_stress 1 SEED` repeats one and shows it. Exit code 1 where
-// something failed.
+// stria_stress N SEED: random cracks, and random metals on random paths, as many as asked for, and a fifth as many
+// bodies that flow, through what must hold for all of them. Prints the worst of each measure, and what failed with its
+// seed. `stria_stress 1 SEED` repeats one and shows it. Exit code 1 where something failed.
 #include <cstdlib>
 #include <fmt/format.h>
 #include <iostream>
 
 #include "common/linear/sparse_lu.hpp"
+#include "tests/stress/body_trials.hpp"
 #include "tests/stress/crack_trials.hpp"
+#include "tests/stress/law_trials.hpp"
 
 namespace {
+
+constexpr unsigned bodies_one_in = 5;
 
 void show(const stria::test::CrackedPlate& plate) {
     std::cout << fmt::format("{} elements across; the crack, in elements:", plate.mesh_name);
@@ -32,8 +36,10 @@ int main(int count, char** words) {
         const stria::test::CrackedPlate plate = stria::test::random_crack(seed);
         if (trials == 1) show(plate);
         stria::test::try_crack(plate, seed, tally);
+        stria::test::try_law(seed, tally);
+        if (seed % bodies_one_in == 0) stria::test::try_body(seed, tally);
     }
-    std::cout << fmt::format("{} cracks, of the seeds from {}\n", trials, first);
+    std::cout << fmt::format("{} cracks and metals, of the seeds from {}\n", trials, first);
     tally.print();
     return tally.clean() ? 0 : 1;
 }

@@ -17,6 +17,7 @@
 #include "tests/support/comparison.hpp"
 #include "tests/support/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"
+#include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
 namespace {
@@ -215,6 +216,25 @@ TEST(CyclicHardening, ArmstrongAndFrederickRatchetBySoMuchACycle) {
     }
 }
 
+// With parts within an error bound the increments of a run are enough: nothing is extrapolated.
+TEST(CyclicHardening, TwentyIncrementsInPartsRatchetAsExactly) {
+    const double L = 62400.0 / 300.0, at_max = 300.0 - 200.0, at_min = -250.0 + 200.0;
+    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+        Case input =
+            tested(armstrong_frederick(), plane, TestControl::Stress, {.cycles = 5, .max = 300.0, .min = -250.0}, 20);
+        input.fine.substeps = 40;
+        const std::vector<Turns> found = turns_of(input);
+        verify({.scene = fmt::format("Armstrong and Frederick in parts, 300 and -250 MPa, {}",
+                                     plane == PlaneState::Strain ? "plane strain" : "plane stress"),
+                .source = "closed form (6.5)",
+                .quantity = "ratchet of the fifth cycle",
+                .reference = std::log((L * L - at_min * at_min) / (L * L - at_max * at_max)) / 300.0,
+                .ours = found[4].plastic_at_max - found[3].plastic_at_max,
+                .within = 1e-4,
+                .mesh = "20 a cycle"});
+    }
+}
+
 // references 6.5: the stress at the tip of a cycle that repeats itself.
 TEST(CyclicHardening, StabilisedCyclesOfArmstrongAndFrederick) {
     for (const auto& [amplitude, stress] : {std::pair{0.006, 375.648175}, {0.004, 326.962823}, {0.01, 404.558006}}) {
@@ -365,6 +385,24 @@ TEST(CyclicHardening, AFittedStructuralSteelSaturates) {
             .ours = last.stress_at_max,
             .within = 1e-4,
             .mesh = "200 and 400 a cycle"});
+}
+
+// What a run costs beside Prager's metal, in counts: the crack grows and closes in each of four cycles.
+TEST(CyclicHardening, AClosureRunWithTwoBackStressesLosesNoIncrement) {
+    const auto iterations = [](const std::vector<std::string>& metal) {
+        std::vector<std::string> scene{mesh_at_tip(0.4), "load.blocks=[{cycles=4, max=45.0, ratio=0.0}]",
+                                       "growth.increment=0.4", "closure.distance=0.5"};
+        scene.insert(scene.end(), metal.begin(), metal.end());
+        const RunHistory run = run_direct(sent_case(scene));
+        EXPECT_EQ(run.cuts, 0);
+        int count = 0;
+        for (const auto& [step, report] : run.attempts) count += report.count();
+        return count;
+    };
+    const int prager = iterations({"material.kinematic=[{C=4000.0}]"}),
+              recalling = iterations({"material.kinematic=[{C=60e3, gamma=300.0}, {C=4e3, gamma=20.0}]",
+                                      "material.isotropic={law=\"voce\", Q=60.0, b=10.0}"});
+    EXPECT_LT(recalling, 1.1 * prager);
 }
 
 }  // namespace

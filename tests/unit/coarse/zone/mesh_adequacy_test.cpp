@@ -31,6 +31,20 @@ protected:
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
 };
 
+// Elements of 1 mm: a bend of 45 degrees is seen where the crack has left the tip's line by 0.35 mm.
+TEST_F(Advice, NamesABendNearATip) {
+    input.cracks[0].contact.reset();
+    const auto bent = [&](double behind) {
+        input.cracks[0].points = {{0.0, 10.3}, {5.3, 10.3}, {5.3 + behind * 0.6, 10.3 + behind * 0.8}};
+        return at(300.0);
+    };
+    ASSERT_EQ(bent(1.3).size(), 1U);
+    EXPECT_NE(bent(1.3)[0].find("tip 0: its crack bends 1.6"), std::string::npos) << bent(1.3)[0];
+    EXPECT_TRUE(bent(1.9).empty());
+    input.cracks[0].points = {{0.0, 10.3}, {7.3, 10.3}, {8.3, 10.4}};  // too little to see
+    EXPECT_TRUE(at(300.0).empty());
+}
+
 TEST_F(Advice, NamesTheRefinementThatWouldDo) {
     const auto warnings = at(600.0);  // 0.63 mm
     ASSERT_EQ(warnings.size(), 1U);

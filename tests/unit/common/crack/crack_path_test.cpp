@@ -188,5 +188,18 @@ TEST(CrackPath, RefusesWhatTheMeshCannotHold) {
     EXPECT_NO_THROW(resolve_crack(mesh, 0, {{0.1, 0.4}, {0.6, 0.4}, {0.6, 0.6}}));
 }
 
+// It ends so, or between two crossings: the same sentence.
+TEST(CrackPath, NamesThePlaceWhereItLeavesAnEdge) {
+    for (const Points& points :
+         {Points{{0.0, 0.5}, {0.6, 0.5}, {0.65, 0.52}}, Points{{0.0, 0.5}, {0.6, 0.5}, {0.9, 0.6}}})
+        try {
+            resolve_crack(square_mesh(4), 0, points);
+            ADD_FAILURE();
+        } catch (const CaseError& error) {
+            EXPECT_NE(std::string(error.what()).find("along part of an element edge"), std::string::npos)
+                << error.what();
+        }
+}
+
 }  // namespace
 }  // namespace stria::test

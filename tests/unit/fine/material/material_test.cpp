@@ -277,26 +277,5 @@ TEST(MaterialLaw, AStrainThatIsNoNumberFails) {
     }
 }
 
-// An increment in parts is those parts one after the other, in plane stress too.
-TEST(MaterialLaw, TakesAnIncrementInParts) {
-    constexpr int parts = 5;
-    const Mandel whole{2e-3, 1e-3, 0.0, -3e-3};
-    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
-        for (const MaterialSection& material :
-             {curved(voce, recalling), curved(voce, multilinear), linear_steel(1000.0, {{3000.0, 0.0}})}) {
-            if (plane == PlaneState::Strain && material.isotropic.law == "linear") continue;  // exact_flow_test
-            const auto in_parts = fine::make_material_law(material, plane, parts);
-            MaterialPoint point(material, plane);
-            point.strain_by({1e-3, -3e-3, 0.0, 1e-3});
-            const PointUpdate once = update_point(*in_parts, point.last().state, whole);
-            for (int part = 0; part < parts; ++part) point.strain_by(whole / parts);
-            for (std::size_t c = 0; c < once.state.size(); ++c) {
-                if (c == at(state::work)) continue;  // by the trapezoid rule of each
-                EXPECT_NEAR(once.state[c], point.last().state[c], 1e-10 * (1.0 + std::abs(once.state[c]))) << c;
-            }
-        }
-    }
-}
-
 }  // namespace
 }  // namespace stria::test

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "common/error.hpp"
+#include "fine/material/implicit/plane_deviators.hpp"
 #include "fine/material/j2_pack.hpp"
-#include "fine/material/plane_deviators.hpp"
 
 namespace stria::fine {
-
-template <int rows> using Mask = Eigen::Array<bool, rows, 1>;
 
 /// Deviatoric stress, back stresses and p of a pack; or what they change by.
 template <int rows> struct PackState {

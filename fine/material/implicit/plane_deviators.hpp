@@ -11,6 +11,8 @@ namespace stria::fine {
 
 template <int rows> using Deviators = Eigen::Array<double, rows, 3>;
 
+template <int rows> using Mask = Eigen::Array<bool, rows, 1>;
+
 /// Rows: the basis in Mandel form.
 inline Eigen::Matrix<double, 3, 4> deviator_basis() {
     Eigen::Matrix<double, 3, 4> basis;
