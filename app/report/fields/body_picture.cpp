@@ -47,6 +47,18 @@ std::string edge_of(const std::vector<Polygon>& polygons, const Plan& plan) {
     return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"0.8\"/>\n", outlines);
 }
 
+/// Of a crack that began as a notch: as it was given, up to where its faces begin.
+Polygon notch_of(const CrackSection& crack, double until) {
+    Polygon way;
+    if (crack.notch <= 0.0) return way;
+    double s = 0.0;
+    for (std::size_t k = 0; k < crack.points.size() && s < until; ++k) {
+        way.push_back({crack.points[k].x(), crack.points[k].y()});
+        if (k + 1 < crack.points.size()) s += (crack.points[k + 1] - crack.points[k]).norm();
+    }
+    return way;
+}
+
 /// From mouth to tip, or from tip to tip.
 std::vector<Polygon> ways_of_cracks(const RunRecord& run) {
     std::vector<Polygon> ways;
@@ -60,7 +72,8 @@ std::vector<Polygon> ways_of_cracks(const RunRecord& run) {
             if (faces["crack"][row] == static_cast<double>(crack)) rows.push_back(row);
         if (rows.empty()) continue;
         std::ranges::sort(rows, {}, [&](std::size_t row) { return faces["s"][row]; });
-        ways.emplace_back();
+        const bool given = run.input && crack < run.input->cracks.size();
+        ways.push_back(given ? notch_of(run.input->cracks[crack], faces["s"][rows.front()]) : Polygon());
         for (const std::size_t row : rows) ways.back().push_back({faces["x"][row], faces["y"][row]});
     }
     return ways;

@@ -31,6 +31,18 @@ double area_of(const std::vector<Point>& polygon) {
     return 0.5 * twice;
 }
 
+/// Without the corners at which it goes straight on.
+std::vector<Point> corners_of(const std::vector<Point>& polygon) {
+    std::vector<Point> corners;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Point &before = polygon[(k + polygon.size() - 1) % polygon.size()], &here = polygon[k],
+                    &after = polygon[(k + 1) % polygon.size()];
+        const double length = std::hypot(after.x - before.x, after.y - before.y);
+        if (std::abs(cross(before, here, after)) > 10.0 * fineness * length) corners.push_back(here);
+    }
+    return corners;
+}
+
 /// Edges less those that another cell passes the other way.
 class OpenEdges {
 public:
@@ -110,7 +122,7 @@ std::vector<std::vector<Point>> outline_of(const FieldCells& field, const std::v
     open.split_at_hanging_nodes();
     std::vector<std::vector<Point>> polygons;
     for (auto polygon = open.take_polygon(); !polygon.empty(); polygon = open.take_polygon())
-        if (std::abs(area_of(polygon)) > fineness) polygons.push_back(std::move(polygon));
+        if (std::abs(area_of(polygon)) > fineness) polygons.push_back(corners_of(polygon));
     return polygons;
 }
 

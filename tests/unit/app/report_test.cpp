@@ -266,6 +266,7 @@ TEST(Report, AnOutlineHasTheHolesAndNoNodeThatHangs) {
     EXPECT_NEAR(areas[1], 9.0, 1e-9);
     const auto split = outline_of(field, {7, 8, 9, 10});
     ASSERT_EQ(split.size(), 1);
+    EXPECT_EQ(split[0].size(), 4);
     EXPECT_NEAR(twice_area(split[0]), 2.0, 1e-9);
 }
 
