@@ -14,8 +14,7 @@ namespace stria::report {
 
 namespace {
 
-using Point = FieldCells::Point;
-using Polygon = std::vector<Point>;
+using Polygon = std::vector<FieldPoint>;
 
 constexpr std::size_t most_cracks = 40;
 constexpr double finest = 0.3;  // pixels: corners nearer to each other are one
@@ -24,7 +23,7 @@ constexpr double finest = 0.3;  // pixels: corners nearer to each other are one
 std::string path_of(const Polygon& points, const Plan& plan, bool closed) {
     std::string text;
     double x = -INFINITY, y = -INFINITY;
-    for (const Point& point : points) {
+    for (const FieldPoint& point : points) {
         const double next_x = plan.x(point.x), next_y = plan.y(point.y);
         if (std::hypot(next_x - x, next_y - y) < finest && &point != &points.back()) continue;
         x = next_x, y = next_y;
@@ -116,7 +115,7 @@ std::string picture(const FieldCells& field, const std::vector<Polygon>& ways) {
                zone = outline_of(field, cells_where(field, [&](std::size_t cell) { return field.zone[cell] > 0.0; }));
     Window window;
     for (const Polygon& polygon : body)
-        for (const Point& point : polygon) window.enclose(point);
+        for (const FieldPoint& point : polygon) window.enclose(point);
     window.square();
     const Plan plan = plan_of(window);
     std::string drawing = area(body, plan, "l0") + area(zone, plan, "l2") + edge_of(body, plan) + lines_of(ways, plan);

@@ -9,8 +9,8 @@ namespace stria::report {
 
 namespace {
 
-std::vector<FieldCells::Point> plane_points(const std::vector<double>& coordinates) {
-    std::vector<FieldCells::Point> points;
+std::vector<FieldPoint> plane_points(const std::vector<double>& coordinates) {
+    std::vector<FieldPoint> points;
     for (std::size_t k = 0; k + 2 < coordinates.size(); k += 3) points.push_back({coordinates[k], coordinates[k + 1]});
     return points;
 }

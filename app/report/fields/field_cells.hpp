@@ -1,21 +1,21 @@
 // The cells of a field file, as a picture needs them.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <vector>
 
 namespace stria::report {
 
+struct FieldPoint {
+    double x, y;  // mm
+};
+
 struct FieldCells {
-    struct Point {
-        double x, y;  // mm
-    };
     double load_factor = 0.0, cycle = 0.0;
-    std::vector<Point> points, displacement;  // one each per point, mm
-    std::vector<std::vector<int>> cells;      // their points
-    std::vector<double> strain;               // accumulated plastic, one per cell
-    std::vector<double> zone;                 // 1 where the fine scale has it, one per cell
+    std::vector<FieldPoint> points, displacement;  // one each per point, mm
+    std::vector<std::vector<int>> cells;           // their points
+    std::vector<double> strain;                    // accumulated plastic, one per cell
+    std::vector<double> zone;                      // 1 where the fine scale has it, one per cell
 };
 
 /// A file that Stria wrote, fields/step_*.hdf. Throws std::runtime_error where it is none.

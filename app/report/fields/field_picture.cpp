@@ -13,8 +13,6 @@ namespace stria::report {
 
 namespace {
 
-using Point = FieldCells::Point;
-
 // Of the largest strain in the picture, and then rounded: what is below the first has hardly flowed.
 constexpr std::array shares = {0.003, 0.03, 0.1, 0.3};
 using Levels = std::array<double, shares.size()>;
@@ -47,7 +45,7 @@ double rounded_down(double value) { return charts::log_ticks({value, value}).fro
 
 /// Displacement of a picture: less its mean, so large that the crack is seen open.
 struct Warp {
-    Point mean{0.0, 0.0};
+    FieldPoint mean{0.0, 0.0};
     double scale = 0.0;
 };
 
@@ -58,12 +56,12 @@ Warp warp_of(const FieldCells& field, const std::vector<std::size_t>& shown, dou
         for (const std::size_t cell : shown)
             for (const int point : field.cells[cell]) act(field.displacement[at(point)]);
     };
-    for_points([&](Point u) {
+    for_points([&](FieldPoint u) {
         warp.mean = {warp.mean.x + u.x, warp.mean.y + u.y};
         ++count;
     });
     warp.mean = {warp.mean.x / count, warp.mean.y / count};
-    for_points([&](Point u) { largest = std::fmax(largest, std::hypot(u.x - warp.mean.x, u.y - warp.mean.y)); });
+    for_points([&](FieldPoint u) { largest = std::fmax(largest, std::hypot(u.x - warp.mean.x, u.y - warp.mean.y)); });
     const double wanted = open_share * width / largest;
     if (std::isfinite(wanted)) warp.scale = rounded_down(wanted);
     return warp;
@@ -86,7 +84,7 @@ std::size_t class_of(double strain, const Levels& levels) {
 std::string outline(const FieldCells& field, std::size_t cell, const Warp& warp, const Plan& plan) {
     std::string text;
     for (const int point : field.cells[cell]) {
-        const Point place = field.points[at(point)], u = field.displacement[at(point)];
+        const FieldPoint place = field.points[at(point)], u = field.displacement[at(point)];
         text +=
             fmt::format("{}{:.1f} {:.1f}", text.empty() ? "M" : "L", plan.x(place.x + warp.scale * (u.x - warp.mean.x)),
                         plan.y(place.y + warp.scale * (u.y - warp.mean.y)));

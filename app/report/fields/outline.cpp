@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "common/index.hpp"
@@ -11,32 +10,31 @@ namespace stria::report {
 
 namespace {
 
-using Point = FieldCells::Point;
 using Place = std::pair<std::int64_t, std::int64_t>;  // a point, in units of `fineness`
 using Edge = std::pair<Place, Place>;                 // the body lies on its left
 
 constexpr double fineness = 1e-7;  // mm: points nearer than that are one
 
-Place place_of(Point point) { return {std::llround(point.x / fineness), std::llround(point.y / fineness)}; }
+Place place_of(FieldPoint point) { return {std::llround(point.x / fineness), std::llround(point.y / fineness)}; }
 
-Point point_at(const Place& place) {
+FieldPoint point_at(const Place& place) {
     return {fineness * static_cast<double>(place.first), fineness * static_cast<double>(place.second)};
 }
 
-double cross(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double cross(FieldPoint a, FieldPoint b, FieldPoint c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-double area_of(const std::vector<Point>& polygon) {
+double area_of(const std::vector<FieldPoint>& polygon) {
     double twice = 0.0;
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) twice += cross(polygon[0], polygon[k], polygon[k + 1]);
     return 0.5 * twice;
 }
 
 /// Without the corners at which it goes straight on.
-std::vector<Point> corners_of(const std::vector<Point>& polygon) {
-    std::vector<Point> corners;
+std::vector<FieldPoint> corners_of(const std::vector<FieldPoint>& polygon) {
+    std::vector<FieldPoint> corners;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Point &before = polygon[(k + polygon.size() - 1) % polygon.size()], &here = polygon[k],
-                    &after = polygon[(k + 1) % polygon.size()];
+        const FieldPoint &before = polygon[(k + polygon.size() - 1) % polygon.size()], &here = polygon[k],
+                         &after = polygon[(k + 1) % polygon.size()];
         const double length = std::hypot(after.x - before.x, after.y - before.y);
         if (std::abs(cross(before, here, after)) > 10.0 * fineness * length) corners.push_back(here);
     }
@@ -71,8 +69,8 @@ public:
     }
 
     /// Takes one polygon out; empty when none is left.
-    std::vector<Point> take_polygon() {
-        std::vector<Point> polygon;
+    std::vector<FieldPoint> take_polygon() {
+        std::vector<FieldPoint> polygon;
         auto edge = edges_.begin();
         while (edge != edges_.end()) {
             polygon.push_back(point_at(edge->first));
@@ -87,10 +85,10 @@ public:
 private:
     /// Strictly inside of it, in their order.
     static std::vector<Place> on_edge(const Place& a, const Place& b, const std::set<Place>& nodes) {
-        const Point from = point_at(a), to = point_at(b);
+        const FieldPoint from = point_at(a), to = point_at(b);
         const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
         const auto along = [&](const Place& node) {
-            const Point point = point_at(node);
+            const FieldPoint point = point_at(node);
             return (point.x - from.x) * dx + (point.y - from.y) * dy;
         };
         std::vector<Place> found;
@@ -110,17 +108,17 @@ private:
 
 }  // namespace
 
-std::vector<std::vector<Point>> outline_of(const FieldCells& field, const std::vector<std::size_t>& cells) {
+std::vector<std::vector<FieldPoint>> outline_of(const FieldCells& field, const std::vector<std::size_t>& cells) {
     OpenEdges open;
     for (const std::size_t cell : cells) {
-        std::vector<Point> corners;
+        std::vector<FieldPoint> corners;
         for (const int point : field.cells[cell]) corners.push_back(field.points[at(point)]);
         if (area_of(corners) < 0.0) std::ranges::reverse(corners);
         for (std::size_t k = 0; k < corners.size(); ++k)
             open.pass(place_of(corners[k]), place_of(corners[(k + 1) % corners.size()]));
     }
     open.split_at_hanging_nodes();
-    std::vector<std::vector<Point>> polygons;
+    std::vector<std::vector<FieldPoint>> polygons;
     for (auto polygon = open.take_polygon(); !polygon.empty(); polygon = open.take_polygon())
         if (std::abs(area_of(polygon)) > fineness) polygons.push_back(corners_of(polygon));
     return polygons;

@@ -4,9 +4,7 @@
 
 namespace stria::report {
 
-using Point = FieldCells::Point;
-
-void Window::enclose(Point point) {
+void Window::enclose(FieldPoint point) {
     x = {std::min(x.low, point.x), std::max(x.high, point.x)};
     y = {std::min(y.low, point.y), std::max(y.high, point.y)};
 }
@@ -21,7 +19,7 @@ void Window::square() {
     if (excess > 0.0) x = {x.low - excess, x.high + excess};
 }
 
-bool Window::holds(Point point) const {
+bool Window::holds(FieldPoint point) const {
     return point.x >= x.low && point.x <= x.high && point.y >= y.low && point.y <= y.high;
 }
 

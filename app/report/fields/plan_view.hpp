@@ -15,11 +15,11 @@ inline constexpr double picture_width = charts::width - charts::left - charts::r
 struct Window {
     charts::Range x{INFINITY, -INFINITY}, y{INFINITY, -INFINITY};  // mm
 
-    void enclose(FieldCells::Point point);
+    void enclose(FieldPoint point);
     void widen(double by);
     /// No taller than it is wide.
     void square();
-    [[nodiscard]] bool holds(FieldCells::Point point) const;
+    [[nodiscard]] bool holds(FieldPoint point) const;
 };
 
 /// From millimetres to pixels.

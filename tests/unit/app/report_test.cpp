@@ -245,7 +245,7 @@ FieldCells holed_square() {
     return field;
 }
 
-double twice_area(const std::vector<FieldCells::Point>& polygon) {
+double twice_area(const std::vector<FieldPoint>& polygon) {
     double sum = 0.0;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const auto &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
