@@ -98,27 +98,6 @@ TEST(MeshFiles, UnstructuredMeshesGiveTheSpecimensK) {
     }
 }
 
-// The mean of ten cycles: from one to the next it swings as the tip meets elements in another place.
-TEST(MeshFiles, UnstructuredMeshesGiveTheSpecimensOpeningLoadLong) {
-    Case plate = sent_case({"load.blocks=[{cycles=26, max=40.0, ratio=0.0}]", "growth.increment=0.05", "fine.refine=8",
-                            "model.plane=stress"});
-    plate.mesh = sent_plate().mesh;
-    plate.cracks[0].points = sent_plate().cracks[0].points;
-    const auto opening = [](const Case& input) {
-        const auto cycles = run_cycles(input);
-        double sum = 0.0;
-        for (auto cycle = cycles.end() - 10; cycle != cycles.end(); ++cycle) sum += cycle->opening.K_op / cycle->K_max;
-        return sum / 10.0;
-    };
-    const double own = opening(plate);
-    EXPECT_GT(own, 0.1);
-    for (const char* file : unstructured) {
-        const double other = opening(from_file(plate, file));
-        std::cout << fmt::format("{:16s} K_op / K_max {:.4f}, specimen {:.4f}\n", file, other, own);
-        EXPECT_NEAR(other, own, 0.01) << file;
-    }
-}
-
 /// Of the shipped plate, pulled by 1 MPa, with cracks of one length.
 Case plate_with_hole(double length, int cracks) {
     Case input = read_case(std::string(source_folder) + "/cases/plate-hole/case.toml");
