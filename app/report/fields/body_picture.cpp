@@ -116,6 +116,7 @@ std::string picture(const FieldCells& field, const std::vector<Polygon>& ways) {
     Window window;
     for (const Polygon& polygon : body)
         for (const FieldPoint& point : polygon) window.enclose(point);
+    if (window.x.low > window.x.high) return "";  // no cells
     window.square();
     const Plan plan = plan_of(window);
     std::string drawing = area(body, plan, "l0") + area(zone, plan, "l2") + edge_of(body, plan) + lines_of(ways, plan);
