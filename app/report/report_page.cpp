@@ -8,7 +8,8 @@
 #include "app/charts/page.hpp"
 #include "app/report/cycle_figures.hpp"
 #include "app/report/faces_figure.hpp"
-#include "app/report/field_picture.hpp"
+#include "app/report/fields/body_picture.hpp"
+#include "app/report/fields/field_picture.hpp"
 #include "app/report/history_figures.hpp"
 
 namespace stria::report {
@@ -124,7 +125,7 @@ std::vector<std::string> warnings_of(const RunRecord& run) {
 
 std::string page_of(const RunRecord& run) {
     std::string body = origin(run) + list_of_warnings(run) + facts(run);
-    body += section(faces_figure(run)) + section(field_picture(run));
+    body += section(body_picture(run)) + section(faces_figure(run)) + section(field_picture(run));
     for (charts::Figure& figure : cycle_figures(run)) body += section(std::move(figure));
     for (charts::Figure& figure : history_figures(run)) body += section(std::move(figure));
     return charts::page(run.title(), body + resolved_case(run));

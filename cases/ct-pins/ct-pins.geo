@@ -3,7 +3,7 @@
 //   gmsh -2 ct-pins.geo -o ct-pins.msh
 W = 50;          // from the load line to the back face, mm
 h = 0.4;         // element edge along the way of the crack
-contact = Pi/6;  // the pin touches over twice this angle
+contact = Pi/12;  // the pin is thinner than its hole and touches over twice this angle
 
 Point(1) = {-0.25*W, -0.6*W, 0};
 Point(2) = {W, -0.6*W, 0};
@@ -51,9 +51,9 @@ Field[2].NumPointsPerCurve = 50;
 Field[3] = MathEval;
 Field[3].F = Sprintf("%g + 0.15*F1", h);
 Field[4] = MathEval;
-Field[4].F = Sprintf("%g + 0.15*F2", 0.8);
+Field[4].F = Sprintf("%g + 0.15*F2", 0.5);
 Field[5] = MathEval;
-Field[5].F = "2.5";
+Field[5].F = "2";
 Field[6] = Min;
 Field[6].FieldsList = {3, 4, 5};
 Background Field = 6;

@@ -23,6 +23,15 @@ load = { steps = 2, blocks = [ { cycles = 1, max = 10.0, ratio = 0.5 } ] }
 output = { fields = "none" }
 )";
 
+/// Runs each task of an array as Slurm does: the script from elsewhere, as a copy, with the number in the environment.
+constexpr const char* stands_for_sbatch = R"(set -eu
+range=$(sed -n 's/^#SBATCH --array=//p' "$1")
+cp "$1" "$1.spooled" && cd /
+for task in $(seq "${range%-*}" "${range#*-}"); do
+    SLURM_JOB_ID=7 SLURM_ARRAY_TASK_ID=$task bash "$1.spooled"
+done
+)";
+
 long occurrences(const std::string& text, const std::string& part) {
     long count = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
@@ -200,7 +209,8 @@ TEST_F(Study, PrintsCommandsWhoseResultsItPicksUp) {
     ASSERT_EQ(with({"--print-commands=slurm"}), 0);
     std::ofstream(folder / "array.sh") << said();
     EXPECT_NE(said().find("#SBATCH --array=1-2\n"), std::string::npos) << said();
-    ASSERT_EQ(run_program("sh", {"-c", "SLURM_ARRAY_TASK_ID=2 bash " + (folder / "array.sh")}, folder / "shell"), 0);
+    std::filesystem::remove_all(folder / "out");
+    ASSERT_EQ(run_program("bash", {"-c", stands_for_sbatch, "sbatch", folder / "array.sh"}, folder / "shell"), 0);
     EXPECT_EQ(run_program("sh", {"-c", "SLURM_ARRAY_TASK_ID=3 bash " + (folder / "array.sh")}, folder / "shell"), 2);
     ASSERT_EQ(with({"--resume"}), 0) << said();
     EXPECT_EQ(occurrences(said(), "done before"), 2) << said();

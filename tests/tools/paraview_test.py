@@ -89,4 +89,4 @@ class InParaView(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(verbosity=2)  # says what is skipped

@@ -4,12 +4,15 @@
 Fenced blocks of the page:  toml, with the file's name in its first line ("# b.toml < a.toml": appended to a copy);  sh, one
 command a line, and the exit code if it is not 0;  gmsh, tried where there is Gmsh;  text, lines that the commands of the block before
 have printed. Numbers agree to 0.1 %, seconds are not compared.
+The table of the page has what each step takes: seconds of one core as measured here, whatever else it does, and minutes to read and type
+it.
 
     tutorial_test.py FOLDER_OF_PROGRAMS
 """
 
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -24,6 +27,25 @@ FENCE = re.compile(r"^```(\w*)[ ]?(\d*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 SECONDS = re.compile(r"in \d+\.\d s")
 CLOSE = 1e-3
+ROW = re.compile(r"^\| (\d)\. .*?\| ([\d.]+) \| ([\d.]+) \|$", re.MULTILINE)
+WORDS, LETTERS = 200.0, 200.0  # read and typed in a minute
+SLOWER, MORE = 3.0, 5.0        # than on the machine of the table: times, and seconds of starting
+
+
+def steps(page):
+    """The sections "## 1. ..." by their numbers."""
+    return {int(section[0]): section for section in re.split(r"^## ", page, flags=re.MULTILINE) if section[0].isdigit()}
+
+
+def seconds_of_programs():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def minutes_of_reader(section):
+    typed = sum(len(body) for kind, _, body in blocks(section) if kind in ("toml", "sh", "gmsh"))
+    shown = sum(len(body.split()) for kind, _, body in blocks(section) if kind == "text")
+    return (len(FENCE.sub("", section).split()) + shown) / WORDS + typed / LETTERS
 
 
 def blocks(page):
@@ -70,8 +92,22 @@ class Page(unittest.TestCase):
         self.assertIn("weld", (self.folder / "t-joint.msh").read_text(encoding="utf-8"))
 
     def test_every_command_does_what_the_page_says(self):
+        page = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
+        table = {int(number): (float(seconds), float(minutes)) for number, seconds, minutes in ROW.findall(page)}
+        self.assertEqual(set(table), set(steps(page)))
+        for number, section in steps(page).items():
+            before = seconds_of_programs()
+            self.follow(section)
+            measured, read = seconds_of_programs() - before, minutes_of_reader(section)
+            print(f"step {number}: {measured:.1f} s of one core, {read:.1f} minutes to read and type")
+            with self.subTest(f"table, step {number}"):
+                self.assertLess(measured, SLOWER * table[number][0] + MORE)
+                self.assertAlmostEqual(table[number][1], read, delta=0.1)
+        self.assertLess(sum(seconds / 60.0 + minutes for seconds, minutes in table.values()), 15.0)
+
+    def follow(self, section):
         printed = []
-        for kind, code, body in blocks((ROOT / "docs/tutorial.md").read_text(encoding="utf-8")):
+        for kind, code, body in blocks(section):
             if kind == "toml":
                 self.save(body)
             elif kind == "gmsh":

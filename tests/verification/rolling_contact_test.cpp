@@ -13,7 +13,7 @@
 namespace stria::test {
 namespace {
 
-constexpr double p0 = 100.0, half_width = 1.0, block_width = 400.0, block_height = 200.0,
+constexpr double p0 = 100.0, half_width = 1.0, block_width = 2000.0, block_height = 1000.0,
                  block_middle = 0.5 * block_width;
 
 /// A body that stands for a half plane, under a wheel that rolls over the middle of its top.
@@ -21,7 +21,7 @@ Case below_wheel(const TravellingPressure& wheel, int steps) {
     Case input = specimen("plate", block_height, {});
     input.cracks.clear();
     input.mesh.width = block_width;
-    input.mesh.size = 20.0;
+    input.mesh.size = 100.0;
     input.load = {.steps = steps, .grading = 1.0, .blocks = {{.cycles = 1, .max = 0.0, .min = -1.0}}};
     input.boundaries = {held("bottom"), under_wheel("top", wheel, {block_middle, block_height})};
     return input;
@@ -136,8 +136,8 @@ TEST(RollingContact, AnInclinedCrackSlidesToAndFroAsFrictionLetsItLong) {
          {Row{0.0, 0.3748, 0.1905}, {0.1, 0.2706, 0.1634}, {0.2, 0.1767, 0.1280}, {0.3, 0.1156, 0.0979}}) {
         const Peaks peaks = peaks_of(friction, 0.025, 96);
         const double larger = std::max(peaks.most, -peaks.least), smaller = std::min(peaks.most, -peaks.least);
-        EXPECT_NEAR(larger, one, (friction < 0.15 ? 0.03 : 0.035) * one) << friction;
-        EXPECT_NEAR(smaller, other, 0.03 * one) << friction;
+        EXPECT_NEAR(larger, one, 0.03 * one) << friction;
+        EXPECT_NEAR(smaller, other, 0.03 * other) << friction;
         EXPECT_NEAR(larger + smaller, one + other, 0.015 * (one + other)) << friction;
         EXPECT_LT(peaks.K_I, 0.03) << friction;
     }

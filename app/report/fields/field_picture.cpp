@@ -1,21 +1,17 @@
-#include "app/report/field_picture.hpp"
+#include "app/report/fields/field_picture.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "app/charts/drawing.hpp"
-#include "app/charts/scale.hpp"
-#include "app/report/field_cells.hpp"
+#include "app/report/fields/field_cells.hpp"
+#include "app/report/fields/plan_view.hpp"
 #include "common/index.hpp"
 
 namespace stria::report {
 
 namespace {
-
-using charts::Range;
-using Point = FieldCells::Point;
 
 // Of the largest strain in the picture, and then rounded: what is below the first has hardly flowed.
 constexpr std::array shares = {0.003, 0.03, 0.1, 0.3};
@@ -24,32 +20,13 @@ constexpr double flowed = 1e-7;      // strain: less is rounding
 constexpr double room = 0.15;        // about what has flowed, of its extent
 constexpr double open_share = 0.04;  // of the picture's width: the largest displacement in it
 constexpr std::size_t most_cells = 6000;
-constexpr double picture_width = charts::width - charts::left - charts::right;
-
-struct Window {
-    Range x{INFINITY, -INFINITY}, y{INFINITY, -INFINITY};
-
-    void enclose(Point point) {
-        x = {std::min(x.low, point.x), std::max(x.high, point.x)};
-        y = {std::min(y.low, point.y), std::max(y.high, point.y)};
-    }
-    void widen(double by) {
-        x = {x.low - by, x.high + by};
-        y = {y.low - by, y.high + by};
-    }
-    [[nodiscard]] bool holds(Point point) const {
-        return point.x >= x.low && point.x <= x.high && point.y >= y.low && point.y <= y.high;
-    }
-};
 
 Window window_of(const FieldCells& field) {
     Window window;
     for (std::size_t cell = 0; cell < field.cells.size(); ++cell)
         if (field.strain[cell] > flowed)
             for (const int point : field.cells[cell]) window.enclose(field.points[at(point)]);
-    // A picture is no taller than it is wide.
-    const double excess = 0.5 * ((window.y.high - window.y.low) - (window.x.high - window.x.low));
-    if (excess > 0.0) window.x = {window.x.low - excess, window.x.high + excess};
+    window.square();
     window.widen(room * std::max(window.x.high - window.x.low, window.y.high - window.y.low));
     return window;
 }
@@ -68,7 +45,7 @@ double rounded_down(double value) { return charts::log_ticks({value, value}).fro
 
 /// Displacement of a picture: less its mean, so large that the crack is seen open.
 struct Warp {
-    Point mean{0.0, 0.0};
+    FieldPoint mean{0.0, 0.0};
     double scale = 0.0;
 };
 
@@ -79,12 +56,12 @@ Warp warp_of(const FieldCells& field, const std::vector<std::size_t>& shown, dou
         for (const std::size_t cell : shown)
             for (const int point : field.cells[cell]) act(field.displacement[at(point)]);
     };
-    for_points([&](Point u) {
+    for_points([&](FieldPoint u) {
         warp.mean = {warp.mean.x + u.x, warp.mean.y + u.y};
         ++count;
     });
     warp.mean = {warp.mean.x / count, warp.mean.y / count};
-    for_points([&](Point u) { largest = std::fmax(largest, std::hypot(u.x - warp.mean.x, u.y - warp.mean.y)); });
+    for_points([&](FieldPoint u) { largest = std::fmax(largest, std::hypot(u.x - warp.mean.x, u.y - warp.mean.y)); });
     const double wanted = open_share * width / largest;
     if (std::isfinite(wanted)) warp.scale = rounded_down(wanted);
     return warp;
@@ -104,23 +81,10 @@ std::size_t class_of(double strain, const Levels& levels) {
     return 1 + at(std::ranges::count_if(levels, [&](double level) { return strain > level; }));
 }
 
-/// From millimetres to pixels, the same for both directions.
-struct Plan {
-    charts::Scale x, y;
-};
-
-/// The window grows to the round numbers on either side.
-Plan plan_of(Window& window) {
-    charts::Scale x(charts::linear_ticks(window.x, 6), false, {charts::left, charts::left + picture_width});
-    window.x = {x.ticks().front(), x.ticks().back()};
-    const double tall = picture_width * (window.y.high - window.y.low) / (window.x.high - window.x.low);
-    return {x, charts::Scale({window.y.low, window.y.high}, false, {charts::top + tall, charts::top})};
-}
-
 std::string outline(const FieldCells& field, std::size_t cell, const Warp& warp, const Plan& plan) {
     std::string text;
     for (const int point : field.cells[cell]) {
-        const Point place = field.points[at(point)], u = field.displacement[at(point)];
+        const FieldPoint place = field.points[at(point)], u = field.displacement[at(point)];
         text +=
             fmt::format("{}{:.1f} {:.1f}", text.empty() ? "M" : "L", plan.x(place.x + warp.scale * (u.x - warp.mean.x)),
                         plan.y(place.y + warp.scale * (u.y - warp.mean.y)));
@@ -149,7 +113,7 @@ std::string paths(const FieldCells& field, const std::vector<std::size_t>& shown
     std::array<std::string, shares.size() + 2> outlines;
     for (const std::size_t cell : shown)
         outlines[class_of(field.strain[cell], levels)] += outline(field, cell, warp, plan);
-    const double top = plan.y(plan.y.ticks().back()), tall = plan.y(plan.y.ticks().front()) - top;
+    const double top = plan.top(), tall = plan.bottom() - top;
     std::string text = fmt::format("<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
                                    "viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\">\n",
                                    charts::left, top, picture_width, tall);
@@ -169,26 +133,10 @@ std::string picture(const FieldCells& field) {
     const Warp warp = warp_of(field, shown, window.x.high - window.x.low);
     const Levels levels = levels_of(field, shown);
     std::string body = paths(field, shown, warp, levels, plan);
-    const double bottom = plan.y(window.y.low);
-    const std::vector<std::string> labels = charts::tick_labels(plan.x.ticks());
-    for (std::size_t k = 0; k < labels.size(); ++k)
-        body += charts::text_at(plan.x(plan.x.ticks()[k]), bottom + 15.0, "middle", labels[k]);
-    body += charts::text_at(charts::left + 0.5 * picture_width, bottom + 31.0, "middle", "x, mm");
-    body += legend_of(levels, bottom + 52.0);
+    body += axis_below(plan) + legend_of(levels, plan.bottom() + 52.0);
     const std::string title =
         fmt::format("Cycle {}, load factor {:.4g}, displacement x {:g}", field.cycle, field.load_factor, warp.scale);
-    return charts::framed(title, bottom + 62.0, body);
-}
-
-/// The last two files: of a cycle that is its smallest and its largest load.
-std::vector<std::filesystem::path> last_files(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-        if (entry.path().extension() == ".hdf") files.push_back(entry.path());
-    std::ranges::sort(files);
-    if (files.size() > 2) files.erase(files.begin(), files.end() - 2);
-    return files;
+    return charts::framed(title, plan.bottom() + 62.0, body);
 }
 
 }  // namespace
@@ -196,7 +144,8 @@ std::vector<std::filesystem::path> last_files(const std::filesystem::path& folde
 charts::Figure field_picture(const RunRecord& run) {
     charts::Figure figure{.title = "Plastic zone and wake",
                           .sentence = "Accumulated plastic strain, means of the elements."};
-    for (const std::filesystem::path& file : last_files(run.folder / "fields")) {
+    // The last two: of a cycle that is its smallest and its largest load.
+    for (const std::filesystem::path& file : last_fields(run.folder / "fields", 2)) {
         try {
             figure.charts.push_back(charts::captioned(picture(read_field_cells(file)), ""));
         } catch (const std::runtime_error&) {
