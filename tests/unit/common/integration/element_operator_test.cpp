@@ -174,6 +174,32 @@ TEST(ElementOperator, StandardFunctionsReproduceLinearFields) {
     });
 }
 
+// A tip comes into an element beside its lower edge and moves on in it: few points lie below the crack then.
+TEST(ElementOperator, PointsThatStayWhileATipMovesOnReproduceLinearFields) {
+    const Mesh mesh = square_mesh(3);
+    constexpr int element = 4;
+    const Vec2 mouth(0.0, 0.338), first(0.36, 0.335), second(0.55, 0.36);
+    const EnrichedMesh before = cracked(mesh, {mouth, first}), now = cracked(mesh, {mouth, first, second});
+    std::vector<IntegrationPoint> points = make_operator(before, element, piece_in(before, element), dense).points;
+    const CutElement cut = cut_element(corners_of(now, element), *piece_in(now, element));
+    for (IntegrationPoint& point : points) point.side = cut.side_of(point.x);
+    const ElementOperator op = make_operator(now, element, piece_in(now, element), dense, points);
+    const double below = op.area - left_weight(op), area_below = op.area - polygon_area(cut.left);
+    EXPECT_GT(std::abs(below - area_below), 0.3 * area_below);
+
+    const Eigen::Matrix2d gradient{{0.3, -1.1}, {0.7, 0.2}};
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(now.unknowns);
+    for (int n = 0; n < std::ssize(now.nodes); ++n) u.segment<2>(now.unknown(n, 0, 0)) = gradient * now.nodes[at(n)];
+    const Eigen::VectorXd local = gather(u, op.unknowns);
+    const ElementBasis basis(now, element, true);
+    Gradients missing = boundary_integral(now, basis, cut.left, 1) + boundary_integral(now, basis, cut.right, -1);
+    for (std::size_t q = 0; q < op.points.size(); ++q) {
+        EXPECT_LT((op.displacement_gradient(local, q) - gradient).norm(), 1e-12) << q;
+        missing -= op.points[q].weight * op.gradients[q];
+    }
+    EXPECT_LT(missing.cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(ElementOperator, DilatationIsConstantOnEachSide) {
     for_each_operator(dense, [](const EnrichedMesh& mesh, const ElementOperator& op) {
         const CrackPiece* piece = piece_in(mesh, op.element);
