@@ -74,14 +74,14 @@ public:
     }
 };
 
-const std::vector<std::string> refined_scene{
+const std::vector<std::string> scene_that_splits{
     "mesh.grading=[]",      "mesh.size=7.4",      "fine.refine=8",
     "fine.radius=1.0",      "load.steps=6",       "load.blocks=[{cycles=5, max=50.0, ratio=-1.0}]",
     "growth.increment=0.6", "output.fields=none", "output.checkpoint_every=0"};
 
 /// What it says where it fails.
 template <class Factory> std::string run_of(const std::string& folder, bool resume) {
-    const Case input = sent_case(refined_scene);
+    const Case input = sent_case(scene_that_splits);
     RunOptions options;
     options.case_path = shipped_sent;
     options.output_directory = folder;
