@@ -2,6 +2,8 @@
 // without an equilibrium.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include "app/run/coarse_run.hpp"
 #include "app/run/run_files.hpp"
 #include "common/error.hpp"

@@ -178,14 +178,15 @@ TEST(ElementOperator, StandardFunctionsReproduceLinearFields) {
 TEST(ElementOperator, PointsThatStayWhileATipMovesOnReproduceLinearFields) {
     const Mesh mesh = square_mesh(3);
     constexpr int element = 4;
-    const Vec2 mouth(0.0, 0.338), first(0.36, 0.335), second(0.55, 0.36);
+    const IntegrationRule of_zone{.subcells = 2, .singular_gauss = 2, .tip_points = 4};
+    const Vec2 mouth(0.0, 0.34), first(0.3352, 0.3341), second(0.53, 0.3433);
     const EnrichedMesh before = cracked(mesh, {mouth, first}), now = cracked(mesh, {mouth, first, second});
-    std::vector<IntegrationPoint> points = make_operator(before, element, piece_in(before, element), dense).points;
+    std::vector<IntegrationPoint> points = make_operator(before, element, piece_in(before, element), of_zone).points;
     const CutElement cut = cut_element(corners_of(now, element), *piece_in(now, element));
     for (IntegrationPoint& point : points) point.side = cut.side_of(point.x);
-    const ElementOperator op = make_operator(now, element, piece_in(now, element), dense, points);
+    const ElementOperator op = make_operator(now, element, piece_in(now, element), of_zone, points);
     const double below = op.area - left_weight(op), area_below = op.area - polygon_area(cut.left);
-    EXPECT_GT(std::abs(below - area_below), 0.3 * area_below);
+    EXPECT_LT(below, 0.5 * area_below);
 
     const Eigen::Matrix2d gradient{{0.3, -1.1}, {0.7, 0.2}};
     Eigen::VectorXd u = Eigen::VectorXd::Zero(now.unknowns);
@@ -197,7 +198,7 @@ TEST(ElementOperator, PointsThatStayWhileATipMovesOnReproduceLinearFields) {
         EXPECT_LT((op.displacement_gradient(local, q) - gradient).norm(), 1e-12) << q;
         missing -= op.points[q].weight * op.gradients[q];
     }
-    EXPECT_LT(missing.cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LT(missing.cwiseAbs().maxCoeff(), 1e-9);  // as both integrals follow the tip functions
 }
 
 TEST(ElementOperator, DilatationIsConstantOnEachSide) {
