@@ -192,13 +192,8 @@ TEST(ElementOperator, PointsThatStayWhileATipMovesOnReproduceLinearFields) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(now.unknowns);
     for (int n = 0; n < std::ssize(now.nodes); ++n) u.segment<2>(now.unknown(n, 0, 0)) = gradient * now.nodes[at(n)];
     const Eigen::VectorXd local = gather(u, op.unknowns);
-    const ElementBasis basis(now, element, true);
-    Gradients missing = boundary_integral(now, basis, cut.left, 1) + boundary_integral(now, basis, cut.right, -1);
-    for (std::size_t q = 0; q < op.points.size(); ++q) {
+    for (std::size_t q = 0; q < op.points.size(); ++q)
         EXPECT_LT((op.displacement_gradient(local, q) - gradient).norm(), 1e-12) << q;
-        missing -= op.points[q].weight * op.gradients[q];
-    }
-    EXPECT_LT(missing.cwiseAbs().maxCoeff(), 1e-9);  // as both integrals follow the tip functions
 }
 
 TEST(ElementOperator, DilatationIsConstantOnEachSide) {
