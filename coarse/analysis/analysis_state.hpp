@@ -18,12 +18,20 @@
 
 namespace stria::coarse {
 
+/// Figure 3 (a) is to come at the load that is reached.
+struct DueGrowth {
+    int cycle = 0;
+    double moment = 0.0;          // LoadStep::moment
+    std::vector<TipResult> tips;  // one each, as the load was reached; empty: nothing is due
+};
+
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.
 struct FaceRelease {
-    int cycle = 0;      // in which the cracks have grown
-    double held = 0.0;  // share of the forces that is left; 0: nothing is under way
-    double part = 1.0;  // share that is released next
-    int cuts = 0;       // halvings of it in a row
+    int cycle = 0;        // in which the cracks have grown
+    double moment = 0.0;  // LoadStep::moment of it
+    double held = 0.0;    // share of the forces that is left; 0: nothing is under way
+    double part = 1.0;    // share that is released next
+    int cuts = 0;         // halvings of it in a row
 
     /// Share that is left once the next part is released.
     [[nodiscard]] double left() const { return std::max(held - part, 0.0); }
@@ -60,6 +68,7 @@ struct AnalysisState {
     RunCounts counts;
     bool growth_ended = false;  // growth has ended the run
     GrowthIncrementMemory growth_increment;
+    DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;
     WorkBalance work;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <utility>
 
+#include "coarse/analysis/failure_texts.hpp"
 #include "coarse/analysis/limit_load_hint.hpp"
 #include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
@@ -27,6 +27,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     controller_.resume(from->load);
     cycle_meter_.resume(from->cycle);
     last_cycle_ = from->last_cycle;
+    due_growth_ = from->due_growth;
     release_ = from->release;
     effort_.counts = from->counts;
 }
@@ -34,6 +35,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
 bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() && growth_->is_driven(last_cycle_); }
 
 AnalysisState FatigueAnalysis::state() const {
+    if (before_growth_) return *before_growth_;
     AnalysisState state;
     body_.write(state);
     model_.write(state);
@@ -42,6 +44,7 @@ AnalysisState FatigueAnalysis::state() const {
     state.last_cycle = last_cycle_;
     state.counts = effort_.counts;
     if (growth_) growth_->write(state);
+    state.due_growth = due_growth_;
     state.release = release_;
     state.load = controller_.position();
     return state;
@@ -57,7 +60,7 @@ void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
     const bool settles = effort_.counts.increments == 0 && body_.scene().initial_stress().any();
     if (settles && !settle_initial_stress()) return;
-    if (!release_new_faces()) return;  // where a run goes on that was stopped there
+    if (!grow_where_due() || !release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         if (is_to_end()) return;
         std::optional<NewtonReport> found = solve_equilibrium(*step);
@@ -66,7 +69,8 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted(openings(accepted_.tips));
-        if (growth_ && growth_->is_due(*step) && !grow(*step)) return;
+        if (growth_ && growth_->is_due(*step)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
+        if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
     }
 }
@@ -121,19 +125,12 @@ NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
 void FatigueAnalysis::cut_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
     if (report.stopped) return;
-    if (!controller_.cut()) {
-        fail(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", effort_.counts.increments + 1,
-                         step.cycle, to_text(step.target), report.failure, controller_.max_cuts(),
-                         last_converged(step.target)));
-    }
+    const int done = effort_.counts.increments;
+    if (!controller_.cut())
+        fail(fmt::format("increment {} (cycle {}) towards {}: {} after {} halvings; {}", done + 1, step.cycle,
+                         to_text(step.target), report.failure, controller_.max_cuts(),
+                         last_converged(done, controller_.reached_target(), model_.load_factor(), step.target)));
     listener_.note(fmt::format("{}: {}; the increment is halved", to_text(step.target), report.failure));
-}
-
-std::string FatigueAnalysis::last_converged(const Target& target) const {
-    if (effort_.counts.increments == 0) return "no increment has converged before it";
-    const std::string reached = to_text(controller_.reached_target());
-    if (target.control == Control::Load) return "the last converged one reached " + reached;
-    return fmt::format("the last converged one reached {} at load factor {:.6g}", reached, model_.load_factor());
 }
 
 // The proof that "elastic outside the zone" held (docs/method.md, section 8).
@@ -229,18 +226,24 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 }
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
-// without them.
-bool FatigueAnalysis::grow(const LoadStep& reached) {
-    GrownScene grown = growth_->next(body_, model_.factors(), accepted_.tips, last_cycle_);
-    if (growth_->ended()) listener_.growth_ended(accepted_, body_.structure());
-    if (!grown.longer) return true;
+// without them. Where (a) fails, only the state before it is whole.
+bool FatigueAnalysis::grow_where_due() {
+    if (due_growth_.tips.empty()) return true;
+    before_growth_ = state();
     try {
-        if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
-    } catch (const NumericalFailure& failure) {  // no state is whole now: only an earlier one can be gone on from
-        throw NumericalFailure(fmt::format("cycle {}: the cracks cannot grow: {}", reached.cycle, failure.what()));
+        GrownScene grown = growth_->next(body_, model_.factors(), due_growth_.tips, last_cycle_);
+        if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());
+        if (grown.longer) {
+            if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
+            controller_.set_scale(body_.load_scale());
+            release_ = {.cycle = due_growth_.cycle, .moment = due_growth_.moment, .held = 1.0};
+        }
+    } catch (const NumericalFailure& failure) {
+        listener_.breaks_off();
+        throw NumericalFailure(fmt::format("cycle {}: the cracks cannot grow: {}", due_growth_.cycle, failure.what()));
     }
-    controller_.set_scale(body_.load_scale());
-    release_ = {.cycle = reached.cycle, .held = 1.0};
+    due_growth_ = {};
+    before_growth_.reset();
     return release_new_faces();
 }
 
@@ -265,7 +268,7 @@ bool FatigueAnalysis::release_new_faces() {
 LoadStep FatigueAnalysis::next_release() const {
     LoadStep step;
     step.cycle = release_.cycle;
-    step.moment = accepted_.step.moment;
+    step.moment = release_.moment;
     step.target = controller_.reached_target();
     step.target.held = release_.left() / release_.held;
     step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
@@ -275,14 +278,7 @@ LoadStep FatigueAnalysis::next_release() const {
 void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonReport& report) {
     model_.rollback();
     if (report.stopped) return;
-    if (release_.cuts >= controller_.max_cuts()) {
-        std::vector<double> lengths;
-        for (const TipResult& tip : body_.nominal()) lengths.push_back(tip.a);
-        fail(fmt::format("cycle {}: the cracks have grown to a = {:.6g} mm; at {} no equilibrium is found with less "
-                         "than {:.3g} % of the forces that held their new faces: {} after {} halvings",
-                         step.cycle, fmt::join(lengths, ", "), to_text(step.target), 100.0 * release_.held,
-                         report.failure, release_.cuts));
-    }
+    if (release_.cuts >= controller_.max_cuts()) fail(faces_not_released(step, report, release_, body_.nominal()));
     listener_.note(
         fmt::format("after growth at {}: {}; its faces are released in parts", to_text(step.target), report.failure));
     release_.halve();

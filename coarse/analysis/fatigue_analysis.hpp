@@ -23,7 +23,7 @@ public:
     void run();
 
     /// Nothing is left to do.
-    [[nodiscard]] bool finished() const { return release_.held == 0.0 && !next(); }
+    [[nodiscard]] bool finished() const { return due_growth_.tips.empty() && release_.held == 0.0 && !next(); }
 
     /// Growth has ended the run, and not by arrest: the cycles up to now are the life.
     [[nodiscard]] bool life_is_over() const;
@@ -50,7 +50,6 @@ private:
     [[nodiscard]] std::optional<NewtonReport> solve_equilibrium(const LoadStep& step);
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
-    [[nodiscard]] std::string last_converged(const Target& target) const;
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
     [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(LoadStep step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
@@ -58,7 +57,7 @@ private:
     void note_flowing_rings(const Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
     /// Both: false where the run is to end.
-    bool grow(const LoadStep& reached);
+    bool grow_where_due();
     bool release_new_faces();
     [[nodiscard]] LoadStep next_release() const;
     void cut_release_or_fail(const LoadStep& step, const NewtonReport& report);
@@ -74,6 +73,8 @@ private:
     Increment accepted_;                   // the last one
     std::vector<CycleResult> last_cycle_;  // one per tip, of the last cycle that ended
     std::optional<CrackGrowth> growth_;
+    DueGrowth due_growth_;
+    std::optional<AnalysisState> before_growth_;  // while the cracks grow: the last state that is whole
     FaceRelease release_;
     TwoScaleModel model_;
 };

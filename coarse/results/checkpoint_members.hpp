@@ -213,9 +213,17 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
     archive("case_forces", case_forces);
 }
 
-void members(auto& archive, Is<FaceRelease> auto& m) {
-    auto& [cycle, held, part, cuts] = m;
+void members(auto& archive, Is<DueGrowth> auto& m) {
+    auto& [cycle, moment, tips] = m;
     archive("cycle", cycle);
+    archive("moment", moment);
+    archive("tips", tips);
+}
+
+void members(auto& archive, Is<FaceRelease> auto& m) {
+    auto& [cycle, moment, held, part, cuts] = m;
+    archive("cycle", cycle);
+    archive("moment", moment);
     archive("held", held);
     archive("part", part);
     archive("cuts", cuts);
@@ -236,7 +244,7 @@ void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, signal, cycle, last_cycle,
-           nominal, counts, growth_ended, growth_increment, release, load, work, equilibrium, zone] = m;
+           nominal, counts, growth_ended, growth_increment, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -260,6 +268,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("mesh_splits", mesh_splits);
     archive("growth_ended", growth_ended);
     archive("growth_increment", growth_increment);
+    archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);
     archive("work", work);

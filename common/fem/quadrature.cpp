@@ -100,6 +100,12 @@ double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return 0.5 * (ab.x() * ac.y() - ab.y() * ac.x());
 }
 
+double polygon_area(std::span<const Vec2> polygon) {
+    double area = 0.0;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) area += triangle_area(polygon[0], polygon[k], polygon[k + 1]);
+    return area;
+}
+
 std::vector<PlacedPoint> placed_on_triangle(std::span<const TrianglePoint> rule, const std::array<Vec2, 3>& triangle) {
     const auto& [a, b, c] = triangle;
     const double area = std::abs(triangle_area(a, b, c));

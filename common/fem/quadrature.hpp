@@ -48,6 +48,9 @@ std::span<const TrianglePoint> triangle_degree_5();
 /// Signed area: positive when a, b, c turn counter-clockwise.
 double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// Likewise of a simple polygon.
+double polygon_area(std::span<const Vec2> polygon);
+
 /// Points of a triangle (physical, weights with the area) from a rule in barycentric form.
 std::vector<PlacedPoint> placed_on_triangle(std::span<const TrianglePoint> rule, const std::array<Vec2, 3>& triangle);
 

@@ -62,25 +62,43 @@ private:
         return (corners_[0] + corners_[2] - corners_[1] - corners_[3]).norm() < 1e-10 * size_;
     }
 
+    struct Side {
+        int side;
+        std::span<const Vec2> polygon;
+    };
+
+    // While a tip moves on in an element its points stay, and need not carry the areas of the sides. What is missing
+    // of a side that a few of them stand for would be large there: then one constant serves both sides.
     void correct_gradients() {
-        struct Side {
-            int side;
-            std::span<const Vec2> polygon;
-        };
-        std::vector<Side> sides{{0, corners_}};
-        if (cut_) sides = {{1, cut_->left}, {-1, cut_->right}};
-        for (const Side& side : sides) {
-            Gradients missing = boundary_integral(side.polygon, side.side);
-            double area = 0.0;
+        if (!cut_) return correct_gradients({{0, corners_}});
+        const Side left{1, cut_->left}, right{-1, cut_->right};
+        if (!cut_->tips.empty() && !(carry_area(left) && carry_area(right))) return correct_gradients({left, right});
+        correct_gradients({left});
+        correct_gradients({right});
+    }
+
+    [[nodiscard]] bool carry_area(const Side& side) const {
+        constexpr double rounding = 1e-6;  // of the element
+        double area = 0.0;
+        for (const IntegrationPoint& point : result_.points)
+            if (point.side == side.side) area += point.weight;
+        return std::abs(area - polygon_area(side.polygon)) <= rounding * result_.area;
+    }
+
+    void correct_gradients(const std::vector<Side>& sides) {
+        Gradients missing = Gradients::Zero(basis_.functions(), 2);
+        std::vector<std::size_t> points;
+        double area = 0.0;
+        for (const auto& [side, polygon] : sides) {
+            missing += boundary_integral(polygon, side);
             for (std::size_t q = 0; q < result_.points.size(); ++q) {
-                if (result_.points[q].side != side.side) continue;
+                if (result_.points[q].side != side) continue;
                 missing -= result_.points[q].weight * result_.gradients[q];
                 area += result_.points[q].weight;
-            }
-            for (std::size_t q = 0; q < result_.points.size(); ++q) {
-                if (result_.points[q].side == side.side) result_.gradients[q] += missing / area;
+                points.push_back(q);
             }
         }
+        for (const std::size_t q : points) result_.gradients[q] += missing / area;
     }
 
     // Integral of phi n over the boundary of one side.

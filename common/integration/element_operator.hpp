@@ -16,7 +16,8 @@ using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 /// docs/method.md, section 3: grad phi is replaced in the volumetric part of B by its mean over the point's crack side
 /// (over the whole element where it holds a tip), for every function; and a constant per side is added to grad phi
 /// where the points are not exact (tip functions, cut elements that are no parallelograms) so that its integral equals
-/// the boundary integral of phi n, which makes the patch test exact.
+/// the boundary integral of phi n, which makes the patch test exact. One constant serves both sides about a tip whose
+/// element keeps its points from before: these need not carry the area of a side.
 struct ElementOperator {
     using Values = Eigen::VectorXd;  // 2 a function
 

@@ -2,9 +2,12 @@
 // without an equilibrium.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include "app/run/coarse_run.hpp"
 #include "app/run/run_files.hpp"
 #include "common/error.hpp"
+#include "common/io/number_table.hpp"
 #include "tests/support/deadline.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -73,30 +76,53 @@ public:
     }
 };
 
-TEST(BrokenOff, InTheMiddleOfAGrowthSaysSoAndLeavesASummary) {
-    const TemporaryFolder folder;
-    const Case input =
-        sent_case({"mesh.grading=[]", "mesh.size=7.4", "fine.refine=8", "fine.radius=1.0", "load.steps=6",
-                   "load.blocks=[{cycles=5, max=50.0, ratio=-1.0}]", "growth.increment=0.6", "output.fields=none"});
+const std::vector<std::string> scene_that_splits{
+    "mesh.grading=[]",      "mesh.size=7.4",      "fine.refine=8",
+    "fine.radius=1.0",      "load.steps=6",       "load.blocks=[{cycles=5, max=50.0, ratio=-1.0}]",
+    "growth.increment=0.6", "output.fields=none", "output.checkpoint_every=0"};
+
+/// What it says where it fails.
+template <class Factory> std::string run_of(const std::string& folder, bool resume) {
+    const Case input = sent_case(scene_that_splits);
     RunOptions options;
     options.case_path = shipped_sent;
-    options.output_directory = folder / "out";
+    options.output_directory = folder;
     options.quiet = true;
-    std::filesystem::create_directory(options.output_directory);
+    options.resume = resume;
+    std::filesystem::create_directory(folder);
     fine::FineModel fine(input);
-    WithoutSmallerElements factory(&fine, input);
-    CoarseRun run(options, input, {"inprocess", 1, false});
-    std::string said;
+    Factory factory(&fine, input);
     try {
-        run.perform(factory, nullptr);
+        CoarseRun(options, input, {"inprocess", 1, false}).perform(factory, nullptr);
     } catch (const NumericalFailure& failure) {
-        said = failure.what();
+        return failure.what();
     }
+    return "";
+}
+
+TEST(BrokenOff, InTheMiddleOfAGrowthSaysSoAndLeavesASummary) {
+    const TemporaryFolder folder;
+    const std::string said = run_of<WithoutSmallerElements>(folder / "out", false);
     EXPECT_NE(said.find("the cracks cannot grow: the tangent of the zone is singular; "), std::string::npos) << said;
     const auto summary = read_json(folder / "out/summary.json");
     EXPECT_EQ(summary.words.at("status"), "failed");
     EXPECT_GT(summary.numbers.at("coarse_unknowns"), 0.0);
     EXPECT_GT(summary.numbers.at("fine_points"), 0.0);
+}
+
+// The growth is what a resumed run does first: fails in the same words, or goes on as if nothing had been.
+TEST(BrokenOff, InTheMiddleOfAGrowthLeavesTheStateBeforeIt) {
+    const TemporaryFolder folder;
+    const std::string said = run_of<WithoutSmallerElements>(folder / "out", false);
+    const std::string rows = text_of(folder / "out/history.csv");
+    const double last = read_table(folder / "out/history.csv")["increment"].back();
+    EXPECT_TRUE(said.ends_with(fmt::format("after increment {}", last))) << said;
+    EXPECT_EQ(run_of<WithoutSmallerElements>(folder / "out", true), said);
+    EXPECT_EQ(text_of(folder / "out/history.csv"), rows);
+    EXPECT_EQ(run_of<coarse::CondensedFactory>(folder / "out", true), "");
+    EXPECT_EQ(run_of<coarse::CondensedFactory>(folder / "whole", false), "");
+    EXPECT_EQ(text_of(folder / "out/history.csv"), text_of(folder / "whole/history.csv"));
+    EXPECT_EQ(text_of(folder / "out/faces.csv"), text_of(folder / "whole/faces.csv"));
 }
 
 }  // namespace

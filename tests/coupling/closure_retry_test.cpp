@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/error.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -10,16 +11,21 @@
 namespace stria::test {
 namespace {
 
-/// Hands everything on to the fine component of a case, but for one failure.
-class FailsOnce final : public coupling::FineScale {
+/// Hands everything on to the fine component of a case, but for failures as asked for.
+class FailsSometimes final : public coupling::FineScale {
 public:
-    explicit FailsOnce(const Case& input) : model_(input) {}
+    explicit FailsSometimes(const Case& input) : model_(input) {}
 
     void set_patch(const coupling::Patch& patch) override { model_.set_patch(patch); }
-    void request(const coupling::PatchDisplacement& displacement) override { model_.request(displacement); }
+    void request(const coupling::PatchDisplacement& displacement) override {
+        load_factor_ = displacement.load_factor;
+        model_.request(displacement);
+    }
     coupling::PatchResponse collect() override {
         coupling::PatchResponse response = model_.collect();
-        if (fails) throw NumericalFailure("as asked for");
+        const auto is_here = [this](double load) { return std::abs(load - load_factor_) < 1e-9; };
+        if (fails || (!only_at.empty() && std::ranges::none_of(only_at, is_here)))
+            throw NumericalFailure("as asked for");
         return response;
     }
     coupling::StepReport commit(const coupling::Commit& what) override { return model_.commit(what); }
@@ -31,9 +37,11 @@ public:
     }
 
     bool fails = false;
+    std::vector<double> only_at;  // load factors; empty: all
 
 private:
     fine::FineModel model_;
+    double load_factor_ = 0.0;
 };
 
 struct Tried {
@@ -48,7 +56,7 @@ Tried run(int failing) {
                                   "load.blocks=[{cycles=3, max=40.0, ratio=0.0}]"});
     use_one_thread();
     const coarse::Scene scene = coarse::refined_scene(input);
-    FailsOnce fine(input);
+    FailsSometimes fine(input);
     coarse::CondensedFactory factory(&fine, input);
     Tried found;
     int attempts = 0;
@@ -82,6 +90,44 @@ TEST(ClosureRetry, AnIncrementThatDoesNotConvergeAgainIsHalved) {
     EXPECT_EQ(disturbed.increments, undisturbed.increments + 1);
     ASSERT_EQ(disturbed.K_op.size(), undisturbed.K_op.size());
     for (std::size_t k = 0; k < disturbed.K_op.size(); ++k) EXPECT_NEAR(disturbed.K_op[k], undisturbed.K_op[k], 0.01);
+}
+
+/// What a run says in its end that grows by dK_eff, its crack closed at the minimum; `only_at`: where equilibria are
+/// found. Adds up the load factors of its increments.
+std::string end_of_growth(const std::vector<double>& only_at, std::vector<double>& accepted, int& broken_off) {
+    const Case input = sent_case({mesh_at_tip(0.4), "load.steps=12", "load.blocks=[{cycles=2, max=40.0, ratio=-1.0}]",
+                                  "growth={law=\"paris\", increment=0.4, C=1e-13, m=3.0, driving=\"dK_eff\"}"});
+    use_one_thread();
+    const coarse::Scene scene = coarse::refined_scene(input);
+    FailsSometimes fine(input);
+    fine.only_at = only_at;
+    coarse::CondensedFactory factory(&fine, input);
+    coarse::Listener listener;
+    listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
+        accepted.push_back(increment.load_factor);
+    };
+    listener.breaks_off = [&] { ++broken_off; };
+    coarse::FatigueAnalysis analysis(scene, factory, listener);
+    try {
+        analysis.run();
+    } catch (const NumericalFailure& failure) {
+        return failure.what();
+    }
+    return "";
+}
+
+TEST(ClosureRetry, AnOpeningLoadThatNoTrialTellsDrivesNoGrowth) {
+    std::vector<double> loads, reached;
+    int broken_off = 0;
+    EXPECT_EQ(end_of_growth({}, loads, broken_off), "");
+    EXPECT_EQ(broken_off, 0);
+    const std::string said = end_of_growth(loads, reached, broken_off);
+    EXPECT_NE(said.find("cycle 1: the cracks cannot grow: K_op drives the growth, and no equilibrium of the last cycle "
+                        "tells it for tip 0"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(reached.size(), 18U);  // ramp and one cycle
+    EXPECT_EQ(broken_off, 1);
 }
 
 }  // namespace

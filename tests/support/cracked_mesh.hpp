@@ -61,13 +61,6 @@ inline const CrackPiece* piece_in(const EnrichedMesh& mesh, int element) {
     return found != mesh.pieces.end() ? &*found : nullptr;
 }
 
-inline double polygon_area(std::span<const Vec2> polygon) {
-    double area = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k)
-        area += triangle_area(polygon[0], polygon[k], polygon[(k + 1) % polygon.size()]);
-    return area;
-}
-
 inline bool has_tip_terms(const EnrichedMesh& mesh, int node) {
     return std::ranges::any_of(mesh.terms[at(node)], [](const Term& term) { return term.kind == Term::Kind::Tip; });
 }

@@ -92,7 +92,7 @@ TEST(LongLife, FourteenCyclesThatGrowInEachCostWhatTheFirstOnesDo) {
                              effort.a[14], effort.cuts);
     EXPECT_NEAR(effort.a[14], 21.4, 1e-9);
     EXPECT_LE(effort.cuts, 1);
-    EXPECT_LE(effort.in_cycles(10, 14), 1.2 * effort.in_cycles(4, 8));
+    EXPECT_LE(effort.in_cycles(10, 14), 1.1 * effort.in_cycles(4, 8));  // without predictors 12 % more
 }
 
 }  // namespace

@@ -174,6 +174,28 @@ TEST(ElementOperator, StandardFunctionsReproduceLinearFields) {
     });
 }
 
+// A tip comes into an element beside its lower edge and moves on in it: few points lie below the crack then.
+TEST(ElementOperator, PointsThatStayWhileATipMovesOnReproduceLinearFields) {
+    const Mesh mesh = square_mesh(3);
+    constexpr int element = 4;
+    const IntegrationRule of_zone{.subcells = 2, .singular_gauss = 2, .tip_points = 4};
+    const Vec2 mouth(0.0, 0.34), first(0.3352, 0.3341), second(0.53, 0.3433);
+    const EnrichedMesh before = cracked(mesh, {mouth, first}), now = cracked(mesh, {mouth, first, second});
+    std::vector<IntegrationPoint> points = make_operator(before, element, piece_in(before, element), of_zone).points;
+    const CutElement cut = cut_element(corners_of(now, element), *piece_in(now, element));
+    for (IntegrationPoint& point : points) point.side = cut.side_of(point.x);
+    const ElementOperator op = make_operator(now, element, piece_in(now, element), of_zone, points);
+    const double below = op.area - left_weight(op), area_below = op.area - polygon_area(cut.left);
+    EXPECT_LT(below, 0.5 * area_below);
+
+    const Eigen::Matrix2d gradient{{0.3, -1.1}, {0.7, 0.2}};
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(now.unknowns);
+    for (int n = 0; n < std::ssize(now.nodes); ++n) u.segment<2>(now.unknown(n, 0, 0)) = gradient * now.nodes[at(n)];
+    const Eigen::VectorXd local = gather(u, op.unknowns);
+    for (std::size_t q = 0; q < op.points.size(); ++q)
+        EXPECT_LT((op.displacement_gradient(local, q) - gradient).norm(), 1e-12) << q;
+}
+
 TEST(ElementOperator, DilatationIsConstantOnEachSide) {
     for_each_operator(dense, [](const EnrichedMesh& mesh, const ElementOperator& op) {
         const CrackPiece* piece = piece_in(mesh, op.element);
