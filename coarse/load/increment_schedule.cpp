@@ -65,7 +65,7 @@ std::vector<double> graded_ways(int increments, double grading, const std::vecto
 }
 
 IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double> turns, bool may_choose)
-    : chooses_(load.steps.is_auto() && may_choose), accuracy_(load.accuracy), grading_(load.grading),
+    : chooses_(load.steps.is_auto() && may_choose), accuracy_(load.accuracy), grading_(load.power()),
       turns_(std::move(turns)) {
     state_.rising = state_.falling = load.first_steps() / 2;
     lay_out();

@@ -154,16 +154,17 @@ struct LoadBlock {
 enum class Control { Load, Displacement, StressIntensity };
 
 struct LoadSection {
-    OrAuto<int> steps = {};         // increments per cycle
-    double accuracy = 0.002;        // where the program chooses them (IncrementSchedule)
-    double grading = 0.4;           // increment k of h ends at (k/h)^grading of the way from one reversal to the next
-    std::vector<LoadBlock> blocks;  // those of a spectrum file included
+    OrAuto<int> steps = {};              // increments per cycle
+    double accuracy = 0.002;             // where the program chooses them (IncrementSchedule)
+    std::optional<double> grading = {};  // increment k of h ends at (k/h)^grading of the way between two reversals
+    std::vector<LoadBlock> blocks;       // those of a spectrum file included
     std::optional<std::string> spectrum = {};  // a CSV file; its cycles follow those of the blocks
     double scale = 1.0;                        // of every max and min
     int repeat = 1;                            // of the whole sequence
     Control control = Control::Load;
     double K_gradient = 0.0;  // 1/mm, with control of K: K = block value exp(K_gradient (a - a at the start))
     [[nodiscard]] int first_steps() const { return steps.value_or(12); }  // to begin with
+    [[nodiscard]] double power() const { return grading.value_or(steps.is_auto() ? 0.4 : 0.6); }
     bool operator==(const LoadSection&) const = default;
 };
 
@@ -180,8 +181,7 @@ struct MaterialTestSection {
     bool operator==(const MaterialTestSection&) const = default;
 };
 
-/// With the maximum of a cycle, or its minimum, just reached.
-enum class GrowthAt { Maximum, Minimum };
+enum class GrowthAt { Maximum, Minimum };  // of a cycle, just reached
 
 enum class GrowthLaw { Prescribed, Paris, Ctod };
 /// max(K_max, 0) - max(K_min, 0) (ASTM E647), K_max - K_min, K_max - K_op.

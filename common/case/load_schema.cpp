@@ -55,6 +55,7 @@ Section<LoadSection> load_section() {
               "of its range, as the last increments of the half cycle before tell it.");
     s.value("grading", &LoadSection::grading)
         .positive()
+        .or_else("0.4 with steps = \"auto\", else 0.6")
         .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.4: "
               "large where little flows, small where the load turns.");
     s.list("blocks", &LoadSection::blocks, block_section())

@@ -46,7 +46,8 @@ Section<FineSection> fine_section() {
         .at_least(1)
         .at_most(10'000)
         .says("How finely a strain increment is taken at points that flow: in as many parts as leave the stress within "
-              "0.4 % of the yield stress over this number, by the estimate of the return mapping. 1: at once, by "
+              "0.4 % of the yield stress over this number, by the estimate of the return mapping, at most five times "
+              "this number. 1: at once, by "
               "backward Euler. Linear hardening in plane strain returns exactly where it is more.");
     s.choice<Enrichment>("enrichment", &FineSection::enrichment,
                          {{"auto", Enrichment::Auto},

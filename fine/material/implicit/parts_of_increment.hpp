@@ -18,7 +18,8 @@ public:
         : elastic_(Scalars<rows>::Ones()), parts_(Scalars<rows>::Ones()) {
         const Path path(law, before, elastic);
         elastic_ = chosen<rows>(flows, path.elastic, elastic_);
-        put_parts(std::pow(law.error_of_parts(), -2.0) * squared_error(law, rates, before, path), flows);
+        put_parts(std::pow(law.error_of_parts(), -2.0) * squared_error(law, rates, before, path), 5.0 * law.substeps,
+                  flows);
     }
 
     /// The share before the yield surface is reached.
@@ -99,14 +100,12 @@ private:
 
     /// `error`: squared, over the bound. Backward Euler needs its root as parts; a method of second order, which starts
     /// on the yield surface, needs the root of that (unit.*EveryLawInParts.*).
-    void put_parts(const WithSlope<rows>& error, const Mask<rows>& flows) {
-        const Mask<rows> several = flows && error.value > 1.0, too_many = !(error.value < std::pow(most_parts, 4.0));
+    /// Increments of many yield strains ask for more than `most`. Their errors fade: the flow has long turned.
+    void put_parts(const WithSlope<rows>& error, double most, const Mask<rows>& flows) {
+        const Mask<rows> several = flows && error.value > 1.0, too_many = !(error.value < std::pow(most, 4.0));
         parts_ = sqrt(sqrt(chosen<rows>(several, error, parts_)));
-        parts_ = chosen<rows>(several && too_many, Scalars<rows>(Scalars<rows>::Constant(most_parts)), parts_);
+        parts_ = chosen<rows>(several && too_many, Scalars<rows>(Scalars<rows>::Constant(most)), parts_);
     }
-
-    /// Increments of hundreds of yield strains at once ask for more.
-    static constexpr double most_parts = 1000.0;
 
     WithSlope<rows> elastic_, parts_;
 };
