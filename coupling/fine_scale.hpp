@@ -41,8 +41,15 @@ public:
     /// All that is committed and remembered. Between increments only.
     virtual ZoneSnapshot snapshot() = 0;
 
+    /// A snapshot that stays where the zone is, until the next one; and the last that was kept.
+    virtual void keep() { kept_ = snapshot(); }
+    virtual ZoneSnapshot kept() { return kept_; }
+
     /// In place of set_patch(), the same patch: goes on from a snapshot, bit for bit where as many ranks gave it.
     virtual void restore(const Patch& patch, const ZoneSnapshot& snapshot) = 0;
+
+private:
+    ZoneSnapshot kept_;
 };
 
 }  // namespace stria::coupling

@@ -12,7 +12,6 @@
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
-
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
@@ -36,6 +35,12 @@ bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() 
 
 AnalysisState FatigueAnalysis::state() const {
     if (before_growth_) return *before_growth_;
+    AnalysisState state = state_beside_zone();
+    model_.write_zone(state);
+    return state;
+}
+
+AnalysisState FatigueAnalysis::state_beside_zone() const {
     AnalysisState state;
     body_.write(state);
     model_.write(state);
@@ -52,8 +57,7 @@ AnalysisState FatigueAnalysis::state() const {
 
 CoarseEffort FatigueAnalysis::effort() const {
     CoarseEffort total = effort_;
-    total += model_.effort();
-    return total;
+    return total += model_.effort();
 }
 
 void FatigueAnalysis::run() {
@@ -229,7 +233,8 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 // without them. Where (a) fails, only the state before it is whole.
 bool FatigueAnalysis::grow_where_due() {
     if (due_growth_.tips.empty()) return true;
-    before_growth_ = state();
+    AnalysisState before = state_beside_zone();
+    model_.keep_zone();
     try {
         GrownScene grown = growth_->next(body_, model_.factors(), due_growth_.tips, last_cycle_);
         if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());
@@ -239,11 +244,12 @@ bool FatigueAnalysis::grow_where_due() {
             release_ = {.cycle = due_growth_.cycle, .moment = due_growth_.moment, .held = 1.0};
         }
     } catch (const NumericalFailure& failure) {
+        model_.write_kept_zone(before);
+        before_growth_ = std::move(before);
         listener_.breaks_off();
         throw NumericalFailure(fmt::format("cycle {}: the cracks cannot grow: {}", due_growth_.cycle, failure.what()));
     }
     due_growth_ = {};
-    before_growth_.reset();
     return release_new_faces();
 }
 

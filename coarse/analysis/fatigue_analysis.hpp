@@ -44,6 +44,7 @@ public:
     [[nodiscard]] CoarseEffort effort() const;
 
 private:
+    [[nodiscard]] AnalysisState state_beside_zone() const;
     [[nodiscard]] bool is_to_end() const;
     [[nodiscard]] bool settle_initial_stress();
     [[nodiscard]] std::optional<LoadStep> next() const;
@@ -74,7 +75,7 @@ private:
     std::vector<CycleResult> last_cycle_;  // one per tip, of the last cycle that ended
     std::optional<CrackGrowth> growth_;
     DueGrowth due_growth_;
-    std::optional<AnalysisState> before_growth_;  // while the cracks grow: the last state that is whole
+    std::optional<AnalysisState> before_growth_;  // of a growth that has failed: the last state that is whole
     FaceRelease release_;
     TwoScaleModel model_;
 };

@@ -37,7 +37,19 @@ void TwoScaleModel::write(AnalysisState& state) const {
     state.largest_force = largest_force_;
     state.work = work_;
     state.equilibrium = equilibrium_->state();
+}
+
+void TwoScaleModel::write_zone(AnalysisState& state) const {
     if (body_.has_zone()) state.zone = factory_.zone_snapshot();
+}
+
+void TwoScaleModel::keep_zone() {
+    is_kept_ = body_.has_zone();
+    if (is_kept_) factory_.keep_zone();
+}
+
+void TwoScaleModel::write_kept_zone(AnalysisState& state) const {
+    if (is_kept_) state.zone = factory_.kept_zone();
 }
 
 CoarseEffort TwoScaleModel::effort() const {

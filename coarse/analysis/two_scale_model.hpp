@@ -46,7 +46,11 @@ public:
     /// Of the present equilibrium and of the guard; what was before them is in the run's own record.
     [[nodiscard]] CoarseEffort effort() const;
 
+    /// All but the zone; and the zone. `write_kept_zone`: as it was when keep_zone() was called.
     void write(AnalysisState& state) const;
+    void write_zone(AnalysisState& state) const;
+    void keep_zone();
+    void write_kept_zone(AnalysisState& state) const;
 
 private:
     /// Somebody reads rings, faces and energies of an increment.
@@ -67,6 +71,7 @@ private:
     std::optional<StructureRings> rings_;  // of the present structure
     Eigen::VectorXd displacement_;         // committed, of the whole mesh, mm; behind while increments are accepted:
     bool is_behind_ = false;               // refresh_displacement()
+    bool is_kept_ = false;                 // keep_zone() has met a zone
     LoadFactors factors_;                  // committed
     double largest_force_ = 0.0;           // largest scale of a residual that was committed, N/mm
     WorkBalance work_;                     // committed

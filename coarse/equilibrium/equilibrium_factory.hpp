@@ -39,6 +39,9 @@ public:
 
     /// All that the zone remembers; there must be one.
     virtual coupling::ZoneSnapshot zone_snapshot() = 0;
+    /// Likewise, as coupling::FineScale.
+    virtual void keep_zone() = 0;
+    virtual coupling::ZoneSnapshot kept_zone() = 0;
 };
 
 /// Equilibrium of structure and zone over the port (null: no fine component).
@@ -53,6 +56,8 @@ public:
                                         const Eigen::VectorXd& committed, const coupling::ZoneSnapshot& zone) override;
     coupling::ZoneState zone_state() override { return fine_->state(); }
     coupling::ZoneSnapshot zone_snapshot() override { return fine_->snapshot(); }
+    void keep_zone() override { fine_->keep(); }
+    coupling::ZoneSnapshot kept_zone() override { return fine_->kept(); }
 
 private:
     coupling::FineScale* fine_;

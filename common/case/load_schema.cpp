@@ -51,8 +51,7 @@ Section<LoadSection> load_section() {
         .positive()
         .below(1.0)
         .says("With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
-              "cycle, "
-              "of its range, as the last increments of the half cycle before tell it.");
+              "cycle, of its range, as the last increments of the half cycle before tell it.");
     s.value("grading", &LoadSection::grading)
         .positive()
         .or_else("0.4 with steps = \"auto\", else 0.6")

@@ -47,8 +47,8 @@ Section<FineSection> fine_section() {
         .at_most(10'000)
         .says("How finely a strain increment is taken at points that flow: in as many parts as leave the stress within "
               "0.4 % of the yield stress over this number, by the estimate of the return mapping, at most five times "
-              "this number. 1: at once, by "
-              "backward Euler. Linear hardening in plane strain returns exactly where it is more.");
+              "this number. 1: at once, by backward Euler. Linear hardening in plane strain returns exactly where it "
+              "is more.");
     s.choice<Enrichment>("enrichment", &FineSection::enrichment,
                          {{"auto", Enrichment::Auto},
                           {"none", Enrichment::None},
@@ -76,8 +76,7 @@ Section<OutputSection> output_section() {
     Section<OutputSection> s;
     s.choice<Written>("faces", &OutputSection::faces, when)
         .says("Increments in faces.csv: max, zero and min of the last cycle (where growth ends a run unforeseen, where "
-              "it does), "
-              "those of every cycle, all or none.");
+              "it does), those of every cycle, all or none.");
     s.choice<Written>("fields", &OutputSection::fields, when).says("Increments with field files, likewise.");
     s.choice<Written>("history", &OutputSection::history, {{"all", Written::All}, {"cycles", Written::Cycles}})
         .says(

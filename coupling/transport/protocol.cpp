@@ -42,6 +42,10 @@ const char* name(Tag tag) {
         return "Snapshot";
     case Tag::Restore:
         return "Restore";
+    case Tag::Keep:
+        return "Keep";
+    case Tag::Kept:
+        return "Kept";
     }
     return "a message of an unknown kind";
 }

@@ -63,6 +63,10 @@ ZoneState RemoteFineScale::state() { return unpack<ZoneState>(ask(Tag::State, {}
 
 ZoneSnapshot RemoteFineScale::snapshot() { return unpack<ZoneSnapshot>(ask(Tag::Snapshot, {}, Tag::Snapshot).bytes); }
 
+void RemoteFineScale::keep() { ask(Tag::Keep, {}, Tag::Done); }
+
+ZoneSnapshot RemoteFineScale::kept() { return unpack<ZoneSnapshot>(ask(Tag::Kept, {}, Tag::Snapshot).bytes); }
+
 void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     ask(Tag::Restore, pack(Restore{patch, snapshot}), Tag::Done);
 }

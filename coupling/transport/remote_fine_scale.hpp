@@ -28,6 +28,8 @@ public:
     void rollback() override;
     ZoneState state() override;
     ZoneSnapshot snapshot() override;
+    void keep() override;
+    ZoneSnapshot kept() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
     /// What has crossed, both ways, and what had not to.

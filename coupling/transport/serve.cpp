@@ -24,6 +24,11 @@ Message reply(const Message& question, FineScale& fine) {
         return {Tag::State, pack(fine.state())};
     case Tag::Snapshot:
         return {Tag::Snapshot, pack(fine.snapshot())};
+    case Tag::Keep:
+        fine.keep();
+        return {Tag::Done, {}};
+    case Tag::Kept:
+        return {Tag::Snapshot, pack(fine.kept())};
     case Tag::Restore: {
         const auto [patch, snapshot] = unpack<Restore>(question.bytes);
         fine.restore(patch, snapshot);

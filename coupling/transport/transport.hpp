@@ -21,7 +21,9 @@ enum class Tag : std::uint32_t {
     Stop,
     Done,
     Snapshot,
-    Restore
+    Restore,
+    Keep,
+    Kept
 };
 
 struct Message {

@@ -15,24 +15,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from closing_plate import closing_plate
+
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(sys.argv.pop() if len(sys.argv) > 1 else ROOT / "build/release/bin").resolve()
 sys.path.insert(0, str(ROOT / "tools"))
 
 import browser  # noqa: E402
-
-# A crack that grows, flows, is closed in compression and slides.
-CASE = """
-title = "A plate that closes"
-units = "N-mm-MPa"
-mesh = { specimen = "sent", width = 50.0, height = 100.0, size = 4.0, grading = [ { at = [[15.0, 52.0]], size = 0.4, outer_size = 0.8, radius = 4.0 } ] }
-material = { young = 200e3, poisson = 0.3, yield_stress = 300.0, kinematic = [ { C = 4000.0 } ] }
-crack = [ { points = [[0.0, 50.0], [9.0, 50.0], [15.0, 52.0]], contact = { friction = 0.3 } } ]
-boundary = [ { on = "top", displacement = ["free", 1.0] }, { on = "bottom", displacement = ["free", 0.0] } ]
-load = { steps = 16, blocks = [ { cycles = 3, max = 0.04, ratio = -1.0 } ] }
-growth = { increment = 0.4, direction = "straight" }
-output = { faces = "cycles", fields = "cycles" }
-"""
 
 SHOWN = """[...document.querySelectorAll('.slides')].map(figure => ({
   at: figure.querySelector('input').value, name: figure.querySelector('span.shown').textContent,
@@ -60,7 +49,7 @@ class InABrowser(unittest.TestCase):
         cls.addClassCleanup(holder.cleanup)
         cls.folder = Path(holder.name)
         case = cls.folder / "case.toml"
-        case.write_text(CASE, encoding="utf-8")
+        case.write_text(closing_plate(0.4, 0.8), encoding="utf-8")
         cls.run_folder = cls.folder / "run"
         run("run", case, "-o", cls.run_folder, "--mode", "inprocess", "--quiet")
         run("study", case, "-o", cls.folder / "study", "--over", "crack.0.contact.friction=0,0.3", "--set", "load.steps=8")

@@ -16,20 +16,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from closing_plate import closing_plate
+
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(sys.argv.pop() if len(sys.argv) > 1 else ROOT / "build/release/bin").resolve()
-
-# A kinked crack that grows, is closed in compression and slides.
-CASE = """
-units = "N-mm-MPa"
-mesh = { specimen = "sent", width = 50.0, height = 100.0, size = 4.0, grading = [ { at = [[15.0, 52.0]], size = 0.2, outer_size = 0.5, radius = 4.0 } ] }
-material = { young = 200e3, poisson = 0.3, yield_stress = 300.0, kinematic = [ { C = 4000.0 } ] }
-crack = [ { points = [[0.0, 50.0], [9.0, 50.0], [15.0, 52.0]], contact = { friction = 0.3 } } ]
-boundary = [ { on = "top", displacement = ["free", 1.0] }, { on = "bottom", displacement = ["free", 0.0] } ]
-load = { steps = 16, blocks = [ { cycles = 3, max = 0.04, ratio = -1.0 } ] }
-growth = { increment = 0.4, direction = "straight" }
-output = { faces = "cycles", fields = "cycles" }
-"""
 
 
 @unittest.skipUnless(shutil.which("pvpython"), "there is no pvpython (Debian's package paraview)")
@@ -39,7 +29,7 @@ class InParaView(unittest.TestCase):
         cls.holder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.holder.cleanup)
         folder = Path(cls.holder.name)
-        (folder / "case.toml").write_text(CASE, encoding="utf-8")
+        (folder / "case.toml").write_text(closing_plate(0.2, 0.5), encoding="utf-8")
         cls.run_folder = folder / "run"
         words = [PROGRAMS / "stria", "run", folder / "case.toml", "-o", cls.run_folder, "--mode", "inprocess", "--quiet"]
         subprocess.run(words, check=True)

@@ -19,9 +19,12 @@ public:
                                                 const coupling::ZoneSnapshot& zone) override;
     coupling::ZoneState zone_state() override { return zone_.state(); }
     coupling::ZoneSnapshot zone_snapshot() override { return zone_.snapshot(); }
+    void keep_zone() override { kept_ = zone_.snapshot(); }
+    coupling::ZoneSnapshot kept_zone() override { return kept_; }
 
 private:
     fine::ZoneSystem zone_;
+    coupling::ZoneSnapshot kept_;
     coarse::EquilibriumSections input_;
 };
 
