@@ -13,11 +13,13 @@ namespace stria {
 
 /// committed + factor * the increment `back` commits ago (1: the last one; 0: an attempt that was put aside).
 struct Predictor {
-    Predictor(double factor_ = 0.0, int back_ = 1) : factor(factor_), back(back_) {}
+    Predictor(double factor_ = 0.0, int back_ = 1, bool goes_on_ = false)
+        : factor(factor_), back(back_), goes_on(goes_on_) {}
     bool operator==(const Predictor&) const = default;
 
     double factor;
     int back;
+    bool goes_on;  // instead of what is committed: from where the last attempt has got
 };
 
 /// How many increments are remembered: a cycle and a cycle's worth of halvings, or as many as a cycle may have.

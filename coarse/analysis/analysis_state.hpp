@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "coarse/analysis/closure_measurement.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
@@ -53,15 +54,15 @@ struct AnalysisState {
     struct Polyline {
         std::vector<double> x, y;  // mm, one value per point
     };
-    std::vector<Polyline> cracks;         // one per crack of the case
-    MeshSplits splits;                    // of the mesh of the start, that it followed the tips with
-    ElementSet settled;                   // elements that are split no more
-    ElementSet in_zone;                   // elements inside the zone
-    ElementSet far;                       // far elements; the choice shows in the last bits
-    Eigen::VectorXd displacement;         // of all unknowns of the mesh, mm; zero inside the zone
-    double load_factor = 0.0;             // committed
-    double largest_force = 0.0;           // largest scale of a residual up to now, N/mm
-    std::vector<double> signal;           // of the closure meter
+    std::vector<Polyline> cracks;  // one per crack of the case
+    MeshSplits splits;             // of the mesh of the start, that it followed the tips with
+    ElementSet settled;            // elements that are split no more
+    ElementSet in_zone;            // elements inside the zone
+    ElementSet far;                // far elements; the choice shows in the last bits
+    Eigen::VectorXd displacement;  // of all unknowns of the mesh, mm; zero inside the zone
+    double load_factor = 0.0;      // committed
+    double largest_force = 0.0;    // largest scale of a residual up to now, N/mm
+    ClosureMemory closure;
     CycleMemory cycle;                    // of the present cycle
     std::vector<CycleResult> last_cycle;  // one per tip, of the last cycle that ended
     std::vector<TipResult> nominal;       // one per tip, of the present crack lengths

@@ -1,6 +1,7 @@
 #include "coarse/analysis/closure_measurement.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stria::coarse {
 namespace {
@@ -10,29 +11,49 @@ constexpr double precision = 0.002;  // of the larger load of a half cycle
 }  // namespace
 
 bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& report) const {
-    const std::vector<double> now = meter_.signal(report, signal_);
+    const std::vector<double>& before = memory_.signal;
+    const std::vector<double> now = meter_.signal(report, before);
     const auto same_sign = [](double a, double b) { return (a > 0.0) == (b > 0.0); };
-    return step.cycle > 0 && signal_.size() == now.size() && !std::ranges::equal(signal_, now, same_sign);
+    return step.cycle > 0 && before.size() == now.size() && !std::ranges::equal(before, now, same_sign);
 }
 
 std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report,
-                                                       const End& from, const End& to, double extreme,
+                                                       const End& from, const End& to, double extreme, double unit,
                                                        const Solve& solve) const {
     const double start = from.target.value, end = to.target.value;
-    return meter_.locate({start, from.load_factor, signal_}, {end, to.load_factor, meter_.signal(report, signal_)},
-                         precision * extreme, [&](double target) {
-                             const double share = (target - start) / (end - start);
-                             LoadStep part = step;
-                             part.target.value = target;
-                             part.target.cases = from.target.cases + share * (to.target.cases - from.target.cases);
-                             part.predictor = {share, 0};
-                             return solve(part);
-                         });
+    constexpr double nearby = 0.2;  // of the increment
+    double tried = NAN;             // share of it at the last trial that came to equilibrium
+    const auto try_at = [&](double target) {
+        const double share = (target - start) / (end - start);
+        LoadStep part = step;
+        part.target.value = target;
+        part.target.cases = from.target.cases + share * (to.target.cases - from.target.cases);
+        part.predictor = std::abs(share - tried) < nearby ? Predictor(share - tried, 0, true) : Predictor(share, 0);
+        const ClosureMeter::Trial trial = solve(part);
+        tried = trial.report.converged ? share : NAN;
+        return trial;
+    };
+    const std::vector<double> now = meter_.signal(report, memory_.signal);
+    return meter_.locate({start, from.load_factor, memory_.signal}, {end, to.load_factor, now}, precision * extreme,
+                         try_at, expected(now, unit));
 }
 
-std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report) {
-    std::vector<double> now = signal_ = meter_.signal(report, signal_);
-    if (step.reversal) meter_.forget_slip(signal_);
+// Where it last came or went as it does now.
+std::vector<double> ClosureMeasurement::expected(const std::vector<double>& now, double unit) const {
+    std::vector<double> expected;
+    for (std::size_t k = 0; k < memory_.opened.size(); ++k)
+        expected.push_back(unit * (now[k] > 0.0 ? memory_.closed[k] : memory_.opened[k]));
+    return expected;
+}
+
+std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report,
+                                               const std::vector<OpeningChange>& changes, double unit) {
+    std::vector<double> now = memory_.signal = meter_.signal(report, memory_.signal);
+    if (step.reversal) meter_.forget_slip(memory_.signal);
+    for (std::vector<double>* targets : {&memory_.opened, &memory_.closed}) targets->resize(now.size(), NAN);
+    for (const OpeningChange& change : changes)
+        (change.closes ? memory_.closed : memory_.opened)[at(change.tip) * meter_.signals().all() + at(change.signal)] =
+            change.target / unit;
     return now;
 }
 

@@ -9,11 +9,16 @@
 
 namespace stria::coarse {
 
+/// What is remembered of signals, one number each (ClosureMeter::signal()).
+struct ClosureMemory {
+    std::vector<double> signal;          // of the committed state; empty before the first increment
+    std::vector<double> opened, closed;  // loads at which it last did, in units of the history; NaN: never
+};
+
 class ClosureMeasurement {
 public:
-    /// `signal`: that of the committed state (ClosureMeter::signal()); empty before the first increment.
-    explicit ClosureMeasurement(ClosureMeter meter, std::vector<double> signal = {})
-        : meter_(std::move(meter)), signal_(std::move(signal)) {}
+    explicit ClosureMeasurement(ClosureMeter meter, ClosureMemory memory = {})
+        : meter_(std::move(meter)), memory_(std::move(memory)) {}
 
     [[nodiscard]] const ClosureMeter& meter() const { return meter_; }
 
@@ -26,21 +31,26 @@ public:
         double load_factor;
     };
     /// Where its signals changed between what was committed and what has been found at its end. `extreme`: the larger
-    /// magnitude of the targets that the present half cycle joins. solve(part) finds the trial equilibrium of a shorter
-    /// increment, whose predictor is a share of the attempt that was put aside.
+    /// magnitude of the targets that the present half cycle joins; `unit`: of the history, as a target. solve(part)
+    /// finds the trial equilibrium of a shorter increment, whose predictor is a share of the attempt that was put
+    /// aside, or goes on from a trial nearby.
     using Solve = std::function<ClosureMeter::Trial(const LoadStep&)>;
     [[nodiscard]] std::vector<OpeningChange> changes(const LoadStep& step, const NewtonReport& report, const End& from,
-                                                     const End& to, double extreme, const Solve& solve) const;
+                                                     const End& to, double extreme, double unit,
+                                                     const Solve& solve) const;
 
-    /// The increment is committed; returns its signals.
-    std::vector<double> commit(const LoadStep& step, const NewtonReport& report);
+    /// The increment is committed, with `changes` on its way; returns its signals.
+    std::vector<double> commit(const LoadStep& step, const NewtonReport& report,
+                               const std::vector<OpeningChange>& changes, double unit);
 
     /// Committed: what the next increment starts from.
-    [[nodiscard]] const std::vector<double>& signal() const { return signal_; }
+    [[nodiscard]] const ClosureMemory& memory() const { return memory_; }
 
 private:
+    [[nodiscard]] std::vector<double> expected(const std::vector<double>& now, double unit) const;
+
     ClosureMeter meter_;
-    std::vector<double> signal_;
+    ClosureMemory memory_;
 };
 
 }  // namespace stria::coarse

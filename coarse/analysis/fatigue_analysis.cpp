@@ -17,7 +17,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver, CaseHistories(scene.input)),
       closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.largest_K_I()),
-               from != nullptr ? from->signal : std::vector<double>()),
+               from != nullptr ? from->closure : ClosureMemory()),
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
@@ -44,7 +44,7 @@ AnalysisState FatigueAnalysis::state_beside_zone() const {
     AnalysisState state;
     body_.write(state);
     model_.write(state);
-    state.signal = closure_.signal();
+    state.closure = closure_.memory();
     state.cycle = cycle_meter_.memory();
     state.last_cycle = last_cycle_;
     state.counts = effort_.counts;
@@ -162,15 +162,14 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadS
     if (!closure_.has_changed(step, report)) return std::vector<OpeningChange>();
     model_.put_aside();
     bool stopped = false;
-    auto changes =
-        closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
-                         {step.target, model_.trial_load_factor()}, controller_.extreme(), [&](const LoadStep& part) {
-                             model_.rollback();
-                             ClosureMeter::Trial found{attempt(part), 0.0};
-                             found.load_factor = model_.trial_load_factor();
-                             stopped = stopped || found.report.stopped;
-                             return found;
-                         });
+    const auto try_part = [&](const LoadStep& part) {
+        const ClosureMeter::Trial found{attempt(part), model_.trial_load_factor()};
+        stopped = stopped || found.report.stopped;
+        return found;
+    };
+    auto changes = closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
+                                    {step.target, model_.trial_load_factor()}, controller_.extreme(),
+                                    controller_.scale(), try_part);
     model_.rollback();
     if (stopped) return std::nullopt;
     step.predictor = {1.0, 0};
@@ -198,8 +197,8 @@ void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningC
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {
     Increment increment = model_.commit(step, report);
     increment.number = ++effort_.counts.increments;
+    increment.signal = closure_.commit(step, report, changes, controller_.scale());
     increment.opening_changes = std::move(changes);
-    increment.signal = closure_.commit(step, report);
     for (const TipResult& tip : body_.nominal()) {
         increment.nominal_K.push_back(tip.K_I);
         increment.K_initial.push_back(tip.K_initial);

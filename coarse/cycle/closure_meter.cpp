@@ -36,10 +36,25 @@ double straight_on(const ClosureStation& outer, const ClosureStation& inner, con
     return -inner.signal[k] / slope / (across.target - inner.target);
 }
 
+/// Where to try what was expected of a signal, as a share of the way between two stations: there, then from there
+/// towards the station that says otherwise, as far as the answer may be off. These two tell, or lead on: stations far
+/// away do not, since signals bend. Not a number: all that has been tried.
+double as_expected(const std::vector<ClosureStation>& way, std::size_t i, double precision, double expected) {
+    const double start = way[i].target, end = way[i + 1].target, width = std::abs(end - start);
+    const double share = (expected - start) / (end - start), rounding = 1e-9, beside = 0.9 * precision / width;
+    const auto is_far = [&](std::size_t other, double from) {
+        return std::abs(way[other].target - from) > 2.0 * precision;
+    };
+    if (std::abs(share) <= rounding && (i == 0 || is_far(i - 1, start))) return beside;
+    if (std::abs(1.0 - share) <= rounding && (i + 2 == way.size() || is_far(i + 2, end))) return 1.0 - beside;
+    return share > rounding && share < 1.0 - rounding ? share : NAN;
+}
+
 /// Signals are nearly straight on either side of zero, and bend there: faces press with another stiffness than they
 /// open. So two stations on one side tell where it is, and where they are near it they know. What leads to the station
 /// across, whose signal says otherwise, leads nowhere; of two the one farther from both stations tells more.
-Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision) {
+Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision,
+                  double expected) {
     const ClosureStation &before = way[i], &after = way[i + 1];
     const double width = std::abs(after.target - before.target), near = 0.5 * precision / width;
     const double from_before = i > 0 ? straight_on(way[i - 1], before, after, k) : NAN;
@@ -53,6 +68,7 @@ Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::si
         return {0.5 * (from_before + from_after), true};
     constexpr std::size_t enough = 8;  // stations for each signal: whatever leads on has had its chance
     if (way.size() > enough * before.signal.size()) return {0.5, false};
+    if (const double share = as_expected(way, i, precision, expected); std::isfinite(share)) return {share, false};
     if (before_leads && !(after_leads && room(from_after) > room(from_before))) return {from_before, false};
     if (after_leads) return {from_after, false};
     const double a = std::abs(before.signal[k]), b = std::abs(after.signal[k]);
@@ -124,27 +140,29 @@ void ClosureMeter::forget_slip(std::vector<double>& signal) const {
 }
 
 std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
-                                                const Solve& solve) const {
+                                                const Solve& solve, const std::vector<double>& expected) const {
     std::vector<OpeningChange> changes;
     std::vector<ClosureStation> way{std::move(before), std::move(after)};
+    const auto crossing_of = [&](std::size_t i, std::size_t k) {
+        return crossing(way, i, k, precision, k < expected.size() ? expected[k] : NAN);
+    };
     for (std::size_t i = 0; i + 1 < way.size();) {
         const std::vector<std::size_t> changed = changed_signals(way[i], way[i + 1]);
-        const auto unknown =
-            std::ranges::find_if(changed, [&](std::size_t k) { return !crossing(way, i, k, precision).known; });
+        const auto unknown = std::ranges::find_if(changed, [&](std::size_t k) { return !crossing_of(i, k).known; });
         const bool found = unknown == changed.end();
         if (!found) {
-            if (auto between = try_between(way[i], way[i + 1], crossing(way, i, *unknown, precision).share, solve)) {
+            if (auto between = try_between(way[i], way[i + 1], crossing_of(i, *unknown).share, solve)) {
                 way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
                 continue;
             }
         }
         for (const std::size_t k : changed) {
-            const auto [share, known] = crossing(way, i, k, precision);
+            const auto [share, known] = crossing_of(i, k);
             const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
             const double target = std::lerp(way[i].target, way[i + 1].target, share);
             changes.push_back({static_cast<int>(k / signals().all()), static_cast<int>(k % signals().all()),
                                is_closed(way[i + 1].signal[k]), load_factor,
-                               (target - way.front().target) / (way.back().target - way.front().target)});
+                               (target - way.front().target) / (way.back().target - way.front().target), target});
         }
         ++i;
     }

@@ -20,6 +20,7 @@ struct OpeningChange {
     bool closes;         // or opens; of slip: begins to slide
     double load_factor;  // to the precision asked for; NaN where no trial between two states came to equilibrium
     double way = 1.0;    // of the increment
+    double target = 0.0;
 };
 
 /// A state on the way of an increment.
@@ -78,12 +79,13 @@ public:
     /// Finds the trial equilibrium at a target.
     using Solve = std::function<Trial(double)>;
 
-    /// Tries targets between two states until it knows where each signal passes zero, to `precision` of a target. Next
-    /// it tries where signals that it has seen on one side lead to, since they bend where contact is made or lost; in
-    /// proportion to both where they lead nowhere; in the middle where they only say whether. A trial that fails is
+    /// Tries targets between two states until it knows where each signal passes zero, to `precision` of a target. It
+    /// tries first where the signal is expected to (`expected`: targets, one per signal; NaN or no vector: nobody
+    /// knows), then where signals that it has seen on one side lead to, since they bend where contact is made or lost;
+    /// in proportion to both where they lead nowhere; in the middle where they only say whether. A trial that fails is
     /// made again elsewhere.
     [[nodiscard]] std::vector<OpeningChange> locate(ClosureStation before, ClosureStation after, double precision,
-                                                    const Solve& solve) const;
+                                                    const Solve& solve, const std::vector<double>& expected = {}) const;
 
 private:
     /// Null where no trial comes to equilibrium. `share`: of the way, tried first.

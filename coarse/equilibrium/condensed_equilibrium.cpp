@@ -51,7 +51,7 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
     request_ = {
         .predictor = predictor, .put_aside = std::exchange(put_aside_, false), .held = target.held, .boundary = {}};
     near_wanted_ = false;
-    trial_ = committed_;
+    if (!predictor.goes_on) trial_ = committed_;
     if (const GammaState* earlier = increments_.find(predictor)) {
         trial_.displacement += predictor.factor * earlier->displacement;
         trial_.load_factor += predictor.factor * earlier->load_factor;

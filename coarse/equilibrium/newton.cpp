@@ -48,7 +48,7 @@ bool is_misled(const NewtonReport& report) {
         }
         const double correction = equilibrium.solve();
         report.iterations.push_back({residual, correction});
-        const bool settled = residual.within(solver.tolerance) && correction <= 100.0 * solver.tolerance;
+        const bool settled = residual.within(solver.tolerance) && correction <= 10.0 * solver.tolerance;
         const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
         if (settled || rounding) {
             report.converged = !residual.provisional;
@@ -68,7 +68,7 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
                               const SolverSection& solver, double largest_force, const Waits& waits) {
     NewtonReport report;
     const auto is_done_from = [&](const Predictor& start) {
-        const bool guessed = start.factor != 0.0;
+        const bool guessed = start.goes_on || start.factor != 0.0;
         try {
             equilibrium.begin(target, start);
             return iterate(equilibrium, solver, largest_force, guessed, waits, report);

@@ -6,6 +6,18 @@
 #include "common/index.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// What an increment has of another one: of loads that change in different proportion, along it.
+double in_proportion(const LoadPosition::Taken& next, const LoadPosition::Taken& taken) {
+    const double way = taken.to - taken.from;
+    const Eigen::VectorXd cases = taken.cases_to - taken.cases_from;
+    const double length = way * way + cases.squaredNorm();
+    if (length == 0.0) return 0.0;
+    return (way * (next.to - next.from) + cases.dot(next.cases_to - next.cases_from)) / length;
+}
+
+}  // namespace
 
 LoadController::LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases)
     : control_(load.control == Control::Displacement ? Control::Displacement : Control::Load), cases_(std::move(cases)),
@@ -70,7 +82,7 @@ std::optional<LoadStep> LoadController::next() const {
     // Dead loads come on while the main load is none, not while a displacement is held.
     step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
-    step.predictor = predictor({leg.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
+    step.predictor = predictor(taken_by(step));
     if (arrives && increment == increments()) {
         step.reversal = leg.reversal;
         step.at_maximum = leg.at_maximum;
@@ -81,25 +93,29 @@ std::optional<LoadStep> LoadController::next() const {
     return step;
 }
 
+LoadPosition::Taken LoadController::taken_by(const LoadStep& step) const {
+    return {step.cycle, position_.reached / scale_, step.target.value / scale_, position_.cases, step.target.cases};
+}
+
+// Where increments are chosen anew, or K is controlled and a crack grows, a cycle has nearly the increments of the one
+// before.
 Predictor LoadController::predictor(const LoadPosition::Taken& next) const {
-    const double increment = next.to - next.from, same = 1e-9 * std::abs(increment);
+    constexpr double nearly = 0.1;  // of the increment
+    const double increment = next.to - next.from;
     const Eigen::VectorXd more = next.cases_to - next.cases_from;
-    const double alike = 1e-9 * (std::abs(increment) + more.norm());
+    const double size = std::abs(increment) + more.norm();
     const std::vector<LoadPosition::Taken>& before = position_.taken;
+    const auto off = [&](const LoadPosition::Taken& taken) {
+        return std::max(std::abs(taken.from - next.from) + (taken.cases_from - next.cases_from).norm(),
+                        std::abs(taken.to - next.to) + (taken.cases_to - next.cases_to).norm());
+    };
     // The ramp is no cycle: virgin material flows where it will later unload and reload without.
-    const auto twin = std::ranges::find_if(before, [&](const LoadPosition::Taken& taken) {
-        return taken.cycle > 0 && taken.cycle < next.cycle && std::abs(taken.from - next.from) <= same &&
-               std::abs(taken.to - next.to) <= same && (taken.cases_from - next.cases_from).norm() <= alike &&
-               (taken.cases_to - next.cases_to).norm() <= alike;
-    });
-    if (twin != before.end()) return {1.0, static_cast<int>(twin - before.begin()) + 1};
-    if (before.empty()) return {};
-    const double last = before.front().to - before.front().from;
-    if (more.size() == 0) return last * increment > 0.0 ? Predictor(increment / last) : Predictor();
-    // Of loads that change in different proportion, what the last change has of this one.
-    const Eigen::VectorXd last_more = before.front().cases_to - before.front().cases_from;
-    const double along = last * increment + last_more.dot(more);
-    return along > 0.0 ? Predictor(along / (last * last + last_more.squaredNorm())) : Predictor();
+    const auto is_twin = [&](const LoadPosition::Taken& taken) {
+        return taken.cycle > 0 && taken.cycle < next.cycle && off(taken) <= nearly * size;
+    };
+    const auto twin = std::ranges::find_if(before, is_twin);
+    if (twin != before.end()) return {in_proportion(next, *twin), static_cast<int>(twin - before.begin()) + 1};
+    return before.empty() ? Predictor() : Predictor(std::max(in_proportion(next, before.front()), 0.0));
 }
 
 void LoadController::remember(const LoadPosition::Taken& last) {
@@ -110,13 +126,14 @@ void LoadController::remember(const LoadPosition::Taken& last) {
 
 void LoadController::committed_besides(int cycle, std::vector<double> openings) {
     schedule_.begin(std::move(openings));
-    remember({cycle, position_.reached, position_.reached, position_.cases, position_.cases});
+    const double here = position_.reached / scale_;
+    remember({cycle, here, here, position_.cases, position_.cases});
 }
 
 void LoadController::accepted(std::vector<double> openings) {
     const LoadStep step = *next();
     const auto [way, arrives] = next_way();
-    remember({step.cycle, position_.reached, step.target.value, position_.cases, step.target.cases});
+    remember(taken_by(step));
     position_.reached = step.target.value;
     position_.cases = step.target.cases;
     position_.way = way;

@@ -16,7 +16,8 @@ struct LoadStep {
     int cycle = 0;        // 0: the ramp
     double moment = 0.0;  // in cycles: c where cycle c ends, half a cycle earlier at its minimum; below 0 on the ramp
     Target target;
-    // The same increment a cycle ago; else the last one, in proportion; nothing at the start and after a reversal.
+    // Nearly the same increment a cycle ago; else the last one, in proportion; nothing at the start and after a
+    // reversal.
     Predictor predictor;
     bool reversal = false;  // a half cycle ends here
     bool at_maximum = false, at_minimum = false,
@@ -31,7 +32,7 @@ struct LoadStep {
 struct LoadPosition {
     struct Taken {
         int cycle = 0;
-        double from = 0.0, to = 0.0;
+        double from = 0.0, to = 0.0;  // in units of the history
         Eigen::VectorXd cases_from = {}, cases_to = {};
     };
     std::size_t leg = 0;
@@ -57,6 +58,7 @@ public:
     /// What a unit of the history is as a target, from now on; 1, or where K is controlled the load factor of a unit of
     /// K.
     void set_scale(double scale) { scale_ = scale; }
+    [[nodiscard]] double scale() const { return scale_; }
 
     /// The next target, or nothing when all is done.
     [[nodiscard]] std::optional<LoadStep> next() const;
@@ -96,6 +98,7 @@ private:
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Way next_way() const;
     [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
+    [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;
     [[nodiscard]] Predictor predictor(const LoadPosition::Taken& next) const;
     void remember(const LoadPosition::Taken& last);
 

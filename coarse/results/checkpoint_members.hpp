@@ -242,8 +242,15 @@ void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
     archive("points", points);
 }
 
+void members(auto& archive, Is<ClosureMemory> auto& m) {
+    auto& [signal, opened, closed] = m;
+    archive("signal", signal);
+    archive("opened", opened);
+    archive("closed", closed);
+}
+
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, signal, cycle, last_cycle,
+    auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, closure, cycle, last_cycle,
            nominal, counts, growth_ended, growth_increment, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
@@ -255,7 +262,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("displacement", displacement);
     archive("load_factor", load_factor);
     archive("largest_force", largest_force);
-    archive("signal", signal);
+    archive("closure", closure);
     archive("cycle", cycle);
     archive("last_cycle", last_cycle);
     archive("nominal", nominal);

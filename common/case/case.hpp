@@ -218,7 +218,7 @@ struct ClosureSection {
 };
 
 struct SolverSection {
-    double tolerance = 1e-6;  // relative residual
+    double tolerance = 2e-5;  // relative residual: a hundredth of LoadSection::accuracy
     int max_iterations = 25;  // Newton iterations before the increment is cut
     int max_cuts = 8;         // successive halvings of an increment
     bool operator==(const SolverSection&) const = default;

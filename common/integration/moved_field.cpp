@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unsupported/Eigen/BVH>
 
+#include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/index.hpp"
 #include "common/integration/element_field.hpp"
@@ -105,16 +106,24 @@ private:
     std::vector<Triplet> entries_;
 };
 
-/// Whether the mesh about a tip, taken back by its move, has the nodes of the mesh before.
-bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& tip, const Vec2& move) {
-    if (move.isZero(0.0)) return true;
-    constexpr double about = 3.0, off = 0.05;  // elements
-    double nearest = std::numeric_limits<double>::infinity(), size = 0.0;
-    for (const auto& nodes : to.elements) {
-        const Vec2 a = to.nodes[at(nodes[0])], c = to.nodes[at(nodes[2])];
-        const double distance = ((a + c) / 2.0 - tip).norm();
-        if (distance < nearest) nearest = distance, size = (c - a).norm() / std::numbers::sqrt2;
+double size_of(const EnrichedMesh& mesh, int element) {
+    const auto& nodes = mesh.elements[at(element)];
+    return (mesh.nodes[at(nodes[0])] - mesh.nodes[at(nodes[2])]).norm() / std::numbers::sqrt2;
+}
+
+int element_nearest_to(const EnrichedMesh& mesh, const Vec2& x) {
+    int nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const double distance = (centre(mesh, e) - x).squaredNorm();
+        if (distance < least) nearest = e, least = distance;
     }
+    return nearest;
+}
+
+/// Whether the mesh about a tip, taken back by a move, has the nodes of the mesh before.
+bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& tip, double size, const Vec2& move) {
+    constexpr double about = 3.0, off = 0.05;  // elements
     return std::ranges::all_of(to.nodes, [&](const Vec2& node) {
         if ((node - tip).norm() > about * size) return true;
         return std::ranges::any_of(from.nodes,
@@ -124,29 +133,39 @@ bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2
 
 }  // namespace
 
-// Interpolated between nodes a field as steep as that about a tip is no guess: it flows where nothing did.
-bool MovedField::can_move(const EnrichedMesh& from, const EnrichedMesh& to) {
-    if (from.tip_functions > 0 || to.tip_functions > 0 || from.tips.size() != to.tips.size() || from.nodes.empty())
-        return false;
-    for (std::size_t t = 0; t < to.tips.size(); ++t)
-        if (!lies_on_itself(from, to, to.tips[t].position, to.tips[t].position - from.tips[t].position)) return false;
-    return true;
+std::optional<TipMoves> TipMoves::between(const EnrichedMesh& from, const EnrichedMesh& to) {
+    if (from.tips.size() != to.tips.size() || from.elements.empty() || to.elements.empty()) return std::nullopt;
+    TipMoves moves;
+    for (std::size_t t = 0; t < to.tips.size(); ++t) {
+        const Vec2 &tip = to.tips[t].position, before = from.tips[t].position;
+        const Vec2 old = centre(from, element_nearest_to(from, before));
+        const int now = element_nearest_to(to, old + tip - before);
+        const Vec2 move = tip == before ? Vec2::Zero() : Vec2(centre(to, now) - old);
+        if (tip != before && !lies_on_itself(from, to, tip, size_of(to, now), move)) return std::nullopt;
+        moves.tips_.push_back(tip);
+        moves.moves_.push_back(move);
+    }
+    return moves;
 }
 
-Vec2 move_of_nearest_tip(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& x) {
-    if (to.tips.empty()) return Vec2::Zero();
-    const auto distance = [&](const Tip& tip) { return (tip.position - x).squaredNorm(); };
-    const auto nearest = std::ranges::min_element(to.tips, {}, distance);
-    return nearest->position - from.tips[at(nearest - to.tips.begin())].position;
+Vec2 TipMoves::of_nearest_tip(const Vec2& x) const {
+    if (tips_.empty()) return Vec2::Zero();
+    const auto nearest = std::ranges::min_element(tips_, {}, [&](const Vec2& tip) { return (tip - x).squaredNorm(); });
+    return moves_[at(nearest - tips_.begin())];
+}
+
+bool MovedField::can_move(const EnrichedMesh& from, const EnrichedMesh& to) {
+    return from.tip_functions == 0 && to.tip_functions == 0 && TipMoves::between(from, to).has_value();
 }
 
 MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to) {
+    const TipMoves moves = TipMoves::between(from, to).value();
     const Places places(from);
     Fields fields(from);
     Rows rows;
     for (int node = 0; node < std::ssize(to.nodes); ++node) {
         const Vec2 here = to.nodes[at(node)];
-        Vec2 x = here - move_of_nearest_tip(from, to, here);
+        Vec2 x = here - moves.of_nearest_tip(here);
         std::vector<int> found = places.elements_at(x);
         if (found.empty()) found = places.elements_at(x = here);  // at the body's boundary, or at the zone's
         if (found.empty()) {

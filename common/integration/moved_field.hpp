@@ -2,19 +2,36 @@
 // about the new ones.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/linear/sparse.hpp"
 
 namespace stria {
 
+/// How far fields go along with each tip, mm: as far as it has moved, to whole elements, so that the mesh about it
+/// comes to lie on itself. Between nodes a field as steep as that about a tip would be no guess.
+class TipMoves {
+public:
+    /// Of the same tips in the same order. Nothing where the mesh about one of them has no such move.
+    static std::optional<TipMoves> between(const EnrichedMesh& from, const EnrichedMesh& to);
+
+    /// That of the tip nearest to a place.
+    [[nodiscard]] Vec2 of_nearest_tip(const Vec2& x) const;
+
+private:
+    std::vector<Vec2> tips_, moves_;  // one per tip, `to`
+};
+
 class MovedField {
 public:
     /// Both meshes have the same tips in the same order, and no tip functions (can_move()). At each node of `to` the
-    /// field is that of `from` as far behind as the nearest tip has moved since; where `from` has no element there,
-    /// that of its nearest node.
+    /// field is that of `from` as far behind as it goes along with the nearest tip (TipMoves); where `from` has no
+    /// element there, that of its nearest node.
     MovedField(const EnrichedMesh& from, const EnrichedMesh& to);
 
-    /// The mesh about each tip comes to lie on itself, or nearly: cracks grow by whole elements along rows of them.
+    /// There are such moves.
     static bool can_move(const EnrichedMesh& from, const EnrichedMesh& to);
 
     /// On all unknowns of `to`, from those of `from`.
@@ -23,8 +40,5 @@ public:
 private:
     SparseRows weights_;
 };
-
-/// How far the tip nearest to a place has moved, mm.
-Vec2 move_of_nearest_tip(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& x);
 
 }  // namespace stria

@@ -96,7 +96,7 @@ void FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement, co
 void FineRanks::request(const PatchDisplacement& displacement) {
     if (displacement.iteration == 0) {
         if (displacement.put_aside) increments_.put_aside(trial_ - committed_);
-        trial_ = committed_;
+        if (!displacement.predictor.goes_on) trial_ = committed_;
         if (const Eigen::VectorXd* earlier = increments_.find(displacement.predictor))
             trial_ += displacement.predictor.factor * *earlier;
         correction_ = Eigen::VectorXd::Zero(trial_.size());

@@ -33,9 +33,10 @@ public:
                    const ContactInterface& contact)
         : old_(old), contact_(contact), from_(at(contact.multipliers())) {
         const auto& keys = old.operators().keys();
+        const TipMoves moves = TipMoves::between(before, next).value();
         for (int k = 0; k < contact.multipliers(); ++k) {
             const FaceOperators::Key& own = contact.operators().keys()[at(k)];
-            const Vec2 behind = own.x - move_of_nearest_tip(before, next, own.x);
+            const Vec2 behind = own.x - moves.of_nearest_tip(own.x);
             double nearest = std::numeric_limits<double>::infinity();
             for (int j = 0; j < std::ssize(keys); ++j) {
                 if (keys[at(j)].crack != own.crack) continue;

@@ -74,7 +74,7 @@ void ZoneSystem::put_aside() {
 }
 
 void ZoneSystem::predict(const Predictor& predictor) {
-    trial_ = memory_.committed;
+    if (!predictor.goes_on) trial_ = memory_.committed;
     if (const ZoneUnknowns* earlier = memory_.increments.find(predictor)) {
         trial_.displacement += predictor.factor * earlier->displacement;
         // A pressure may come out negative: its face opens. Cut off at zero it would leave the status to rounding.

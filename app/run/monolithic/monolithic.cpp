@@ -36,8 +36,10 @@ public:
         controlled_ = by_load ? coarse::LinearReading::load_factor(scene_.enriched.unknowns)
                               : coarse::LinearReading{scene_.mean_displacement, 0.0, 0.0};
         target_ = target.value;
-        trial_ = committed_;
-        factors_.main = committed_factors_.main;
+        if (!predictor.goes_on) {
+            trial_ = committed_;
+            factors_.main = committed_factors_.main;
+        }
         if (const Increment* earlier = increments_.find(predictor)) {
             trial_ += predictor.factor * earlier->displacement;
             factors_.main += predictor.factor * earlier->load_factor;

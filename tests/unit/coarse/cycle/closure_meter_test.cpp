@@ -120,6 +120,40 @@ TEST(ClosureMeter, GoesStraightToWhereContactIsLost) {
     }
 }
 
+// A cycle opens and closes nearly where the last one did: then one trial tells, or two of a signal that only says
+// whether. What is expected elsewhere costs a trial and changes nothing.
+TEST(ClosureMeter, TriesFirstWhereItIsExpected) {
+    Case input = loaded();
+    input.closure.distance = 0.2;
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
+    constexpr double root = 37.3, precision = 0.1;
+    const auto signal = [](double target) {
+        const double x = root - target;
+        return (x > 0.0 ? 7.0 : 1.0) * x * (1.0 + 0.05 * x);
+    };
+    const auto whether = [](double target) { return target < root ? 1.0 : -1.0; };
+    const auto trials = [&](const auto& of, double expected) {
+        int trials = 0;
+        const auto solve = [&](double target) {
+            ++trials;
+            return ClosureMeter::Trial{with_reach(meter, 0.2 + of(target)), target};
+        };
+        const auto changes =
+            meter.locate({30.0, 30.0, {of(30.0)}}, {40.0, 40.0, {of(40.0)}}, precision, solve, {expected});
+        EXPECT_EQ(changes.size(), 1U);
+        EXPECT_NEAR(changes.at(0).target, root, precision);
+        return trials;
+    };
+    for (const double off : {-0.04, 0.0, 0.04}) {
+        EXPECT_EQ(trials(signal, root + off), 1) << off;
+        EXPECT_EQ(trials(whether, root + off), 2) << off;
+    }
+    for (const double elsewhere : {29.0, 30.0, 31.0, 40.0, 55.0}) {
+        EXPECT_LE(trials(signal, elsewhere), trials(signal, NAN) + 1) << elsewhere;
+        EXPECT_LE(trials(whether, elsewhere), trials(whether, NAN) + 2) << elsewhere;
+    }
+}
+
 // A crack that unzips from its mouth: farther distances open earlier, and one trial serves all of them.
 TEST(ClosureMeter, SharesItsTrialsAmongDistances) {
     Case input = loaded();

@@ -56,12 +56,24 @@ TEST(MovedField, IsThatOfTheNearestTip) {
     const auto with_crack = [&](double left, double right) {
         return test::cracked(body, {{left, 0.5}, {right, 0.5}}, 0);
     };
+    constexpr double element = 1.0 / 9.0;
     const EnrichedMesh from = with_crack(0.4, 0.6), to = with_crack(0.3, 0.65);
-    EXPECT_LT((move_of_nearest_tip(from, to, {0.2, 0.5}) - Vec2(-0.1, 0.0)).norm(), 1e-12);
-    EXPECT_LT((move_of_nearest_tip(from, to, {0.6, 0.4}) - Vec2(0.05, 0.0)).norm(), 1e-12);
+    const TipMoves moves = TipMoves::between(from, to).value();
+    EXPECT_LT((moves.of_nearest_tip({0.2, 0.5}) - Vec2(-element, 0.0)).norm(), 1e-12);  // 0.1, to whole elements
+    EXPECT_LT(moves.of_nearest_tip({0.6, 0.4}).norm(), 1e-12);                          // 0.05
+    EXPECT_TRUE(MovedField::can_move(from, to));
     EXPECT_FALSE(MovedField::can_move(from, test::cracked(body, {{0.3, 0.5}, {0.65, 0.5}}, 6)));
-    EXPECT_FALSE(MovedField::can_move(from, to));  // by parts of an element
-    EXPECT_TRUE(MovedField::can_move(from, with_crack(0.4 - 1.0 / 9.0, 0.6 + 1.0 / 9.0)));
+}
+
+// Where small elements give way to large ones no move takes the mesh onto itself.
+TEST(MovedField, WantsTheSameMeshAboutTheTip) {
+    const auto with_disk = [](double x) {
+        const Mesh body = coarse::refine(test::square_mesh(8), {{{x, 0.47}, {x, 0.47}, 0.1, 2, 0.0}}).mesh;
+        return test::cracked(body, {{-1.0, 0.47}, {x, 0.47}}, 0);
+    };
+    EXPECT_TRUE(TipMoves::between(with_disk(0.4), with_disk(0.4)).has_value());
+    const Mesh coarse_body = test::square_mesh(8);
+    EXPECT_FALSE(TipMoves::between(with_disk(0.4), test::cracked(coarse_body, {{-1.0, 0.47}, {0.5, 0.47}}, 0)));
 }
 
 }  // namespace
