@@ -133,16 +133,16 @@ TEST(ClosureMeter, TriesFirstWhereItIsExpected) {
     };
     const auto whether = [](double target) { return target < root ? 1.0 : -1.0; };
     const auto trials = [&](const auto& of, double expected) {
-        int trials = 0;
+        int tried = 0;
         const auto solve = [&](double target) {
-            ++trials;
+            ++tried;
             return ClosureMeter::Trial{with_reach(meter, 0.2 + of(target)), target};
         };
         const auto changes =
             meter.locate({30.0, 30.0, {of(30.0)}}, {40.0, 40.0, {of(40.0)}}, precision, solve, {expected});
         EXPECT_EQ(changes.size(), 1U);
         EXPECT_NEAR(changes.at(0).target, root, precision);
-        return trials;
+        return tried;
     };
     for (const double off : {-0.04, 0.0, 0.04}) {
         EXPECT_EQ(trials(signal, root + off), 1) << off;
