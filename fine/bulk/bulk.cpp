@@ -12,11 +12,13 @@
 namespace stria::fine {
 
 Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
-           const Bulk* old, const Eigen::VectorXd& displacement)
-    : Bulk(BulkElements(mesh, materials, rule,
-                        [&](int e, const CrackPiece* cut) {
-                            return old != nullptr ? old->elements_.points_kept(mesh, e, cut) : std::nullopt;
-                        }),
+           Bulk* old, const Eigen::VectorXd& displacement)
+    : Bulk(BulkElements(
+               mesh, materials, rule,
+               [&](int e, const CrackPiece* cut) {
+                   return old != nullptr ? old->elements_.points_kept(mesh, e, cut) : std::nullopt;
+               },
+               old != nullptr ? &old->elements_ : nullptr),
            std::move(laws), displacement) {
     if (old != nullptr)
         carry_history(*old);
@@ -85,12 +87,19 @@ void Bulk::carry_history(const Bulk& old) {
     }
 }
 
+void Bulk::carry_history(const Bulk& old, int old_element, int element) {
+    resting_.set_recent_flow(element, old.resting_.recent_flow()[at(old_element)]);
+    if (old.elements_.stays(elements_.mesh(), element, old_element))
+        history_.take(element, old.history_, old_element);
+    else
+        mix_history(old, old_element, element);
+}
+
 // Old points come first and in their order; one that is new has a mean history of those around it on its side. What
 // the functions no longer say of the displacement's gradient is kept beside them.
-void Bulk::carry_history(const Bulk& old, int old_element, int element) {
+void Bulk::mix_history(const Bulk& old, int old_element, int element) {
     constexpr double rounding = 1e-14;
     const ElementOperator &before = old.elements_.op(old_element), &now = elements_.op(element);
-    resting_.set_recent_flow(element, old.resting_.recent_flow()[at(old_element)]);
     const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
     for (std::size_t q = 0; q < now.points.size(); ++q) {
         Eigen::Matrix2d untold = -now.displacement_gradient(u, q);

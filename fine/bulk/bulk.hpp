@@ -22,9 +22,10 @@ class Bulk {
 public:
     /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
     /// newly cut them, and the points' states; the others start from the initial stress + C eps(displacement)
-    /// (docs/equations.md, growth). `displacement`: committed. `laws`: one per material.
+    /// (docs/equations.md, growth). `displacement`: committed. `laws`: one per material. `old` is of no more use
+    /// afterwards: its operators are taken over.
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
-         const Bulk* old, const Eigen::VectorXd& displacement);
+         Bulk* old, const Eigen::VectorXd& displacement);
 
     /// As a snapshot has it, which holds all elements of the mesh. Throws std::logic_error where it does not.
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
@@ -86,6 +87,7 @@ private:
     Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement);
     void carry_history(const Bulk& old);
     void carry_history(const Bulk& old, int old_element, int element);
+    void mix_history(const Bulk& old, int old_element, int element);
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
     template <class Kernel> [[nodiscard]] bool proves_elastic(int e, const Kernel& kernel);

@@ -25,11 +25,16 @@ bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
 }  // namespace
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
-                           const KnownPoints& known)
+                           const KnownPoints& known, BulkElements* old)
     : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)) {
     operators_.reserve(mesh_.elements.size());
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
         element_of_id_[mesh_.element_ids[at(e)]] = e;
+        if (const auto same = old != nullptr ? old->find(mesh_, e) : std::nullopt;
+            same && old->stays(mesh_, e, *same)) {
+            take_over(old->operators_[at(*same)], old->stiffness_[at(*same)], e);
+            continue;
+        }
         const int piece = piece_[at(e)];
         const CrackPiece* cut = piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
         IntegrationRule own = rule;
@@ -43,6 +48,23 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
         }
         stiffness_.push_back(operators_.back().stiffness(elastic_stiffness(e)));
     }
+}
+
+void BulkElements::take_over(ElementOperator& op, Eigen::MatrixXd& stiffness, int element) {
+    op.element = element;
+    op.unknowns.clear();
+    for (const int node : mesh_.elements[at(element)])
+        for (const int component : {0, 1}) op.unknowns.push_back(mesh_.unknown(node, 0, component));
+    operators_.push_back(std::move(op));
+    stiffness_.push_back(std::move(stiffness));
+}
+
+bool BulkElements::stays(const EnrichedMesh& later, int element, int own) const {
+    const auto is_plain = [](const EnrichedMesh& mesh, int e) {
+        return std::ranges::all_of(mesh.elements[at(e)],
+                                   [&](int node) { return mesh.terms[at(node)].empty() && mesh.tie(node) == nullptr; });
+    };
+    return is_plain(mesh_, own) && is_plain(later, element);
 }
 
 std::optional<int> BulkElements::find(const EnrichedMesh& later, int element) const {

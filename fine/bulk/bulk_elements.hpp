@@ -18,9 +18,10 @@ public:
     /// Points that an element has already, with `cut` the crack inside it or null; none: they are placed anew.
     using KnownPoints = std::function<std::optional<std::vector<IntegrationPoint>>(int element, const CrackPiece* cut)>;
 
-    /// `rule`: but for the mean dilatation, which follows from an element's material.
+    /// `rule`: but for the mean dilatation, which follows from an element's material. `old`: null, or the elements of
+    /// an earlier zone, which gives up those that stay as they are (stays()).
     BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
-                 const KnownPoints& known);
+                 const KnownPoints& known, BulkElements* old = nullptr);
 
     [[nodiscard]] int count() const { return static_cast<int>(operators_.size()); }
     [[nodiscard]] const EnrichedMesh& mesh() const { return mesh_; }
@@ -45,6 +46,10 @@ public:
     /// The element that one of a later mesh is: the same id, and the same corners, for it may have been split.
     [[nodiscard]] std::optional<int> find(const EnrichedMesh& later, int element) const;
 
+    /// Whether an element of a later mesh is element `own` of this one, and has the same functions: bilinear ones
+    /// alone.
+    [[nodiscard]] bool stays(const EnrichedMesh& later, int element, int own) const;
+
     /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the
     /// crack, `cut`, has newly cut it (docs/equations.md, growth).
     [[nodiscard]] std::optional<std::vector<IntegrationPoint>> points_kept(const EnrichedMesh& later, int element,
@@ -54,6 +59,8 @@ public:
     [[nodiscard]] bool is_near(int element, const Vec2& place, double radius) const;
 
 private:
+    void take_over(ElementOperator& op, Eigen::MatrixXd& stiffness, int element);
+
     EnrichedMesh mesh_;
     Materials materials_;
     std::vector<int> piece_;  // per element: the piece of a crack inside it, -1: none

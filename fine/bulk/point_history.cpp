@@ -93,6 +93,14 @@ bool PointHistory::is_plastic(int e) const {
     return std::ranges::any_of(std::span(&plastic_[place(0, e, 0)], at(points(e))), [](auto p) { return p != 0; });
 }
 
+void PointHistory::take(int e, const PointHistory& other, int from) {
+    for (int c = 0; c < std::min(state_size_, other.state_size_); ++c)
+        std::copy_n(&other.committed_[other.place(c, from, 0)], points(e), &committed_[place(c, e, 0)]);
+    std::copy_n(&other.plastic_[other.place(0, from, 0)], points(e), &plastic_[place(0, e, 0)]);
+    if (!other.has_frozen_gradients()) return;
+    for (std::size_t q = 0; q < at(points(e)); ++q) freeze_gradient(e, q, other.frozen_gradient(from, q));
+}
+
 void PointHistory::add_share(int e, std::size_t q, double share, const PointHistory& other, int from,
                              std::size_t from_q) {
     for (int c = 0; c < state_size_; ++c) committed_[place(c, e, q)] += share * other.committed(c, from, from_q);

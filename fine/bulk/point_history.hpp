@@ -94,6 +94,8 @@ public:
     void begin(int e, std::size_t q, const Mandel& strain, const Mandel& initial) {
         law(e).begin(strain, initial, first_committed(e) + q, points());
     }
+    /// All that an element with as many points remembers in another history with the same laws, in the same material.
+    void take(int e, const PointHistory& other, int from);
     /// Adds a share of the state of a point of another history with the same laws, in the same material.
     void add_share(int e, std::size_t q, double share, const PointHistory& other, int from, std::size_t from_q);
     /// All numbers of a state, in the order of the law.
