@@ -61,6 +61,8 @@ void ContactInterface::begin_increment() {
     tried_to_stick_ = one_at_a_time_ = false;
 }
 
+void ContactInterface::begin_touching() { committed_status_.assign(at(multipliers()), FaceStatus::Stick); }
+
 void ContactInterface::commit(const Eigen::VectorXd& u) {
     committed_status_ = status_;
     settle(u);
@@ -83,7 +85,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
     changes_ = 0;
     for (int k = 0; k < multipliers(); ++k) {
         const FaceState state = state_of(k, traction, jumps);
-        next[at(k)] = law(k).status(state);
+        next[at(k)] = law(k).is_undecided(state) ? status_[at(k)] : law(k).status(state);
         if (next[at(k)] == status_[at(k)]) continue;
         ++changes_;
         const double violation = law(k).violation(state, status_[at(k)]);

@@ -46,6 +46,9 @@ public:
     void choose_statuses(const Eigen::VectorXd& traction, const Jumps& jumps);
     /// From what was committed.
     void begin_increment();
+
+    /// All faces touch and none has been looked at: a part that nothing else holds would float if they were apart.
+    void begin_touching();
     void commit(const Eigen::VectorXd& u);
     /// Takes the gaps of a committed displacement as those to start from, and its slips as those to hold.
     void settle(const Eigen::VectorXd& u);

@@ -38,6 +38,9 @@ struct CoulombContact {
     /// What the shear may reach, MPa.
     [[nodiscard]] double bound(const FaceState& s) const { return friction * std::max(0.0, augmented_pressure(s)); }
 
+    /// Faces that touch and bear nothing: whether they press or part has yet to show.
+    [[nodiscard]] bool is_undecided(const FaceState& s) const { return s.pressure == 0.0 && s.gap == 0.0; }
+
     [[nodiscard]] FaceStatus status(const FaceState& s) const {
         if (augmented_pressure(s) <= 0.0) return FaceStatus::Open;
         if (friction == 0.0 || std::abs(augmented_shear(s)) <= (1.0 + rounding) * bound(s)) return FaceStatus::Stick;

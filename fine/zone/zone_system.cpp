@@ -23,6 +23,7 @@ void ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (old && patch.part_of.empty()) keep_displacement(memory_, patch_.mesh, patch);
     make_contact(patch);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
+    if (memory_.committed.displacement.isZero(0.0)) contact_->begin_touching();
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), old.get(),
                                    memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
