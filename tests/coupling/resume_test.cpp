@@ -107,7 +107,10 @@ const StoppedRun loaded{"Loaded",
                         13};
 
 /// Half way of an increment that was halved.
-const StoppedRun halved{"Halved", {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.max_iterations=5"}, 6};
+const StoppedRun halved{
+    "Halved",
+    {mesh_at_tip(0.4), "mesh.size=12.5", "load.steps=4", "solver.tolerance=1e-6", "solver.max_iterations=5"},
+    6};
 
 /// Where the load factor is found.
 const StoppedRun displaced{"Displaced",

@@ -7,7 +7,7 @@
 namespace stria::test {
 
 inline fine::Bulk make_bulk(const EnrichedMesh& mesh, const Case& input, const Eigen::VectorXd& displacement,
-                            const fine::Bulk* old = nullptr) {
+                            fine::Bulk* old = nullptr) {
     return {mesh,
             Materials(input),
             fine::make_material_laws(Materials(input)),
