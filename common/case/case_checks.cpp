@@ -121,6 +121,10 @@ void check_back_stresses(const MaterialSection& material, const Value& table, co
 }  // namespace
 
 void check_hardening(const MaterialSection& material, const Value& table, const Place& place) {
+    constexpr double least_strain = 1e-9;  // at yield; below it plastic strains are all there is, and lose their digits
+    if (material.yield_stress && *material.yield_stress < least_strain * material.young)
+        reject(place.inside("yield_stress"), *find(table, "yield_stress"), Key{.unit = "MPa"},
+               "must be at least 1e-9 of young");
     check_back_stresses(material, table, place);
     const Value* isotropic = find(table, "isotropic");
     if (isotropic == nullptr) return;

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
@@ -38,23 +39,28 @@ Monomials moments(std::span<const Vec2> polygon, const Frame& frame) {
     return sum;
 }
 
-/// False where no weights >= 0 are exact to the degree. Of those that are, about the ones nearest to the present: all
-/// points go on telling of their place.
+/// False where no weights >= 0 are exact to the degree. Of those that are, about the ones nearest to the present, each
+/// change beside the root of the weight: all points go on telling of their place, and one that stood for next to
+/// nothing, about a former tip where stresses are without bound, does so further.
 bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, const Frame& frame, int count) {
     constexpr double keep = 1e-4;
     const Eigen::Index n = std::ssize(points);
     if (n == 0) return false;
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(count + n, n);
-    Eigen::VectorXd b(count + n);
+    Eigen::VectorXd b(count + n), root(n);
     b.head(count) = wanted.head(count);
+    for (Eigen::Index q = 0; q < n; ++q) root[q] = std::sqrt(points[at(q)]->weight);
+    root /= std::sqrt(root.squaredNorm() / static_cast<double>(n));
+    if (!root.allFinite()) return false;
     for (Eigen::Index q = 0; q < n; ++q) {
-        A.col(q).head(count) = frame.at(points[at(q)]->x).head(count);
+        A.col(q).head(count) = root[q] * frame.at(points[at(q)]->x).head(count);
         A(count + q, q) = keep;
-        b[count + q] = keep * points[at(q)]->weight;
+        if (root[q] > 0.0) b[count + q] = keep * points[at(q)]->weight / root[q];
     }
+    b.tail(n) = (root.array() > 0.0).select(b.tail(n), 0.0);
     const Eigen::VectorXd w = non_negative_least_squares(A, b);
     if ((A * w - b).head(count).norm() > exact * wanted[0]) return false;
-    for (Eigen::Index q = 0; q < n; ++q) points[at(q)]->weight = w[q];
+    for (Eigen::Index q = 0; q < n; ++q) points[at(q)]->weight = root[q] * w[q];
     return true;
 }
 

@@ -1,6 +1,9 @@
 #include "coupling/transport/mpi_transport.hpp"
 
 #include <mpi.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
@@ -170,11 +173,19 @@ void check_cast(const std::vector<Role>& roles) {
                                 coarse, fine));
 }
 
+/// To the launcher of MPI every rank has a TCP connection over which it says that it starts and ends, each time in two
+/// small pieces. The second one would wait until the first is acknowledged: 0.04 s at the end of every run.
+void send_small_pieces_at_once() {
+    constexpr int enough = 256, on = 1;
+    for (int file = 0; file < enough; ++file) setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+}
+
 }  // namespace
 
 MpiSession::Environment::Environment() {
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    send_small_pieces_at_once();  // of what is no such connection the kernel takes no notice
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);  // errors become exceptions: check()
 }
 

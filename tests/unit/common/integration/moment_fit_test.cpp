@@ -27,12 +27,13 @@ TEST(NonNegativeLeastSquares, FindsWhatTheConditionsAllow) {
 class CutSquare : public testing::Test {
 protected:
     // One element, cut from edge to edge.
-    void cut(const Vec2& from, const Vec2& to) {
+    void cut(const Vec2& from, const Vec2& to, const std::vector<IntegrationPoint>& more = {}) {
         const Mesh mesh = square_mesh(1);
         const EnrichedMesh enriched = cracked(mesh, {from, to}, 0);
         corners_ = corners_of(enriched, 0);
         sides_ = cut_element(corners_, enriched.pieces.front());
         points_ = place_points(corners_, nullptr, {}, false, {.subcells = 2});
+        points_.insert(points_.end(), more.begin(), more.end());
         count_ = points_.size();
         fit_weights(sides_, corners_, points_);
     }
@@ -94,6 +95,21 @@ TEST_F(CutSquare, ARowOfPointsKeepsWhatItCanCarry) {
     EXPECT_EQ(points_.size(), count_ + 1);
     EXPECT_LT(points_.back().weight, 0.5 * 0.37);
     EXPECT_LT(points_.back().x.y(), 0.37);
+}
+
+// Such points stand close about a former tip, where what is stored has no bound.
+TEST_F(CutSquare, PointsThatStoodForNextToNothingDoSoFurther) {
+    std::vector<IntegrationPoint> about_a_tip(20);
+    for (std::size_t k = 0; k < about_a_tip.size(); ++k) {
+        const double r = 1e-4 * static_cast<double>(k + 1);
+        about_a_tip[k].x = {0.2 + r, 0.6 - r};
+        about_a_tip[k].weight = r * r;
+    }
+    cut({0.0, 0.48}, {1.0, 0.53}, about_a_tip);
+    for (std::size_t k = 0; k < about_a_tip.size(); ++k) {
+        const IntegrationPoint& point = points_[count_ - about_a_tip.size() + k];
+        EXPECT_LT(point.weight, 3.0 * about_a_tip[k].weight);
+    }
 }
 
 TEST(SharesOfPoints, MakeALinearFieldAmongThemAndNeverLeaveThem) {
