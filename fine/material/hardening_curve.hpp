@@ -33,9 +33,7 @@ struct TableCurve {
 };
 
 /// R(p) and dR/dp, MPa.
-template <class P> struct HardeningAt {
-    P value, slope;
-};
+template <class P> struct HardeningAt { P value, slope; };
 
 class HardeningCurve {
 public:

@@ -162,14 +162,13 @@ private:
             const Scalars<rows> stretch = dot<rows>(found_.xi, at_dp) * towards - found_.Y_slope * change.p;
             const Scalars<rows> ddp = flows.select(stretch * per_stiffening, 0.0);
             const Scalars<rows> dlambda = found_.lambda_slope * ddp + lambda_by_p * change.p;
-            const Deviators<rows> plastic =
-                found_.xi * dlambda + (at_dp + found_.xi_slope * ddp) * found_.lambda;
+            const Deviators<rows> plastic = found_.xi * dlambda + (at_dp + found_.xi_slope * ddp) * found_.lambda;
             now_.plastic_derivative[j] += plastic;
             change.stress -= elasticity_.stress_of<rows>(plastic);
             change.p += ddp;
             for (std::size_t k = 0; k < change.back.size(); ++k)
-                change.back[k] += found_.back[k].following(plastic) * found_.back[k].stiffness +
-                                  found_.back[k].by_dp() * ddp;
+                change.back[k] +=
+                    found_.back[k].following(plastic) * found_.back[k].stiffness + found_.back[k].by_dp() * ddp;
         }
     }
 

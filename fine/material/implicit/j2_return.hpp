@@ -208,8 +208,8 @@ template <int rows> struct Residual {
     }
 };
 
-/// The root by the cubic that dp is as a function of the residual at two places, the first of which is dp = 0: of fourth
-/// order where Newton's method from the second one is of second.
+/// The root by the cubic that dp is as a function of the residual at two places, the first of which is dp = 0: of
+/// fourth order where Newton's method from the second one is of second.
 template <int rows>
 Scalars<rows> root_between(const Residual<rows>& start, const Residual<rows>& there, const Scalars<rows>& dp) {
     const Scalars<rows> range = there.value - start.value, t = -start.value / range, left = -there.value / range;
