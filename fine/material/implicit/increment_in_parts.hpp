@@ -75,6 +75,7 @@ public:
             const WithSlope<rows> stage = Alexander::a * parts.part(k);
             flow(stage, false);
             now_.extrapolate(start_, Alexander::beyond);
+            keep_within_limits();
             flow(stage, false);
         }
     }
@@ -98,6 +99,24 @@ private:
             Deviators<rows>& change = now_.derivative[stria::at(j)].stress;
             change.col(j) += share.value;
             change += elastic_ * share.slope.col(j);
+        }
+    }
+
+    /// The straight line of a large part leads beyond what recall allows a back stress: back to the limit C / gamma.
+    void keep_within_limits() {
+        for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
+            const KinematicHardening& term = law_.kinematic[k];
+            if (term.gamma == 0.0 || term.threshold) continue;
+            const double limit = std::max(term.C, term.C_start.value_or(0.0)) / term.gamma;
+            Deviators<rows>& X = now_.state.back[k];
+            const Scalars<rows> size = equivalent<rows>(X);
+            const Mask<rows> beyond = size > limit;
+            if (!beyond.any()) continue;
+            const Scalars<rows> per_size = beyond.select(1.0 / size, 0.0), share = beyond.select(limit * per_size, 1.0);
+            const Deviators<rows> along = X * (std::sqrt(1.5) * per_size);
+            for (PackState<rows>& change : now_.derivative)
+                change.back[k] = (change.back[k] - along * dot<rows>(along, change.back[k])) * share;
+            X = X * share;
         }
     }
 
