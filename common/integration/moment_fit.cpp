@@ -1,8 +1,10 @@
 #include "common/integration/moment_fit.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
@@ -64,8 +66,20 @@ bool fit_side(std::vector<IntegrationPoint*>& points, const Monomials& wanted, c
     return true;
 }
 
+Vec2 mean_of(std::span<const Vec2> polygon) {
+    return std::accumulate(polygon.begin(), polygon.end(), Vec2(Vec2::Zero())) / static_cast<double>(polygon.size());
+}
+
+/// Within its box.
+bool lies_about(std::span<const Vec2> polygon, const Vec2& x) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2& corner : polygon) box.extend(corner);
+    return box.contains(x);
+}
+
 /// The points keep as large a part of their weights as lets one more inside the side make up for what they miss, in
-/// area and first moments. Without points it stands at the centroid.
+/// area and first moments. Without points it stands at the centroid; or in the middle of the corners, where rounding
+/// has put the centroid of a hair beyond them.
 IntegrationPoint add_missing(std::vector<IntegrationPoint*>& points, std::span<const Vec2> polygon,
                              const Monomials& wanted, const Monomials& present, const Frame& frame) {
     constexpr int parts = 10;
@@ -77,6 +91,7 @@ IntegrationPoint add_missing(std::vector<IntegrationPoint*>& points, std::span<c
         added.x = frame.centre + frame.length * missing.segment<2>(1) / missing[0];
         added.weight = missing[0];
         if (kept > 0 && side_of_polygon(polygon, added.x) <= 0) continue;
+        if (!lies_about(polygon, added.x)) added.x = mean_of(polygon);
         for (IntegrationPoint* point : points) point->weight *= part;
         break;
     }

@@ -11,16 +11,13 @@ namespace stria::fine {
 namespace {
 
 double value_of(const LinearCurve& c, double p) { return c.modulus * p; }
-double slope_of(const LinearCurve& c, double) { return c.modulus; }
 double stored_of(const LinearCurve& c, double p) { return 0.5 * c.modulus * p * p; }
 
 double value_of(const VoceCurve& c, double p) { return -c.Q * std::expm1(-c.b * p); }
-double slope_of(const VoceCurve& c, double p) { return c.Q * c.b * std::exp(-c.b * p); }
 double stored_of(const VoceCurve& c, double p) { return c.Q * (p + std::expm1(-c.b * p) / c.b); }
 
 double stress_of(const PowerCurve& c, double p) { return c.reference * std::pow((p + c.offset) / c.scale, 1.0 / c.n); }
 double value_of(const PowerCurve& c, double p) { return stress_of(c, p) - c.yield_stress; }
-double slope_of(const PowerCurve& c, double p) { return stress_of(c, p) / (c.n * (p + c.offset)); }
 double stored_of(const PowerCurve& c, double p) {
     const auto area = [&](double at) { return stress_of(c, at) * (at + c.offset) * c.n / (c.n + 1.0); };
     return area(p) - area(0.0) - c.yield_stress * p;
@@ -58,6 +55,17 @@ TableCurve table(const MaterialSection& material) {
     return curve;
 }
 
+HardeningAt<double> at_of(const LinearCurve& c, double p) { return {c.modulus * p, c.modulus}; }
+HardeningAt<double> at_of(const VoceCurve& c, double p) {
+    const double lost = -std::expm1(-c.b * p);
+    return {c.Q * lost, c.Q * c.b * (1.0 - lost)};
+}
+HardeningAt<double> at_of(const PowerCurve& c, double p) {
+    const double stress = stress_of(c, p);
+    return {stress - c.yield_stress, stress / (c.n * (p + c.offset))};
+}
+HardeningAt<double> at_of(const TableCurve& c, double p) { return {value_of(c, p), slope_of(c, p)}; }
+
 /// f of a number, or of each of a pack.
 template <class P, class F> P applied(const P& p, const F& f) {
     if constexpr (std::is_same_v<P, double>)
@@ -88,9 +96,22 @@ template <class P> P HardeningCurve::curved(const P& p) const {
                       curve_);
 }
 
-template <class P> P HardeningCurve::slope(const P& p) const {
-    return std::visit([&](const auto& curve) { return applied(p, [&](double each) { return slope_of(curve, each); }); },
-                      curve_);
+template <class P> HardeningAt<P> HardeningCurve::at(const P& p) const {
+    return std::visit(
+        [&](const auto& curve) {
+            if constexpr (std::is_same_v<P, double>) {
+                return at_of(curve, p);
+            } else {
+                HardeningAt<P> result;
+                for (int q = 0; q < p.size(); ++q) {
+                    const HardeningAt<double> each = at_of(curve, p[q]);
+                    result.value[q] = each.value;
+                    result.slope[q] = each.slope;
+                }
+                return result;
+            }
+        },
+        curve_);
 }
 
 double HardeningCurve::stored(double p) const {
@@ -98,10 +119,10 @@ double HardeningCurve::stored(double p) const {
 }
 
 template double HardeningCurve::curved(const double&) const;
-template double HardeningCurve::slope(const double&) const;
+template HardeningAt<double> HardeningCurve::at(const double&) const;
 template Scalars<1> HardeningCurve::curved(const Scalars<1>&) const;
-template Scalars<1> HardeningCurve::slope(const Scalars<1>&) const;
+template HardeningAt<Scalars<1>> HardeningCurve::at(const Scalars<1>&) const;
 template Scalars<pack_size> HardeningCurve::curved(const Scalars<pack_size>&) const;
-template Scalars<pack_size> HardeningCurve::slope(const Scalars<pack_size>&) const;
+template HardeningAt<Scalars<pack_size>> HardeningCurve::at(const Scalars<pack_size>&) const;
 
 }  // namespace stria::fine

@@ -32,6 +32,9 @@ struct TableCurve {
     std::vector<double> p, R;  // MPa; from (0, 0) on
 };
 
+/// R(p) and dR/dp, MPa.
+template <class P> struct HardeningAt { P value, slope; };
+
 class HardeningCurve {
 public:
     HardeningCurve(LinearCurve curve = {0.0}) : curve_(curve) {}  // NOLINT(google-explicit-constructor)
@@ -44,7 +47,9 @@ public:
         return curved(p);
     }
     /// dR/dp, MPa.
-    template <class P> [[nodiscard]] P slope(const P& p) const;
+    template <class P> [[nodiscard]] P slope(const P& p) const { return at(p).slope; }
+    /// Both together: what is dear in them is computed once.
+    template <class P> [[nodiscard]] HardeningAt<P> at(const P& p) const;
     /// Integral of R from 0 to p, N/mm2: what isotropic hardening stores.
     [[nodiscard]] double stored(double p) const;
 

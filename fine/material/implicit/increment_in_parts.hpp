@@ -75,6 +75,7 @@ public:
             const WithSlope<rows> stage = Alexander::a * parts.part(k);
             flow(stage, false);
             now_.extrapolate(start_, Alexander::beyond);
+            keep_within_limits();
             flow(stage, false);
         }
     }
@@ -93,19 +94,37 @@ public:
 private:
     /// A share of the increment without flow.
     void move(const WithSlope<rows>& share) {
-        now_.state.stress += elastic_.colwise() * share.value;
+        now_.state.stress += elastic_ * share.value;
         for (int j = 0; j < 3; ++j) {
             Deviators<rows>& change = now_.derivative[stria::at(j)].stress;
             change.col(j) += share.value;
-            change += elastic_.colwise() * share.slope.col(j);
+            change += elastic_ * share.slope.col(j);
+        }
+    }
+
+    /// The straight line of a large part leads beyond what recall allows a back stress: back to the limit C / gamma.
+    void keep_within_limits() {
+        for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
+            const KinematicHardening& term = law_.kinematic[k];
+            if (term.gamma == 0.0 || term.threshold) continue;
+            const double limit = std::max(term.C, term.C_start.value_or(0.0)) / term.gamma;
+            Deviators<rows>& X = now_.state.back[k];
+            const Scalars<rows> size = equivalent<rows>(X);
+            const Mask<rows> beyond = size > limit;
+            if (!beyond.any()) continue;
+            const Scalars<rows> per_size = beyond.select(1.0 / size, 0.0), share = beyond.select(limit * per_size, 1.0);
+            const Deviators<rows> along = X * (std::sqrt(1.5) * per_size);
+            for (PackState<rows>& change : now_.derivative)
+                change.back[k] = (change.back[k] - along * dot<rows>(along, change.back[k])) * share;
+            X = X * share;
         }
     }
 
     /// Backward Euler over a share of the increment; `whole`: of all of it.
     void flow(const WithSlope<rows>& share, bool whole) {
-        const Deviators<rows> trial = now_.state.stress + elastic_.colwise() * share.value;
+        const Deviators<rows> trial = now_.state.stress + elastic_ * share.value;
         const Scalars<rows> dp = PartReturn<rows>(law_, elasticity_.rates, now_.state, trial).find(found_);
-        const Deviators<rows> plastic = found_.xi.colwise() * found_.lambda;
+        const Deviators<rows> plastic = found_.xi * found_.lambda;
         move(share);
         now_.state.stress -= elasticity_.stress_of<rows>(plastic);
         now_.plastic += plastic;
@@ -150,26 +169,25 @@ private:
         const Scalars<rows> towards = 1.5 / found_.equivalent;
         const Scalars<rows> lambda_by_p = -found_.lambda * found_.Y_slope / found_.Y;
         const Scalars<rows> per_stiffening = 1.0 / (found_.Y_slope - found_.equivalent_slope);
-        const Deviators<rows> slowed = (found_.rate * found_.xi).colwise() * lambda_by_p;
+        const Deviators<rows> slowed = (found_.rate * found_.xi) * lambda_by_p;
         for (std::size_t j = 0; j < 3; ++j) {
             PackState<rows>& change = now_.derivative[j];
-            Deviators<rows> rest = change.stress - slowed.colwise() * change.p;
+            Deviators<rows> rest = change.stress - slowed * change.p;
             for (std::size_t k = 0; k < change.back.size(); ++k) {
-                change.back[k] = found_.back[k].following(change.back[k]) + found_.back[k].drift.colwise() * change.p;
+                change.back[k] = found_.back[k].following(change.back[k]) + found_.back[k].drift * change.p;
                 rest -= change.back[k];
             }
             const Deviators<rows> at_dp = found_.eased(rest);
             const Scalars<rows> stretch = dot<rows>(found_.xi, at_dp) * towards - found_.Y_slope * change.p;
             const Scalars<rows> ddp = flows.select(stretch * per_stiffening, 0.0);
             const Scalars<rows> dlambda = found_.lambda_slope * ddp + lambda_by_p * change.p;
-            const Deviators<rows> plastic =
-                found_.xi.colwise() * dlambda + (at_dp + found_.xi_slope.colwise() * ddp).colwise() * found_.lambda;
+            const Deviators<rows> plastic = found_.xi * dlambda + (at_dp + found_.xi_slope * ddp) * found_.lambda;
             now_.plastic_derivative[j] += plastic;
             change.stress -= elasticity_.stress_of<rows>(plastic);
             change.p += ddp;
             for (std::size_t k = 0; k < change.back.size(); ++k)
-                change.back[k] += found_.back[k].following(plastic).colwise() * found_.back[k].stiffness +
-                                  found_.back[k].by_dp().colwise() * ddp;
+                change.back[k] +=
+                    found_.back[k].following(plastic) * found_.back[k].stiffness + found_.back[k].by_dp() * ddp;
         }
     }
 

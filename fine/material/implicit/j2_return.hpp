@@ -36,15 +36,16 @@ template <int rows> struct Recalled {
     Scalars<rows> fading;     // by dp, over X: what recall takes
     Deviators<rows> drift;    // by p, MPa: as C grows
     Deviators<rows> limited;  // n, or zero
+    bool has_limit;           // else `limited` is not set
 
     /// dX of dX*, at constant p.
     [[nodiscard]] Deviators<rows> following(const Deviators<rows>& d) const {
-        const Scalars<rows> along = dot<rows>(limited, d);
-        return (d - limited.colwise() * along).colwise() * theta;
+        if (!has_limit) return d * theta;
+        return (d - limited * dot<rows>(limited, d)) * theta;
     }
 
     /// dX / d(dp) at a constant plastic strain increment.
-    [[nodiscard]] Deviators<rows> by_dp() const { return drift - X.colwise() * fading; }
+    [[nodiscard]] Deviators<rows> by_dp() const { return drift - X * fading; }
 
     /// What depends on p alone.
     void put_p(const KinematicHardening& term, const Scalars<rows>& p, const Scalars<rows>& dp) {
@@ -54,14 +55,14 @@ template <int rows> struct Recalled {
         theta = 1.0 / (1.0 + gamma * dp);
         fading = gamma * theta;
         drift.setZero();
-        limited.setZero();
+        has_limit = term.threshold;
     }
 
     void put_X(const KinematicHardening& term, const Deviators<rows>& X_n, const Deviators<rows>& plastic) {
-        X = X_n + plastic.colwise() * stiffness;
+        X = X_n + plastic * stiffness;
         if (term.threshold) limit(term.C / term.gamma);
-        if (term.C_start) drift = plastic.colwise() * (stiffness * growth * theta);
-        X.colwise() *= theta;
+        if (term.C_start) drift = plastic * (stiffness * growth * theta);
+        X = X * theta;
     }
 
 private:
@@ -70,7 +71,7 @@ private:
         const Mask<rows> beyond = size > radius * (1.0 + 1e-12);  // above rounding: what rests does not move
         const Scalars<rows> per_size = 1.0 / beyond.select(size, 1.0);
         theta = beyond.select(radius * per_size, 1.0);
-        limited = X.colwise() * beyond.select(std::sqrt(1.5) * per_size, 0.0);
+        limited = X * beyond.select(std::sqrt(1.5) * per_size, 0.0);
     }
 };
 
@@ -96,7 +97,7 @@ public:
     /// `rates`: of elasticity on the three deviators, MPa. The arguments must outlive the return.
     PartReturn(const J2Parameters& law, const Eigen::Array3d& rates, const PackState<rows>& before,
                const Deviators<rows>& trial)
-        : law_(law), rates_(rates), before_(before), trial_(trial) {}
+        : law_(law), thresholds_(law.has_thresholds()), rates_(rates), before_(before), trial_(trial) {}
 
     /// dp of the points that flow, 0 of the others, and the return at it: the root of 1 - Y / q, nearly a straight
     /// line, between bounds.
@@ -104,7 +105,9 @@ public:
 
 private:
     void put(const Scalars<rows>& dp, ReturnAt<rows>& now) const;
+    void put_at_Y(const Scalars<rows>& dp, ReturnAt<rows>& now) const;
     void put_relative_stress(ReturnAt<rows>& now) const;
+    void solve_relative_stress(ReturnAt<rows>& now) const;
     void put_back_stresses(ReturnAt<rows>& now) const;
     [[nodiscard]] Deviators<rows> next_relative_stress(ReturnAt<rows>& now, bool surely) const;
 
@@ -116,13 +119,14 @@ private:
     }
 
     const J2Parameters& law_;
+    bool thresholds_;
     const Eigen::Array3d& rates_;
     const PackState<rows>& before_;
     const Deviators<rows>& trial_;
 };
 
 template <int rows> void PartReturn<rows>::put_back_stresses(ReturnAt<rows>& now) const {
-    const Deviators<rows> plastic = now.xi.colwise() * now.lambda;
+    const Deviators<rows> plastic = now.xi * now.lambda;
     for (std::size_t k = 0; k < law_.kinematic.size(); ++k)
         now.back[k].put_X(law_.kinematic[k], before_.back[k], plastic);
 }
@@ -133,50 +137,86 @@ template <int rows> Deviators<rows> PartReturn<rows>::next_relative_stress(Retur
     Deviators<rows> rest = trial_;
     for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
         const Recalled<rows>& back = now.back[k];
-        const bool bound = surely && law_.kinematic[k].threshold;
+        const bool bound = surely && back.has_limit;
         if (bound)
-            now.rate.add_across(back.stiffness, Deviators<rows>::Zero());
+            now.rate.add(back.stiffness);
         else
             now.rate.add_across(back.stiffness * back.theta, back.limited);
         const Deviators<rows> slope = bound ? now.xi : back.following(now.xi);
-        rest -= back.X - slope.colwise() * (back.stiffness * now.lambda);
+        rest -= back.X - slope * (back.stiffness * now.lambda);
     }
     now.eased = EasedBy<rows>(now.lambda, now.rate);
     return now.eased(rest);
 }
 
+/// Without thresholds: what is left of back stresses stands beside the trial stress.
+template <int rows> void PartReturn<rows>::solve_relative_stress(ReturnAt<rows>& now) const {
+    now.rate = DeviatorOperator<rows>(rates_);
+    Deviators<rows> rest = trial_;
+    for (std::size_t k = 0; k < law_.kinematic.size(); ++k) {
+        now.rate.add(now.back[k].stiffness * now.back[k].theta);
+        rest -= before_.back[k] * now.back[k].theta;
+    }
+    now.eased = EasedBy<rows>(now.lambda, now.rate);
+    now.xi = now.eased(rest);
+    put_back_stresses(now);
+}
+
 template <int rows> void PartReturn<rows>::put_relative_stress(ReturnAt<rows>& now) const {
-    const bool linear = !law_.has_thresholds();
+    if (!thresholds_) return solve_relative_stress(now);
     Mask<rows> searching = Mask<rows>::Constant(true);
     for (int step = 0; searching.any(); ++step) {
         if (step == most_steps) throw NumericalFailure("return mapping: no back stresses found");
         put_back_stresses(now);
         const Deviators<rows> change = next_relative_stress(now, step >= newton_steps) - now.xi;
-        now.xi += change.colwise() * searching.template cast<double>();
+        now.xi += change * searching.template cast<double>();
         // NaN goes on, to the failure.
         searching = searching && !(equivalent<rows>(change) <= 1e-12 * (equivalent<rows>(now.xi) + now.Y));
-        if (linear) break;
     }
     put_back_stresses(now);
-    if (!linear) static_cast<void>(next_relative_stress(now, false));  // the derivative there
+    static_cast<void>(next_relative_stress(now, false));  // the derivative there
 }
 
 template <int rows> void PartReturn<rows>::put(const Scalars<rows>& dp, ReturnAt<rows>& now) const {
+    const HardeningAt<Scalars<rows>> hardening = law_.isotropic.at(Scalars<rows>(before_.p + dp));
+    now.Y = law_.yield_stress + hardening.value;
+    now.Y_slope = hardening.slope;
+    put_at_Y(dp, now);
+}
+
+template <int rows> void PartReturn<rows>::put_at_Y(const Scalars<rows>& dp, ReturnAt<rows>& now) const {
     const Scalars<rows> p = before_.p + dp;
-    now.Y = law_.yield_stress + law_.isotropic.value(p);
-    now.Y_slope = law_.isotropic.slope(p);
     now.lambda = 1.5 * dp / now.Y;
     now.lambda_slope = (1.5 - now.lambda * now.Y_slope) / now.Y;
     for (std::size_t k = 0; k < now.back.size(); ++k) now.back[k].put_p(law_.kinematic[k], p, dp);
     put_relative_stress(now);
-    Deviators<rows> less = (now.rate * now.xi).colwise() * now.lambda_slope;
+    Deviators<rows> less = (now.rate * now.xi) * now.lambda_slope;
     for (const Recalled<rows>& back : now.back) less += back.by_dp();
     now.xi_slope = -now.eased(less);
     now.equivalent = equivalent<rows>(now.xi).max(std::numeric_limits<double>::min());
     now.equivalent_slope = 1.5 * dot<rows>(now.xi, now.xi_slope) / now.equivalent;
 }
 
-/// Newton's method takes 3 to 6; a curve with corners may need halvings of the bracket.
+/// Nearly straight: Y / q is linear in dp without recall and with linear hardening, in plane strain.
+template <int rows> struct Residual {
+    Scalars<rows> value, slope;  // 1 - Y / q; by dp
+
+    explicit Residual(const ReturnAt<rows>& now) {
+        const Scalars<rows> per_q = 1.0 / now.equivalent;
+        value = 1.0 - now.Y * per_q;
+        slope = (now.Y * now.equivalent_slope * per_q - now.Y_slope) * per_q;
+    }
+};
+
+/// The root by the cubic that dp is as a function of the residual at two places, the first of which is dp = 0: of
+/// fourth order where Newton's method from the second one is of second.
+template <int rows>
+Scalars<rows> root_between(const Residual<rows>& start, const Residual<rows>& there, const Scalars<rows>& dp) {
+    const Scalars<rows> range = there.value - start.value, t = -start.value / range, left = -there.value / range;
+    return t * (t * (3.0 - 2.0 * t) * dp + left * range * (left / start.slope + t / there.slope));
+}
+
+/// It takes two or three; a curve with corners may need halvings of the bracket.
 inline constexpr int most_trials = 100;
 
 template <int rows> Scalars<rows> PartReturn<rows>::find(ReturnAt<rows>& now) const {
@@ -186,25 +226,23 @@ template <int rows> Scalars<rows> PartReturn<rows>::find(ReturnAt<rows>& now) co
     put(dp, now);
     const Mask<rows> flows = now.equivalent > now.Y * (1.0 + overstress_tolerance);
     Scalars<rows> below = dp, above = most();
-    // Exact for linear back stresses and hardening in plane strain.
-    const Scalars<rows> resistance = now.Y_slope - now.equivalent_slope * now.Y / now.equivalent;
-    dp = flows.select((now.equivalent - now.Y) / resistance, 0.0);
+    const Residual<rows> start(now);
+    dp = flows.select(-start.value / start.slope, 0.0);
+    Scalars<rows> last = Scalars<rows>::Zero();
     Mask<rows> searching = flows;
     for (int iteration = 0; searching.any(); ++iteration) {
         if (iteration == most_trials) throw NumericalFailure("return mapping: no plastic strain increment found");
         put(dp, now);
-        const Scalars<rows> per_q = 1.0 / now.equivalent;
-        const Scalars<rows> F = 1.0 - now.Y * per_q;
-        const Scalars<rows> slope = (now.Y * now.equivalent_slope * per_q - now.Y_slope) * per_q;
-        below = (searching && F > 0.0).select(dp, below);
-        above = (searching && F <= 0.0).select(dp, above);
-        const Scalars<rows> newton = dp - F / slope;
-        const Mask<rows> inside = newton > below && newton < above;
-        const Scalars<rows> next = inside.select(newton, 0.5 * (below + above));
-        const Scalars<rows> step = (next - dp).abs();
-        const Mask<rows> off = searching && !(F.abs() <= 1e-15);  // NaN goes on, to the failure
-        dp = off.select(next, dp);
-        searching = off && !(step <= 1e-9 * dp);  // the error left is the square of the step
+        const Residual<rows> here(now);
+        below = (searching && here.value > 0.0).select(dp, below);
+        above = (searching && here.value <= 0.0).select(dp, above);
+        Scalars<rows> next = dp - here.value / here.slope;
+        if (iteration == 0 && !thresholds_) next = root_between<rows>(start, here, dp);
+        const Mask<rows> inside = next > below && next < above;
+        const Mask<rows> off = searching && !(here.value.abs() <= 1e-15);  // NaN goes on, to the failure
+        last = off.select(inside.select(next, 0.5 * (below + above)) - dp, 0.0);
+        dp += last;
+        searching = off && !(last.abs() <= 1e-8 * dp);  // the error left is the square of the step
     }
     put(dp, now);
     return dp;

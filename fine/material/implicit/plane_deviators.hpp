@@ -2,6 +2,7 @@
 // what balances it in the plane, xx - yy, and xy. Elasticity and recall are symmetric operators on them.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -9,9 +10,52 @@
 
 namespace stria::fine {
 
-template <int rows> using Deviators = Eigen::Array<double, rows, 3>;
-
 template <int rows> using Mask = Eigen::Array<bool, rows, 1>;
+
+/// A deviator at each point of a pack. Its three numbers lie apart: as columns of one array a product with a number per
+/// point is no vector operation to Eigen, and takes three times as long.
+template <int rows> class Deviators {
+public:
+    using Number = Scalars<rows>;
+
+    Deviators() = default;  // not set, as Eigen's
+    Deviators(const Number& first, const Number& second, const Number& third) : columns_{first, second, third} {}
+
+    static Deviators Zero() { return {Number::Zero(), Number::Zero(), Number::Zero()}; }
+    void setZero() { *this = Zero(); }
+
+    [[nodiscard]] Number& col(int i) { return columns_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const Number& col(int i) const { return columns_[static_cast<std::size_t>(i)]; }
+
+    Deviators& operator+=(const Deviators& b) {
+        for (int i = 0; i < 3; ++i) col(i) += b.col(i);
+        return *this;
+    }
+    Deviators& operator-=(const Deviators& b) {
+        for (int i = 0; i < 3; ++i) col(i) -= b.col(i);
+        return *this;
+    }
+    friend Deviators operator+(const Deviators& a, const Deviators& b) {
+        return {a.col(0) + b.col(0), a.col(1) + b.col(1), a.col(2) + b.col(2)};
+    }
+    friend Deviators operator-(const Deviators& a, const Deviators& b) {
+        return {a.col(0) - b.col(0), a.col(1) - b.col(1), a.col(2) - b.col(2)};
+    }
+    friend Deviators operator-(const Deviators& a) { return {-a.col(0), -a.col(1), -a.col(2)}; }
+    friend Deviators operator*(const Deviators& a, const Number& factor) {
+        return {a.col(0) * factor, a.col(1) * factor, a.col(2) * factor};
+    }
+    friend Deviators operator*(double factor, const Deviators& a) {
+        return {factor * a.col(0), factor * a.col(1), factor * a.col(2)};
+    }
+    /// Number by number.
+    friend Deviators operator*(const Deviators& a, const Deviators& b) {
+        return {a.col(0) * b.col(0), a.col(1) * b.col(1), a.col(2) * b.col(2)};
+    }
+
+private:
+    std::array<Number, 3> columns_;
+};
 
 /// Rows: the basis in Mandel form.
 inline Eigen::Matrix<double, 3, 4> deviator_basis() {
@@ -50,19 +94,24 @@ template <int rows> [[nodiscard]] inline Scalars<rows> equivalent(const Deviator
     return (1.5 * dot<rows>(d, d)).sqrt();
 }
 
-/// A symmetric operator on the deviators of each point.
+/// A symmetric operator on the deviators of each point: diagonal, unless something is added across a direction.
 template <int rows> class DeviatorOperator {
 public:
     explicit DeviatorOperator(const Eigen::Array3d& diagonal = Eigen::Array3d::Zero()) {
         for (int i = 0; i < 3; ++i) diagonal_.col(i).setConstant(diagonal[i]);
-        mixed_.setZero();
     }
 
+    /// Adds factor 1.
+    void add(const Scalars<rows>& factor) {
+        for (int i = 0; i < 3; ++i) diagonal_.col(i) += factor;
+    }
     /// Adds factor (1 - n x n).
     void add_across(const Scalars<rows>& factor, const Deviators<rows>& n) {
-        const Deviators<rows> scaled = n.colwise() * factor;
-        diagonal_ += -(scaled * n);
-        diagonal_.colwise() += factor;
+        if (!mixes_) mixed_.setZero();
+        mixes_ = true;
+        const Deviators<rows> scaled = n * factor;
+        add(factor);
+        diagonal_ -= scaled * n;
         mixed_.col(0) -= scaled.col(0) * n.col(1);
         mixed_.col(1) -= scaled.col(0) * n.col(2);
         mixed_.col(2) -= scaled.col(1) * n.col(2);
@@ -70,6 +119,7 @@ public:
 
     [[nodiscard]] Deviators<rows> operator*(const Deviators<rows>& d) const {
         Deviators<rows> result = diagonal_ * d;
+        if (!mixes_) return result;
         result.col(0) += mixed_.col(0) * d.col(1) + mixed_.col(1) * d.col(2);
         result.col(1) += mixed_.col(0) * d.col(0) + mixed_.col(2) * d.col(2);
         result.col(2) += mixed_.col(1) * d.col(0) + mixed_.col(2) * d.col(1);
@@ -80,28 +130,35 @@ private:
     template <int> friend class EasedBy;
 
     Deviators<rows> diagonal_, mixed_;  // mixed: 01, 02, 12
+    bool mixes_ = false;
 };
 
 /// The inverse of 1 + lambda K for lambda >= 0 and a K without negative eigenvalues, by its factors L D L^T.
 template <int rows> class EasedBy {
 public:
     EasedBy() = default;
-    EasedBy(const Scalars<rows>& lambda, const DeviatorOperator<rows>& K) {
-        const Deviators<rows> pivot = 1.0 + K.diagonal_.colwise() * lambda, mixed = K.mixed_.colwise() * lambda;
-        per_pivot_.col(0) = 1.0 / pivot.col(0);
+    EasedBy(const Scalars<rows>& lambda, const DeviatorOperator<rows>& K) : mixes_(K.mixes_) {
+        const Deviators<rows> more = K.diagonal_ * lambda;
+        if (!mixes_) {
+            for (int i = 0; i < 3; ++i) per_pivot_.col(i) = 1.0 / (1.0 + more.col(i));
+            return;
+        }
+        const Deviators<rows> mixed = K.mixed_ * lambda;
+        per_pivot_.col(0) = 1.0 / (1.0 + more.col(0));
         lower_.col(0) = mixed.col(0) * per_pivot_.col(0);
         lower_.col(1) = mixed.col(1) * per_pivot_.col(0);
-        per_pivot_.col(1) = 1.0 / (pivot.col(1) - lower_.col(0) * mixed.col(0));
+        per_pivot_.col(1) = 1.0 / (1.0 + more.col(1) - lower_.col(0) * mixed.col(0));
         const Scalars<rows> left = mixed.col(2) - lower_.col(1) * mixed.col(0);
         lower_.col(2) = left * per_pivot_.col(1);
-        per_pivot_.col(2) = 1.0 / (pivot.col(2) - lower_.col(1) * mixed.col(1) - lower_.col(2) * left);
+        per_pivot_.col(2) = 1.0 / (1.0 + more.col(2) - lower_.col(1) * mixed.col(1) - lower_.col(2) * left);
     }
 
     [[nodiscard]] Deviators<rows> operator()(const Deviators<rows>& d) const {
+        if (!mixes_) return d * per_pivot_;
         Deviators<rows> x = d;
         x.col(1) -= lower_.col(0) * x.col(0);
         x.col(2) -= lower_.col(1) * x.col(0) + lower_.col(2) * x.col(1);
-        x *= per_pivot_;
+        x = x * per_pivot_;
         x.col(1) -= lower_.col(2) * x.col(2);
         x.col(0) -= lower_.col(0) * x.col(1) + lower_.col(1) * x.col(2);
         return x;
@@ -109,6 +166,7 @@ public:
 
 private:
     Deviators<rows> per_pivot_, lower_;  // lower: 10, 20, 21
+    bool mixes_ = false;
 };
 
 }  // namespace stria::fine

@@ -23,17 +23,17 @@ template <int rows> struct WithSlope {
         return {a.value - b.value, a.slope - b.slope};
     }
     friend WithSlope operator*(const WithSlope& a, const WithSlope& b) {
-        return {a.value * b.value, a.slope.colwise() * b.value + b.slope.colwise() * a.value};
+        return {a.value * b.value, a.slope * b.value + b.slope * a.value};
     }
     friend WithSlope operator/(const WithSlope& a, const WithSlope& b) {
         const Scalars<rows> per_b = 1.0 / b.value, ratio = a.value * per_b;
-        return {ratio, (a.slope - b.slope.colwise() * ratio).colwise() * per_b};
+        return {ratio, (a.slope - b.slope * ratio) * per_b};
     }
     friend WithSlope operator*(double factor, const WithSlope& a) { return {factor * a.value, factor * a.slope}; }
 
     friend WithSlope sqrt(const WithSlope& a) {
         const Scalars<rows> root = a.value.sqrt();
-        return {root, a.slope.colwise() * (0.5 / root)};
+        return {root, a.slope * (0.5 / root)};
     }
 };
 

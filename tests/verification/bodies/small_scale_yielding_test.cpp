@@ -127,22 +127,30 @@ Limit limit_of(const std::array<double, 3>& nearest_first, double n) {
 
 struct Field {
     Limit exponent, I;
-    double J;
 };
 
-/// The stress away from the line ahead is another one by the square of the angle: of two sectors, one half as wide, it
-/// is taken off, and what was taken off counts as bound.
-Field field_at_tip(const Hrr& hrr, const Fineness& fineness, double from) {
-    const Case input = square_of(hrr);
+/// By half decades from the tip, in two sectors.
+struct Readings {
+    std::array<Reading, 4> wide, narrow;
+};
+
+Readings readings(const Case& input, const Fineness& fineness, double from) {
     const coarse::Scene scene = scene_of(input, fineness);
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine, input);
     const double far_J = run_analysis(factory, scene).increments.back().tips[0].J;
-    std::array<Reading, 4> wide{}, narrow{};
+    Readings read{};
     for (std::size_t k = 0; k < 4; ++k, from *= half_decade) {
-        wide[k] = read_ahead(fine, far_J, from, 0.15);
-        narrow[k] = read_ahead(fine, far_J, from, 0.075);
+        read.wide[k] = read_ahead(fine, far_J, from, 0.15);
+        read.narrow[k] = read_ahead(fine, far_J, from, 0.075);
     }
+    return read;
+}
+
+/// The stress away from the line ahead is another one by the square of the angle: of two sectors, one half as wide, it
+/// is taken off, and what was taken off counts as bound.
+Field field_at_tip(const Hrr& hrr, const Fineness& fineness, double from) {
+    const auto [wide, narrow] = readings(square_of(hrr), fineness, from);
     const auto limit = [&](const auto& number_at) {
         std::array<double, 3> ahead{};
         for (std::size_t k = 0; k < 3; ++k)
@@ -151,7 +159,7 @@ Field field_at_tip(const Hrr& hrr, const Fineness& fineness, double from) {
         return Limit{found.value, found.bound + std::abs(ahead[0] - number_at(narrow, 0))};
     };
     return {limit([](const auto& all, std::size_t k) { return exponent_of(all[k], all[k + 1]); }),
-            limit([&](const auto& all, std::size_t k) { return I_of(hrr, all[k]); }), narrow[0].J};
+            limit([&](const auto& all, std::size_t k) { return I_of(hrr, all[k]); })};
 }
 
 /// On two meshes, of which the coarser one's elements grow twice as fast with the distance from the tip. What the finer
@@ -171,10 +179,6 @@ void expect_field(const Hrr& hrr, const Fineness& fineness, double from) {
     };
     row("exponent of the stress ahead of the tip", 1.0 / (hrr.n + 1.0), found.exponent, rough.exponent, 0.1);
     row("I_n, with J near the tip", hrr.I, found.I, rough.I, 0.02 * (hrr.n + 1.0));
-    if (hrr.n < 10.0 || hrr.plane == PlaneState::Stress) return;
-    common.source = "Carka, Landis 2011 (3.5)";
-    common.within = 0.02;
-    rows_of(common)("J near the tip over that far away", 0.82, found.J);
 }
 
 TEST(SmallScaleYielding, TheStressNearTheTip) {
@@ -189,6 +193,24 @@ TEST(SmallScaleYielding, TheStressNearTheTipLong) {
                            {PlaneState::Stress, 5.0, 3.4076, 1.1349},
                            {PlaneState::Stress, 10.0, 2.9788, 1.1473}})
         expect_field(hrr, {16, 24, 0.2}, 0.01 / half_decade);
+}
+
+// Without hardening J falls towards the tip, by "about 18 %": half a percent is the reference's own. Ours is held to
+// that, to what it still falls by over the last half decade, and to what two meshes differ by.
+TEST(SmallScaleYielding, JNearTheTipWithoutHardeningLong) {
+    Case input = square_of({PlaneState::Strain, 1.0, 0.0, 0.0});
+    input.material.yield_stress = reference_stress;
+    input.material.isotropic = {};
+    const auto near = [&](double growth) { return readings(input, {12, 17, growth}, 0.1).narrow; };
+    const std::array<Reading, 4> found = near(0.25), rough = near(0.5);
+    verify({.scene = "small-scale yielding without hardening, plane strain",
+            .source = "Carka, Landis 2011 (3.5)",
+            .quantity = "J near the tip over that far away",
+            .reference = 0.82,
+            .ours = found[0].J,
+            .within = 0.005 + std::abs(found[0].J - found[1].J) + std::abs(found[0].J - rough[0].J),
+            .mesh = "12 x 12, halved 17 times",
+            .scale = 1.0});
 }
 
 }  // namespace

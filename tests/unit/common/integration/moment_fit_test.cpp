@@ -90,6 +90,24 @@ TEST_F(CutSquare, ASliverWithoutPointsGetsOneOfItsOwn) {
     EXPECT_EQ(points_.back().side, -1);
 }
 
+// Rounding folds a side that is no wider than a hair: its area is next to nothing, and its moments over that lie
+// anywhere. Outside a distorted element there were no parent coordinates.
+TEST_F(CutSquare, AHairThatFoldsHasItsPointWhereItIs) {
+    corners_ = {Vec2(0.0, 0.0), {1.0, 0.0}, {1.3, 1.1}, {-0.1, 0.9}};
+    points_ = place_points(corners_, nullptr, {}, false, {.subcells = 2});
+    const Vec2 from(0.0, 0.4), to(0.9, 0.5), across = Vec2(0.1, -0.9);
+    sides_ = {.left = {corners_.begin(), corners_.end()},
+              .right = {from, 0.5 * (from + to) + 1e-12 * across, to, 0.3 * from + 0.7 * to + 0.999e-12 * across},
+              .segments = {},
+              .continuation = {},
+              .tips = {}};
+    ASSERT_GT(polygon_area(sides_.right), 0.0);
+    fit_weights(sides_, corners_, points_);
+    const Vec2& x = points_.back().x;
+    EXPECT_EQ(points_.back().side, -1);
+    EXPECT_LT((x - 0.5 * (from + to)).norm(), 0.5);
+}
+
 TEST_F(CutSquare, ARowOfPointsKeepsWhatItCanCarry) {
     cut({0.0, 0.37}, {1.0, 0.37});
     EXPECT_EQ(points_.size(), count_ + 1);
