@@ -150,6 +150,42 @@ Figure zones(const RunRecord& run) {
     return figure;
 }
 
+/// What each load alone does to a tip at its factor 1; K_II only where it is one in a hundred of the largest K_I or
+/// more.
+std::string stress_intensities_of_loads(const RunRecord& run, std::size_t tip) {
+    const std::string x = abscissa(run);
+    Sheet sheet{.name = fmt::format("load-cases-tip-{}", tip)};
+    const std::vector<std::size_t> rows = rows_of_tip(run.load_cases, tip);
+    std::vector<std::string> names{x};
+    for (const LoadCaseSection& load_case : run.input->load_cases)
+        for (const char* mode : {"K_I_", "K_II_"}) names.push_back(mode + load_case.name);
+    names.insert(names.begin() + 1, {"K_I", "K_II"});
+    double largest = 0.0;
+    const auto size_of = [&](const std::string& name) {
+        double size = 0.0;
+        for (const double K : sheet[name]) size = std::fmax(size, std::abs(K));
+        return size;
+    };
+    for (const std::string& name : names) {
+        sheet.columns.push_back({name, values_of(run.load_cases, name, rows)});
+        if (name.starts_with("K_I") && !name.starts_with("K_II")) largest = std::max(largest, size_of(name));
+    }
+    LineChart chart{.title = name_of_tip(run, tip, fmt::format("K of each load alone at its factor 1, {}", K_unit)),
+                    .x_label = label_of(x)};
+    for (const std::string& name : names)
+        if (name != x && (!name.starts_with("K_II") || size_of(name) > 0.01 * largest))
+            chart.curves.push_back(curve_of(sheet, x, name));
+    return charts::captioned(svg(chart), csv_link(sheet));
+}
+
+Figure load_cases(const RunRecord& run) {
+    Figure figure{.title = "Load cases",
+                  .sentence = "Nominal, of the elastic body with open cracks: times the factors, the sum of these is "
+                              "the nominal K. Without a name: of [load]."};
+    for (std::size_t tip = 0; tip < run.tips(); ++tip) figure.charts.push_back(stress_intensities_of_loads(run, tip));
+    return figure;
+}
+
 }  // namespace
 
 Sheet growth_rates(const RunRecord& run, std::size_t tip) {
@@ -180,6 +216,7 @@ std::vector<Figure> cycle_figures(const RunRecord& run) {
                              });
     if (!never_touch) figures.push_back(closure(run));
     figures.push_back(zones(run));
+    if (run.input && run.load_cases.rows > 0) figures.push_back(load_cases(run));
     return figures;
 }
 

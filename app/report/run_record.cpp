@@ -64,6 +64,7 @@ RunRecord read_run(const std::filesystem::path& folder) {
     require_columns(run.history, folder / "history.csv", {"increment", "cycle", "load_factor", "tip", "a"});
     run.cycles = read_table(folder / "cycles.csv");
     if (!run.cycles.columns.empty()) require_columns(run.cycles, folder / "cycles.csv", {"cycle", "tip"});
+    run.load_cases = read_table(folder / "load-cases.csv");
     run.resolved = text_of(folder / "case.resolved.toml");
     run.input = read_back(folder / "case.resolved.toml");
     run.summary = read_json(folder / "summary.json");

@@ -19,6 +19,7 @@ struct RunRecord {
     std::optional<Case> input;  // what it says, where this version understands it
     JsonObject summary;         // empty as long as the run has not ended
     NumberTable history, cycles;
+    NumberTable load_cases;  // empty without any
 
     [[nodiscard]] std::string title() const;
     /// "done", "failed", "interrupted"; "not ended" without a summary.

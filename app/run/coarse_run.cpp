@@ -61,7 +61,9 @@ CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner
       progress_(input.load, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
     if (options.resume) read_last_checkpoint();
     if (!from_)
-        for (const std::filesystem::path& old : {checkpoint_path(), coarse::previous_checkpoint(checkpoint_path())})
+        for (const std::filesystem::path& old :
+             {checkpoint_path(), coarse::previous_checkpoint(checkpoint_path()), directory_ / "closure.csv",
+              directory_ / "loads.csv", directory_ / "load-cases.csv"})
             std::filesystem::remove(old);
     write_whole_text(directory_ / "case.resolved.toml", resolved_toml(input));
 }

@@ -213,6 +213,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
 
 void FatigueAnalysis::end_cycle(Increment& increment) {
     increment.cycles = cycle_meter_.finish();
+    increment.nominal = body_.nominal();
     if (growth_) growth_->count_cycles(increment.cycles, last_cycle_);
     last_cycle_ = increment.cycles;
 }
@@ -220,12 +221,11 @@ void FatigueAnalysis::end_cycle(Increment& increment) {
 void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
     const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
     if (tip == increment.tips.end()) return;
-    if (effort_.counts.flowing_rings++ == 0) {
+    if (effort_.counts.flowing_rings++ == 0)
         listener_.note(
             fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no "
                         "elastic ones from here on",
                         increment.load_factor, tip - increment.tips.begin()));
-    }
 }
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium

@@ -30,6 +30,7 @@ struct Increment {
     std::vector<std::vector<double>> K_of_cases = {};  // likewise of each load case at its factor 1
     WorkBalance work;                                  // so far
     std::vector<CycleResult> cycles;                   // one per tip where a cycle ends here
+    std::vector<TipResult> nominal = {};               // likewise: K_1(a) of both modes, and of each load case
 
     [[nodiscard]] double initial_K(std::size_t tip) const { return K_initial.empty() ? 0.0 : K_initial[tip]; }
     /// Nominal K of a tip that load cases and the initial stress have at a part of the way.

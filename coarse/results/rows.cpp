@@ -146,6 +146,23 @@ std::vector<Cell> load_cells(const Case& input, const Increment& increment) {
     return cells;
 }
 
+std::vector<std::string> load_case_columns(const Case& input) {
+    std::vector<std::string> columns{"cycle", "tip", "a", "K_I", "K_II"};
+    for (const LoadCaseSection& load_case : input.load_cases)
+        for (const char* mode : {"K_I_", "K_II_"}) columns.push_back(mode + load_case.name);
+    return columns;
+}
+
+std::vector<Cell> load_case_cells(const Case& input, const Increment& increment, int tip) {
+    const TipResult& alone = increment.nominal[at(tip)];
+    std::vector<Cell> cells{std::int64_t{increment.step.cycle}, std::int64_t{tip}, alone.a, alone.K_I, alone.K_II};
+    for (std::size_t k = 0; k < input.load_cases.size(); ++k) {
+        cells.emplace_back(alone.K_I_of_cases[k]);
+        cells.emplace_back(alone.K_II_of_cases[k]);
+    }
+    return cells;
+}
+
 FaceRow face_row(std::int64_t increment, const coupling::FaceSample& sample) {
     return {increment,      sample.crack, sample.s,        sample.x,     sample.y,
             sample.opening, sample.slip,  sample.pressure, sample.shear, sample.status};

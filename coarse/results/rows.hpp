@@ -27,4 +27,9 @@ namespace stria::coarse {
 [[nodiscard]] std::vector<std::string> load_columns(const Case& input);
 [[nodiscard]] std::vector<Cell> load_cells(const Case& input, const Increment& increment);
 
+/// Columns and cells of load-cases.csv: what each load alone does to a tip at its factor 1, of the cycle that an
+/// increment has ended; without the positions of pressures that travel.
+[[nodiscard]] std::vector<std::string> load_case_columns(const Case& input);
+[[nodiscard]] std::vector<Cell> load_case_cells(const Case& input, const Increment& increment, int tip);
+
 }  // namespace stria::coarse

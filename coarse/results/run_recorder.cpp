@@ -34,6 +34,9 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
         closure_.emplace(table(directory / "closure.csv", closure_columns(), from, from ? from->closure_rows : 0));
     if (!scene.loads.cases.empty())
         loads_.emplace(table(directory / "loads.csv", load_columns(scene.input), from, from ? from->load_rows : 0));
+    if (!scene.input.load_cases.empty())  // its rows are those of cycles.csv
+        load_cases_.emplace(
+            table(directory / "load-cases.csv", load_case_columns(scene.input), from, from ? from->cycle_rows : 0));
     if (from == nullptr) return;
     cycle_iterations_ = from->cycle_iterations;
     N_ = from->N;
@@ -41,8 +44,8 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
 }
 
 RecorderState RunRecorder::state() const {
-    for (const CsvWriter* writer :
-         {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr, loads_ ? &*loads_ : nullptr})
+    for (const CsvWriter* writer : {&history_, &cycles_, &faces_, closure_ ? &*closure_ : nullptr,
+                                    loads_ ? &*loads_ : nullptr, load_cases_ ? &*load_cases_ : nullptr})
         if (writer != nullptr) sync_file(writer->path());
     return {.history_rows = history_.rows(),
             .cycle_rows = cycles_.rows(),
@@ -63,7 +66,7 @@ void RunRecorder::record(const Increment& increment, const Structure& structure,
     cycle_iterations_ += increment.newton.count();
     if (due(output_.faces, increment)) record_faces(increment, structure);
     if (due(output_.fields, increment)) record_fields(increment, structure);
-    if (increment.step.ends_cycle) record_cycle(increment, closure);
+    if (increment.step.ends_cycle) record_cycle(increment, closure, structure.scene().input);
     if (increment.step.ends_cycle || increment.step.cycle == 0) begin_cycle();
 }
 
@@ -98,7 +101,7 @@ void RunRecorder::record_history(const Increment& increment, const Scene& presen
     if (loads_) loads_->row(load_cells(present.input, increment));
 }
 
-void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& closure) {
+void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& closure, const Case& input) {
     // One of its cycles passes for all tips.
     if (!increment.cycles.empty()) N_ += increment.cycles.front().dN;
     for (int t = 0; t < std::ssize(increment.cycles); ++t) {
@@ -107,6 +110,7 @@ void RunRecorder::record_cycle(const Increment& increment, const ClosureMeter& c
         row.newton_iterations = cycle_iterations_;
         row.wall_s = seconds() - cycle_start_s_;
         cycles_.row(cells_of(row));
+        if (load_cases_) load_cases_->row(load_case_cells(input, increment, t));
         if (!closure_) continue;
         for (const ClosureRow& opening : closure_rows(increment, t, closure)) closure_->row(cells_of(opening));
     }

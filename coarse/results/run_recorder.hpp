@@ -49,7 +49,7 @@ private:
     void record_history(const Increment& increment, const Scene& present);
     void record_faces(const Increment& increment, const Structure& structure);
     void record_fields(const Increment& increment, const Structure& structure);
-    void record_cycle(const Increment& increment, const ClosureMeter& closure);
+    void record_cycle(const Increment& increment, const ClosureMeter& closure, const Case& input);
     void begin_cycle();
     [[nodiscard]] double seconds() const;
     [[nodiscard]] bool due(Written wish, const Increment& increment) const;
@@ -63,7 +63,8 @@ private:
     std::optional<LoadedBoundary> loaded_;
     CsvWriter history_, cycles_, faces_;
     std::optional<CsvWriter> closure_;  // where a profile of opening loads is asked for
-    std::optional<CsvWriter> loads_;    // where there are load cases
+    std::optional<CsvWriter> loads_;    // where there are load cases or pressures that travel
+    std::optional<CsvWriter> load_cases_;
     FieldWriter fields_;
     std::vector<HistoryRow> last_;
     coupling::StepReport zone_;

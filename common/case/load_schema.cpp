@@ -179,7 +179,7 @@ Section<GrowthSection> growth_section() {
               "too. dK_eff: K_max - K_op.");
     s.choice<GrowthDirection>("direction", &GrowthSection::direction,
                               {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
-        .says("hoop: of the largest hoop stress; below K_II = 0.005 K_I straight on.");
+        .says("hoop: of the largest hoop stress; straight on within 1e-4 of an element. straight: as it begins.");
     s.value("until", &GrowthSection::until).in("mm").positive().says("The run ends when a crack is as long.");
     s.value("toughness", &GrowthSection::toughness)
         .in("MPa sqrt(mm)")

@@ -98,6 +98,23 @@ IntegrationPoint add_missing(std::vector<IntegrationPoint*>& points, std::span<c
     return added;
 }
 
+/// Three inside each triangle of a fan, exact to degree 2; none where the polygon is no fan of such.
+std::vector<IntegrationPoint> points_inside(std::span<const Vec2> polygon, const std::array<Vec2, 4>& element,
+                                            int side) {
+    std::vector<IntegrationPoint> points;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+        const std::array<Vec2, 3> corners{polygon[0], polygon[k], polygon[k + 1]};
+        const double area = triangle_area(corners[0], corners[1], corners[2]);
+        if (area < 0.0) return {};
+        if (area == 0.0) continue;
+        for (const Vec2& corner : corners) {
+            const Vec2 x = (corners[0] + corners[1] + corners[2] + 3.0 * corner) / 6.0;
+            points.push_back({x, map_to_parent(element, x), area / 3.0, side, 0});
+        }
+    }
+    return points;
+}
+
 }  // namespace
 
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
@@ -156,10 +173,15 @@ void fit_weights(const CutElement& cut, const std::array<Vec2, 4>& corners, std:
         }
         if ((present - wanted).norm() <= exact * wanted[0]) continue;
         if (fit_side(own, wanted, frame, 6) || fit_side(own, wanted, frame, 3)) continue;
-        IntegrationPoint added = add_missing(own, polygon, wanted, present, frame);
-        added.xi = map_to_parent(corners, added.x);
-        added.side = side;
-        points.push_back(added);
+        // One alone cannot resist all that the functions of a small side's three far corners may do.
+        std::vector<IntegrationPoint> added;
+        if (own.empty()) added = points_inside(polygon, corners, side);
+        if (added.empty()) {
+            added.push_back(add_missing(own, polygon, wanted, present, frame));
+            added[0].xi = map_to_parent(corners, added[0].x);
+            added[0].side = side;
+        }
+        points.insert(points.end(), added.begin(), added.end());
     }
 }
 

@@ -65,6 +65,31 @@ TEST_F(PinsAndBolts, TheFitOfThePinShiftsTheCyclesOfTheLug) {
     }
 }
 
+// K_1(a) of each load alone, in a table and in the page, also where the run goes on from a checkpoint.
+TEST_F(PinsAndBolts, TheLoadsOfALugHaveTheirOwnKAtEachLength) {
+    run(lug, {"--set", "growth.until=2"});
+    const NumberTable alone = read_table(folder / "out/load-cases.csv");
+    ASSERT_EQ(alone.rows, cycles.rows);
+    for (std::size_t row = 0; row < alone.rows; ++row) {
+        EXPECT_EQ(alone["a"][row], cycles["a"][row]);
+        EXPECT_NEAR(20.0 * alone["K_I_fit"][row], cycles["K_min"][row], 1e-9 * cycles["K_max"][row]);
+        EXPECT_NEAR(40.0 * alone["K_I"][row] + 20.0 * alone["K_I_fit"][row], cycles["K_max"][row],
+                    1e-9 * cycles["K_max"][row]);
+        EXPECT_NE(alone["K_II_fit"][row], 0.0);
+    }
+    const std::string whole = text_of(folder / "out/load-cases.csv");
+    run(lug, {"--set", "growth.until=2", "--set", "load.blocks.0.cycles=2"});
+    EXPECT_EQ(read_table(folder / "out/load-cases.csv").rows, 2U);
+    ASSERT_EQ(run_program("stria",
+                          {"run", lug, "-o", folder / "out", "--resume", "--mode", "inprocess", "--set",
+                           "growth.until=2", "--set", "output.fields=none"},
+                          folder / "log"),
+              0)
+        << text_of(folder / "log");
+    EXPECT_EQ(text_of(folder / "out/load-cases.csv"), whole);
+    EXPECT_NE(text_of(folder / "out/report.html").find("load-cases-tip-0.csv"), std::string::npos);
+}
+
 // Two forces on washers, above and below an edge crack, are there first; the plate is then pulled in cycles.
 constexpr const char* bolted_plate = R"(
 units = "N-mm-MPa"

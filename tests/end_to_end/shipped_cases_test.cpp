@@ -104,7 +104,7 @@ TEST(ShippedCases, ThreeHolesSteerTheCrackAsTheirReadmeSaysLong) {
                           folder / "log"),
               0);
     const NumberTable history = read_table(folder / "out/history.csv");
-    for (const int step : {8, 16, 24, 32, 40}) {
+    for (const int step : {16, 32, 48, 64, 80}) {
         const std::vector<double> place = figures_of("three-holes", std::to_string(step));
         double nearest = 1e9;
         for (std::size_t row = 0; row < history.rows; ++row)
@@ -112,7 +112,7 @@ TEST(ShippedCases, ThreeHolesSteerTheCrackAsTheirReadmeSaysLong) {
         EXPECT_LT(nearest, 0.02) << "step " << step;
     }
     const double radius = 6.35, to_centre = std::hypot(history["x"].back() - 152.4, history["y"].back() - 120.65);
-    EXPECT_LT(to_centre, radius + 2.54);  // the next step ends in the middle hole
+    EXPECT_LT(to_centre, radius + 2.54);  // the next step leaves less than an element before the middle hole
 }
 
 /// A row of opening loads over load ratios in a README against runs at some of them.

@@ -101,6 +101,21 @@ Case inclined_crack(double growth, int cycles) {
     return input;
 }
 
+// A crack cannot leave an element edge between two nodes. Beside the middle of a plate the hoop stress asks for it.
+TEST(CrackGrowth, GoesStraightOnWhereTheMeshCannotHoldASmallTurn) {
+    const double element = 50.0 / 41.0, begin = 6.5 * element, row = 20.0 * element, step = 0.6 * element;
+    Case input = specimen("plate", 50.0, {{0.0, row}, {begin, row}});
+    input.mesh.width = 50.0;
+    input.mesh.size = element;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 2, .blocks = {{.cycles = 4, .max = 1.0, .min = 0.0}}};
+    input.growth.emplace().increment = step;
+    const RunHistory run = run_direct(input);
+    const coarse::TipResult &first = run.increments.front().tips[0], &last = run.increments.back().tips[0];
+    EXPECT_GT(std::abs(first.K_II), 2e-4 * first.K_I);
+    EXPECT_NEAR(last.a, begin + 4.0 * step, 1e-2 * step);
+}
+
 TEST(CrackGrowth, TurnsAcrossTheLoadUntilNothingSlides) {
     const RunHistory run = run_direct(inclined_crack(0.6, 6));
     const auto &first = run.increments.front().tips, &last = run.increments.back().tips;

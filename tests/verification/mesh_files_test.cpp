@@ -126,6 +126,53 @@ TEST(MeshFiles, CracksFromAHoleMeetTheIntegralEquation) {
     }
 }
 
+/// K_op / K_max beyond 0.2 and 0.3 mm behind a tip that advances by 0.05 mm a cycle, means of 30 cycles; plane stress.
+std::array<double, 2> mean_openings(const MeshSection& mesh) {
+    Case input = sent_case({"load.steps=24", "load.grading=0.6", "load.blocks=[{cycles=46, max=40.0, ratio=0.0}]",
+                            "model.plane=stress", "growth.increment=0.05", "growth.direction=straight", "fine.refine=8",
+                            "fine.beta=1", "fine.substeps=4", "closure.distance=0.2", "closure.profile=[0.3]"});
+    input.cracks[0].points = {{0.0, 50.0}, {20.0, 50.0}};
+    input.mesh = mesh;
+    const auto cycles = run_cycles(input);
+    std::array<double, 2> sum{};
+    for (auto cycle = cycles.end() - 30; cycle != cycles.end(); ++cycle)
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += cycle->contact[k].K_op / cycle->K_max / 30.0;
+    return sum;
+}
+
+// Faces end on the element edge nearest to the tip, so a distance behind it is good to half an element, 0.03 mm.
+TEST(MeshFiles, UnstructuredMeshesGiveTheSpecimensOpeningLoadsLong) {
+    MeshSection own = sent_plate().mesh;
+    own.grading[0].size = 0.45;  // as large as those of the files
+    own.grading[0].outer_size = 0.45;
+    own.grading[0].radius = 3.0;
+    const std::array<double, 2> expected = mean_openings(own);
+    for (const char* file : unstructured) {
+        MeshSection of_file;
+        of_file.file = mesh_data(file);
+        const std::array<double, 2> found = mean_openings(of_file);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            std::cout << fmt::format("{:16s} K_op / K_max {:.4f}, specimen {:.4f}\n", file, found[k], expected[k]);
+            EXPECT_NEAR(found[k], expected[k], 0.01) << file;
+        }
+    }
+}
+
+// Bowie's series as it is handed down, where it is right: to 2 % for one crack, to 1 % for two
+// (docs/references.md 2.8).
+TEST(MeshFiles, CracksFromAHoleMeetBowiesTable) {
+    struct Row {
+        int cracks;
+        double of_radius, F;
+    };
+    for (const Row& row :
+         {Row{1, 0.1, 2.73}, {1, 0.4, 1.86}, {1, 0.5, 1.73}, {2, 0.3, 2.15}, {2, 0.4, 1.96}, {2, 0.5, 1.83}}) {
+        const double length = 5.0 * row.of_radius, K = row.F * std::sqrt(std::numbers::pi * length);
+        const ElasticSolution solution(plate_with_hole(length, row.cracks));
+        EXPECT_NEAR(solution.tips[0].K_I, K, (row.cracks == 1 ? 0.02 : 0.01) * K) << row.cracks << " " << length;
+    }
+}
+
 // Small elements follow the tip through slanted ones. The faces end on an edge, up to half an element off the tip.
 TEST(MeshFiles, ACrackGrowsOnAnUnstructuredMesh) {
     Case own = sent_case({"load.steps=4", "load.blocks=[{cycles=2, max=30.0, ratio=0.0}]", "growth.increment=0.3",

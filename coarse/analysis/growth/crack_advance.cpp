@@ -14,12 +14,25 @@ constexpr double no_field = 1e-6;  // of the K of a unit load: faces that touch 
 
 double size_of(const TipResult& tip) { return std::hypot(tip.K_I, tip.K_II); }
 
+/// From the last corner, or the crack's other end, to a tip, mm.
+double last_stretch(const CrackSection& crack, const Tip& tip) {
+    const auto& points = crack.points;
+    const std::size_t end = tip.upper > 0 ? points.size() - 1 : 0, before = tip.upper > 0 ? points.size() - 2 : 1;
+    return (points[end] - points[before]).norm();
+}
+
 }  // namespace
 
 double hoop_stress_angle(double K_I, double K_II) {
-    if (std::abs(K_II) <= 0.005 * std::abs(K_I)) return 0.0;  // no field at all has no direction either
-    const double ratio = K_I / K_II;
-    return 2.0 * std::atan(0.25 * (ratio - std::copysign(std::sqrt(ratio * ratio + 8.0), K_II)));
+    if (std::abs(K_II) <= 0.005 * std::max(-K_I, 0.0)) return 0.0;  // closed, or no field at all: no direction
+    K_I = std::max(K_I, 0.0);
+    return -2.0 * std::atan2(2.0 * K_II, K_I + std::hypot(K_I, std::sqrt(8.0) * K_II));
+}
+
+double turn(double angle, double stretch, double increment, double element) {
+    constexpr double tolerance = 1e-4;
+    const double over = 0.5 * (std::min(stretch, element) + increment);
+    return std::abs(angle) * over < tolerance * element ? 0.0 : angle;
 }
 
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {
@@ -46,12 +59,15 @@ std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const 
 
 std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
                                         const std::vector<Tip>& tips, const std::vector<TipResult>& directing,
-                                        const std::vector<double>& advance_by) {
+                                        const std::vector<double>& advance_by, const std::vector<double>& elements) {
     for (std::size_t t = 0; t < directing.size(); ++t) {
         if (advance_by[t] == 0.0) continue;
-        const bool straight = direction == GrowthDirection::Straight;
-        const double angle = straight ? 0.0 : hoop_stress_angle(directing[t].K_I, directing[t].K_II);
-        advance(cracks[at(tips[t].crack)], tips[t], Eigen::Rotation2Dd(angle) * tips[t].direction, advance_by[t]);
+        CrackSection& crack = cracks[at(tips[t].crack)];
+        double angle = 0.0;
+        if (direction == GrowthDirection::HoopStress)
+            angle = turn(hoop_stress_angle(directing[t].K_I, directing[t].K_II), last_stretch(crack, tips[t]),
+                         advance_by[t], elements[t]);
+        advance(crack, tips[t], Eigen::Rotation2Dd(angle) * tips[t].direction, advance_by[t]);
     }
     return cracks;
 }

@@ -9,9 +9,15 @@
 
 namespace stria::coarse {
 
-/// Angle from a tip's direction to the largest hoop stress, radians, within 70.6 degrees; 0 where |K_II| is below 0.005
-/// K_I. Erdogan and Sih, J. Basic Eng. 85 (1963) 519.
+/// Angle from a tip's direction to the largest hoop stress, radians, within 70.6 degrees. Erdogan and Sih, J. Basic
+/// Eng. 85 (1963) 519.
 [[nodiscard]] double hoop_stress_angle(double K_I, double K_II);
+
+/// The angle by which a crack turns: `angle`, or 0 as long as its way without a corner stays within 1e-4 of an element
+/// of the arc that bends by `angle` over the last straight stretch, of one element at most, and the increment, mm each.
+/// Nothing is lost: the next angle is measured from the same direction. Below 2e-4, which is no more than what K_II is
+/// good to, a crack in short steps stays straight.
+[[nodiscard]] double turn(double angle, double stretch, double increment, double element);
 
 /// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
@@ -23,11 +29,12 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
 [[nodiscard]] std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
                                                std::vector<TipResult> nominal, const std::vector<TipResult>& reached);
 
-/// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `directing` and
-/// `advance_by`: one per tip.
+/// The cracks with each tip advanced by its length, mm, along its growth direction. `tips`, `directing`, `advance_by`
+/// and `elements`, the edges of the tips' elements, mm: one per tip.
 [[nodiscard]] std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
                                                       const std::vector<Tip>& tips,
                                                       const std::vector<TipResult>& directing,
-                                                      const std::vector<double>& advance_by);
+                                                      const std::vector<double>& advance_by,
+                                                      const std::vector<double>& elements);
 
 }  // namespace stria::coarse

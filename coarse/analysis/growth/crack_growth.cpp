@@ -18,12 +18,18 @@ namespace stria::coarse {
 
 namespace {
 
-/// Some tip turns by more than ten degrees.
-bool turns_sharply(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
-    const double straight = std::cos(std::numbers::pi / 18.0);
-    return std::ranges::any_of(tips, [&](const Tip& tip) {
-        return tip.direction.dot(direction_of_end(longer[at(tip.crack)], tip)) < straight;
-    });
+constexpr double sharp_turn = std::numbers::pi / 18.0;  // ten degrees
+constexpr double small_turn = 0.01;                     // of a tip with K_II = 0.005 K_I
+
+/// Of all tips, radians.
+double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
+    double largest = 0.0;
+    for (const Tip& tip : tips) {
+        const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
+        const double cross = tip.direction.x() * now.y() - tip.direction.y() * now.x();
+        largest = std::max(largest, std::abs(std::atan2(cross, tip.direction.dot(now))));
+    }
+    return largest;
 }
 
 /// Those of all loads together: load cases give a K another mode as their factors change.
@@ -59,31 +65,35 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
         const std::vector<TipResult> guides =
             directing(present.input.cracks, present.enriched.tips,
                       factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
-        grown = with_cracks(body, lengthened(present, guides, last));
+        grown = along_first_of(body, ways(present, guides, last));
     }
     ended_ = !grown.longer;
     return grown;
 }
 
 // Rings about a tip pass over a bend that is nearer to it than they are: K behind a sharp one wants two elements.
-std::vector<CrackSection> CrackGrowth::lengthened(const Scene& present, const std::vector<TipResult>& guides,
-                                                  const std::vector<CycleResult>& last) {
+std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
+                                                   const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
-    const auto by = [&](double increment) {
-        return longer_cracks(present.input.cracks, growth_.direction, tips, guides,
-                             advances(growth_, increment, last, tips.size()));
+    std::vector<double> elements;
+    for (const Tip& tip : tips) elements.push_back(tip_element_edge(present.enriched, tip));
+    const auto by = [&](double increment, GrowthDirection direction) {
+        return longer_cracks(present.input.cracks, direction, tips, guides,
+                             advances(growth_, increment, last, tips.size()), elements);
     };
-    double element = 0.0;
-    for (const Tip& tip : tips) element = std::max(element, tip_element_edge(present.enriched, tip));
-    const bool sharp = turns_sharply(tips, by(element));
-    const double least = sharp ? 2.0 * element : element;
-    if (growth_.increment.is_auto()) return by(increment_.next(growth_, last, least));
-    const double increment = growth_.increment.value();
-    if (sharp && increment < least)
+    const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
+    const double turn = largest_turn(tips, by(element, growth_.direction));
+    const double least = turn > sharp_turn ? 2.0 * element : element;
+    const double increment =
+        growth_.increment.is_auto() ? increment_.next(growth_, last, least) : growth_.increment.value();
+    if (turn > sharp_turn && increment < least)
         note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
                           "mm: K is not resolved until it is as far behind the bend",
                           increment, element));
-    return by(increment);
+    std::vector<Cracks> ways{by(increment, growth_.direction)};
+    // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
+    if (largest_turn(tips, ways.front()) < small_turn) ways.push_back(by(increment, GrowthDirection::Straight));
+    return ways;
 }
 
 // What drives the tips has been measured.
@@ -125,22 +135,32 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const LoadFacto
     return false;
 }
 
-GrownScene CrackGrowth::with_cracks(const CrackedBody& body, std::vector<CrackSection> cracks) const {
-    try {
-        const Scene& present = body.scene();
-        Case input = present.input;
-        input.cracks = std::move(cracks);
-        GrownScene grown;
-        grown.finer = body.finer_about_ends_of(input.cracks);
-        const Mesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
-        grown.longer = std::make_unique<Scene>(make_scene(input, mesh));
-        constexpr int as_fine_as_it_is = 1;
-        require_room(mesh, grown.longer->enriched, as_fine_as_it_is);
-        if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;
-        note_("the next advance takes a crack out of the body: growth ends here");
-    } catch (const CaseError& error) {
-        note_(fmt::format("growth ends here: {}", error.what()));
+// The first way that the mesh can hold.
+GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const {
+    std::string why;
+    for (const Cracks& cracks : ways) {
+        try {
+            return with_cracks(body, cracks);
+        } catch (const CaseError& error) {
+            if (why.empty()) why = error.what();
+        }
     }
+    note_(fmt::format("growth ends here: {}", why));
+    return {};
+}
+
+GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& cracks) const {
+    const Scene& present = body.scene();
+    Case input = present.input;
+    input.cracks = cracks;
+    GrownScene grown;
+    grown.finer = body.finer_about_ends_of(input.cracks);
+    const Mesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
+    grown.longer = std::make_unique<Scene>(make_scene(input, mesh));
+    constexpr int as_fine_as_it_is = 1;
+    require_room(mesh, grown.longer->enriched, as_fine_as_it_is);
+    if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;
+    note_("the next advance takes a crack out of the body: growth ends here");
     return {};
 }
 

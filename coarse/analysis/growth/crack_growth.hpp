@@ -46,9 +46,13 @@ private:
     void require_drive(const std::vector<CycleResult>& last) const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors,
                                const std::vector<CycleResult>& last) const;
-    [[nodiscard]] std::vector<CrackSection> lengthened(const Scene& present, const std::vector<TipResult>& guides,
-                                                       const std::vector<CycleResult>& last);
-    [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, std::vector<CrackSection> cracks) const;
+    using Cracks = std::vector<CrackSection>;
+
+    /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
+    [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
+                                           const std::vector<CycleResult>& last);
+    [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const;
+    [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
     GrowthSection growth_;
     const Note& note_;

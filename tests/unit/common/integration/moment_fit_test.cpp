@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <cmath>
 
 #include "tests/support/cracked_mesh.hpp"
@@ -83,11 +84,32 @@ TEST_F(CutSquare, QuadraticsAreExactWhereThePointsAllowIt) {
     EXPECT_NEAR(integral(-1, yy), (std::pow(0.55, 4) - std::pow(0.45, 4)) / 1.2, 5e-4);
 }
 
-TEST_F(CutSquare, ASliverWithoutPointsGetsOneOfItsOwn) {
+TEST_F(CutSquare, ASliverWithoutPointsGetsSomeOfItsOwn) {
     cut({0.0, 0.02}, {1.0, 0.03});
-    EXPECT_EQ(points_.size(), count_ + 1);
-    EXPECT_NEAR(points_.back().weight, 0.025, 1e-12);
+    EXPECT_EQ(points_.size(), count_ + 6);
     EXPECT_EQ(points_.back().side, -1);
+    EXPECT_NEAR(integral(-1, [](const Vec2&) { return 1.0; }), 0.025, 1e-12);
+    EXPECT_NEAR(integral(-1, [](const Vec2& x) { return x.y() * x.y(); }), (81e-8 - 16e-8) / 0.12, 1e-15);
+    for (const IntegrationPoint& point : points_) EXPECT_GE(point.weight, 0.0);
+}
+
+// The functions of the three far corners live there: six unknowns, one of them a rotation about the near corner. One
+// point holds three.
+TEST_F(CutSquare, ACornerThatIsCutOffResistsItsFarCorners) {
+    cut({0.0, 0.35}, {0.02, 0.0});
+    std::vector<IntegrationPoint> corner;
+    for (const IntegrationPoint& point : points_)
+        if (sides_.side_of({0.001, 0.001}) == point.side) corner.push_back(point);
+    Eigen::MatrixXd strains = Eigen::MatrixXd::Zero(3 * std::ssize(corner), 6);
+    for (Eigen::Index q = 0; q < std::ssize(corner); ++q) {
+        const Vec2& x = corner[static_cast<std::size_t>(q)].x;
+        const std::array<Vec2, 3> slopes{Vec2(1.0 - x.y(), -x.x()), {x.y(), x.x()}, {-x.y(), 1.0 - x.x()}};
+        for (Eigen::Index n = 0; n < 3; ++n) {
+            const Vec2& slope = slopes[static_cast<std::size_t>(n)];
+            strains.block<3, 2>(3 * q, 2 * n) << slope.x(), 0.0, 0.0, slope.y(), slope.y(), slope.x();
+        }
+    }
+    EXPECT_EQ(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(strains).rank(), 5);
 }
 
 // Rounding folds a side that is no wider than a hair: its area is next to nothing, and its moments over that lie

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,8 +37,48 @@ TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
         EXPECT_NEAR(hoop_stress_angle(K_I, -K_II) / degree, -angle, 1e-4);
     }
     EXPECT_NEAR(hoop_stress_angle(0.0, 1.0) / degree, -70.5288, 1e-4);
-    EXPECT_EQ(hoop_stress_angle(1.0, 0.004), 0.0);
-    EXPECT_EQ(hoop_stress_angle(0.0, 0.0), 0.0);  // no ring has seen a field
+    EXPECT_NEAR(hoop_stress_angle(1.0, 1e-9), -2e-9, 1e-17);
+    EXPECT_NEAR(hoop_stress_angle(-1.0, 1.0) / degree, -70.5288, 1e-4);  // no further than in pure shear
+    EXPECT_EQ(hoop_stress_angle(0.0, 0.0), 0.0);                         // no ring has seen a field
+    EXPECT_EQ(hoop_stress_angle(-1.0, 1e-9), 0.0);                       // the load closes it
+}
+
+/// The farthest that a crack gets from the circle of radius 50 mm whose tangent it turns to at the end of each step.
+double farthest_from_a_circle(double increment, double element) {
+    CrackSection crack{.points = {{-5.0, 0.0}, {0.0, 0.0}}, .contact = {}};
+    const double radius = 50.0;
+    const Vec2 centre(0.0, radius);
+    double farthest = 0.0;
+    for (double s = 0.0; s < 20.0; s += increment) {
+        const Vec2 end = crack.points.back(), along = (end - crack.points[crack.points.size() - 2]).normalized();
+        const Vec2 tangent = Vec2(centre.y() - end.y(), end.x() - centre.x()).normalized();
+        const double angle = std::asin(along.x() * tangent.y() - along.y() * tangent.x());
+        const double K_II = -std::sin(angle) / (3.0 * std::cos(angle) - 1.0);  // of the largest hoop stress there
+        const Tip tip{.crack = 0, .position = end, .direction = along, .s = 0.0, .upper = 1};
+        crack = longer_cracks({crack}, GrowthDirection::HoopStress, {tip}, {{.K_I = 1.0, .K_II = K_II}}, {increment},
+                              {element})[0];
+        farthest = std::max(farthest, std::abs((crack.points.back() - centre).norm() - radius));
+    }
+    return farthest;
+}
+
+// Nothing is lost below some angle.
+TEST(CrackAdvance, TheWayConvergesWithItsSteps) {
+    const double whole = farthest_from_a_circle(1.0, 1.0), half = farthest_from_a_circle(0.5, 1.0);
+    EXPECT_GT(whole, 0.1);
+    EXPECT_NEAR(half, 0.5 * whole, 0.05 * whole);
+    EXPECT_NEAR(farthest_from_a_circle(0.25, 1.0), 0.25 * whole, 0.05 * whole);
+    EXPECT_LT(farthest_from_a_circle(0.01, 1.0), 0.15 * whole);  // corners are 0.1 elements apart: sqrt(2e-4 radius)
+    EXPECT_LT(farthest_from_a_circle(0.01, 0.05), 0.04 * whole);
+}
+
+TEST(CrackAdvance, HasNoCornerWithinTheTolerance) {
+    EXPECT_EQ(turn(1.9e-4, 0.8, 0.2, 1.0), 0.0);
+    EXPECT_EQ(turn(2.1e-4, 0.8, 0.2, 1.0), 2.1e-4);
+    EXPECT_EQ(turn(-2.1e-4, 0.8, 0.2, 1.0), -2.1e-4);
+    EXPECT_EQ(turn(2.1e-4, 0.6, 0.2, 1.0), 0.0);   // waits until the stretch is as long
+    EXPECT_EQ(turn(1.9e-4, 20.0, 0.0, 1.0), 0.0);  // not for ever: K_II has an error
+    EXPECT_EQ(turn(1.9e-4, 20.0, 0.2, 1.0), 1.9e-4);
 }
 
 TEST(CrackAdvance, CracksWithFrictionThatTouchGoWhereTheSolutionReachedSays) {
