@@ -13,13 +13,8 @@ namespace stria::fine {
 
 Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
            Bulk* old, const Eigen::VectorXd& displacement)
-    : Bulk(BulkElements(
-               mesh, materials, rule,
-               [&](int e, const CrackPiece* cut) {
-                   return old != nullptr ? old->elements_.points_kept(mesh, e, cut) : std::nullopt;
-               },
-               old != nullptr ? &old->elements_ : nullptr),
-           std::move(laws), displacement) {
+    : Bulk(BulkElements(mesh, materials, rule, old != nullptr ? &old->elements_ : nullptr), std::move(laws),
+           displacement) {
     if (old != nullptr)
         carry_history(*old);
     else
@@ -80,19 +75,15 @@ void Bulk::carry_history(const Bulk& old) {
     counts_ = old.counts();
     history_.set_half_cycle_ended(old.history_.half_cycle_ended());
     for (int e = 0; e < elements_.count(); ++e) {
-        if (const std::optional<int> found = old.elements_.find(elements_.mesh(), e))
-            carry_history(old, *found, e);
-        else
+        const std::optional<int> found = old.elements_.find(elements_.mesh(), e);
+        if (found) resting_.set_recent_flow(e, old.resting_.recent_flow()[at(*found)]);
+        if (!found)
             begin_elastic(e);
+        else if (old.elements_.stays(elements_.mesh(), e, *found))
+            history_.take(e, old.history_, *found);
+        else
+            mix_history(old, *found, e);
     }
-}
-
-void Bulk::carry_history(const Bulk& old, int old_element, int element) {
-    resting_.set_recent_flow(element, old.resting_.recent_flow()[at(old_element)]);
-    if (old.elements_.stays(elements_.mesh(), element, old_element))
-        history_.take(element, old.history_, old_element);
-    else
-        mix_history(old, old_element, element);
 }
 
 // Old points come first and in their order; one that is new has a mean history of those around it on its side. What

@@ -86,7 +86,6 @@ public:
 private:
     Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement);
     void carry_history(const Bulk& old);
-    void carry_history(const Bulk& old, int old_element, int element);
     void mix_history(const Bulk& old, int old_element, int element);
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;

@@ -25,6 +25,13 @@ bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
 }  // namespace
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
+                           BulkElements* old)
+    : BulkElements(
+          mesh, materials, rule,
+          [&](int e, const CrackPiece* cut) { return old != nullptr ? old->points_kept(mesh, e, cut) : std::nullopt; },
+          old) {}
+
+BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                            const KnownPoints& known, BulkElements* old)
     : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)) {
     operators_.reserve(mesh_.elements.size());

@@ -15,11 +15,12 @@ namespace stria::fine {
 /// Does not change. Elements are numbered as in the mesh, from 0.
 class BulkElements {
 public:
+    /// `rule`: but for the mean dilatation, which follows from an element's material. `old`: null, or the elements of
+    /// an earlier zone, which gives up those that stay as they are (stays()); others keep their points (points_kept()).
+    BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule, BulkElements* old);
+
     /// Points that an element has already, with `cut` the crack inside it or null; none: they are placed anew.
     using KnownPoints = std::function<std::optional<std::vector<IntegrationPoint>>(int element, const CrackPiece* cut)>;
-
-    /// `rule`: but for the mean dilatation, which follows from an element's material. `old`: null, or the elements of
-    /// an earlier zone, which gives up those that stay as they are (stays()).
     BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                  const KnownPoints& known, BulkElements* old = nullptr);
 

@@ -93,9 +93,6 @@ Vec2 pushed_up(double friction, int elements) {
     pushed.displacement[0] = 1e-4;
     weighed.traction = Vec2(0.0, -1.0);
     input.boundaries = {foot, pushed, weighed};
-    // Nothing holds the block before its faces touch: the first correction is of any size, as rounding has it, and all
-    // multipliers may have to close one by one after it.
-    input.solver.max_iterations = 2 * elements;
     const coarse::Scene scene = coarse::refined_scene(input);
     const Equilibrated result = equilibrate(scene, 1.0);
     EXPECT_TRUE(result.newton.converged) << result.newton.table();

@@ -133,11 +133,12 @@ TEST(Bulk, ExtensionKeepsHistoryBitForBit) {
     const std::vector<int> inner{6, 7, 11, 12, 16, 17};
     std::vector<int> outer(25);
     for (int e = 0; e < 25; ++e) outer[at(e)] = e;
-    const Bulk old = strained_bulk(extract(plate, inner));
+    Bulk old = strained_bulk(extract(plate, inner));
+    const ZoneState before = state_of(old);
     const EnrichedMesh larger = extract(plate, outer);
     const Bulk bulk = make_bulk(larger, scene, random_vector(larger.unknowns, 1e-3, 8), &old);
 
-    const ZoneState before = state_of(old), now = state_of(bulk);
+    const ZoneState now = state_of(bulk);
     std::vector<char> known(outer.size(), 0);
     std::size_t kept = 0;
     for (std::size_t point = 0; point < now.element.size(); ++point) {
