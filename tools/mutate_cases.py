@@ -10,8 +10,8 @@ README has not or that means a defect, after more than 2 s of a processor, or wi
 is 1.
 
 A change may also leave a lawful case with more to do. It is not judged by its time, and it is not forgiven either. It
-is asked to stop after its 2 s and has to end with 130 within two minutes of a processor, for nothing cuts an iteration short (a check
-just ends). Then it is judged with less to do: again as short as the shipped cases were made, without smaller elements
+is asked to stop after its 2 s and has to end with 130 within two minutes of a processor, for nothing cuts an iteration
+short (a check just ends). Then it is judged with less to do: again as short as the shipped cases were made, without smaller elements
 about the tips, and where that is not enough with elements three and nine times as large. What still takes more is
 reported; a mesh from a file stays as it is. All that needed this are listed and counted apart.
 """
