@@ -99,6 +99,21 @@ TEST(LoadController, FollowsTheCrackWhereKIsControlled) {
     EXPECT_FALSE(loads.next());
 }
 
+// Its load falls as the crack grows; in units of the history its increments are those of the cycle before.
+TEST(LoadController, AtConstantKACycleStartsFromTheIncrementsOfTheOneBefore) {
+    auto loads = controller(8, {{.cycles = 3, .max = 40.0, .min = 0.0}}, 3, Control::StressIntensity);
+    double scale = 0.1;
+    loads.set_scale(scale);
+    for (int k = 0; const auto step = loads.next(); ++k) {
+        if (k >= 12) {  // the load from which it falls is that of a little more K than before
+            EXPECT_EQ(step->predictor.back, 8) << k;
+            EXPECT_NEAR(step->predictor.factor, 1.0, 0.05) << k;
+        }
+        loads.accepted();
+        if (step->ends_cycle) loads.set_scale(scale *= 0.99);
+    }
+}
+
 TEST(LoadController, GradesTheIncrementsFromEachReversal) {
     const LoadController loads({.steps = 8, .grading = 0.5, .blocks = {{1, 2.0, -2.0}}}, {});
     const std::vector<double> found = factors(loads);

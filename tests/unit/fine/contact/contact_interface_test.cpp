@@ -5,6 +5,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <set>
 
 #include "common/index.hpp"
 #include "tests/support/plates.hpp"
@@ -334,6 +335,23 @@ TEST(ContactInterface, ResidualVanishesExactlyWhereTheConditionsHold) {
     EXPECT_GT(contact.residual(one, {one, zero}), 0.0);    // pressure across a gap
     EXPECT_GT(contact.residual(zero, {-one, zero}), 0.0);  // penetration
     EXPECT_GT(contact.residual(-one, {zero, zero}), 0.0);  // suction
+}
+
+// What only its faces hold does not float before anything is known of them.
+TEST(ContactInterface, FacesThatWereNeverLoadedTouchUntilTheyPart) {
+    const Cut cut;
+    ContactInterface contact = cut.contact();
+    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(cut.mesh.unknowns),
+                          none = Eigen::VectorXd::Zero(contact.tractions());
+    const auto statuses_at = [&](const Eigen::VectorXd& u) {
+        contact.begin_increment();
+        contact.choose_statuses(none, contact.jumps(u));
+        return std::set<FaceStatus>(contact.statuses().begin(), contact.statuses().end());
+    };
+    EXPECT_EQ(statuses_at(at_rest), std::set{FaceStatus::Open});  // as after a growth
+    contact.begin_touching();
+    EXPECT_EQ(statuses_at(at_rest), std::set{FaceStatus::Stick});
+    EXPECT_EQ(statuses_at(cut.opened([](const Vec2&) { return Vec2(0.0, 1e-9); })), std::set{FaceStatus::Open});
 }
 
 TEST(ContactInterface, WhereStatusesComeBackOneFlipsAtATime) {
