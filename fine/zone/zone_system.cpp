@@ -122,8 +122,9 @@ void ZoneSystem::add_response(const Eigen::VectorXd& load) {
 
 ElementSet ZoneSystem::may_rest() const {
     ElementSet may = bulk_->may_rest();
+    const Eigen::VectorXd held = memory_.opening.held(patch_.mesh.unknowns);
     const auto bears_load = [&](int unknown) {
-        return patch_.unit_load[unknown] != 0.0 ||
+        return patch_.unit_load[unknown] != 0.0 || held[unknown] != 0.0 ||
                (patch_.case_loads.cols() > 0 && !patch_.case_loads.row(unknown).isZero(0.0));
     };
     for (int e = 0; e < may.size(); ++e) {

@@ -42,8 +42,8 @@ public:
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
     void linearise();
 
-    /// Elements that may rest (Bulk), without loads of their own, and away from the tips about which the force ahead is
-    /// asked for.
+    /// Elements that may rest (Bulk), without loads of their own or new faces that forces hold, and away from the tips
+    /// about which the force ahead is asked for.
     [[nodiscard]] ElementSet may_rest() const;
     /// These rest from the committed state on. `inside`: the unknowns that follow the others; neither their loads nor
     /// their residuals are known here.
