@@ -50,10 +50,12 @@ std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const Newto
                                                const std::vector<OpeningChange>& changes, double unit) {
     std::vector<double> now = memory_.signal = meter_.signal(report, memory_.signal);
     if (step.reversal) meter_.forget_slip(memory_.signal);
-    for (std::vector<double>* targets : {&memory_.opened, &memory_.closed}) targets->resize(now.size(), NAN);
-    for (const OpeningChange& change : changes)
-        (change.closes ? memory_.closed : memory_.opened)[at(change.tip) * meter_.signals().all() + at(change.signal)] =
-            change.target / unit;
+    for (std::vector<double>* loads : {&memory_.opened, &memory_.closed}) loads->resize(now.size(), NAN);
+    for (const OpeningChange& change : changes) {
+        if (std::isnan(change.load_factor)) continue;  // nobody knows
+        std::vector<double>& loads = change.closes ? memory_.closed : memory_.opened;
+        loads[at(change.tip) * meter_.signals().all() + at(change.signal)] = change.target / unit;
+    }
     return now;
 }
 

@@ -12,6 +12,7 @@
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
+
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),

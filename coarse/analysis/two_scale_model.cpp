@@ -141,7 +141,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
     refresh_displacement();
     const EnrichedMesh& after = grown.longer->enriched;
-    const bool kept = factory_.keeps_increments() && MovedField::can_move(body_.scene().enriched, after);
+    const bool kept = factory_.keeps_increments() && TipMoves::between(body_.scene().enriched, after).has_value();
     std::optional<CarriedIncrements> increments;
     if (kept && grown.finer) increments.emplace(body_.structure(), equilibrium_->state(), after, true);
     if (grown.finer) split_elements(std::move(*grown.finer));

@@ -16,11 +16,11 @@ namespace stria::coarse {
 /// A signal of closure came or went within an increment.
 struct OpeningChange {
     int tip;
-    int signal;          // ClosureMeter::signals()
-    bool closes;         // or opens; of slip: begins to slide
-    double load_factor;  // to the precision asked for; NaN where no trial between two states came to equilibrium
-    double way = 1.0;    // of the increment
-    double target = 0.0;
+    int signal;           // ClosureMeter::signals()
+    bool closes;          // or opens; of slip: begins to slide
+    double load_factor;   // to the precision asked for; NaN where no trial between two states came to equilibrium
+    double way = 1.0;     // of the increment
+    double target = 0.0;  // where
 };
 
 /// A state on the way of an increment.

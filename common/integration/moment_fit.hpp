@@ -11,7 +11,8 @@ namespace stria {
 
 /// Gives the points of each side of a newly cut element weights >= 0 with which they integrate quadratic polynomials
 /// over that side exactly, or linear ones; where neither can be, one more point inside the side makes up for what its
-/// points miss of a linear polynomial. A side without points gets some, exact for quadratic ones. Sides whose weights are exact already keep them. Sets the points' sides.
+/// points miss of a linear polynomial. A side without points gets some, exact for quadratic ones. Sides whose weights
+/// are exact already keep them. Sets the points' sides.
 void fit_weights(const CutElement& cut, const std::array<Vec2, 4>& corners, std::vector<IntegrationPoint>& points);
 
 /// Shares >= 0 that add up to one with which values at `points` make the value at `x`: that of a linear field where x

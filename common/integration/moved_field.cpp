@@ -134,7 +134,8 @@ bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2
 }  // namespace
 
 std::optional<TipMoves> TipMoves::between(const EnrichedMesh& from, const EnrichedMesh& to) {
-    if (from.tips.size() != to.tips.size() || from.elements.empty() || to.elements.empty()) return std::nullopt;
+    if (from.tip_functions > 0 || to.tip_functions > 0 || from.tips.size() != to.tips.size()) return std::nullopt;
+    if (from.elements.empty() || to.elements.empty()) return std::nullopt;
     TipMoves moves;
     for (std::size_t t = 0; t < to.tips.size(); ++t) {
         const Vec2 &tip = to.tips[t].position, before = from.tips[t].position;
@@ -154,12 +155,7 @@ Vec2 TipMoves::of_nearest_tip(const Vec2& x) const {
     return moves_[at(nearest - tips_.begin())];
 }
 
-bool MovedField::can_move(const EnrichedMesh& from, const EnrichedMesh& to) {
-    return from.tip_functions == 0 && to.tip_functions == 0 && TipMoves::between(from, to).has_value();
-}
-
-MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to) {
-    const TipMoves moves = TipMoves::between(from, to).value();
+MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves) {
     const Places places(from);
     Fields fields(from);
     Rows rows;

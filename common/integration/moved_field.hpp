@@ -14,7 +14,8 @@ namespace stria {
 /// comes to lie on itself. Between nodes a field as steep as that about a tip would be no guess.
 class TipMoves {
 public:
-    /// Of the same tips in the same order. Nothing where the mesh about one of them has no such move.
+    /// Of the same tips in the same order. Nothing where the mesh about one of them has no such move, or where there
+    /// are tip functions.
     static std::optional<TipMoves> between(const EnrichedMesh& from, const EnrichedMesh& to);
 
     /// That of the tip nearest to a place.
@@ -26,13 +27,9 @@ private:
 
 class MovedField {
 public:
-    /// Both meshes have the same tips in the same order, and no tip functions (can_move()). At each node of `to` the
-    /// field is that of `from` as far behind as it goes along with the nearest tip (TipMoves); where `from` has no
-    /// element there, that of its nearest node.
-    MovedField(const EnrichedMesh& from, const EnrichedMesh& to);
-
-    /// There are such moves.
-    static bool can_move(const EnrichedMesh& from, const EnrichedMesh& to);
+    /// At each node of `to` the field is that of `from` as far behind as it goes along with the nearest tip; where
+    /// `from` has no element there, that of its nearest node. `moves`: between them.
+    MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves);
 
     /// On all unknowns of `to`, from those of `from`.
     [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& values) const { return weights_ * values; }

@@ -79,7 +79,7 @@ void Bulk::carry_history(const Bulk& old) {
         if (found) resting_.set_recent_flow(e, old.resting_.recent_flow()[at(*found)]);
         if (!found)
             begin_elastic(e);
-        else if (old.elements_.stays(elements_.mesh(), e, *found))
+        else if (elements_.has_stayed(e))
             history_.take(e, old.history_, *found);
         else
             mix_history(old, *found, e);

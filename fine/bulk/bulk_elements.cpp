@@ -33,13 +33,13 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                            const KnownPoints& known, BulkElements* old)
-    : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)) {
+    : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)), stayed_(mesh_.elements.size()) {
     operators_.reserve(mesh_.elements.size());
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
         element_of_id_[mesh_.element_ids[at(e)]] = e;
         if (const auto same = old != nullptr ? old->find(mesh_, e) : std::nullopt;
             same && old->stays(mesh_, e, *same)) {
-            take_over(old->operators_[at(*same)], old->stiffness_[at(*same)], e);
+            take_over(*old, *same, e);
             continue;
         }
         const int piece = piece_[at(e)];
@@ -57,13 +57,15 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
     }
 }
 
-void BulkElements::take_over(ElementOperator& op, Eigen::MatrixXd& stiffness, int element) {
+void BulkElements::take_over(BulkElements& old, int own, int element) {
+    ElementOperator op = std::move(old.operators_[at(own)]);
     op.element = element;
     op.unknowns.clear();
     for (const int node : mesh_.elements[at(element)])
         for (const int component : {0, 1}) op.unknowns.push_back(mesh_.unknown(node, 0, component));
     operators_.push_back(std::move(op));
-    stiffness_.push_back(std::move(stiffness));
+    stiffness_.push_back(std::move(old.stiffness_[at(own)]));
+    stayed_.insert(element);
 }
 
 bool BulkElements::stays(const EnrichedMesh& later, int element, int own) const {

@@ -7,16 +7,17 @@
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/index_set.hpp"
 #include "common/integration/element_operator.hpp"
 #include "common/material/materials.hpp"
 
 namespace stria::fine {
 
-/// Does not change. Elements are numbered as in the mesh, from 0.
+/// Does not change until a later zone takes over what stays. Elements are numbered as in the mesh, from 0.
 class BulkElements {
 public:
     /// `rule`: but for the mean dilatation, which follows from an element's material. `old`: null, or the elements of
-    /// an earlier zone, which gives up those that stay as they are (stays()); others keep their points (points_kept()).
+    /// an earlier zone, which gives up those that stay as they are (has_stayed()); others keep their points.
     BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule, BulkElements* old);
 
     /// Points that an element has already, with `cut` the crack inside it or null; none: they are placed anew.
@@ -47,9 +48,9 @@ public:
     /// The element that one of a later mesh is: the same id, and the same corners, for it may have been split.
     [[nodiscard]] std::optional<int> find(const EnrichedMesh& later, int element) const;
 
-    /// Whether an element of a later mesh is element `own` of this one, and has the same functions: bilinear ones
-    /// alone.
-    [[nodiscard]] bool stays(const EnrichedMesh& later, int element, int own) const;
+    /// Whether an element is as it was in an earlier zone, which has given it up: its functions are bilinear ones
+    /// alone, in both.
+    [[nodiscard]] bool has_stayed(int element) const { return stayed_.contains(element); }
 
     /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the
     /// crack, `cut`, has newly cut it (docs/equations.md, growth).
@@ -60,7 +61,8 @@ public:
     [[nodiscard]] bool is_near(int element, const Vec2& place, double radius) const;
 
 private:
-    void take_over(ElementOperator& op, Eigen::MatrixXd& stiffness, int element);
+    [[nodiscard]] bool stays(const EnrichedMesh& later, int element, int own) const;
+    void take_over(BulkElements& old, int own, int element);
 
     EnrichedMesh mesh_;
     Materials materials_;
@@ -68,6 +70,7 @@ private:
     std::vector<ElementOperator> operators_;
     std::vector<Eigen::MatrixXd> stiffness_;
     std::map<int, int> element_of_id_;
+    ElementSet stayed_;
 };
 
 }  // namespace stria::fine

@@ -29,11 +29,9 @@ namespace {
 /// Tractions on new faces as they were behind the old tip, linear between two multipliers there.
 class MovedTractions {
 public:
-    MovedTractions(const EnrichedMesh& before, const ContactInterface& old, const EnrichedMesh& next,
-                   const ContactInterface& contact)
+    MovedTractions(const TipMoves& moves, const ContactInterface& old, const ContactInterface& contact)
         : old_(old), contact_(contact), from_(at(contact.multipliers())) {
         const auto& keys = old.operators().keys();
-        const TipMoves moves = TipMoves::between(before, next).value();
         for (int k = 0; k < contact.multipliers(); ++k) {
             const FaceOperators::Key& own = contact.operators().keys()[at(k)];
             const Vec2 behind = own.x - moves.of_nearest_tip(own.x);
@@ -75,9 +73,9 @@ private:
 
 /// Increments known about the old tips as guesses about the new ones.
 void move_increments(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface& old_contact,
-                     const EnrichedMesh& next, const ContactInterface& contact) {
-    const MovedField field(before, next);
-    const MovedTractions tractions(before, old_contact, next, contact);
+                     const EnrichedMesh& next, const ContactInterface& contact, const TipMoves& moves) {
+    const MovedField field(before, next, moves);
+    const MovedTractions tractions(moves, old_contact, contact);
     std::vector<ZoneUnknowns> moved;
     for (const ZoneUnknowns& increment : memory.increments.all())
         moved.push_back({field.of(increment.displacement), tractions.of(increment.traction)});
@@ -107,8 +105,10 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
         }
     }
     memory.committed = std::move(carried);
-    if (old_contact != nullptr && !next.shared && MovedField::can_move(before, next.mesh))
-        move_increments(memory, before, *old_contact, next.mesh, contact);
+    std::optional<TipMoves> moves;
+    if (old_contact != nullptr && !next.shared) moves = TipMoves::between(before, next.mesh);
+    if (moves)
+        move_increments(memory, before, *old_contact, next.mesh, contact, *moves);
     else
         memory.increments.clear();
 }
