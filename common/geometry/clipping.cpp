@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 
+#include <Eigen/Geometry>
 #include <boost/variant/get.hpp>
 
 namespace stria {
@@ -18,6 +19,8 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::D
 CgalPoint to_cgal(const Vec2& p) { return {p.x(), p.y()}; }
 Vec2 from_cgal(const CgalPoint& p) { return {p.x(), p.y()}; }
 
+Eigen::AlignedBox2d box_of(const Vec2& a, const Vec2& b) { return Eigen::AlignedBox2d(a.cwiseMin(b), a.cwiseMax(b)); }
+
 }  // namespace
 
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -27,7 +30,12 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
 std::optional<std::pair<Vec2, Vec2>> intersect(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const auto common = CGAL::intersection(CgalSegment(to_cgal(a), to_cgal(b)), CgalSegment(to_cgal(c), to_cgal(d)));
     if (!common) return std::nullopt;
-    if (const auto* point = boost::get<CgalPoint>(&*common)) return std::pair{from_cgal(*point), from_cgal(*point)};
+    if (const auto* point = boost::get<CgalPoint>(&*common)) {
+        // Whether they meet is exact, where they do is not: on nearly the same line it may come out anywhere along it.
+        const Eigen::AlignedBox2d box = box_of(a, b).intersection(box_of(c, d));
+        const Vec2 x = from_cgal(*point).cwiseMax(box.min()).cwiseMin(box.max());
+        return std::pair{x, x};
+    }
     const auto& overlap = boost::get<CgalSegment>(*common);
     return std::pair{from_cgal(overlap.source()), from_cgal(overlap.target())};
 }

@@ -16,7 +16,7 @@ namespace stria {
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// Intersection of segments ab and cd: nothing, one point (first == second), or the two ends of an overlap. Whether
-/// there is one is decided exactly; the points are rounded.
+/// there is one is decided exactly; the points are rounded, and within the boxes of both.
 std::optional<std::pair<Vec2, Vec2>> intersect(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
 /// +1 strictly inside a simple polygon, 0 on its boundary, -1 outside. Exact.
