@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "coarse/analysis/failure_texts.hpp"
 #include "coarse/analysis/limit_load_hint.hpp"
+#include "coarse/analysis/run_texts.hpp"
 #include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -68,6 +68,7 @@ void FatigueAnalysis::run() {
     if (!grow_where_due() || !release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         if (is_to_end()) return;
+        compare_increments();
         std::optional<NewtonReport> found = solve_equilibrium(*step);
         if (!found) continue;  // the increment is made again, shorter or with a larger zone
         std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
@@ -97,6 +98,14 @@ bool FatigueAnalysis::settle_initial_stress() {
     accept(step, report, {});
     judge_settled_stress(body_.scene(), model_.work().stored, listener_.note);
     return true;
+}
+
+void FatigueAnalysis::compare_increments() {
+    const std::optional<LoadStep> two = controller_.two_as_one();
+    if (!two) return;
+    const NewtonReport found = attempt(*two);
+    model_.rollback();
+    if (found.converged) controller_.tried_as_one(found.iterations.back().residual.opening);
 }
 
 bool FatigueAnalysis::is_to_end() const {
@@ -143,15 +152,10 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     const std::vector<int> yielding = model_.elements_beyond_yield();
     if (yielding.empty()) return false;
     if (guard_ == Guard::Warn) {
-        if (effort_.counts.yield_warnings++ == 0) {
-            listener_.note(fmt::format("warning: {}: {} elements outside the zone are beyond yield; "
-                                       "they stay elastic (fine.guard = \"warn\")",
-                                       to_text(step.target), yielding.size()));
-        }
+        if (effort_.counts.yield_warnings++ == 0) listener_.note(elements_stay_elastic(step, yielding.size()));
         return false;
     }
-    listener_.note(fmt::format("{}: {} elements outside the zone would yield; they join it and the increment is redone",
-                               to_text(step.target), yielding.size()));
+    listener_.note(elements_join_zone(step, yielding.size()));
     model_.extend_zone(yielding);
     controller_.forget_increments();
     return true;
@@ -189,10 +193,8 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadS
 void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const {
     const auto lost = std::ranges::find_if(changes, [](const auto& change) { return std::isnan(change.load_factor); });
     if (lost == changes.end()) return;
-    listener_.note(
-        fmt::format("cycle {}: no equilibrium between {} and {} tells where tip {} {}: its load is left empty",
-                    step.cycle, to_text({step.target.control, controller_.reached()}), to_text(step.target), lost->tip,
-                    closure_.meter().what_a_tip_does(*lost)));
+    listener_.note(load_left_empty(step, {step.target.control, controller_.reached()}, lost->tip,
+                                   closure_.meter().what_a_tip_does(*lost)));
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {
@@ -223,10 +225,7 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
     const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
     if (tip == increment.tips.end()) return;
     if (effort_.counts.flowing_rings++ == 0)
-        listener_.note(
-            fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no "
-                        "elastic ones from here on",
-                        increment.load_factor, tip - increment.tips.begin()));
+        listener_.note(rings_flow(increment.load_factor, tip - increment.tips.begin()));
 }
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium

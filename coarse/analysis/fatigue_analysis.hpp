@@ -45,6 +45,8 @@ public:
 
 private:
     [[nodiscard]] AnalysisState state_beside_zone() const;
+    /// Each two increments differ from one: by that a leg is known to have enough of them (IncrementSchedule).
+    void compare_increments();
     [[nodiscard]] bool is_to_end() const;
     [[nodiscard]] bool settle_initial_stress();
     [[nodiscard]] std::optional<LoadStep> next() const;
