@@ -4,8 +4,8 @@
     bench/chosen_increments.py build/release/bin/stria [--steps 8 12 24] [--reference 96] [--case CASE.toml ...]
 
 Runs each case with the numbers chosen, with each of the given ones, graded alike, and with the reference. Prints a Markdown
-table: increments per cycle at the end, Newton iterations, and the largest errors over all cycles after the first of the opening
-range and of K_op / K_max. All is counted, not timed: it may run beside other work.
+table: increments of the last cycle, Newton iterations of the run, and errors of the opening range and of K_op / K_max: those of
+the last cycle, and the largest after the first one. All is counted, not timed: it may run beside other work.
 """
 
 import argparse
@@ -43,16 +43,17 @@ def number(row, name):
     return float(row[name] or "nan")
 
 
-def largest(errors):
-    known = [abs(error) for error in errors if error == error]
-    return max(known, default=float("nan"))
+def of(errors, form):
+    """The last one, and the largest of them."""
+    known = [error for error in errors if error == error]
+    return f"{form % known[-1]}, {form % max(map(abs, known))}" if known else "-, -"
 
 
 def line(case, name, result, reference):
     pairs = list(zip(result["cycles"], reference["cycles"]))[1:]
     opened = [number(a, "K_op") / number(a, "K_max") - number(b, "K_op") / number(b, "K_max") for a, b in pairs]
-    ranges = [number(a, "opening_range") / number(b, "opening_range") - 1.0 for a, b in pairs if number(b, "opening_range") > 0.0]
-    return f"| {case.parent.name} | {name} | {result['increments']} | {result['iterations']} | {100.0 * largest(ranges):.2f} % | {largest(opened):.4f} |"
+    ranges = [100.0 * (number(a, "opening_range") / number(b, "opening_range") - 1.0) for a, b in pairs if number(b, "opening_range") > 0.0]
+    return f"| {case.parent.name} | {name} | {result['increments']} | {result['iterations']} | {of(ranges, '%.2f')} | {of(opened, '%.4f')} |"
 
 
 def main():
@@ -63,7 +64,7 @@ def main():
     parser.add_argument("--case", type=Path, nargs="*", default=CASES)
     chosen = parser.parse_args()
     given = lambda steps: [f"load.steps={steps}", "load.grading=0.4"]  # noqa: E731
-    print("| case | increments per cycle | in the last one | iterations | range | K_op / K_max |")
+    print("| case | increments | in the last cycle | iterations | range, %: last cycle, largest | K_op / K_max |")
     print("|---|---|---|---|---|---|")
     for case in chosen.case:
         reference = run(chosen.program, case.resolve(), given(chosen.reference))

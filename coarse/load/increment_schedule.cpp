@@ -74,7 +74,7 @@ std::vector<double> graded_ways(int increments, double grading, const std::vecto
 IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double> turns, bool may_choose)
     : chooses_(load.steps.is_auto() && may_choose), accuracy_(load.accuracy), grading_(load.power()),
       turns_(std::move(turns)) {
-    state_.rising = state_.falling = {.increments = load.first_steps() / 2, .alike = 0, .unmeasured = 5};
+    state_.rising = state_.falling = {.increments = load.first_steps() / 2, .alike = 0, .unmeasured = 13};
     lay_out();
 }
 
@@ -98,11 +98,12 @@ void IncrementSchedule::add(double way, std::vector<double> openings) {
     if (chooses_) state_.path.add(way, std::move(openings));
 }
 
-// A comparison costs about as much as the leg: two in the first cycles of a block, and one in many after them.
+// A measurement costs about as much as the leg: one where a block of cycles has come to itself, and one in many after
+// it.
 bool IncrementSchedule::measures(bool rises, bool alike) const {
     const Legs& legs = rises ? state_.rising : state_.falling;
     const int in_a_row = alike ? legs.alike + 1 : 0;
-    const bool due = legs.unmeasured >= 32 || (legs.unmeasured >= 5 && (in_a_row == 1 || in_a_row == 7));
+    const bool due = legs.unmeasured >= 32 || (legs.unmeasured >= 16 && in_a_row == 3);
     return chooses_ && due && is_cycle(state_.path);
 }
 

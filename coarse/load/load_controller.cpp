@@ -99,8 +99,9 @@ std::optional<LoadStep> LoadController::two_as_one() const {
     if (left < 2 || left % 2 != 0 || position_.fraction < 1.0 || !schedule_.measures(rises(), is_alike()))
         return std::nullopt;
     LoadStep step = *next();
+    const double first = step.target.value - position_.reached;
     step.target.value = stop(position_.increments + 2);
-    step.predictor = predictor(taken_by(step));
+    step.predictor.factor *= (step.target.value - position_.reached) / first;
     return step;
 }
 

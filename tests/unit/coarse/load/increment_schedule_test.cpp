@@ -71,17 +71,20 @@ TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
     EXPECT_DOUBLE_EQ(graded_ways(2, 0.4)[1], std::pow(0.5, 0.4));
 }
 
-/// Increments of a leg that loads, after one of cycles that was measured and off by c w^2 for each increment.
+/// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment.
 int after(const LoadSection& load, double c, bool may_choose = true) {
     IncrementSchedule schedule(load, {}, may_choose);
     const OffByTheSquare leg{schedule.ways(true), c};
     const OpeningPath path = leg.path();
     const std::vector<double> falling = schedule.ways(false);
-    schedule.begin(std::vector<double>(path.opening.front()));
-    if (schedule.measures(true, true))
-        for (const TwoAsOne& pair : leg.pairs()) schedule.add(pair);
-    for (std::size_t k = 1; k < leg.ways.size(); ++k) schedule.add(leg.ways[k], path.opening[k]);
-    schedule.end_leg(true, true);
+    for (int legs = 0; legs < 4; ++legs) {
+        EXPECT_EQ(schedule.ways(true), leg.ways) << "until one is measured";
+        schedule.begin(std::vector<double>(path.opening.front()));
+        if (schedule.measures(true, true))
+            for (const TwoAsOne& pair : leg.pairs()) schedule.add(pair);
+        for (std::size_t k = 1; k < leg.ways.size(); ++k) schedule.add(leg.ways[k], path.opening[k]);
+        schedule.end_leg(true, legs > 0);
+    }
     EXPECT_EQ(schedule.ways(false), falling) << "legs of the other direction";
     return static_cast<int>(schedule.ways(true).size()) - 1;
 }
@@ -109,7 +112,7 @@ TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
     EXPECT_EQ(after({}, std::numeric_limits<double>::quiet_NaN()), begins);
 }
 
-// The second leg of a block, a later one, and one in many: what changes from leg to leg is measured as often.
+// The fourth leg of a block, and one in many: what changes from leg to leg is measured as often.
 TEST(IncrementSchedule, MeasuresNowAndThen) {
     const auto measured = [](const std::function<bool(int)>& alike) {
         IncrementSchedule schedule({}, {}, true);
@@ -125,11 +128,11 @@ TEST(IncrementSchedule, MeasuresNowAndThen) {
         }
         return legs;
     };
-    EXPECT_EQ(measured([](int leg) { return leg > 1; }), (std::vector<int>{2, 8, 41, 74}));
-    EXPECT_EQ(measured([](int leg) { return leg != 1 && leg != 17 && leg != 18; }),
-              (std::vector<int>{2, 8, 19, 25, 58, 91}))
+    EXPECT_EQ(measured([](int leg) { return leg > 1; }), (std::vector<int>{4, 37, 70}));
+    EXPECT_EQ(measured([](int leg) { return leg != 1 && leg != 25 && leg != 26; }), (std::vector<int>{4, 29, 62, 95}))
         << "an overload";
-    EXPECT_EQ(measured([](int) { return false; }), (std::vector<int>{28, 61, 94})) << "a spectrum";
+    EXPECT_EQ(measured([](int leg) { return leg % 10 > 1; }), (std::vector<int>{4, 24, 44, 64, 84})) << "and many";
+    EXPECT_EQ(measured([](int) { return false; }), (std::vector<int>{20, 53, 86})) << "a spectrum";
     IncrementSchedule ramp({}, {}, true);
     ramp.add(1.0, {1.0});
     EXPECT_FALSE(ramp.measures(true, true)) << "a leg whose start nobody has seen";
@@ -138,7 +141,7 @@ TEST(IncrementSchedule, MeasuresNowAndThen) {
 // Extremes stay exact, each leg keeps its number until it is measured again, and a run that is gone on with has learned
 // what the first one had.
 TEST(IncrementSchedule, GuidesTheController) {
-    const LoadSection load{.blocks = {{.cycles = 3, .max = 50.0 / 3.0, .min = -0.1}}};
+    const LoadSection load{.blocks = {{.cycles = 5, .max = 50.0 / 3.0, .min = -0.1}}};
     LoadController loads(load, {});
     std::vector<int> per_leg(1, 0);
     std::optional<LoadController> again;
@@ -163,17 +166,17 @@ TEST(IncrementSchedule, GuidesTheController) {
         if (!step->reversal) continue;
         EXPECT_TRUE(step->target.value == 50.0 / 3.0 || step->target.value == -0.1);
         per_leg.push_back(0);
-        if (per_leg.size() == 4) {
+        if (per_leg.size() == 8) {
             again.emplace(load, SolverSection());
             again->resume(loads.position());
         }
     }
     const int begins = load.first_steps() / 2;
-    EXPECT_EQ(std::vector<int>(per_leg.begin(), per_leg.begin() + 5), std::vector<int>(5, begins))
-        << "the ramp is no cycle, the first one has none before it, and the second one is measured";
+    EXPECT_EQ(std::vector<int>(per_leg.begin(), per_leg.begin() + 9), std::vector<int>(9, begins))
+        << "the ramp is no cycle, and the fourth one is measured";
     EXPECT_EQ(as_one, 2 * begins / 2);
-    EXPECT_GT(per_leg[5], begins);
-    EXPECT_GT(per_leg[6], begins);
+    EXPECT_GT(per_leg[9], begins);
+    EXPECT_GT(per_leg[10], begins);
 }
 
 }  // namespace
