@@ -15,6 +15,7 @@ struct WorkCounts {
     std::int64_t points_proven_elastic = 0;    // return mappings saved: no energy of the increment to flow with
     std::int64_t points_at_rest = 0;           // those of condensed parts that stay elastic: not a product was formed
     std::int64_t elements_woken = 0;           // of such parts, because they could flow or touch
+    std::int64_t elements_built = 0;           // points placed, or functions evaluated at them, at the start or anew
     std::int64_t tangents_computed = 0;        // of elements
     std::int64_t elastic_tangents_reused = 0;  // elements that kept their elastic matrix
     std::int64_t history_values = 0;           // at present: stored numbers of all points beyond stresses
@@ -62,6 +63,7 @@ inline constexpr std::array named_work_counts{
     NamedWorkCount{"points_proven_elastic", &WorkCounts::points_proven_elastic},
     NamedWorkCount{"points_at_rest", &WorkCounts::points_at_rest},
     NamedWorkCount{"elements_woken", &WorkCounts::elements_woken},
+    NamedWorkCount{"elements_built", &WorkCounts::elements_built},
     NamedWorkCount{"tangents_computed", &WorkCounts::tangents_computed},
     NamedWorkCount{"elastic_tangents_reused", &WorkCounts::elastic_tangents_reused},
     NamedWorkCount{"history_values", &WorkCounts::history_values},

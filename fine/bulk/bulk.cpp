@@ -48,7 +48,8 @@ Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& disp
       resting_(operators(), displacement), proven_(elements_.count(), true),  // no force is known yet
       committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
-      tangents_(elements_.stiffness()), changed_(elements_.count(), true), yielded_(elements_.count()) {
+      tangents_(elements_.stiffness()), changed_(elements_.count(), true), yielded_(elements_.count()),
+      counts_{.elements_built = elements_.built()} {
     for (int e = 0; e < elements_.count(); ++e)
         bound_.add_element(elements_.op(e), elements_.elastic(e).shear_modulus());
 }
@@ -72,7 +73,7 @@ void Bulk::begin_elastic(int e) {
 }
 
 void Bulk::carry_history(const Bulk& old) {
-    counts_ = old.counts();
+    counts_ += old.counts();
     history_.set_half_cycle_ended(old.history_.half_cycle_ended());
     for (int e = 0; e < elements_.count(); ++e) {
         const std::optional<int> found = old.elements_.find(elements_.mesh(), e);
@@ -292,9 +293,7 @@ void Bulk::wake_all_but(const ElementSet& still) {
 }
 
 coupling::WorkCounts Bulk::counts() const {
-    coupling::WorkCounts counts = counts_;
-    counts.points_evaluated += history_.evaluated();
-    return counts;
+    return counts_ + coupling::WorkCounts{.points_evaluated = history_.evaluated()};
 }
 
 }  // namespace stria::fine

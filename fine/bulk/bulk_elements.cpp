@@ -22,6 +22,22 @@ bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
     });
 }
 
+/// Of two nodes, and no tip functions.
+bool same_jumps(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
+    return std::ranges::equal(mesh.terms[at(node)], other.terms[at(other_node)], [](const Term& a, const Term& b) {
+        return a.kind == Term::Kind::Heaviside && a.same_function(b) && a.shift == b.shift;
+    });
+}
+
+bool same_tie(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
+    const TiedNode *a = mesh.tie(node), *b = other.tie(other_node);
+    if (a == nullptr || b == nullptr) return a == b;
+    const auto same_end = [&](int end, int other_end) {
+        return mesh.node_ids[at(end)] == other.node_ids[at(other_end)] && same_jumps(mesh, end, other, other_end);
+    };
+    return a->side == b->side && a->jump_tied == b->jump_tied && std::ranges::equal(a->ends, b->ends, same_end);
+}
+
 }  // namespace
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
@@ -38,12 +54,11 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
         element_of_id_[mesh_.element_ids[at(e)]] = e;
         if (const auto same = old != nullptr ? old->find(mesh_, e) : std::nullopt;
-            same && old->stays(mesh_, e, *same)) {
+            same && old->stays(*this, e, *same)) {
             take_over(*old, *same, e);
             continue;
         }
-        const int piece = piece_[at(e)];
-        const CrackPiece* cut = piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
+        const CrackPiece* cut = cut_of(e);
         IntegrationRule own = rule;
         own.mean_dilatation = mean_dilatation(materials_.section(mesh_.material_of(e)), elastic(e));
         if (auto points = known(e, cut)) {
@@ -60,20 +75,25 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
 void BulkElements::take_over(BulkElements& old, int own, int element) {
     ElementOperator op = std::move(old.operators_[at(own)]);
     op.element = element;
-    op.unknowns.clear();
-    for (const int node : mesh_.elements[at(element)])
-        for (const int component : {0, 1}) op.unknowns.push_back(mesh_.unknown(node, 0, component));
+    op.unknowns = ElementBasis(mesh_, element, cut_of(element) != nullptr).unknowns();
     operators_.push_back(std::move(op));
     stiffness_.push_back(std::move(old.stiffness_[at(own)]));
     stayed_.insert(element);
 }
 
-bool BulkElements::stays(const EnrichedMesh& later, int element, int own) const {
-    const auto is_plain = [](const EnrichedMesh& mesh, int e) {
-        return std::ranges::all_of(mesh.elements[at(e)],
-                                   [&](int node) { return mesh.terms[at(node)].empty() && mesh.tie(node) == nullptr; });
+const CrackPiece* BulkElements::cut_of(int element) const {
+    const int piece = piece_[at(element)];
+    return piece >= 0 ? &mesh_.pieces[at(piece)] : nullptr;
+}
+
+bool BulkElements::stays(const BulkElements& later, int element, int own) const {
+    const CrackPiece *before = cut_of(own), *now = later.cut_of(element);
+    const bool same_cut = before != nullptr && now != nullptr ? before->points == now->points : before == now;
+    if (!same_cut || mesh_.element_side[at(own)] != later.mesh_.element_side[at(element)]) return false;
+    const auto same = [&](int old_node, int node) {
+        return same_jumps(mesh_, old_node, later.mesh_, node) && same_tie(mesh_, old_node, later.mesh_, node);
     };
-    return is_plain(mesh_, own) && is_plain(later, element);
+    return std::ranges::equal(mesh_.elements[at(own)], later.mesh_.elements[at(element)], same);
 }
 
 std::optional<int> BulkElements::find(const EnrichedMesh& later, int element) const {

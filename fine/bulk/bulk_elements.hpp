@@ -48,9 +48,10 @@ public:
     /// The element that one of a later mesh is: the same id, and the same corners, for it may have been split.
     [[nodiscard]] std::optional<int> find(const EnrichedMesh& later, int element) const;
 
-    /// Whether an element is as it was in an earlier zone, which has given it up: its functions are bilinear ones
-    /// alone, in both.
+    /// Whether an element is as it was in an earlier zone, which has given it up: it has the same functions, none of
+    /// them a tip's, tied in the same way, and is cut in the same way.
     [[nodiscard]] bool has_stayed(int element) const { return stayed_.contains(element); }
+    [[nodiscard]] int built() const { return count() - stayed_.count(); }  // all others
 
     /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the
     /// crack, `cut`, has newly cut it (docs/equations.md, growth).
@@ -61,7 +62,8 @@ public:
     [[nodiscard]] bool is_near(int element, const Vec2& place, double radius) const;
 
 private:
-    [[nodiscard]] bool stays(const EnrichedMesh& later, int element, int own) const;
+    [[nodiscard]] const CrackPiece* cut_of(int element) const;
+    [[nodiscard]] bool stays(const BulkElements& later, int element, int own) const;
     void take_over(BulkElements& old, int own, int element);
 
     EnrichedMesh mesh_;

@@ -1,5 +1,5 @@
-// What a step of growth factors: the far body once, the structure where its zone changes; and that the nominal solution
-// is that of the whole body.
+// What a step of growth factors: the far body once, the structure where its zone changes; which elements it builds; and
+// that the nominal solution is that of the whole body.
 #include <gtest/gtest.h>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
@@ -11,18 +11,23 @@
 namespace stria::test {
 namespace {
 
-constexpr int cycles = 4;
-
 struct Grown {
     coupling::WorkCounts made;
+    std::vector<std::int64_t> built;  // elements of the zone, by the end of each cycle
     int changes_of_zone = 0;
     std::vector<double> K, K_of_the_whole;  // of each length
 };
 
+struct Growth {
+    int refine = 1, cycles = 4;
+    double size = 40.0;  // mm, of the plate
+};
+
 /// Elements of 1 mm; by a factor of 4 smaller about the tip, with room for its way.
-Grown grow(int refine) {
+Grown grow(const Growth& growth) {
+    const auto [refine, cycles, size] = growth;
     Case input = pulled_plate(1.0, true, true);
-    input.mesh.width = input.mesh.height = 40.0;
+    input.mesh.width = input.mesh.height = size;
     input.cracks[0].points = {{0.0, 20.4}, {7.3, 20.4}};
     input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
     input.load.steps = 4;
@@ -37,6 +42,7 @@ Grown grow(int refine) {
     ElementSet in_zone;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure& structure) {
+        if (increment.step.ends_cycle) grown.built.push_back(increment.zone.work.elements_built);
         if (structure.in_zone() != in_zone) ++grown.changes_of_zone;
         in_zone = structure.in_zone();
         if (!grown.K.empty() && grown.K.back() == increment.nominal_K[0]) return;
@@ -49,24 +55,40 @@ Grown grow(int refine) {
     return grown;
 }
 
-class GrowthStep : public testing::TestWithParam<int> {};
+class GrowthStepOf : public testing::TestWithParam<int> {};
 
-TEST_P(GrowthStep, CondensesTheStructureWhereItsZoneChangesAndTheFarBodyOnce) {
-    const Grown grown = grow(GetParam());
+TEST_P(GrowthStepOf, CondensesTheStructureWhereItsZoneChangesAndTheFarBodyOnce) {
+    const Growth growth{.refine = GetParam()};
+    const Grown grown = grow(growth);
     EXPECT_EQ(grown.made.structure_factorisations, grown.changes_of_zone);
-    EXPECT_EQ(grown.made.structure_factorisations + grown.made.structure_factors_kept, 1 + cycles);
+    EXPECT_EQ(grown.made.structure_factorisations + grown.made.structure_factors_kept, 1 + growth.cycles);
     EXPECT_EQ(grown.changes_of_zone == 1, GetParam() > 1);
     EXPECT_EQ(grown.made.far_factorisations, 1);
 }
 
-TEST_P(GrowthStep, FindsTheNominalKOfTheWholeBody) {
-    const Grown grown = grow(GetParam());
-    ASSERT_EQ(grown.K.size(), at(1 + cycles));
+TEST_P(GrowthStepOf, FindsTheNominalKOfTheWholeBody) {
+    const Growth growth{.refine = GetParam()};
+    const Grown grown = grow(growth);
+    ASSERT_EQ(grown.K.size(), at(1 + growth.cycles));
     for (std::size_t k = 0; k < grown.K.size(); ++k)
         EXPECT_NEAR(grown.K[k], grown.K_of_the_whole[k], 1e-11 * grown.K_of_the_whole[k]) << k;
 }
 
-INSTANTIATE_TEST_SUITE_P(Refinement, GrowthStep, testing::Values(1, 4));
+// However long the wake and large the body. Where small elements follow the tip they are built, too.
+TEST(GrowthStep, BuildsTheElementsNearTheTipAlone) {
+    const Grown grown = grow({.refine = 4, .cycles = 16}), in_large = grow({.refine = 4, .cycles = 6, .size = 80.0});
+    const auto least = [](const Grown& of, std::size_t from, std::size_t to) {
+        std::int64_t built = of.built.front();
+        for (std::size_t k = from; k < to; ++k) built = std::min(built, of.built[k] - of.built[k - 1]);
+        return built;
+    };
+    EXPECT_GT(least(grown, 1, 6), 0);
+    EXPECT_EQ(least(grown, 10, 16), least(grown, 1, 6));
+    EXPECT_EQ(least(in_large, 1, 6), least(grown, 1, 6));
+    EXPECT_LT(grown.built.back(), 3 * grown.built.front()) << "fifteen steps, and the zone of the first";
+}
+
+INSTANTIATE_TEST_SUITE_P(Refinement, GrowthStepOf, testing::Values(1, 4));
 
 }  // namespace
 }  // namespace stria::test
