@@ -55,10 +55,12 @@ public:
 private:
     /// Somebody reads rings, faces and energies of an increment.
     [[nodiscard]] static bool is_read(const OutputSection& output, const LoadStep& step);
-    void couple(const AnalysisState* from = nullptr);
+    void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
+    void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     void split_elements(FinerScene finer);
     void refresh_displacement();
-    [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
+    [[nodiscard]] coupling::Patch patch_of(const Scene& scene, const ElementSet& in_zone,
+                                           const Eigen::VectorXd& displacement) const;
 
     CrackedBody& body_;
     const SolverSection& solver_;
