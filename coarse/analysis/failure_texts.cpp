@@ -20,4 +20,9 @@ std::string faces_not_released(const LoadStep& step, const NewtonReport& report,
                        to_text(step.target), 100.0 * release.held, report.failure, release.cuts);
 }
 
+std::string opening_load_lost(const LoadStep& step, double reached, int tip, const std::string& does) {
+    return fmt::format("cycle {}: no equilibrium between {} and {} tells where tip {} {}: its load is left empty",
+                       step.cycle, to_text({step.target.control, reached}), to_text(step.target), tip, does);
+}
+
 }  // namespace stria::coarse

@@ -17,4 +17,7 @@ namespace stria::coarse {
 [[nodiscard]] std::string faces_not_released(const LoadStep& step, const NewtonReport& report,
                                              const FaceRelease& release, const std::vector<TipResult>& nominal);
 
+/// No part of a step from `reached` tells where a tip does what it does.
+[[nodiscard]] std::string opening_load_lost(const LoadStep& step, double reached, int tip, const std::string& does);
+
 }  // namespace stria::coarse

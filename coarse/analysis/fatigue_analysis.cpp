@@ -15,7 +15,8 @@ namespace stria::coarse {
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
-    : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
+    : listener_(std::move(listener)), guard_(scene.input.fine.guard), gives_way_at_(gives_way_at(scene)),
+      body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver, CaseHistories(scene.input)),
       closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.largest_K_I()),
                from != nullptr ? from->closure : ClosureMemory()),
@@ -63,8 +64,7 @@ CoarseEffort FatigueAnalysis::effort() const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
-    const bool settles = effort_.counts.increments == 0 && body_.scene().initial_stress().any();
-    if (settles && !settle_initial_stress()) return;
+    if (effort_.counts.increments == 0 && body_.scene().initial_stress().any() && !settle_initial_stress()) return;
     if (!grow_where_due() || !release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         if (is_to_end()) return;
@@ -123,6 +123,10 @@ std::optional<NewtonReport> FatigueAnalysis::solve_equilibrium(const LoadStep& s
 
 NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
     NewtonReport report = model_.solve(step, listener_.waits);
+    if (report.converged && std::abs(model_.loaded_displacement()) > gives_way_at_) {
+        report.converged = false;
+        report.failure = "the body gives way";
+    }
     listener_.attempted(step, report);
     return report;
 }
@@ -143,11 +147,10 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     const std::vector<int> yielding = model_.elements_beyond_yield();
     if (yielding.empty()) return false;
     if (guard_ == Guard::Warn) {
-        if (effort_.counts.yield_warnings++ == 0) {
+        if (effort_.counts.yield_warnings++ == 0)
             listener_.note(fmt::format("warning: {}: {} elements outside the zone are beyond yield; "
                                        "they stay elastic (fine.guard = \"warn\")",
                                        to_text(step.target), yielding.size()));
-        }
         return false;
     }
     listener_.note(fmt::format("{}: {} elements outside the zone would yield; they join it and the increment is redone",
@@ -189,10 +192,7 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadS
 void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const {
     const auto lost = std::ranges::find_if(changes, [](const auto& change) { return std::isnan(change.load_factor); });
     if (lost == changes.end()) return;
-    listener_.note(
-        fmt::format("cycle {}: no equilibrium between {} and {} tells where tip {} {}: its load is left empty",
-                    step.cycle, to_text({step.target.control, controller_.reached()}), to_text(step.target), lost->tip,
-                    closure_.meter().what_a_tip_does(*lost)));
+    listener_.note(opening_load_lost(step, controller_.reached(), lost->tip, closure_.meter().what_a_tip_does(*lost)));
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {

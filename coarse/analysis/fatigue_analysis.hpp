@@ -66,7 +66,8 @@ private:
 
     Listener listener_;
     CoarseEffort effort_;
-    Guard guard_;  // what to do where coarse elements would yield
+    Guard guard_;          // what to do where coarse elements would yield
+    double gives_way_at_;  // mm: limit_load_hint.hpp
     CrackedBody body_;
     LoadController controller_;
     ClosureMeasurement closure_;
