@@ -67,17 +67,16 @@ coupling::PatchResponse FineModel::collect() {
     system_.set_boundary(asked_.boundary);
     // New faces send the stress where no half cycle before has sent it: every iterate looks at what rests.
     const bool looked = some_rest_ && system_.opens_faces() && asked_.iteration > 0;
-    bool woken = looked && wake_what_would_yield();
+    if (looked) (void)wake_what_would_yield();
     linearise();
     coupling::PatchResponse response = system_.measure();
     const bool unseen = some_rest_ && !looked;
     response.provisional = unseen && !is_time_to_check_rest(response);
     if (unseen && !response.provisional && wake_what_would_yield()) {
-        woken = true;
         linearise();
         response = system_.measure();
+        response.woken = true;
     }
-    response.woken = woken;
     response.along = work_along_correction();
     response.along_before = correction_.work_before;
     condense(response);
