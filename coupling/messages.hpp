@@ -71,6 +71,7 @@ struct Digest {
     std::int32_t status_changes = 0;  // against the iteration before
     std::vector<std::vector<double>> contact;  // per tip and distance, where the patch asks: largest p - c g at or
                                                // beyond it, MPa: above zero where faces touch; -infinity: no faces
+    std::vector<double> opening;               // per tip, where the patch asks: mm; NaN: not in the zone
     std::vector<double> force_ahead;           // per tip, where the patch asks: integral of the normal stress ahead, N
     std::vector<std::vector<std::int8_t>> slides;  // per tip and distance, where the patch asks: 1 where the nearest
                                                    // contact at or beyond it slides

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "coarse/analysis/failure_texts.hpp"
 #include "coarse/analysis/limit_load_hint.hpp"
+#include "coarse/analysis/run_texts.hpp"
 #include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"
 #include "common/stopwatch.hpp"
@@ -15,8 +15,7 @@ namespace stria::coarse {
 
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
-    : listener_(std::move(listener)), guard_(scene.input.fine.guard), gives_way_at_(gives_way_at(scene)),
-      body_(scene, effort_, listener_.note, from),
+    : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
       controller_(scene.input.load, scene.input.solver, CaseHistories(scene.input)),
       closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.largest_K_I()),
                from != nullptr ? from->closure : ClosureMemory()),
@@ -64,10 +63,12 @@ CoarseEffort FatigueAnalysis::effort() const {
 
 void FatigueAnalysis::run() {
     const Stopwatch watch(effort_.run_s);
-    if (effort_.counts.increments == 0 && body_.scene().initial_stress().any() && !settle_initial_stress()) return;
+    const bool settles = effort_.counts.increments == 0 && body_.scene().initial_stress().any();
+    if (settles && !settle_initial_stress()) return;
     if (!grow_where_due() || !release_new_faces()) return;  // where a run goes on that was stopped there
     while (const std::optional<LoadStep> step = next()) {
         if (is_to_end()) return;
+        compare_increments();
         std::optional<NewtonReport> found = solve_equilibrium(*step);
         if (!found) continue;  // the increment is made again, shorter or with a larger zone
         std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
@@ -99,6 +100,14 @@ bool FatigueAnalysis::settle_initial_stress() {
     return true;
 }
 
+void FatigueAnalysis::compare_increments() {
+    const std::optional<LoadStep> two = controller_.two_as_one();
+    if (!two) return;
+    const NewtonReport found = attempt(*two);
+    model_.rollback();
+    if (found.converged) controller_.tried_as_one(found.iterations.back().residual.opening);
+}
+
 bool FatigueAnalysis::is_to_end() const {
     if (listener_.goes_on()) return false;
     listener_.breaks_off();
@@ -123,10 +132,6 @@ std::optional<NewtonReport> FatigueAnalysis::solve_equilibrium(const LoadStep& s
 
 NewtonReport FatigueAnalysis::attempt(const LoadStep& step) {
     NewtonReport report = model_.solve(step, listener_.waits);
-    if (report.converged && std::abs(model_.loaded_displacement()) > gives_way_at_) {
-        report.converged = false;
-        report.failure = "the body gives way";
-    }
     listener_.attempted(step, report);
     return report;
 }
@@ -147,14 +152,10 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     const std::vector<int> yielding = model_.elements_beyond_yield();
     if (yielding.empty()) return false;
     if (guard_ == Guard::Warn) {
-        if (effort_.counts.yield_warnings++ == 0)
-            listener_.note(fmt::format("warning: {}: {} elements outside the zone are beyond yield; "
-                                       "they stay elastic (fine.guard = \"warn\")",
-                                       to_text(step.target), yielding.size()));
+        if (effort_.counts.yield_warnings++ == 0) listener_.note(elements_stay_elastic(step, yielding.size()));
         return false;
     }
-    listener_.note(fmt::format("{}: {} elements outside the zone would yield; they join it and the increment is redone",
-                               to_text(step.target), yielding.size()));
+    listener_.note(elements_join_zone(step, yielding.size()));
     model_.extend_zone(yielding);
     controller_.forget_increments();
     return true;
@@ -192,7 +193,8 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadS
 void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const {
     const auto lost = std::ranges::find_if(changes, [](const auto& change) { return std::isnan(change.load_factor); });
     if (lost == changes.end()) return;
-    listener_.note(opening_load_lost(step, controller_.reached(), lost->tip, closure_.meter().what_a_tip_does(*lost)));
+    listener_.note(load_left_empty(step, {step.target.control, controller_.reached()}, lost->tip,
+                                   closure_.meter().what_a_tip_does(*lost)));
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {
@@ -223,10 +225,7 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
     const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
     if (tip == increment.tips.end()) return;
     if (effort_.counts.flowing_rings++ == 0)
-        listener_.note(
-            fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no "
-                        "elastic ones from here on",
-                        increment.load_factor, tip - increment.tips.begin()));
+        listener_.note(rings_flow(increment.load_factor, tip - increment.tips.begin()));
 }
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium

@@ -45,6 +45,8 @@ public:
 
 private:
     [[nodiscard]] AnalysisState state_beside_zone() const;
+    /// Each two increments differ from one: by that a leg is known to have enough of them (IncrementSchedule).
+    void compare_increments();
     [[nodiscard]] bool is_to_end() const;
     [[nodiscard]] bool settle_initial_stress();
     [[nodiscard]] std::optional<LoadStep> next() const;
@@ -66,8 +68,7 @@ private:
 
     Listener listener_;
     CoarseEffort effort_;
-    Guard guard_;          // what to do where coarse elements would yield
-    double gives_way_at_;  // mm: limit_load_hint.hpp
+    Guard guard_;  // what to do where coarse elements would yield
     CrackedBody body_;
     LoadController controller_;
     ClosureMeasurement closure_;

@@ -1,10 +1,12 @@
 #include "coarse/analysis/two_scale_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
 
+#include "coarse/analysis/limit_load_hint.hpp"
 #include "coarse/equilibrium/carried_increments.hpp"
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
@@ -17,7 +19,8 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
                              EquilibriumFactory& factory, CoarseEffort& effort, const Note& note,
                              const AnalysisState* from)
     : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
-      guard_(body.scene().materials), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+      gives_way_at_(gives_way_at(body.scene())), guard_(body.scene().materials),
+      displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
     const Stopwatch watch(effort_.setup_s);
     if (from != nullptr) {
         displacement_ = from->displacement;
@@ -94,6 +97,10 @@ coupling::Patch TwoScaleModel::patch_of(const Scene& scene, const ElementSet& in
 NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
     NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver_, largest_force_, waits);
     effort_.counts.newton_iterations += report.count();
+    if (report.converged && std::abs(loaded_displacement()) > gives_way_at_) {
+        report.converged = false;
+        report.failure = "the body gives way";
+    }
     return report;
 }
 

@@ -14,6 +14,7 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.closed = static_cast<int>(std::ranges::count_if(digest.status, [](auto status) { return status != 0; }));
     residual.status_changes = digest.status_changes;
     residual.faces = digest.contact;
+    residual.opening = digest.opening;
     residual.force_ahead = digest.force_ahead;
     residual.slides = digest.slides;
     residual.along = response.along;

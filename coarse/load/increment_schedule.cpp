@@ -10,25 +10,21 @@
 namespace stria::coarse {
 namespace {
 
-constexpr int least_increments = 3, most_increments = 24;  // of a leg
-constexpr double clearly = 0.75;                           // of the accuracy
-constexpr double touching = 0.02;                          // opening at the end, of its range
+constexpr int least_increments = 4, most_increments = 24;  // of a leg
+constexpr double share_of_leg = 0.5;                       // of the accuracy: a cycle has two
 
-/// Of one tip.
-std::optional<double> curvature_at_end(const OpeningPath& path, std::size_t tip) {
+// A path whose start nobody knows is that of the ramp, virgin metal.
+bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }
+
+/// Of an opening, mm; zero where it is not known all along.
+double range_of(const OpeningPath& path, std::size_t tip) {
     double most = -1e300, least = 1e300;
     for (const std::vector<double>& opening : path.opening) {
-        if (!std::isfinite(opening[tip])) return std::nullopt;
+        if (!std::isfinite(opening[tip])) return 0.0;
         most = std::max(most, opening[tip]);
         least = std::min(least, opening[tip]);
     }
-    const double range = most - least;
-    const std::size_t last = path.way.size() - 1;
-    if (last < 2 || range <= 0.0 || path.opening[last][tip] < touching * range) return std::nullopt;
-    const auto slope = [&](std::size_t k) {
-        return (path.opening[k][tip] - path.opening[k - 1][tip]) / (path.way[k] - path.way[k - 1]);
-    };
-    return std::abs(slope(last) - slope(last - 1)) / (0.5 * (path.way[last] - path.way[last - 2]) * range);
+    return most - least;
 }
 
 }  // namespace
@@ -45,11 +41,22 @@ void OpeningPath::add(double at, std::vector<double> openings) {
     opening.push_back(std::move(openings));
 }
 
-std::optional<double> curvature_at_end(const OpeningPath& path) {
+std::optional<double> error_of_leg(const OpeningPath& path, const std::vector<TwoAsOne>& pairs) {
+    std::vector<double> errors(path.opening.empty() ? 0 : path.opening.back().size());  // mm
+    for (const TwoAsOne& pair : pairs) {
+        const auto end = std::ranges::find(path.way, pair.to);
+        const auto k = end - path.way.begin();
+        if (end == path.way.end() || k < 2 || end[-2] != pair.from) return std::nullopt;
+        const double first = end[-1] - end[-2], second = end[0] - end[-1];
+        for (std::size_t tip = 0; tip < std::min(errors.size(), pair.opening.size()); ++tip) {
+            const double apart = std::abs(pair.opening[tip] - path.opening[at(k)][tip]);
+            if (std::isfinite(apart)) errors[tip] += apart * (first * first + second * second) / (2.0 * first * second);
+        }
+    }
     std::optional<double> largest;
-    const std::size_t tips = path.opening.empty() ? 0 : path.opening.front().size();
-    for (std::size_t tip = 0; tip < tips; ++tip)
-        if (const auto own = curvature_at_end(path, tip)) largest = std::max(largest.value_or(0.0), *own);
+    for (std::size_t tip = 0; tip < errors.size(); ++tip)
+        if (const double range = range_of(path, tip); range > 0.0)
+            largest = std::max(largest.value_or(0.0), errors[tip] / range);
     return largest;
 }
 
@@ -67,13 +74,13 @@ std::vector<double> graded_ways(int increments, double grading, const std::vecto
 IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double> turns, bool may_choose)
     : chooses_(load.steps.is_auto() && may_choose), accuracy_(load.accuracy), grading_(load.power()),
       turns_(std::move(turns)) {
-    state_.rising = state_.falling = load.first_steps() / 2;
+    state_.rising = state_.falling = {.increments = load.first_steps() / 2, .alike = 0, .unmeasured = 13};
     lay_out();
 }
 
 void IncrementSchedule::lay_out() {
-    rising_ = graded_ways(state_.rising, grading_, turns_);
-    falling_ = graded_ways(state_.falling, grading_, turns_);
+    rising_ = graded_ways(state_.rising.increments, grading_, turns_);
+    falling_ = graded_ways(state_.falling.increments, grading_, turns_);
 }
 
 void IncrementSchedule::resume(const State& state) {
@@ -91,31 +98,33 @@ void IncrementSchedule::add(double way, std::vector<double> openings) {
     if (chooses_) state_.path.add(way, std::move(openings));
 }
 
-double IncrementSchedule::error(double curvature, int increments) const {
-    const std::vector<double> ways = graded_ways(increments, grading_);
-    return curvature * std::pow(1.0 - ways[at(increments - 1)], 2) / 6.0;
+// A measurement costs about as much as the leg: one where a block of cycles has come to itself, and one in many after
+// it.
+bool IncrementSchedule::measures(bool rises, bool alike) const {
+    const Legs& legs = rises ? state_.rising : state_.falling;
+    const int in_a_row = alike ? legs.alike + 1 : 0;
+    const bool due = legs.unmeasured >= 32 || (legs.unmeasured >= 16 && in_a_row == 3);
+    return chooses_ && due && is_cycle(state_.path);
 }
 
-int IncrementSchedule::enough(double curvature, int present) const {
-    int increments = present;
-    while (increments < most_increments && error(curvature, increments) > accuracy_) ++increments;
-    const bool fewer_do = increments > least_increments && error(curvature, increments - 1) < clearly * accuracy_;
-    return increments == present && fewer_do ? increments - 1 : increments;
+void IncrementSchedule::learn(Legs& legs) {
+    ++legs.unmeasured;
+    if (state_.pairs.empty()) return;
+    legs.unmeasured = 0;
+    if (std::ssize(state_.pairs) != legs.increments / 2) return;  // one has led nowhere
+    if (const std::optional<double> error = error_of_leg(state_.path, state_.pairs)) {
+        const double wanted = std::ceil(legs.increments * std::sqrt(*error / (share_of_leg * accuracy_)));
+        legs.increments = static_cast<int>(std::clamp<double>(wanted, least_increments, most_increments));
+        lay_out();
+    }
 }
 
-// A path whose start nobody knows is that of the ramp, virgin metal, which is no cycle.
-void IncrementSchedule::learn(int& present, bool rises) {
-    if (state_.path.way.front() > 0.0) return;
-    if (const std::optional<double> curvature = curvature_at_end(state_.path))
-        present = enough(*curvature, present);
-    else if (!rises)
-        present = state_.rising;
-    lay_out();
-}
-
-void IncrementSchedule::end_leg(bool rises) {
+void IncrementSchedule::end_leg(bool rises, bool alike) {
     if (!chooses_ || state_.path.way.empty()) return;
-    learn(rises ? state_.rising : state_.falling, rises);
+    Legs& legs = rises ? state_.rising : state_.falling;
+    legs.alike = alike ? legs.alike + 1 : 0;
+    if (is_cycle(state_.path)) learn(legs);
+    state_.pairs.clear();
     begin(std::vector<double>(state_.path.opening.back()));
 }
 

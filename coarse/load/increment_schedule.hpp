@@ -1,8 +1,9 @@
 // Where the increments between two reversals end, and how many there are where the program chooses (load.steps =
-// "auto"): the opening behind a tip over the load is a path, and increments follow it along chords.
+// "auto"): as many as the opening behind a tip takes to come out right, which two increments tried as one tell.
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/case/case.hpp"
@@ -18,24 +19,39 @@ struct OpeningPath {
     void add(double at, std::vector<double> openings);
 };
 
-/// |o''| / range at the end of a path o(way); the largest of the tips. What a leg lays down it lays down at its end:
-/// paths of plastic strain that come nearly straight there forget how they came. A tip whose faces touch at the end has
-/// nothing to say: its opening bends where they met. Nothing where no tip has.
-[[nodiscard]] std::optional<double> curvature_at_end(const OpeningPath& path);
+/// Two increments of a leg that follow each other, tried as one: from where to where, in parts of the way, and the
+/// openings that this came to.
+struct TwoAsOne {
+    double from, to;
+    std::vector<double> opening;  // one per tip, mm; NaN where none is known
+};
+
+/// What the increments of a leg are off by, of the range of the opening; the largest of the tips. Two over the parts v
+/// and w of the way differ by 2 c v w from one over both, if an increment over w is off by c w^2: so much is taken from
+/// the pairs and added up. A tip of which a pair knows no opening is elastic, and not off. Nothing where a pair is not
+/// of the path, or no tip has an opening that changes.
+[[nodiscard]] std::optional<double> error_of_leg(const OpeningPath& path, const std::vector<TwoAsOne>& pairs);
 
 /// Parts of the way at which increments end, the first 0: k of h ends at (k/h)^grading. The one that ends nearest to
 /// one of `turns`, where a load case turns, ends there.
 [[nodiscard]] std::vector<double> graded_ways(int increments, double grading, const std::vector<double>& turns = {});
 
-/// A last increment over a part w of the way is off by |o''| w^2 / 6 of the range (docs/performance.md has what was
-/// measured). Legs that load and legs that unload have numbers of their own, of 3 to 24 increments. A number grows
-/// after a leg whose end was farther off than `accuracy`, and falls by one where one less would clearly do: a predictor
-/// wants the same increments a cycle later.
+/// Legs that load and legs that unload have numbers of their own, of 4 to 24 increments. How far a leg is off is
+/// measured now and then: each two of its increments are tried as one before they are taken (error_of_leg). It falls
+/// with the square of the number (docs/performance.md), which is then chosen for an error of half of the accuracy: a
+/// cycle has two legs. In between the number stays, since a predictor wants the same increments a cycle later.
 class IncrementSchedule {
 public:
+    /// Those of one direction.
+    struct Legs {
+        int increments = 0;  // of a leg
+        int alike = 0;       // in a row, from and to the same
+        int unmeasured = 0;  // since one was measured
+    };
     struct State {
-        int rising = 0, falling = 0;  // increments of a leg
-        OpeningPath path;             // of the present leg
+        Legs rising, falling;
+        OpeningPath path;                  // of the present leg
+        std::vector<TwoAsOne> pairs = {};  // likewise
     };
 
     /// Chooses only where load.steps is no number, and `may_choose`. `turns`: as for graded_ways.
@@ -47,16 +63,18 @@ public:
     /// The state that the present leg starts from; and one that it has reached.
     void begin(std::vector<double> openings);
     void add(double way, std::vector<double> openings);
+    /// The increments of the present leg are to be tried by twos. `alike`: it goes from and to where the one before in
+    /// its direction did.
+    [[nodiscard]] bool measures(bool rises, bool alike) const;
+    void add(TwoAsOne pair) { state_.pairs.push_back(std::move(pair)); }
     /// The leg is done; its last state begins the next one.
-    void end_leg(bool rises);
+    void end_leg(bool rises, bool alike);
 
     [[nodiscard]] const State& state() const { return state_; }
     void resume(const State& state);
 
 private:
-    [[nodiscard]] double error(double curvature, int increments) const;
-    [[nodiscard]] int enough(double curvature, int present) const;
-    void learn(int& present, bool rises);
+    void learn(Legs& legs);
     void lay_out();
 
     bool chooses_;

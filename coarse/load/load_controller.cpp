@@ -93,6 +93,29 @@ std::optional<LoadStep> LoadController::next() const {
     return step;
 }
 
+// By twos from the end of the leg: where their number is odd, the first one is the elastic stretch behind a reversal.
+std::optional<LoadStep> LoadController::two_as_one() const {
+    const int left = position_.leg < legs_.size() ? increments() - position_.increments : 0;
+    if (left < 2 || left % 2 != 0 || position_.fraction < 1.0 || !schedule_.measures(rises(), is_alike()))
+        return std::nullopt;
+    LoadStep step = *next();
+    const double first = step.target.value - position_.reached;
+    step.target.value = stop(position_.increments + 2);
+    step.predictor.factor *= (step.target.value - position_.reached) / first;
+    return step;
+}
+
+void LoadController::tried_as_one(std::vector<double> openings) {
+    const double from = ways()[at(position_.increments)], to = ways()[at(position_.increments + 2)];
+    schedule_.add(TwoAsOne{from, to, std::move(openings)});
+}
+
+bool LoadController::is_alike() const {
+    if (position_.leg < 2) return false;
+    const Leg &now = legs_[position_.leg], &before = legs_[position_.leg - 2];
+    return before.cycle > 0 && now.from == before.from && now.to == before.to;
+}
+
 LoadPosition::Taken LoadController::taken_by(const LoadStep& step) const {
     return {step.cycle, position_.reached / scale_, step.target.value / scale_, position_.cases, step.target.cases};
 }
@@ -140,7 +163,7 @@ void LoadController::accepted(std::vector<double> openings) {
     schedule_.add(way, std::move(openings));
     if (arrives) ++position_.increments;
     if (position_.increments == increments()) {
-        schedule_.end_leg(rises());
+        schedule_.end_leg(rises(), is_alike());
         ++position_.leg;
         position_.increments = 0;
         position_.leg_start = position_.reached;

@@ -63,6 +63,11 @@ public:
     /// The next target, or nothing when all is done.
     [[nodiscard]] std::optional<LoadStep> next() const;
 
+    /// The next two increments of a leg as one, before they are taken, where that is to be tried to see how far the leg
+    /// is off (IncrementSchedule); and the openings that it came to.
+    [[nodiscard]] std::optional<LoadStep> two_as_one() const;
+    void tried_as_one(std::vector<double> openings);
+
     /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments.
     void accepted(std::vector<double> openings = {});
 
@@ -97,6 +102,7 @@ private:
     [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Way next_way() const;
+    [[nodiscard]] bool is_alike() const;  // the present leg, and the last one in its direction
     [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
     [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;
     [[nodiscard]] Predictor predictor(const LoadPosition::Taken& next) const;

@@ -2,26 +2,11 @@
 // is missing.
 #pragma once
 
-#include <type_traits>
-
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/results/case_mark.hpp"
+#include "coarse/results/load_members.hpp"
 #include "coarse/results/run_recorder.hpp"
 #include "coupling/transport/zone_snapshot_members.hpp"
-
-namespace stria {
-
-template <class M, class T>
-concept Is = std::is_same_v<std::remove_const_t<M>, T>;
-
-void members(auto& archive, Is<LoadBlock> auto& m) {
-    auto& [cycles, max, min] = m;
-    archive("cycles", cycles);
-    archive("max", max);
-    archive("min", min);
-}
-
-}  // namespace stria
 
 namespace stria::coarse {
 
@@ -139,43 +124,6 @@ void members(auto& archive, Is<CycleMemory> auto& m) {
     archive("tips", tips);
     archive("last", last);
     archive("length", length);
-}
-
-void members(auto& archive, Is<LoadPosition::Taken> auto& m) {
-    auto& [cycle, from, to, cases_from, cases_to] = m;
-    archive("cycle", cycle);
-    archive("from", from);
-    archive("to", to);
-    archive("cases_from", cases_from);
-    archive("cases_to", cases_to);
-}
-
-void members(auto& archive, Is<OpeningPath> auto& m) {
-    auto& [way, opening] = m;
-    archive("way", way);
-    archive("opening", opening);
-}
-
-void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
-    auto& [rising, falling, path] = m;
-    archive("rising", rising);
-    archive("falling", falling);
-    archive("path", path);
-}
-
-void members(auto& archive, Is<LoadPosition> auto& m) {
-    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, schedule] = m;
-    archive("leg", leg);
-    archive("increments", increments);
-    archive("leg_start", leg_start);
-    archive("reached", reached);
-    archive("way", way);
-    archive("cases", cases);
-    archive("fraction", fraction);
-    archive("consecutive_cuts", consecutive_cuts);
-    archive("cuts", cuts);
-    archive("taken", taken);
-    archive("schedule", schedule);
 }
 
 void members(auto& archive, Is<EquilibriumState> auto& m) {

@@ -45,13 +45,13 @@ Section<LoadSection> load_section() {
         .at_most(100'000)
         .even()
         .says("Increments per cycle; the first ramp takes half as many more. auto: 12 in the first cycle, then as many "
-              "as accuracy wants, from 3 to 24 between two reversals; 12 always where load cases are there, or no tip "
+              "as accuracy wants, from 4 to 24 between two reversals; 12 always where load cases are there, or no tip "
               "whose opening is known.");
     s.value("accuracy", &LoadSection::accuracy)
         .positive()
         .below(1.0)
         .says("With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
-              "cycle, of its range, as the last increments of the half cycle before tell it.");
+              "cycle, of its range: half of it for each half cycle, measured now and then by two increments as one.");
     s.value("grading", &LoadSection::grading)
         .positive()
         .or_else("0.4 with steps = \"auto\", else 0.6")

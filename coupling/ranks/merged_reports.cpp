@@ -28,6 +28,9 @@ void add_digest(Digest& whole, const Digest& part, const std::vector<int>& eleme
         widen(whole.contact[t], part.contact[t].size(), -std::numeric_limits<double>::infinity());
         for (std::size_t k = 0; k < part.contact[t].size(); ++k) raise(whole.contact[t][k], part.contact[t][k]);
     }
+    widen(whole.opening, part.opening.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t t = 0; t < part.opening.size(); ++t)
+        if (std::isfinite(part.opening[t])) whole.opening[t] = part.opening[t];
     widen(whole.force_ahead, part.force_ahead.size());
     for (std::size_t t = 0; t < part.force_ahead.size(); ++t) whole.force_ahead[t] += part.force_ahead[t];
     widen(whole.slides, part.slides.size());

@@ -73,9 +73,10 @@ void fields(auto& wire, Is<PatchDisplacement> auto& m) {
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
-    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, force_ahead,
-           slides] = m;
-    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, force_ahead, slides);
+    auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, opening,
+           force_ahead, slides] = m;
+    wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, opening, force_ahead,
+         slides);
 }
 
 // Half of a symmetric tangent stands for the whole.

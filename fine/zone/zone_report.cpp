@@ -11,9 +11,13 @@ namespace stria::fine {
 namespace {
 
 // At a station that is not one of the contact's own, which hold what is fixed themselves.
-double opening(const CommittedZone& zone, const FaceStation& station) {
-    const Vec2 jump = station.jump(zone.displacement) + zone.frozen.jump(station.crack, station.x);
+double opening(const FrozenTips& frozen, const Eigen::VectorXd& displacement, const FaceStation& station) {
+    const Vec2 jump = station.jump(displacement) + frozen.jump(station.crack, station.x);
     return jump.dot(station.normal);
+}
+
+double opening(const CommittedZone& zone, const FaceStation& station) {
+    return opening(zone.frozen, zone.displacement, station);
 }
 
 coupling::FaceSample sample_at(const CommittedZone& zone, const FaceStation& station) {
@@ -41,6 +45,12 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
 
 }  // namespace
 
+double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen, const Eigen::VectorXd& displacement,
+                      std::size_t t) {
+    const FaceStation station = face_station_behind(patch.mesh, patch.mesh.tips[t], patch.opening_at[t]);
+    return station.terms.empty() ? std::numeric_limits<double>::quiet_NaN() : opening(frozen, displacement, station);
+}
+
 std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     const EnrichedMesh& mesh = zone.patch.mesh;
     std::vector<coupling::TipReport> reports(mesh.tips.size());
@@ -48,10 +58,8 @@ std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     for (std::size_t t = 0; t < reports.size(); ++t) {
         reports[t].CTOD = opening_at_intercept(mesh, mesh.tips[t],
                                                [&](const FaceStation& station) { return opening(zone, station); });
-        if (!zone.patch.opening_at.empty()) {
-            const FaceStation station = face_station_behind(mesh, mesh.tips[t], zone.patch.opening_at[t]);
-            if (!station.terms.empty()) reports[t].opening = opening(zone, station);
-        }
+        if (!zone.patch.opening_at.empty())
+            reports[t].opening = opening_behind(zone.patch, zone.frozen, zone.displacement, t);
         reports[t].plastic_zone = extents[t].zone;
         reports[t].plastic_zone_axis = extents[t].axis;
         reports[t].plastic_reach = extents[t].ever;

@@ -20,6 +20,11 @@ struct CommittedZone {
     const Eigen::VectorXd& traction;      // of all multipliers, MPa: ContactInterface
 };
 
+/// Opening behind tip t, mm, where the patch asks for it, at displacements of all unknowns of its mesh, mm. NaN: the
+/// place is not in the zone.
+[[nodiscard]] double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen,
+                                    const Eigen::VectorXd& displacement, std::size_t t);
+
 /// One per tip of the mesh.
 [[nodiscard]] std::vector<coupling::TipReport> report_tips(const CommittedZone& zone);
 

@@ -186,6 +186,8 @@ coupling::PatchResponse ZoneSystem::measure() {
             contact.push_back(
                 contact_->contact_behind(patch_.mesh.tips[t], distance, trial_.traction, jumps_, trial_.displacement));
     }
+    for (std::size_t t = 0; t < patch_.opening_at.size(); ++t)
+        response.digest.opening.push_back(opening_behind(patch_, memory_.frozen, trial_.displacement, t));
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
         response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
     response.digest.slides = find_sliding();

@@ -61,11 +61,13 @@ protected:
 
 TEST_P(FineRanks, AnswerAsOne) {
     patch.unit_load = random_vector(patch.mesh.unknowns, 100.0, 3);
+    patch.opening_at = {0.7};
     for (const int unknown : patch.boundary) patch.unit_load[unknown] = 0.0;
     one.set_patch(patch);
     team.together->set_patch(patch);
     const Eigen::VectorXd start = boundary(2e-3, 1), far = boundary(4e-3, 2);
     double work = 0.0;  // largest along a correction, N
+    std::vector<double> opening;
     for (int increment = 0; increment < 3; ++increment) {
         // The last ones stand still: a state that is committed far from equilibrium may have a gap that is zero by
         // rounding alone.
@@ -80,11 +82,14 @@ TEST_P(FineRanks, AnswerAsOne) {
             EXPECT_NEAR(b.along_before, a.along_before, 1e-9 * work);
             EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
             EXPECT_EQ(b.digest.status, a.digest.status);
+            EXPECT_NEAR(b.digest.opening.at(0), a.digest.opening.at(0), 1e-9);
+            opening = a.digest.opening;
         }
         const coupling::StepReport a = one.commit({}), b = team.together->commit({});
         EXPECT_GT(a.dissipation, 0.0);
         EXPECT_NEAR(b.dissipation, a.dissipation, 1e-9 * a.dissipation);
         EXPECT_NEAR(b.tips[0].CTOD, a.tips[0].CTOD, 1e-9);
+        EXPECT_EQ(a.tips[0].opening, opening[0]) << "that of the trial state is the one that is committed";
         EXPECT_EQ(b.unknowns, a.unknowns);
         EXPECT_EQ(b.faces.size(), a.faces.size());
     }

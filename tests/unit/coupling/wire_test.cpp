@@ -68,6 +68,7 @@ PatchResponse small_response() {
                        .multiplier = {0.0, -3.5},
                        .status_changes = 1,
                        .contact = {{-1.0}, {0.25, 2.0}},
+                       .opening = {2e-3, 0.0},
                        .force_ahead = {-7.5, 2.0},
                        .slides = {{1, 0}, {}}};
     return response;
@@ -189,6 +190,7 @@ TEST(Wire, Response) {
     EXPECT_EQ(copy.digest.multiplier, small_response().digest.multiplier);
     EXPECT_EQ(copy.digest.status_changes, 1);
     EXPECT_EQ(copy.digest.slides, small_response().digest.slides);
+    EXPECT_EQ(copy.digest.opening, small_response().digest.opening);
 }
 
 TEST(Wire, Report) {

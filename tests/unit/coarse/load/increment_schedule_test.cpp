@@ -1,5 +1,5 @@
-// Increments that the program chooses: how a path bends where a leg ends, and how many increments are near enough
-// there.
+// Increments that the program chooses: how far those of a leg are off, when that is measured, and how many there are
+// then.
 #include "coarse/load/increment_schedule.hpp"
 
 #include <gtest/gtest.h>
@@ -13,36 +13,56 @@
 namespace stria::coarse {
 namespace {
 
-using Opening = std::function<double(double)>;
+/// What an increment of a leg comes to whose openings are off by c w^2 for each increment over w.
+struct OffByTheSquare {
+    std::vector<double> ways;
+    double c;
 
-OpeningPath path_over(const std::vector<double>& ways, const Opening& opening) {
-    OpeningPath path;
-    path.begin({opening(0.0)});
-    for (std::size_t k = 1; k < ways.size(); ++k) path.add(ways[k], {opening(ways[k])});
-    return path;
-}
-
-// o = 1 + 3 w + a w^2 has o'' = 2 a and the range 3 + a, whatever the increments.
-TEST(IncrementSchedule, KnowsHowAPathBendsAtItsEnd) {
-    for (const double a : {0.5, 2.0, 20.0})
-        for (const int increments : {3, 5, 12}) {
-            const auto opening = [&](double w) { return 1.0 + w * (3.0 + a * w); };
-            const OpeningPath path = path_over(graded_ways(increments, 0.4), opening);
-            EXPECT_NEAR(*curvature_at_end(path), 2.0 * a / (3.0 + a), 1e-9);
+    [[nodiscard]] double off(std::size_t k) const { return c * std::pow(ways[k] - ways[k - 1], 2); }
+    /// Straight but for what the increments so far are off by.
+    [[nodiscard]] OpeningPath path() const {
+        OpeningPath path;
+        path.begin({1.0});
+        double opening = 1.0;
+        for (std::size_t k = 1; k < ways.size(); ++k) path.add(ways[k], {opening += ways[k] - ways[k - 1] + off(k)});
+        return path;
+    }
+    /// By twos from its end.
+    [[nodiscard]] std::vector<TwoAsOne> pairs() const {
+        std::vector<TwoAsOne> pairs;
+        const OpeningPath taken = path();
+        for (std::size_t k = 2 - ways.size() % 2; k + 2 < ways.size() + 1; k += 2) {
+            const double as_one = c * std::pow(ways[k + 1] - ways[k - 1], 2) - off(k) - off(k + 1);
+            pairs.push_back({ways[k - 1], ways[k + 1], {taken.opening[k + 1][0] + as_one}});
         }
-    const OpeningPath late = path_over(graded_ways(400, 1.0), [](double w) { return 1.0 + std::pow(w, 5); });
-    EXPECT_NEAR(*curvature_at_end(late), 20.0, 0.2) << "5 * 4 w^3 at the end, not on the way";
+        return pairs;
+    }
+};
+
+TEST(IncrementSchedule, KnowsHowFarALegIsOff) {
+    for (const double c : {0.01, -0.3})
+        for (const int increments : {4, 6, 12}) {
+            const OffByTheSquare leg{graded_ways(increments, 0.4), c};
+            double off = 0.0;
+            for (std::size_t k = 1; k < leg.ways.size(); ++k) off += std::abs(leg.off(k));
+            const OpeningPath path = leg.path();
+            EXPECT_NEAR(*error_of_leg(path, leg.pairs()), off / std::abs(path.opening.back()[0] - 1.0), 1e-9);
+        }
 }
 
-TEST(IncrementSchedule, HearsTheTipThatBendsMostAndNoneThatTouches) {
+TEST(IncrementSchedule, HearsTheTipThatIsFarthestOff) {
     OpeningPath path;
     path.begin({1.0, 3.0});
-    for (const double w : {0.5, 0.75, 1.0}) path.add(w, {1.0 + w * w, 3.0 - 3.0 * w * w * (2.0 - w)});
-    EXPECT_NEAR(*curvature_at_end(path), 2.0, 1e-12) << "the second tip has closed";
-    path.opening.front()[0] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(curvature_at_end(path));
-    EXPECT_FALSE(curvature_at_end(path_over(graded_ways(5, 0.4), [](double) { return 1.0; })));
-    EXPECT_FALSE(curvature_at_end(OpeningPath()));
+    for (const double w : {0.5, 1.0}) path.add(w, {1.0 + w, 3.0 - 2.0 * w});
+    const auto error = [&](double first, double second) { return error_of_leg(path, {{0.0, 1.0, {first, second}}}); };
+    EXPECT_NEAR(*error(2.01, 1.01), 0.01, 1e-12) << "of a range of 1; the other has one of 2";
+    EXPECT_NEAR(*error(2.0, 0.9), 0.05, 1e-12);
+    EXPECT_NEAR(*error(std::numeric_limits<double>::quiet_NaN(), 0.9), 0.05, 1e-12) << "the first tip is elastic";
+    EXPECT_FALSE(error_of_leg(path, {{0.0, 0.5, {1.5, 2.0}}})) << "one increment, and no two";
+    EXPECT_FALSE(error_of_leg(path, {{0.25, 1.0, {2.0, 1.0}}})) << "increments that were halved";
+    for (std::vector<double>& opening : path.opening) opening[0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NEAR(*error(2.0, 0.9), 0.05, 1e-12);
+    EXPECT_FALSE(error_of_leg(OpeningPath(), {}));
 }
 
 TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
@@ -51,73 +71,112 @@ TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
     EXPECT_DOUBLE_EQ(graded_ways(2, 0.4)[1], std::pow(0.5, 0.4));
 }
 
-/// Increments of a leg that loads, after one that a schedule with these sections saw.
-int after(const LoadSection& load, const Opening& opening, bool may_choose = true) {
+/// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment.
+int after(const LoadSection& load, double c, bool may_choose = true) {
     IncrementSchedule schedule(load, {}, may_choose);
-    schedule.begin({opening(0.0)});
-    const std::vector<double> ways = schedule.ways(true), falling = schedule.ways(false);
-    for (std::size_t k = 1; k < ways.size(); ++k) schedule.add(ways[k], {opening(ways[k])});
-    schedule.end_leg(true);
+    const OffByTheSquare leg{schedule.ways(true), c};
+    const OpeningPath path = leg.path();
+    const std::vector<double> falling = schedule.ways(false);
+    for (int legs = 0; legs < 4; ++legs) {
+        EXPECT_EQ(schedule.ways(true), leg.ways) << "until one is measured";
+        schedule.begin(std::vector<double>(path.opening.front()));
+        if (schedule.measures(true, true))
+            for (const TwoAsOne& pair : leg.pairs()) schedule.add(pair);
+        for (std::size_t k = 1; k < leg.ways.size(); ++k) schedule.add(leg.ways[k], path.opening[k]);
+        schedule.end_leg(true, legs > 0);
+    }
     EXPECT_EQ(schedule.ways(false), falling) << "legs of the other direction";
     return static_cast<int>(schedule.ways(true).size()) - 1;
 }
 
-TEST(IncrementSchedule, TakesWhatTheEndOfALegAsksFor) {
-    const auto straight = [](double w) { return 1.0 + w; };
-    const auto square = [](double w) { return 1.0 + w * w; };
+// An error that falls with the square of the number comes below half of the accuracy.
+TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     const int begins = LoadSection().first_steps() / 2;
-    EXPECT_EQ(after({}, straight), begins - 1) << "one less at a time";
-    // The last increment of h is off by 2 (1 - ((h - 1) / h)^0.4)^2 / 6.
-    for (const double accuracy : {1e-3, 2e-4}) {
-        const auto error = [](int h) { return std::pow(1.0 - std::pow((h - 1.0) / h, 0.4), 2) / 3.0; };
-        const int chosen = after({.accuracy = accuracy, .blocks = {}}, square);
-        EXPECT_LE(error(chosen), accuracy);
-        EXPECT_GT(error(chosen - 1), accuracy);
-        EXPECT_GT(chosen, begins);
+    const OffByTheSquare leg{graded_ways(begins, 0.4), 0.05};
+    const OpeningPath path = leg.path();
+    const double error = *error_of_leg(path, leg.pairs());
+    for (const double accuracy : {0.01, 0.002}) {
+        const int chosen = after({.accuracy = accuracy, .blocks = {}}, leg.c);
+        EXPECT_LE(error * std::pow(1.0 * begins / chosen, 2), 0.5 * accuracy);
+        EXPECT_GT(error * std::pow(1.0 * begins / (chosen - 1), 2), 0.5 * accuracy);
     }
-    EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, square), 24);
-    EXPECT_EQ(after({.accuracy = 0.002, .blocks = {}}, square), begins)
-        << "near enough, and one less would not clearly be";
+    EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05), 24);
+    EXPECT_EQ(after({}, 1e-9), 4);
 }
 
 TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
-    const auto bent = [](double w) { return 1.0 + std::pow(w, 9); };
     const int begins = LoadSection().first_steps() / 2;
-    EXPECT_GT(after({}, bent), begins);
-    EXPECT_EQ(after({.steps = 16, .blocks = {}}, bent), 8);
-    EXPECT_EQ(after({}, bent, false), begins);
-    EXPECT_EQ(after({}, [](double) { return std::numeric_limits<double>::quiet_NaN(); }), begins);
+    EXPECT_GT(after({}, 0.05), begins);
+    EXPECT_EQ(after({.steps = 16, .blocks = {}}, 0.05), 8);
+    EXPECT_EQ(after({}, 0.05, false), begins);
+    EXPECT_EQ(after({}, std::numeric_limits<double>::quiet_NaN()), begins);
 }
 
-// Extremes stay exact, a leg that closes the faces follows the legs that open them, and a run that is gone on with has
-// learned what the first one had.
+// The fourth leg of a block, and one in many: what changes from leg to leg is measured as often.
+TEST(IncrementSchedule, MeasuresNowAndThen) {
+    const auto measured = [](const std::function<bool(int)>& alike) {
+        IncrementSchedule schedule({}, {}, true);
+        std::vector<int> legs;
+        for (int leg = 1; leg <= 100; ++leg) {
+            schedule.begin({0.0});
+            if (schedule.measures(true, alike(leg))) {
+                legs.push_back(leg);
+                for (int pair = 0; pair < 3; ++pair) schedule.add(TwoAsOne{0.0, 1.0, {1.0}});
+            }
+            schedule.add(1.0, {1.0});
+            schedule.end_leg(true, alike(leg));
+        }
+        return legs;
+    };
+    EXPECT_EQ(measured([](int leg) { return leg > 1; }), (std::vector<int>{4, 37, 70}));
+    EXPECT_EQ(measured([](int leg) { return leg != 1 && leg != 25 && leg != 26; }), (std::vector<int>{4, 29, 62, 95}))
+        << "an overload";
+    EXPECT_EQ(measured([](int leg) { return leg % 10 > 1; }), (std::vector<int>{4, 24, 44, 64, 84})) << "and many";
+    EXPECT_EQ(measured([](int) { return false; }), (std::vector<int>{20, 53, 86})) << "a spectrum";
+    IncrementSchedule ramp({}, {}, true);
+    ramp.add(1.0, {1.0});
+    EXPECT_FALSE(ramp.measures(true, true)) << "a leg whose start nobody has seen";
+}
+
+// Extremes stay exact, each leg keeps its number until it is measured again, and a run that is gone on with has learned
+// what the first one had.
 TEST(IncrementSchedule, GuidesTheController) {
-    const LoadSection load{.blocks = {{.cycles = 3, .max = 50.0 / 3.0, .min = -0.1}}};
+    const LoadSection load{.blocks = {{.cycles = 5, .max = 50.0 / 3.0, .min = -0.1}}};
     LoadController loads(load, {});
     std::vector<int> per_leg(1, 0);
     std::optional<LoadController> again;
+    const auto opening = [](const LoadStep& step) { return std::vector<double>{step.target.value}; };
+    int as_one = 0;
     while (const auto step = loads.next()) {
         if (again) {
             EXPECT_EQ(again->next()->target.value, step->target.value);
         }
-        const std::vector<double> openings = {std::pow((step->target.value + 0.1) / 10.0, 12)};
-        loads.accepted(openings);
-        if (again) again->accepted(openings);
+        if (const auto two = loads.two_as_one()) {
+            ++as_one;
+            const double off = 0.5 * (two->target.value - step->target.value);
+            loads.tried_as_one({two->target.value + off});
+            if (again) again->tried_as_one({two->target.value + off});
+            if (per_leg.back() == 4) {
+                EXPECT_TRUE(two->target.value == 50.0 / 3.0 || two->target.value == -0.1);
+            }
+        }
+        loads.accepted(opening(*step));
+        if (again) again->accepted(opening(*step));
         ++per_leg.back();
         if (!step->reversal) continue;
         EXPECT_TRUE(step->target.value == 50.0 / 3.0 || step->target.value == -0.1);
         per_leg.push_back(0);
-        if (per_leg.size() == 4) {
+        if (per_leg.size() == 8) {
             again.emplace(load, SolverSection());
             again->resume(loads.position());
         }
     }
     const int begins = load.first_steps() / 2;
-    EXPECT_EQ(std::vector<int>(per_leg.begin(), per_leg.begin() + 4), std::vector<int>(4, begins))
-        << "the ramp is no cycle, and the first cycle learns";
-    EXPECT_GT(per_leg[4], begins);
-    EXPECT_EQ(per_leg[5], per_leg[4]) << "closed at its end";
-    EXPECT_EQ(per_leg[6], per_leg[4]) << "what has been learned stays";
+    EXPECT_EQ(std::vector<int>(per_leg.begin(), per_leg.begin() + 9), std::vector<int>(9, begins))
+        << "the ramp is no cycle, and the fourth one is measured";
+    EXPECT_EQ(as_one, 2 * begins / 2);
+    EXPECT_GT(per_leg[9], begins);
+    EXPECT_GT(per_leg[10], begins);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a run says of itself where it finds no equilibrium.
+// What a run says of itself where it finds no equilibrium, or not all that is asked for.
 #pragma once
 
 #include <string>
@@ -17,7 +17,14 @@ namespace stria::coarse {
 [[nodiscard]] std::string faces_not_released(const LoadStep& step, const NewtonReport& report,
                                              const FaceRelease& release, const std::vector<TipResult>& nominal);
 
-/// No part of a step from `reached` tells where a tip does what it does.
-[[nodiscard]] std::string opening_load_lost(const LoadStep& step, double reached, int tip, const std::string& does);
+/// No trial on the way to a step tells where a tip opens, closes or slides (`does`).
+[[nodiscard]] std::string load_left_empty(const LoadStep& step, const Target& reached, int tip, const char* does);
+
+/// Of the rings about a tip, every one.
+[[nodiscard]] std::string rings_flow(double load_factor, std::ptrdiff_t tip);
+
+/// Of so many elements outside the zone that are beyond yield.
+[[nodiscard]] std::string elements_stay_elastic(const LoadStep& step, std::size_t elements);
+[[nodiscard]] std::string elements_join_zone(const LoadStep& step, std::size_t elements);
 
 }  // namespace stria::coarse

@@ -1,4 +1,4 @@
-#include "coarse/analysis/failure_texts.hpp"
+#include "coarse/analysis/run_texts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,9 +20,26 @@ std::string faces_not_released(const LoadStep& step, const NewtonReport& report,
                        to_text(step.target), 100.0 * release.held, report.failure, release.cuts);
 }
 
-std::string opening_load_lost(const LoadStep& step, double reached, int tip, const std::string& does) {
+std::string load_left_empty(const LoadStep& step, const Target& reached, int tip, const char* does) {
     return fmt::format("cycle {}: no equilibrium between {} and {} tells where tip {} {}: its load is left empty",
-                       step.cycle, to_text({step.target.control, reached}), to_text(step.target), tip, does);
+                       step.cycle, to_text(reached), to_text(step.target), tip, does);
+}
+
+std::string rings_flow(double load_factor, std::ptrdiff_t tip) {
+    return fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no elastic "
+                       "ones from here on",
+                       load_factor, tip);
+}
+
+std::string elements_stay_elastic(const LoadStep& step, std::size_t elements) {
+    return fmt::format("warning: {}: {} elements outside the zone are beyond yield; they stay elastic "
+                       "(fine.guard = \"warn\")",
+                       to_text(step.target), elements);
+}
+
+std::string elements_join_zone(const LoadStep& step, std::size_t elements) {
+    return fmt::format("{}: {} elements outside the zone would yield; they join it and the increment is redone",
+                       to_text(step.target), elements);
 }
 
 }  // namespace stria::coarse

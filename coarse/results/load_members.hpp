@@ -1,0 +1,76 @@
+// What a checkpoint holds of the load and of how far it has come (checkpoint_members.hpp).
+#pragma once
+
+#include <type_traits>
+
+#include "coarse/load/load_controller.hpp"
+
+namespace stria {
+
+template <class M, class T>
+concept Is = std::is_same_v<std::remove_const_t<M>, T>;
+
+void members(auto& archive, Is<LoadBlock> auto& m) {
+    auto& [cycles, max, min] = m;
+    archive("cycles", cycles);
+    archive("max", max);
+    archive("min", min);
+}
+
+}  // namespace stria
+
+namespace stria::coarse {
+
+void members(auto& archive, Is<LoadPosition::Taken> auto& m) {
+    auto& [cycle, from, to, cases_from, cases_to] = m;
+    archive("cycle", cycle);
+    archive("from", from);
+    archive("to", to);
+    archive("cases_from", cases_from);
+    archive("cases_to", cases_to);
+}
+
+void members(auto& archive, Is<OpeningPath> auto& m) {
+    auto& [way, opening] = m;
+    archive("way", way);
+    archive("opening", opening);
+}
+
+void members(auto& archive, Is<IncrementSchedule::Legs> auto& m) {
+    auto& [increments, alike, unmeasured] = m;
+    archive("increments", increments);
+    archive("alike", alike);
+    archive("unmeasured", unmeasured);
+}
+
+void members(auto& archive, Is<TwoAsOne> auto& m) {
+    auto& [from, to, opening] = m;
+    archive("from", from);
+    archive("to", to);
+    archive("opening", opening);
+}
+
+void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
+    auto& [rising, falling, path, pairs] = m;
+    archive("rising", rising);
+    archive("falling", falling);
+    archive("path", path);
+    archive("pairs", pairs);
+}
+
+void members(auto& archive, Is<LoadPosition> auto& m) {
+    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, schedule] = m;
+    archive("leg", leg);
+    archive("increments", increments);
+    archive("leg_start", leg_start);
+    archive("reached", reached);
+    archive("way", way);
+    archive("cases", cases);
+    archive("fraction", fraction);
+    archive("consecutive_cuts", consecutive_cuts);
+    archive("cuts", cuts);
+    archive("taken", taken);
+    archive("schedule", schedule);
+}
+
+}  // namespace stria::coarse
