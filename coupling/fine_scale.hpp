@@ -16,6 +16,9 @@ public:
     /// A new zone (Fig. 3a, or an extension); what it shares with the old one keeps its points and history.
     virtual void set_patch(const Patch& patch) = 0;
 
+    /// Lets the set_patch() of the same patch, which must follow, begin, where the transport allows.
+    virtual void begin_patch(const Patch& /*patch*/) {}
+
     /// Whether increments are known beyond a set_patch() with longer cracks and no tip functions (TipMoves): what
     /// predictors start from.
     [[nodiscard]] virtual bool keeps_increments() const { return true; }

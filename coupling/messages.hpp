@@ -91,6 +91,7 @@ struct PatchResponse {
     double along = 0;                  // work of all that is out of balance along the last correction, taken whole, N
     double along_before = 0;           // likewise, where that correction began
     bool provisional = false;          // elements at rest have not been looked at: one of them may yield
+    bool woken = false;                // some would, which iterates before this one did not see
     Digest digest;
 };
 

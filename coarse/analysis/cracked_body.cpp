@@ -89,6 +89,7 @@ bool CrackedBody::serves(const ElementSet& in_zone) const {
     return structure_ && &structure_->scene() == scene_ && structure_->in_zone() == in_zone;
 }
 
+// Everything that a longer crack changes is near it: the far body serves again.
 void CrackedBody::condense_onto(const ElementSet& in_zone, const ElementSet* far) {
     const std::shared_ptr<const NearFactor> near = factors_.near;
     in_zone_ = in_zone;
@@ -186,34 +187,38 @@ void CrackedBody::note_flow(const std::vector<std::int32_t>& yielding_points) {
         if (in_zone_.contains(e) && yielding_points.at(place++) > 0) settled_.insert(e);
 }
 
-// What a longer crack changes the functions of is fine before the functions change: its state is kept.
-ElementSet CrackedBody::zone_about(const Scene& longer) {
-    ElementSet in_zone = has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer.enriched) : in_zone_;
-    far_ = far_elements(longer, in_zone, far_);
-    std::unique_ptr<Structure> body = take_nominal_of(longer);
-    if (!has_zone()) structure_ = std::move(body);
-    in_zone |= select_zone(longer, largest_K_I_);
-    return in_zone;
+// Their state is kept.
+ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
+    return has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer.enriched) : in_zone_;
 }
 
-// Everything that a longer crack changes is near it: the far body serves again.
-Eigen::VectorXd CrackedBody::take(std::unique_ptr<Scene> longer, const ElementSet& in_zone,
-                                  const Eigen::VectorXd& displacement) {
-    const EnrichedMesh& before = scene_->enriched;
-    if (longer->input.growth->retain == Retain::All && needs_fine(longer->input)) {
-        auto retaining = std::make_unique<Scene>(with_functions_left(*longer, before));
+ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet at_least) {
+    far_ = far_elements(longer, at_least, far_);
+    std::unique_ptr<Structure> body = take_nominal_of(longer);
+    if (!has_zone()) structure_ = std::move(body);
+    at_least |= select_zone(longer, largest_K_I_);
+    return at_least;
+}
+
+std::unique_ptr<Scene> CrackedBody::keeping_functions(const Scene& longer) const {
+    if (longer.input.growth->retain != Retain::All || !needs_fine(longer.input)) return nullptr;
+    return std::make_unique<Scene>(with_functions_left(longer, scene_->enriched));
+}
+
+Eigen::VectorXd CrackedBody::carried_to(const Scene& longer, const Eigen::VectorXd& displacement) const {
+    return carry_over(scene_->enriched, displacement, longer.enriched, Eigen::VectorXd::Zero(longer.enriched.unknowns));
+}
+
+void CrackedBody::take(std::unique_ptr<Scene> longer, std::unique_ptr<Scene> keeping) {
+    if (keeping) {
         if (nominal_displacement_.size() > 0)
-            nominal_displacement_ = carry_over(longer->enriched, nominal_displacement_, retaining->enriched,
-                                               Eigen::VectorXd::Zero(retaining->enriched.unknowns));
-        longer = std::move(retaining);
+            nominal_displacement_ = carry_over(longer->enriched, nominal_displacement_, keeping->enriched,
+                                               Eigen::VectorXd::Zero(keeping->enriched.unknowns));
+        longer = std::move(keeping);
     }
-    Eigen::VectorXd carried =
-        carry_over(before, displacement, longer->enriched, Eigen::VectorXd::Zero(longer->enriched.unknowns));
     if (scene_->input.fine.refine > 1) settled_ |= elements_with_more_than_jumps(*scene_);
-    scene_ = longer.get();
-    condense_onto(in_zone);
     grown_ = std::move(longer);
-    return carried;
+    scene_ = grown_.get();
 }
 
 // Where a factor takes seconds, the user should know what is going on.

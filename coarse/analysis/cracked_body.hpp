@@ -49,14 +49,22 @@ public:
     /// Metal has flowed in an increment: points per element of the zone, ascending.
     void note_flow(const std::vector<std::int32_t>& yielding_points);
 
-    /// The zone that longer cracks want: what it holds now, the elements whose functions they change, and what eq. (3)
-    /// wants about the tips, whose nominal solution is that of the longer cracks from here on.
-    [[nodiscard]] ElementSet zone_about(const Scene& longer);
+    /// What the zone holds now, and the elements whose functions longer cracks change.
+    [[nodiscard]] ElementSet zone_with_changes(const Scene& longer) const;
 
-    /// Figure 3 (a): the cracks are longer and nothing else changes. Returns the displacement on the new mesh, mm, zero
-    /// for new functions.
-    [[nodiscard]] Eigen::VectorXd take(std::unique_ptr<Scene> longer, const ElementSet& in_zone,
-                                       const Eigen::VectorXd& displacement);
+    /// At least these, and what eq. (3) wants about the tips, whose nominal solution is that of the longer cracks from
+    /// here on.
+    [[nodiscard]] ElementSet zone_about(const Scene& longer, ElementSet at_least);
+
+    /// Longer cracks beside the functions of the tips that they leave (growth.retain = "all"); else null.
+    [[nodiscard]] std::unique_ptr<Scene> keeping_functions(const Scene& longer) const;
+
+    /// The present displacement, mm, on the mesh of longer cracks; zero for new functions.
+    [[nodiscard]] Eigen::VectorXd carried_to(const Scene& longer, const Eigen::VectorXd& displacement) const;
+
+    /// Figure 3 (a): the cracks are longer and nothing else changes. `keeping`: keeping_functions() of them, or null.
+    /// condense_onto() is to follow.
+    void take(std::unique_ptr<Scene> longer, std::unique_ptr<Scene> keeping);
 
     void write(AnalysisState& state) const;
 

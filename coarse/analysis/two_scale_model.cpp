@@ -1,10 +1,12 @@
 #include "coarse/analysis/two_scale_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
 
+#include "coarse/analysis/limit_load_hint.hpp"
 #include "coarse/equilibrium/carried_increments.hpp"
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
@@ -17,16 +19,18 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
                              EquilibriumFactory& factory, CoarseEffort& effort, const Note& note,
                              const AnalysisState* from)
     : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
-      guard_(body.scene().materials), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+      gives_way_at_(gives_way_at(body.scene())), guard_(body.scene().materials),
+      displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
     const Stopwatch watch(effort_.setup_s);
-    if (from == nullptr) {
-        couple();
-        return;
+    if (from != nullptr) {
+        displacement_ = from->displacement;
+        factors_ = {from->load_factor, from->equilibrium.cases};
+        largest_force_ = from->largest_force;
     }
-    displacement_ = from->displacement;
-    factors_ = {from->load_factor, from->equilibrium.cases};
-    largest_force_ = from->largest_force;
-    couple(from);
+    std::optional<coupling::Patch> patch;
+    if (body_.has_zone()) patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
+    couple(patch, from);
+    if (from == nullptr) return;
     equilibrium_->restore(from->equilibrium);
     work_ = from->work;
 }
@@ -58,28 +62,34 @@ CoarseEffort TwoScaleModel::effort() const {
     return effort;
 }
 
-// An equilibrium of the present structure and zone, at the committed state.
-void TwoScaleModel::couple(const AnalysisState* from) {
+// The zone turns to its patch while the structure is condensed. `begun`: it has begun to turn to this one.
+void TwoScaleModel::turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun) {
+    if (!begun && !in_zone.none()) factory_.begin_zone(begun.emplace(patch_of(body_.scene(), in_zone, displacement_)));
+    body_.condense_onto(in_zone);
+    couple(begun);
+}
+
+// An equilibrium of the present structure and zone, at the committed state. `patch`: of the zone, if there is one.
+void TwoScaleModel::couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from) {
     const Structure& structure = body_.structure();
-    const bool has_zone = body_.has_zone();
     guard_.turn_to(structure, body_.nominal_displacement());
     rings_.emplace(structure);
-    const coupling::Patch patch = has_zone ? patch_of(structure.in_zone(), structure.gamma()) : coupling::Patch();
-    const coupling::Patch* zone_patch = has_zone ? &patch : nullptr;
+    const coupling::Patch* zone_patch = patch ? &*patch : nullptr;
     if (equilibrium_) effort_ += equilibrium_->effort();
     equilibrium_ = from != nullptr ? factory_.resume(structure, zone_patch, displacement_, from->zone)
                                    : factory_.make(structure, zone_patch, displacement_, factors_);
-    if (has_zone) restart(work_, structure, displacement_);
+    if (patch) restart(work_, structure, displacement_);
     note_(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                       structure.in_zone().size(), structure.in_zone().count(), structure.unknowns(),
                       structure.gamma().size()));
 }
 
-coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const {
-    coupling::Patch patch = make_patch(body_.scene(), in_zone, gamma, displacement_);
+coupling::Patch TwoScaleModel::patch_of(const Scene& scene, const ElementSet& in_zone,
+                                        const Eigen::VectorXd& displacement) const {
+    coupling::Patch patch = make_patch(scene, in_zone, gamma_of(scene, in_zone), displacement);
     patch.opening_at = closure_.opening_at();
     patch.contact_at = closure_.contact_at();
-    patch.ahead = closure_.ahead(body_.scene().enriched);
+    patch.ahead = closure_.ahead(scene.enriched);
     patch.slip_at = closure_.slip_at();
     return patch;
 }
@@ -87,6 +97,10 @@ coupling::Patch TwoScaleModel::patch_of(const ElementSet& in_zone, const std::ve
 NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
     NewtonReport report = find_equilibrium(*equilibrium_, step.target, step.predictor, solver_, largest_force_, waits);
     effort_.counts.newton_iterations += report.count();
+    if (report.converged && std::abs(loaded_displacement()) > gives_way_at_) {
+        report.converged = false;
+        report.failure = "the body gives way";
+    }
     return report;
 }
 
@@ -131,12 +145,12 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
             if (std::ranges::binary_search(yielding, finer->part_of[at(e)])) joining.push_back(e);
         split_elements(std::move(*finer));
     }
-    body_.condense_onto(with_ring(body_.scene(), body_.in_zone(), joining));
-    couple();
+    turn_to(with_ring(body_.scene(), body_.in_zone(), joining));
 }
 
-// What becomes fine because of the longer cracks is fine before the functions change. Without a zone nobody sees what
-// the growth releases.
+// What becomes fine because of the longer cracks is fine before the functions change. The nominal solution, which tells
+// how far the zone reaches, is found while the zone turns to them: it takes the elements beyond that afterwards.
+// Without a zone nobody sees what the growth releases.
 bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
     refresh_displacement();
@@ -145,16 +159,23 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     std::optional<CarriedIncrements> increments;
     if (kept && grown.finer) increments.emplace(body_.structure(), equilibrium_->state(), after, true);
     if (grown.finer) split_elements(std::move(*grown.finer));
-    const bool has_zone = body_.has_zone();
-    const ElementSet in_zone = body_.zone_about(*grown.longer);
+    const ElementSet changed = body_.zone_with_changes(*grown.longer);
+    if (changed != body_.in_zone()) factory_.extend_zone(patch_of(body_.scene(), changed, displacement_));
+    std::unique_ptr<Scene> keeping = body_.keeping_functions(*grown.longer);
+    const Scene& next = keeping ? *keeping : *grown.longer;
+    Eigen::VectorXd carried = body_.carried_to(next, displacement_);
+    std::optional<coupling::Patch> patch;
+    if (body_.has_zone())
+        factory_.begin_zone(patch.emplace(patch_of(next, changed, carried)));
+    else
+        work_.released = std::numeric_limits<double>::quiet_NaN();
+    const ElementSet in_zone = body_.zone_about(*grown.longer, changed);
     if (kept && !increments)
         increments.emplace(body_.structure(), equilibrium_->state(), after, in_zone != body_.in_zone());
-    if (!has_zone)
-        work_.released = std::numeric_limits<double>::quiet_NaN();
-    else if (in_zone != body_.in_zone())
-        factory_.extend_zone(patch_of(in_zone, gamma_of(body_.scene(), in_zone)));
-    displacement_ = body_.take(std::move(grown.longer), in_zone, displacement_);
-    couple();
+    displacement_ = std::move(carried);
+    body_.take(std::move(grown.longer), std::move(keeping));
+    if (patch && in_zone != changed) factory_.extend_zone(*std::exchange(patch, std::nullopt));
+    turn_to(in_zone, std::move(patch));
     if (increments) equilibrium_->restore(increments->added_to(equilibrium_->state(), body_.structure()));
     return kept;
 }
@@ -163,7 +184,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
 void TwoScaleModel::split_elements(FinerScene finer) {
     const std::vector<int> part_of = finer.part_of;
     body_.take_finer(std::move(finer), displacement_);
-    coupling::Patch patch = patch_of(body_.in_zone(), gamma_of(body_.scene(), body_.in_zone()));
+    coupling::Patch patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
     for (const int e : patch.mesh.element_ids) patch.part_of.push_back(part_of[at(e)]);
     factory_.extend_zone(patch);
     ++effort_.counts.mesh_splits;

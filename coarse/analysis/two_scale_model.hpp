@@ -19,7 +19,7 @@ public:
     TwoScaleModel(CrackedBody& body, const SolverSection& solver, const ClosureMeter& closure,
                   EquilibriumFactory& factory, CoarseEffort& effort, const Note& note, const AnalysisState* from);
 
-    /// Newton's method, to a trial state.
+    /// Newton's method, to a trial state. A body that gives way (limit_load_hint.hpp) has not converged.
     [[nodiscard]] NewtonReport solve(const LoadStep& step, const Waits& waits);
     void rollback() { equilibrium_->rollback(); }
     /// The state that an attempt has reached is wanted again before the next commit (Predictor, `back` 0).
@@ -55,10 +55,12 @@ public:
 private:
     /// Somebody reads rings, faces and energies of an increment.
     [[nodiscard]] static bool is_read(const OutputSection& output, const LoadStep& step);
-    void couple(const AnalysisState* from = nullptr);
+    void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
+    void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     void split_elements(FinerScene finer);
     void refresh_displacement();
-    [[nodiscard]] coupling::Patch patch_of(const ElementSet& in_zone, const std::vector<int>& gamma) const;
+    [[nodiscard]] coupling::Patch patch_of(const Scene& scene, const ElementSet& in_zone,
+                                           const Eigen::VectorXd& displacement) const;
 
     CrackedBody& body_;
     const SolverSection& solver_;
@@ -66,6 +68,7 @@ private:
     EquilibriumFactory& factory_;
     CoarseEffort& effort_;
     const Note& note_;
+    double gives_way_at_;  // mm: limit_load_hint.hpp
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::optional<StructureRings> rings_;  // of the present structure

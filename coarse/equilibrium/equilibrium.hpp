@@ -27,6 +27,7 @@ struct Residual {
     int closed = 0;                               // multipliers
     int status_changes = 0;                       // since the iteration before
     bool provisional = false;                     // elements at rest have not been looked at: no state to stay in
+    bool woken = false;                           // some of them have been found to yield: they take part from here on
     std::vector<std::vector<double>> faces = {};  // per tip and distance behind it: coupling::Digest
     std::vector<double> opening = {};             // per tip, mm; NaN where the zone does not hold the place
     std::vector<double> force_ahead = {};  // per tip, where it is measured: normal stress over the sector ahead, N

@@ -23,6 +23,10 @@ public:
     virtual std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                               const Eigen::VectorXd& committed, const LoadFactors& factors) = 0;
 
+    /// Lets the zone of the make() that must follow, with the same patch, get ready meanwhile, where somebody else has
+    /// it.
+    virtual void begin_zone(const coupling::Patch& /*patch*/) {}
+
     /// The zone takes more elements, with their functions as they are; make() is to follow before anyone asks it.
     virtual void extend_zone(const coupling::Patch& patch) = 0;
 
@@ -50,6 +54,7 @@ public:
     CondensedFactory(coupling::FineScale* fine, EquilibriumSections input) : fine_(fine), input_(std::move(input)) {}
     std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                       const Eigen::VectorXd& committed, const LoadFactors& factors) override;
+    void begin_zone(const coupling::Patch& patch) override { fine_->begin_patch(patch); }
     void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
     [[nodiscard]] bool keeps_increments() const override { return fine_ != nullptr && fine_->keeps_increments(); }
     std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,

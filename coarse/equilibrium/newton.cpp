@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 #include "coarse/equilibrium/line_search.hpp"
@@ -32,15 +33,33 @@ bool is_misled(const NewtonReport& report) {
     return !(last.largest() < std::min(first.largest(), 0.1 * last.scale));
 }
 
+/// Where a residual is within its tolerance for the second time, and neither it nor the correction falls any more, what
+/// is left of both is rounding: near a limit load the body answers to next to no force with a large displacement.
+class LeftToRounding {
+public:
+    [[nodiscard]] bool is(double residual, double correction) {
+        const bool is = residual >= 0.5 * residual_ && correction >= 0.5 * correction_;
+        residual_ = residual;
+        correction_ = correction;
+        return is;
+    }
+
+private:
+    // Where the residual was within its tolerance last.
+    double residual_ = std::numeric_limits<double>::infinity(), correction_ = residual_;
+};
+
 /// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
 [[nodiscard]] bool iterate(Equilibrium& equilibrium, const SolverSection& solver, double largest_force, bool guessed,
                            const Waits& waits, NewtonReport& report) {
     LineSearch search;
+    LeftToRounding left_to_rounding;
     for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
         report.stopped = !waits();
         if (report.stopped) return true;
         const Residual residual = equilibrium.linearise();
         if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
+        if (residual.woken) iteration = 0;  // what has been woken is new to it
         if (const double part = search.further(residual); part != 0.0) {
             report.iterations.push_back({residual, 0.0});
             equilibrium.apply_further(part);
@@ -48,7 +67,9 @@ bool is_misled(const NewtonReport& report) {
         }
         const double correction = equilibrium.solve();
         report.iterations.push_back({residual, correction});
-        const bool settled = residual.within(solver.tolerance) && correction <= 10.0 * solver.tolerance;
+        const bool settled =
+            residual.within(solver.tolerance) &&
+            (left_to_rounding.is(residual.largest(), correction) || correction <= 10.0 * solver.tolerance);
         const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
         if (settled || rounding) {
             report.converged = !residual.provisional;

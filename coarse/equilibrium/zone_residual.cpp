@@ -20,6 +20,7 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.along = response.along;
     residual.along_before = response.along_before;
     residual.provisional = response.provisional;
+    residual.woken = response.woken;
 }
 
 }  // namespace stria::coarse

@@ -5,6 +5,7 @@
 #include <exception>
 #include <numeric>
 #include <ranges>
+#include <utility>
 
 #include "common/error.hpp"
 #include "common/integration/element_operator.hpp"
@@ -33,6 +34,12 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
     : scales_(std::move(ranks)), increments_(remembered), reports_(scales_.size()) {}
 
 void FineRanks::set_patch(const Patch& patch) {
+    if (given_.empty()) begin_patch(patch);
+    const std::vector<Patch> given = std::exchange(given_, {});
+    for (std::size_t k = 0; k < given.size(); ++k) scale_of(parts_[k]).set_patch(given[k]);
+}
+
+void FineRanks::begin_patch(const Patch& patch) {
     if (owner_.empty()) {
         owner_ = shared_out(patch.mesh);
     } else if (const auto rank_of = share_on(patch.mesh, owner_, patch.part_of)) {
@@ -42,13 +49,14 @@ void FineRanks::set_patch(const Patch& patch) {
         owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(parts_.size()), patch_.mesh, patch.part_of));
         move_history();
     }
-    take(patch, known_displacement(patch), nullptr);
+    given_ = take(patch, known_displacement(patch));
+    for (std::size_t k = 0; k < given_.size(); ++k) scale_of(parts_[k]).begin_patch(given_[k]);
 }
 
 void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     const bool same_ranks = snapshot.ranks == std::ssize(scales_);
     owner_ = same_ranks ? owners_in(snapshot) : shared_out(patch.mesh);
-    take(patch, snapshot.displacement, &snapshot);
+    restore_parts(take(patch, snapshot.displacement), snapshot);
     for (const Eigen::VectorXd& increment : snapshot.increments | std::views::reverse)
         increments_.push(gather(increment, seams_.kept));
 }
@@ -60,7 +68,7 @@ std::map<int, int> FineRanks::shared_out(const EnrichedMesh& zone) const {
 // Of the patch that all know. It changes no state, as a checkpoint would not.
 void FineRanks::move_history() {
     const ZoneSnapshot all = snapshot();
-    take(Patch(patch_), all.displacement, &all);
+    restore_parts(take(Patch(patch_), all.displacement), all);
     ++history_moves_;
 }
 
@@ -73,8 +81,8 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
                       on_parts(patch_.mesh, known, next.mesh, next.part_of, next.displacement));
 }
 
-/// `snapshot`: null where the ranks know themselves what has been.
-void FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot) {
+/// The patches of the parts.
+std::vector<Patch> FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement) {
     DividedPatch divided = divide(patch, owner_, displacement);
     patch_ = patch;
     parts_ = std::move(divided.parts);
@@ -83,14 +91,13 @@ void FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement, co
     increments_.clear();
     for (std::size_t r = 0; r < scales_.size(); ++r)
         if (std::ranges::find(parts_, static_cast<int>(r), &RankPart::rank) == parts_.end()) forget_state(reports_[r]);
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-        const Patch& part = divided.patches[k];
-        if (snapshot == nullptr)
-            scale_of(parts_[k]).set_patch(part);
-        else
-            scale_of(parts_[k]).restore(part, part_of(*snapshot, part.mesh, parts_[k].unknowns));
-    }
     tree_.emplace(patch_.mesh, parts_, seams_);
+    return std::move(divided.patches);
+}
+
+void FineRanks::restore_parts(const std::vector<Patch>& patches, const ZoneSnapshot& snapshot) {
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        scale_of(parts_[k]).restore(patches[k], part_of(snapshot, patches[k].mesh, parts_[k].unknowns));
 }
 
 void FineRanks::request(const PatchDisplacement& displacement) {

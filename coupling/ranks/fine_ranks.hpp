@@ -22,6 +22,7 @@ public:
     FineRanks(std::vector<FineScale*> ranks, std::size_t remembered);
 
     void set_patch(const Patch& patch) override;
+    void begin_patch(const Patch& patch) override;
     [[nodiscard]] bool keeps_increments() const override { return false; }  // Patch::shared
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
@@ -41,7 +42,8 @@ private:
     [[nodiscard]] std::map<int, int> shared_out(const EnrichedMesh& zone) const;
     void move_history();
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
-    void take(const Patch& patch, const Eigen::VectorXd& displacement, const ZoneSnapshot* snapshot);
+    [[nodiscard]] std::vector<Patch> take(const Patch& patch, const Eigen::VectorXd& displacement);
+    void restore_parts(const std::vector<Patch>& patches, const ZoneSnapshot& snapshot);
     [[nodiscard]] FineScale& scale_of(const RankPart& part) const { return *scales_[at(part.rank)]; }
     [[nodiscard]] std::vector<PatchResponse> collect_all();
 
@@ -49,6 +51,7 @@ private:
     Patch patch_;
     std::map<int, int> owner_;  // rank by id of an element
     std::vector<RankPart> parts_;
+    std::vector<Patch> given_;  // to the parts, and they may not have it yet
     Seams seams_;
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm

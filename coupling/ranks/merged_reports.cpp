@@ -110,6 +110,7 @@ void add(PatchResponse& whole, const PatchResponse& part, const std::vector<int>
     whole.along += part.along;
     whole.along_before += part.along_before;
     whole.provisional = whole.provisional || part.provisional;
+    whole.woken = whole.woken || part.woken;
     add_digest(whole.digest, part.digest, elements);
 }
 

@@ -1,5 +1,7 @@
 #include "coupling/transport/remote_fine_scale.hpp"
 
+#include <utility>
+
 #include "common/error.hpp"
 #include "coupling/transport/wire.hpp"
 
@@ -24,13 +26,23 @@ RemoteFineScale::RemoteFineScale(Transport& transport, std::uint64_t case_digest
 
 RemoteFineScale::~RemoteFineScale() {
     try {
+        patch_begun_ = keep_begun_ = false;
         if (in_flight_) receive();  // an unread answer would keep the other side from reading on
         send(Tag::Stop, {});
     } catch (...) {  // it has ended already, or the end of the transport will tell it
     }
 }
 
-void RemoteFineScale::set_patch(const Patch& patch) { ask(Tag::Patch, pack(patch), Tag::Done); }
+void RemoteFineScale::set_patch(const Patch& patch) {
+    if (!patch_begun_) begin_patch(patch);
+    patch_begun_ = false;
+    answer(Tag::Done);
+}
+
+void RemoteFineScale::begin_patch(const Patch& patch) {
+    send(Tag::Patch, pack(patch));
+    patch_begun_ = true;
+}
 
 void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag::Displacement, pack(displacement)); }
 
@@ -63,7 +75,10 @@ ZoneState RemoteFineScale::state() { return unpack<ZoneState>(ask(Tag::State, {}
 
 ZoneSnapshot RemoteFineScale::snapshot() { return unpack<ZoneSnapshot>(ask(Tag::Snapshot, {}, Tag::Snapshot).bytes); }
 
-void RemoteFineScale::keep() { ask(Tag::Keep, {}, Tag::Done); }
+void RemoteFineScale::keep() {
+    send(Tag::Keep, {});
+    keep_begun_ = true;
+}
 
 ZoneSnapshot RemoteFineScale::kept() { return unpack<ZoneSnapshot>(ask(Tag::Kept, {}, Tag::Snapshot).bytes); }
 
@@ -71,7 +86,14 @@ void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) 
     ask(Tag::Restore, pack(Restore{patch, snapshot}), Tag::Done);
 }
 
+/// The answers that nobody has waited for. That to a patch which nobody wants any more tells nothing.
+void RemoteFineScale::hear_what_is_left() {
+    if (std::exchange(patch_begun_, false)) receive();
+    if (std::exchange(keep_begun_, false)) answer(Tag::Done);
+}
+
 void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
+    hear_what_is_left();
     require(!in_flight_, "one question in flight");
     transport_.send(tag, bytes);
     in_flight_ = tag != Tag::Stop;

@@ -21,6 +21,7 @@ public:
     ~RemoteFineScale() override;
 
     void set_patch(const Patch& patch) override;
+    void begin_patch(const Patch& patch) override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
     void begin_commit(const Commit& what) override;
@@ -37,6 +38,7 @@ public:
 
 private:
     void send(Tag tag, std::span<const std::byte> bytes);
+    void hear_what_is_left();
     Message receive();
     Message answer(Tag expected);
     Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
@@ -44,7 +46,7 @@ private:
     Transport& transport_;
     WorkCounts traffic_;
     std::int64_t bytes_with_tangent_ = 0;  // of the last answer that brought one
-    bool in_flight_ = false, commit_begun_ = false;
+    bool in_flight_ = false, commit_begun_ = false, patch_begun_ = false, keep_begun_ = false;
 };
 
 }  // namespace stria::coupling

@@ -91,9 +91,9 @@ void fields(auto& wire, Is<CondensedTangent> auto& m) {
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {
     auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-           interior_correction, interior_displacement, along, along_before, provisional, digest] = m;
+           interior_correction, interior_displacement, along, along_before, provisional, woken, digest] = m;
     wire(force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-         interior_correction, interior_displacement, along, along_before, provisional, digest);
+         interior_correction, interior_displacement, along, along_before, provisional, woken, digest);
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {

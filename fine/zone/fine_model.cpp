@@ -75,6 +75,7 @@ coupling::PatchResponse FineModel::collect() {
     if (unseen && !response.provisional && wake_what_would_yield()) {
         linearise();
         response = system_.measure();
+        response.woken = true;
     }
     response.along = work_along_correction();
     response.along_before = correction_.work_before;

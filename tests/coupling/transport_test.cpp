@@ -101,6 +101,46 @@ TEST_F(MemoryConversation, FailuresArriveAsTheyWereAndTheConversationGoesOn) {
     join();
 }
 
+TEST_F(MemoryConversation, APatchMayBeginBeforeAnybodyWaitsForIt) {
+    FakeFineScale fine, direct;
+    other_side([&fine](Transport& transport) { serve(transport, fine, 1); });
+    {
+        RemoteFineScale remote(near_end(), 1);
+        const coupling::Patch patch = patch_of(3);
+        remote.begin_patch(patch);
+        EXPECT_EQ(remote.traffic().messages, 3);  // Hello, answered
+        remote.set_patch(patch);
+        EXPECT_EQ(remote.traffic().messages, 4);
+        fine.trouble = Trouble::Numerical;
+        remote.begin_patch(patch);
+        EXPECT_THROW(remote.set_patch(patch), NumericalFailure);
+        fine.trouble = Trouble::Numerical;
+        remote.begin_patch(patch);
+        EXPECT_NO_THROW(remote.rollback());  // nobody wants it any more
+        compare(direct, remote, 5);
+    }
+    join();
+}
+
+TEST_F(MemoryConversation, WhatIsKeptIsThereWhenItIsAskedFor) {
+    FakeFineScale fine;
+    other_side([&fine](Transport& transport) { serve(transport, fine, 1); });
+    {
+        RemoteFineScale remote(near_end(), 1);
+        remote.set_patch(patch_of(3));
+        remote.keep();
+        remote.request(displacement_of(0, 3));
+        static_cast<void>(remote.collect());
+        static_cast<void>(remote.commit({}));
+        EXPECT_EQ(remote.kept().displacement, Eigen::VectorXd::Zero(3));
+        EXPECT_NE(remote.snapshot().displacement, Eigen::VectorXd::Zero(3));
+        fine.trouble = Trouble::Numerical;
+        remote.keep();
+        EXPECT_THROW(remote.rollback(), NumericalFailure);
+    }
+    join();
+}
+
 TEST_F(MemoryConversation, AnotherCaseIsRefusedOnBothSides) {
     FakeFineScale fine;
     other_side([&fine](Transport& transport) { serve(transport, fine, 1); });

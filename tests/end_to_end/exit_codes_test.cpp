@@ -82,6 +82,19 @@ TEST_F(ExitCode, OfALimitLoad) {
     EXPECT_TRUE(says("load.control = \"displacement\" goes past its limit load; the last checkpoint is")) << said();
 }
 
+// It hardens for ever, so that small strains find an equilibrium under any load.
+TEST_F(ExitCode, OfABodyThatGivesWay) {
+    const std::vector<std::string> soft{"mesh.grading=[]",       "mesh.size=8.0",
+                                        "load.steps=4",          "load.blocks=[{cycles=1, max=1000.0, ratio=0.0}]",
+                                        "material.kinematic=[]", "material.isotropic={law=\"linear\", modulus=1000.0}"};
+    EXPECT_EQ(run({"--mode", "inprocess"}, soft), 3);
+    EXPECT_TRUE(says("the body gives way after 8 halvings; the last converged one reached load factor")) << said();
+    std::vector<std::string> by_displacement = soft;
+    by_displacement[3] = "load.blocks=[{cycles=1, max=25.0, ratio=0.0}]";
+    by_displacement.emplace_back("load.control=displacement");
+    EXPECT_EQ(run({"--mode", "inprocess", "--force"}, by_displacement), 0) << said();
+}
+
 // The notch ends where the crack's last element has no point of integration behind it.
 TEST_F(ExitCode, IsZeroWithANotchUpToTheTip) {
     const double tip = 20.0;

@@ -69,7 +69,8 @@ TEST_P(OutputHistory, OfExtremesHasTheSameNumbers) {
             expect_equal(column[row], b[name][row], name + " of a cycle");
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, OutputHistory, testing::Values("inprocess", "mpi", "monolithic"));
+INSTANTIATE_TEST_SUITE_P(Modes, OutputHistory, testing::Values("inprocess", "mpi", "monolithic"),
+                         [](const auto& mode) { return mode.param; });
 
 }  // namespace
 }  // namespace stria::test

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,13 @@
 namespace stria::test {
 
 constexpr double young = 200e3, poisson = 0.3, plane_modulus = young / (1.0 - poisson * poisson);
+
+/// A name as gtest allows it.
+inline std::string test_name(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
+    return text;
+}
 
 /// Uniform traction | u_y imposed, u_x free | both components held.
 enum class End { Pulled, Guided, Clamped };

@@ -134,7 +134,8 @@ TEST(BentCracks, CutAlikeThroughElementsAndAlongEdges) {
     EXPECT_NEAR(through.K_II, along.K_II, 0.003 * K);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, BentCrack, ::testing::Values(kinked, zigzag, arc(0.6, 50.0, 5), arc(0.6, 50.0, 10)));
+INSTANTIATE_TEST_SUITE_P(Shapes, BentCrack, ::testing::Values(kinked, zigzag, arc(0.6, 50.0, 5), arc(0.6, 50.0, 10)),
+                         [](const auto& test) { return test_name(test.param.name); });
 
 }  // namespace
 }  // namespace stria::test

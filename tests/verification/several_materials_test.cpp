@@ -71,7 +71,8 @@ TEST_P(LayersInSeries, AreExact) {
         EXPECT_NEAR(solution.u[solution.scene.enriched.unknown(n, 0, 0)], 0.0, 1e-11 * largest);
     }
 }
-INSTANTIATE_TEST_SUITE_P(PlaneStates, LayersInSeries, testing::Values(PlaneState::Strain, PlaneState::Stress));
+INSTANTIATE_TEST_SUITE_P(PlaneStates, LayersInSeries, testing::Values(PlaneState::Strain, PlaneState::Stress),
+                         [](const auto& test) { return test.param == PlaneState::Strain ? "strain" : "stress"; });
 
 /// The same through the zone: a crack in one layer is pressed shut, and the faces bear what the bar bears.
 TEST(SeveralMaterials, PressedFacesInALayerBearTheStressOfTheBar) {

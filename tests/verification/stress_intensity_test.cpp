@@ -80,7 +80,10 @@ TEST_P(EdgeCrack, ConvergesUnderRefinement) {
 
 INSTANTIATE_TEST_SUITE_P(FiniteHeight, EdgeCrack,
                          ::testing::Values(Handbook{0.3, 2.0, 1.6606}, Handbook{0.5, 2.0, 2.8245},
-                                           Handbook{0.3, 1.0, 1.8471}, Handbook{0.5, 1.0, 3.0078}));
+                                           Handbook{0.3, 1.0, 1.8471}, Handbook{0.5, 1.0, 3.0078}),
+                         [](const auto& test) {
+                             return fmt::format("a{:.0f}_of_10_height{:.0f}", 10.0 * test.param.a, test.param.height);
+                         });
 
 TEST(StressIntensity, IsNegativeUnderCompression) {  // faces without contact overlap
     const coarse::TipResult pulled = edge_crack(0.4, 2.0, 15), pushed = edge_crack(0.4, 2.0, 15, -1.0);

@@ -47,7 +47,8 @@ INSTANTIATE_TEST_SUITE_P(Specimens, UniformMeshes,
                                            Specimen{"sent a/W 0.5", [] { return edge_crack(0.5, 2.0, End::Pulled); }},
                                            Specimen{"sent a/W 0.7", [] { return edge_crack(0.7, 2.0, End::Pulled); }},
                                            Specimen{"ct a/W 0.5", [] { return compact_tension(0.5); }},
-                                           Specimen{"mt 2a/W 0.5", [] { return middle_crack(0.5, 2.0); }}));
+                                           Specimen{"mt 2a/W 0.5", [] { return middle_crack(0.5, 2.0); }}),
+                         [](const auto& test) { return test_name(test.param.name); });
 
 }  // namespace
 }  // namespace stria::test

@@ -20,6 +20,7 @@ public:
     double scale = 1.0, interior = 0.0, contact = 0.0;
     double u = 0.0, start = 0.0;
     int applied = 0, parts = 0, looked = 0, provisional = 0;  // states that are
+    int wakes_at = -1;                                        // number of the state, from 0
     bool inside = false;                                      // its residual is one of the zone's
 
     void begin(const Target& target, const Predictor& predictor) override {
@@ -34,7 +35,8 @@ public:
                 .scale = scale,
                 .along = residual_ * correction_,
                 .along_before = before_,
-                .provisional = provisional-- > 0};
+                .provisional = provisional-- > 0,
+                .woken = wakes_at-- == 0};
     }
     double solve() override {
         correction_ = residual_ / stiffness(u);
@@ -166,6 +168,33 @@ TEST(Newton, GoesOnFromAStateThatIsProvisional) {
     EXPECT_EQ(report.iterations.size(), 8U);
     EXPECT_GT(spring.looked, 0);
     EXPECT_LT(find_equilibrium(sure, {Control::Load, 2.0}, 0.6, solver).iterations.size(), 8U);
+}
+
+// 12 iterations are allowed.
+TEST(Newton, HasAsManyIterationsAgainOnceElementsAreWoken) {
+    for (const bool wakes : {false, true}) {
+        Spring spring;
+        spring.force = [](double u) { return u; };
+        spring.stiffness = [](double) { return 2.0; };  // gains a bit per iteration
+        spring.wakes_at = wakes ? 7 : -1;
+        SolverSection rough = solver;
+        rough.tolerance = 1e-5;
+        const NewtonReport report = find_equilibrium(spring, {Control::Load, 1.0}, 0.0, rough);
+        EXPECT_EQ(report.converged, wakes);
+        EXPECT_EQ(report.count(), wakes ? 18 : 13);  // 2^-17 < 1e-5
+    }
+}
+
+// Next to a limit load: forces to rounding, and displacements to that over the stiffness.
+TEST(Newton, SettlesWhereOnlyRoundingIsLeftOfTheCorrection) {
+    Spring spring;
+    int call = 0;
+    spring.force = [&](double u) { return 1e-7 * (u - 1.0) + (call++ % 2 == 0 ? 1e-12 : -1e-12); };
+    spring.stiffness = [](double) { return 1e-7; };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 1e-4}, 0.0, solver);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT(report.count(), 6);
+    EXPECT_NEAR(spring.u, 1001.0, 2e-5);
 }
 
 // From a flat branch to the other one, and back for ever: between them it is steep.

@@ -74,7 +74,8 @@ TEST_P(ElasticBound, ChangesNoResult) {
     EXPECT_GT(counts.elastic_tangents_reused, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(PlaneStates, ElasticBound, testing::Values(PlaneState::Strain, PlaneState::Stress));
+INSTANTIATE_TEST_SUITE_P(PlaneStates, ElasticBound, testing::Values(PlaneState::Strain, PlaneState::Stress),
+                         [](const auto& test) { return test.param == PlaneState::Strain ? "strain" : "stress"; });
 
 }  // namespace
 }  // namespace stria::test
