@@ -30,7 +30,16 @@ RemoteFineScale::~RemoteFineScale() {
     }
 }
 
-void RemoteFineScale::set_patch(const Patch& patch) { ask(Tag::Patch, pack(patch), Tag::Done); }
+void RemoteFineScale::begin_set_patch(const Patch& patch) { begin(Tag::Patch, pack(patch)); }
+
+void RemoteFineScale::set_patch(const Patch& patch) {
+    if (!begun_) begin_set_patch(patch);
+    answer(Tag::Done);
+}
+
+Eigen::MatrixXd RemoteFineScale::increments() {
+    return unpack<Eigen::MatrixXd>(ask(Tag::Increments, {}, Tag::Increments).bytes);
+}
 
 void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag::Displacement, pack(displacement)); }
 
@@ -46,14 +55,10 @@ PatchResponse RemoteFineScale::collect() {
     return response;
 }
 
-void RemoteFineScale::begin_commit(const Commit& what) {
-    send(Tag::Commit, pack(what));
-    commit_begun_ = true;
-}
+void RemoteFineScale::begin_commit(const Commit& what) { begin(Tag::Commit, pack(what)); }
 
 StepReport RemoteFineScale::commit(const Commit& what) {
-    if (!commit_begun_) begin_commit(what);
-    commit_begun_ = false;
+    if (!begun_) begin_commit(what);
     return unpack<StepReport>(answer(Tag::Report).bytes);
 }
 
@@ -67,8 +72,13 @@ void RemoteFineScale::keep() { ask(Tag::Keep, {}, Tag::Done); }
 
 ZoneSnapshot RemoteFineScale::kept() { return unpack<ZoneSnapshot>(ask(Tag::Kept, {}, Tag::Snapshot).bytes); }
 
+void RemoteFineScale::begin_restore(const Patch& patch, const ZoneSnapshot& snapshot) {
+    begin(Tag::Restore, pack(Restore{patch, snapshot}));
+}
+
 void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
-    ask(Tag::Restore, pack(Restore{patch, snapshot}), Tag::Done);
+    if (!begun_) begin_restore(patch, snapshot);
+    answer(Tag::Done);
 }
 
 void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
@@ -81,7 +91,7 @@ void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
 
 Message RemoteFineScale::receive() {
     require(in_flight_, "an answer is read once, after its question");
-    in_flight_ = false;
+    in_flight_ = begun_ = false;
     Message message = transport_.receive();
     ++traffic_.messages;
     traffic_.bytes += std::ssize(message.bytes);
@@ -93,6 +103,11 @@ Message RemoteFineScale::answer(Tag expected) {
     if (message.tag == Tag::Failure) throw_again(unpack<Failure>(message.bytes));
     expect(expected, message.tag);
     return message;
+}
+
+void RemoteFineScale::begin(Tag question, std::span<const std::byte> bytes) {
+    send(question, bytes);
+    begun_ = true;
 }
 
 Message RemoteFineScale::ask(Tag question, std::span<const std::byte> bytes, Tag expected) {

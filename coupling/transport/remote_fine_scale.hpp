@@ -21,6 +21,8 @@ public:
     ~RemoteFineScale() override;
 
     void set_patch(const Patch& patch) override;
+    void begin_set_patch(const Patch& patch) override;
+    [[nodiscard]] Eigen::MatrixXd increments() override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
     void begin_commit(const Commit& what) override;
@@ -31,6 +33,7 @@ public:
     void keep() override;
     ZoneSnapshot kept() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
+    void begin_restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
     /// What has crossed, both ways, and what had not to.
     [[nodiscard]] const WorkCounts& traffic() const { return traffic_; }
@@ -39,12 +42,14 @@ private:
     void send(Tag tag, std::span<const std::byte> bytes);
     Message receive();
     Message answer(Tag expected);
+    void begin(Tag question, std::span<const std::byte> bytes);
     Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
 
     Transport& transport_;
     WorkCounts traffic_;
     std::int64_t bytes_with_tangent_ = 0;  // of the last answer that brought one
-    bool in_flight_ = false, commit_begun_ = false;
+    bool in_flight_ = false;
+    bool begun_ = false;  // set_patch(), restore() or commit()
 };
 
 }  // namespace stria::coupling
