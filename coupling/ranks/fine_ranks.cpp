@@ -39,21 +39,23 @@ void FineRanks::set_patch(const Patch& patch) {
     flow_ = std::move(flow);
 }
 
-// Elements keep their rank unless a crack ties together those of several, or one rank has much more to do.
+// Elements keep their rank unless a crack ties together those of several, or another sharing is much better. While
+// elements are split their history stays where it is.
 void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flow) {
-    constexpr double uneven = 1.25, gain = 0.9;
+    constexpr double much_better = 0.85;
     // Who has lost all elements once idles for good: what it knows is no more true.
     const int ranks = static_cast<int>(owner_.empty() ? scales_.size() : parts_.size());
     const std::optional<std::vector<int>> on =
         owner_.empty() ? std::nullopt : share_on(patch.mesh, owner_, patch.part_of);
-    const double share = on ? heaviest_share(*on, ranks, flow) : 0.0;
-    if (on && (share < uneven || !patch.part_of.empty())) {
+    if (on && (ranks == 1 || !patch.part_of.empty())) {
         owner_ = by_id(patch.mesh, *on);
         return;
     }
     const std::vector<int> anew = share_out(patch.mesh, ranks, patch_.mesh, patch.part_of, flow);
-    const bool moves = !owner_.empty() && (!on || heaviest_share(anew, ranks, flow) < gain * share);
-    owner_ = by_id(patch.mesh, on && !moves ? *on : anew);
+    const auto cost = [&](const std::vector<int>& rank_of) { return cost_of_sharing(patch.mesh, rank_of, flow); };
+    const bool stays = on && cost(anew) > much_better * cost(*on);
+    const bool moves = !owner_.empty() && !stays;
+    owner_ = by_id(patch.mesh, stays ? *on : anew);
     if (moves) move_history();
 }
 

@@ -58,7 +58,7 @@ private:
     std::vector<FineScale*> scales_;
     Patch patch_;
     std::map<int, int> owner_;  // rank by id of an element
-    std::vector<double> flow_;  // of each element: heaviest_share(); recent iterations count most
+    std::vector<double> flow_;  // of each element: cost_of_sharing(); recent iterations count most
     std::vector<RankPart> parts_;
     struct Kept {
         EnrichedMesh mesh;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
+#include <map>
 #include <span>
+#include <utility>
 
 #include "common/index.hpp"
 #include "coupling/ranks/element_groups.hpp"
@@ -12,63 +13,78 @@
 namespace stria::coupling {
 namespace {
 
-/// What elements cost in an iteration; of one that does not yield: 1. Yielding, with the points of it and the fronts
-/// above it: 20, from seconds of ranks with few and with many such elements (docs/performance.md).
-class Work {
-public:
-    explicit Work(const std::vector<double>& flow) : flow_(flow) {}
-    [[nodiscard]] double of(int element) const { return 1.0 + (flow_.empty() ? 0.0 : 20.0 * flow_[at(element)]); }
-    [[nodiscard]] double of(const ElementGroup& group) const {
-        double sum = 0.0;
-        for (const int element : group.elements) sum += of(element);
-        return sum;
-    }
+// What an iteration costs, in units of an element that does not yield: measured, docs/performance.md.
+constexpr double of_yielding = 20.0;   // with its points and the fronts above it
+constexpr double of_seam_node = 0.05;  // times the nodes on seams: dense matrices cross and are merged
 
-private:
-    const std::vector<double>& flow_;
+/// Two kinds of work: elements yield in some iterations and not in others, and who has less of either waits for who has
+/// more.
+struct Work {
+    double elements = 0.0, yielding = 0.0;
+
+    Work& operator+=(const Work& more) {
+        elements += more.elements;
+        yielding += more.yielding;
+        return *this;
+    }
+    [[nodiscard]] double off(const Work& other) const {
+        return std::abs(elements - other.elements) + std::abs(yielding - other.yielding);
+    }
 };
 
-/// The groups, sorted along an axis, before the cut that comes closest to the wanted work; by how much it misses, and
-/// how many nodes lie on both sides.
+Work work_of(int element, const std::vector<double>& flow) {
+    return {1.0, flow.empty() ? 0.0 : of_yielding * flow[at(element)]};
+}
+
+struct WeightedGroup {
+    ElementGroup group;
+    Work work;
+};
+
+/// The groups before a cut of those sorted along an axis, and what the cut costs.
 struct Cut {
     std::size_t groups;
-    double miss;
-    long seam;
+    double cost;
 };
-Cut cut_along(int axis, const EnrichedMesh& zone, const Work& work, std::span<ElementGroup> groups, double wanted) {
-    std::ranges::stable_sort(groups, {}, [&](const ElementGroup& group) { return group.centre[axis]; });
-    Cut best{0, wanted, 0};
-    double sum = 0.0;
-    for (std::size_t k = 0; k < groups.size(); ++k) {
-        sum += work.of(groups[k]);
-        if (std::abs(sum - wanted) < best.miss) best = {k + 1, std::abs(sum - wanted), 0};
-    }
+
+double seam_between(const EnrichedMesh& zone, std::span<const WeightedGroup> groups, std::size_t before) {
     std::vector<char> sides(zone.nodes.size(), 0);
     for (std::size_t k = 0; k < groups.size(); ++k)
-        for (const int element : groups[k].elements)
+        for (const int element : groups[k].group.elements)
             for (const int node : zone.elements[at(element)])
-                sides[at(node)] = static_cast<char>(sides[at(node)] | (k < best.groups ? 1 : 2));
-    best.seam = std::ranges::count(sides, 3);
+                sides[at(node)] = static_cast<char>(sides[at(node)] | (k < before ? 1 : 2));
+    const auto nodes = static_cast<double>(std::ranges::count(sides, 3));
+    return of_seam_node * nodes * nodes;
+}
+
+/// Sorts, and takes the cut before which there is most nearly the wanted work.
+Cut cut_along(int axis, const EnrichedMesh& zone, std::span<WeightedGroup> groups, const Work& wanted) {
+    std::ranges::stable_sort(groups, {}, [&](const WeightedGroup& w) { return w.group.centre[axis]; });
+    Work before;
+    Cut best{0, before.off(wanted)};
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        before += groups[k].work;
+        if (before.off(wanted) < best.cost) best = {k + 1, before.off(wanted)};
+    }
+    best.cost += seam_between(zone, groups, best.groups);
     return best;
 }
 
-// For a short seam, unless a crack, which is one group, would upset the balance.
-void bisect(const EnrichedMesh& zone, const Work& work, std::span<ElementGroup> groups, int first_rank, int ranks) {
+void bisect(const EnrichedMesh& zone, std::span<WeightedGroup> groups, int first_rank, int ranks) {
     if (ranks == 1) {
-        for (ElementGroup& group : groups) group.rank = first_rank;
+        for (WeightedGroup& w : groups) w.group.rank = first_rank;
         return;
     }
     const int half = ranks / 2;
-    double total = 0.0;
-    for (const ElementGroup& group : groups) total += work.of(group);
-    const double wanted = total * half / ranks, balanced = total / 20.0;
-    const Cut upright = cut_along(0, zone, work, groups, wanted);
-    Cut cut = cut_along(1, zone, work, groups, wanted);
-    const bool alike = std::abs(upright.miss - cut.miss) <= balanced;
-    if (alike ? upright.seam < cut.seam : upright.miss < cut.miss) cut = cut_along(0, zone, work, groups, wanted);
+    Work wanted;
+    for (const WeightedGroup& w : groups) wanted += w.work;
+    wanted = {wanted.elements * half / ranks, wanted.yielding * half / ranks};
+    const Cut upright = cut_along(0, zone, groups, wanted);
+    Cut cut = cut_along(1, zone, groups, wanted);
+    if (upright.cost < cut.cost) cut = cut_along(0, zone, groups, wanted);
     const std::size_t before = std::clamp(cut.groups, at(half), groups.size() - at(ranks - half));  // nobody idles
-    bisect(zone, work, groups.first(before), first_rank, half);
-    bisect(zone, work, groups.subspan(before), first_rank + half, ranks - half);
+    bisect(zone, groups.first(before), first_rank, half);
+    bisect(zone, groups.subspan(before), first_rank + half, ranks - half);
 }
 
 /// False where a group has elements of several.
@@ -128,9 +144,17 @@ std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<E
 
 std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before,
                            const std::vector<int>& part_of, const std::vector<double>& flow) {
-    std::vector<ElementGroup> groups = element_groups_with_ways(zone, before, part_of);
-    bisect(zone, Work(flow), groups, 0, std::min(ranks, static_cast<int>(groups.size())));
-    return ranks_of_elements(zone, groups);
+    std::vector<WeightedGroup> weighted;
+    for (ElementGroup& group : element_groups_with_ways(zone, before, part_of)) {
+        Work work;
+        for (const int element : group.elements) work += work_of(element, flow);
+        weighted.push_back({std::move(group), work});
+    }
+    bisect(zone, weighted, 0, std::min(ranks, static_cast<int>(weighted.size())));
+    std::vector<int> rank(zone.elements.size(), 0);
+    for (const auto& [group, work] : weighted)
+        for (const int element : group.elements) rank[at(element)] = group.rank;
+    return rank;
 }
 
 std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners,
@@ -141,11 +165,24 @@ std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::ma
     return ranks_of_elements(zone, groups);
 }
 
-double heaviest_share(const std::vector<int>& rank_of_element, int ranks, const std::vector<double>& flow) {
-    const Work work(flow);
-    std::vector<double> sum(at(ranks), 0.0);
-    for (int e = 0; e < std::ssize(rank_of_element); ++e) sum[at(rank_of_element[at(e)])] += work.of(e);
-    return std::ranges::max(sum) * ranks / std::reduce(sum.begin(), sum.end());
+double cost_of_sharing(const EnrichedMesh& zone, const std::vector<int>& rank_of_element,
+                       const std::vector<double>& flow) {
+    std::map<int, Work> of_rank;
+    std::vector<int> rank_at(zone.nodes.size(), -1);
+    std::vector<char> is_shared(zone.nodes.size(), 0);
+    for (int e = 0; e < std::ssize(zone.elements); ++e) {
+        const int rank = rank_of_element[at(e)];
+        of_rank[rank] += work_of(e, flow);
+        for (const int node : zone.elements[at(e)]) {
+            const int other = std::exchange(rank_at[at(node)], rank);
+            if (other >= 0 && other != rank) is_shared[at(node)] = 1;
+        }
+    }
+    Work most;
+    for (const auto& [rank, work] : of_rank)
+        most = {std::max(most.elements, work.elements), std::max(most.yielding, work.yielding)};
+    const auto nodes = static_cast<double>(std::ranges::count(is_shared, 1));
+    return most.elements + most.yielding + of_seam_node * nodes * nodes;
 }
 
 }  // namespace stria::coupling
