@@ -16,12 +16,13 @@ public:
     /// A new zone (Fig. 3a, or an extension); what it shares with the old one keeps its points and history.
     virtual void set_patch(const Patch& patch) = 0;
 
-    /// Lets the set_patch() of the same patch, which must follow, begin, where the transport allows.
-    virtual void begin_patch(const Patch& /*patch*/) {}
+    /// Lets the set_patch() of the same patch, which should follow, begin, where the transport allows: several rebuild
+    /// their zones side by side, and the structure is busy meanwhile.
+    virtual void begin_set_patch(const Patch& /*patch*/) {}
 
-    /// Whether increments are known beyond a set_patch() with longer cracks and no tip functions (TipMoves): what
-    /// predictors start from.
-    [[nodiscard]] virtual bool keeps_increments() const { return true; }
+    /// What predictors start from: the last increments of the displacement of all unknowns of the patch's mesh, mm, a
+    /// column each, the last of all first. They go along with the tips of growing cracks (MovedField).
+    [[nodiscard]] virtual Eigen::MatrixXd increments() { return {}; }
 
     /// Asks for the response to boundary displacements; returns at once where the transport allows.
     virtual void request(const PatchDisplacement& displacement) = 0;
@@ -50,6 +51,9 @@ public:
 
     /// In place of set_patch(), the same patch: goes on from a snapshot, bit for bit where as many ranks gave it.
     virtual void restore(const Patch& patch, const ZoneSnapshot& snapshot) = 0;
+
+    /// As begin_set_patch().
+    virtual void begin_restore(const Patch& /*patch*/, const ZoneSnapshot& /*snapshot*/) {}
 
 private:
     ZoneSnapshot kept_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/integration/moved_field.hpp"
 #include "common/predictor.hpp"
 #include "common/substructure/substructure.hpp"
 #include "coupling/frozen_tip.hpp"
@@ -27,6 +28,13 @@ struct Ring {
     double inner_radius = 0.0, outer_radius = 0.0;  // mm
 };
 
+/// The last increments as guesses about new tips (MovedField), on all unknowns of a new mesh, mm: a column each, the
+/// last of all first.
+struct MovedIncrements {
+    TipMoves moves;
+    Eigen::MatrixXd displacement;
+};
+
 /// The zone: sent once per geometry, and again when the zone is extended.
 struct Patch {
     EnrichedMesh mesh;                // its elements only; ids refer to the whole mesh
@@ -42,9 +50,10 @@ struct Patch {
                                 // empty: nobody asks
     std::vector<std::vector<double>> slip_at;  // per tip: distances behind it, mm, at which is asked whether the faces
                                                // slide; empty: nobody asks
-    bool shared = false;       // by several ranks: nobody knows increments on both sides of a seam, and all forget them
-    std::vector<int> part_of;  // per element of `mesh`: id in the whole mesh before of the element of which it is a
-                               // part, and therefore new; -1: of none; empty: no element has been split
+    bool shared = false;         // by several ranks: none of them knows increments on both sides of a seam
+    MovedIncrements moved = {};  // those of all of them; no columns: they are forgotten
+    std::vector<int> part_of;    // per element of `mesh`: id in the whole mesh before of the element of which it is a
+                                 // part, and therefore new; -1: of none; empty: no element has been split
 };
 
 /// Displacements of the zone's boundary, each Newton iteration.

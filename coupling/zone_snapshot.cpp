@@ -34,6 +34,7 @@ ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const 
         own.points.push_back(whole.points[e]);
         own.recent_flow.push_back(whole.recent_flow[e]);
         own.resting.push_back(whole.resting[e]);
+        own.flow.push_back(whole.flow[e]);
         const auto columns = at(whole.columns);
         const auto begin = whole.history.begin() + static_cast<std::ptrdiff_t>(histories[e].first_row * columns);
         own.history.insert(own.history.end(), begin, begin + static_cast<std::ptrdiff_t>(histories[e].rows * columns));
@@ -56,6 +57,7 @@ void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const
     append(whole.points, part.points);
     append(whole.recent_flow, part.recent_flow);
     append(whole.resting, part.resting);
+    append(whole.flow, part.flow);
     whole.columns = part.columns;
     append(whole.history, part.history);
     whole.half_cycle_ended = part.half_cycle_ended;

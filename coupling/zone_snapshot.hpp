@@ -29,6 +29,7 @@ struct ZoneSnapshot {
     std::vector<std::int32_t> points;       // how many it has
     std::vector<std::int32_t> recent_flow;  // bit k: in the half cycle k before the last one
     std::vector<std::int32_t> resting;      // its points are those of `rest_displacement`
+    std::vector<double> flow;               // part of the recent iterations in which it yielded; one rank: 0
 
     // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has
     // flowed in this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.

@@ -30,7 +30,7 @@ public:
     /// The zone takes more elements, with their functions as they are; make() is to follow before anyone asks it.
     virtual void extend_zone(const coupling::Patch& patch) = 0;
 
-    /// As coupling::FineScale.
+    /// Whether there is a zone's side, which takes its increments along with growing cracks.
     [[nodiscard]] virtual bool keeps_increments() const = 0;
 
     /// As make(), but the zone goes on from a snapshot; Equilibrium::restore() is to follow.
@@ -54,9 +54,9 @@ public:
     CondensedFactory(coupling::FineScale* fine, EquilibriumSections input) : fine_(fine), input_(std::move(input)) {}
     std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
                                       const Eigen::VectorXd& committed, const LoadFactors& factors) override;
-    void begin_zone(const coupling::Patch& patch) override { fine_->begin_patch(patch); }
+    void begin_zone(const coupling::Patch& patch) override { fine_->begin_set_patch(patch); }
     void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
-    [[nodiscard]] bool keeps_increments() const override { return fine_ != nullptr && fine_->keeps_increments(); }
+    [[nodiscard]] bool keeps_increments() const override { return fine_ != nullptr; }
     std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
                                         const Eigen::VectorXd& committed, const coupling::ZoneSnapshot& zone) override;
     coupling::ZoneState zone_state() override { return fine_->state(); }

@@ -143,16 +143,16 @@ std::optional<TipMoves> TipMoves::between(const EnrichedMesh& from, const Enrich
         const int now = element_nearest_to(to, old + tip - before);
         const Vec2 move = tip == before ? Vec2::Zero() : Vec2(centre(to, now) - old);
         if (tip != before && !lies_on_itself(from, to, tip, size_of(to, now), move)) return std::nullopt;
-        moves.tips_.push_back(tip);
-        moves.moves_.push_back(move);
+        moves.tips.push_back(tip);
+        moves.moves.push_back(move);
     }
     return moves;
 }
 
 Vec2 TipMoves::of_nearest_tip(const Vec2& x) const {
-    if (tips_.empty()) return Vec2::Zero();
-    const auto nearest = std::ranges::min_element(tips_, {}, [&](const Vec2& tip) { return (tip - x).squaredNorm(); });
-    return moves_[at(nearest - tips_.begin())];
+    if (tips.empty()) return Vec2::Zero();
+    const auto nearest = std::ranges::min_element(tips, {}, [&](const Vec2& tip) { return (tip - x).squaredNorm(); });
+    return moves[at(nearest - tips.begin())];
 }
 
 MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves) {

@@ -12,8 +12,7 @@ namespace stria {
 
 /// How far fields go along with each tip, mm: as far as it has moved, to whole elements, so that the mesh about it
 /// comes to lie on itself. Between nodes a field as steep as that about a tip would be no guess.
-class TipMoves {
-public:
+struct TipMoves {
     /// Of the same tips in the same order. Nothing where the mesh about one of them has no such move, or where there
     /// are tip functions.
     static std::optional<TipMoves> between(const EnrichedMesh& from, const EnrichedMesh& to);
@@ -21,8 +20,7 @@ public:
     /// That of the tip nearest to a place.
     [[nodiscard]] Vec2 of_nearest_tip(const Vec2& x) const;
 
-private:
-    std::vector<Vec2> tips_, moves_;  // one per tip, `to`
+    std::vector<Vec2> tips, moves;  // one per tip: where it is now
 };
 
 class MovedField {
@@ -31,8 +29,9 @@ public:
     /// `from` has no element there, that of its nearest node. `moves`: between them.
     MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves);
 
-    /// On all unknowns of `to`, from those of `from`.
+    /// On all unknowns of `to`, from those of `from`; or of several such fields, a column each.
     [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& values) const { return weights_ * values; }
+    [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& values) const { return weights_ * values; }
 
 private:
     SparseRows weights_;

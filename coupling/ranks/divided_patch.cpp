@@ -61,20 +61,19 @@ void end_at_seams(const Seams& seams, RankPart& part, Patch& patch) {
 DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const Eigen::VectorXd& displacement) {
     DividedPatch divided;
     for (auto& [rank, elements] : elements_of_ranks(patch.mesh, owner)) {
-        EnrichedMesh mesh = extract(patch.mesh, elements);
-        std::vector<int> unknowns = whole_unknowns(patch.mesh, mesh);
-        divided.patches.push_back({.mesh = std::move(mesh),
-                                   .boundary = {},
-                                   .unit_load = gather(patch.unit_load, unknowns),
-                                   .case_loads = rows_of(patch.case_loads, unknowns),
-                                   .displacement = gather(displacement, unknowns),
-                                   .rings = patch.rings,
-                                   .opening_at = patch.opening_at,
-                                   .contact_at = patch.contact_at,
-                                   .ahead = patch.ahead,
-                                   .slip_at = patch.slip_at,
-                                   .shared = true,
-                                   .part_of = of_elements(patch.part_of, elements)});
+        Patch& part = divided.patches.emplace_back();
+        part.mesh = extract(patch.mesh, elements);
+        std::vector<int> unknowns = whole_unknowns(patch.mesh, part.mesh);
+        part.unit_load = gather(patch.unit_load, unknowns);
+        part.case_loads = rows_of(patch.case_loads, unknowns);
+        part.displacement = gather(displacement, unknowns);
+        part.rings = patch.rings;
+        part.opening_at = patch.opening_at;
+        part.contact_at = patch.contact_at;
+        part.ahead = patch.ahead;
+        part.slip_at = patch.slip_at;
+        part.shared = true;
+        part.part_of = of_elements(patch.part_of, elements);
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});
     }
     divided.seams = find_seams(patch, divided.parts);

@@ -34,41 +34,90 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
     : scales_(std::move(ranks)), increments_(remembered), reports_(scales_.size()) {}
 
 void FineRanks::set_patch(const Patch& patch) {
-    if (given_.empty()) begin_patch(patch);
+    if (given_.empty()) begin_set_patch(patch);
     const std::vector<Patch> given = std::exchange(given_, {});
-    for (std::size_t k = 0; k < given.size(); ++k) scale_of(parts_[k]).set_patch(given[k]);
+    for_each_part([&](std::size_t k) { scale_of(parts_[k]).set_patch(given[k]); });
 }
 
-void FineRanks::begin_patch(const Patch& patch) {
-    if (owner_.empty()) {
-        owner_ = shared_out(patch.mesh);
-    } else if (const auto rank_of = share_on(patch.mesh, owner_, patch.part_of)) {
-        owner_ = by_id(patch.mesh, *rank_of);
-    } else {
-        // Who has lost all elements once idles for good: what it knows is no more true.
-        owner_ = by_id(patch.mesh, share_out(patch.mesh, static_cast<int>(parts_.size()), patch_.mesh, patch.part_of));
-        move_history();
+void FineRanks::begin_set_patch(const Patch& patch) {
+    std::vector<double> flow = flow_in(patch);
+    choose_owners(patch, flow);
+    given_ = take(patch, known_displacement(patch), moved_to(patch.mesh));
+    flow_ = std::move(flow);
+    for (std::size_t k = 0; k < given_.size(); ++k) scale_of(parts_[k]).begin_set_patch(given_[k]);
+    tree_.emplace(patch_.mesh, parts_, seams_);
+}
+
+// Elements keep their rank unless a crack ties together those of several, or another sharing is much better. While
+// elements are split their history stays where it is.
+void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flow) {
+    constexpr double much_better = 0.85;
+    // Who has lost all elements once idles for good: what it knows is no more true.
+    const int ranks = static_cast<int>(owner_.empty() ? scales_.size() : parts_.size());
+    const std::optional<std::vector<int>> on =
+        owner_.empty() ? std::nullopt : share_on(patch.mesh, owner_, patch.part_of);
+    if (on && (ranks == 1 || !patch.part_of.empty())) {
+        owner_ = by_id(patch.mesh, *on);
+        return;
     }
-    given_ = take(patch, known_displacement(patch));
-    for (std::size_t k = 0; k < given_.size(); ++k) scale_of(parts_[k]).begin_patch(given_[k]);
+    const std::vector<int> anew = share_out(patch.mesh, ranks, patch_.mesh, patch.part_of, flow);
+    const auto cost = [&](const std::vector<int>& rank_of) { return cost_of_sharing(patch.mesh, rank_of, flow); };
+    const bool stays = on && cost(anew) > much_better * cost(*on);
+    const bool moves = !owner_.empty() && !stays;
+    owner_ = by_id(patch.mesh, stays ? *on : anew);
+    if (moves) move_history();
+}
+
+/// By id; parts have that of their whole.
+std::vector<double> FineRanks::flow_in(const Patch& next) const {
+    std::map<int, double> known;
+    for (std::size_t e = 0; e < flow_.size(); ++e) known[patch_.mesh.element_ids[e]] = flow_[e];
+    std::vector<double> flow;
+    for (std::size_t e = 0; e < next.mesh.elements.size(); ++e) {
+        const bool is_part = !next.part_of.empty() && next.part_of[e] >= 0;
+        const auto found = known.find(is_part ? next.part_of[e] : next.mesh.element_ids[e]);
+        flow.push_back(found != known.end() ? found->second : 0.0);
+    }
+    return flow;
+}
+
+void FineRanks::note_flow(const Digest& digest) {
+    constexpr double newest = 1.0 / 64.0;  // of a mean that forgets: about a cycle
+    for (std::size_t e = 0; e < flow_.size(); ++e)
+        flow_[e] += newest * ((digest.yielding_points[e] > 0 ? 1.0 : 0.0) - flow_[e]);
+}
+
+// As many as all know: a rank that has been idle knows none.
+Eigen::MatrixXd FineRanks::increments() {
+    Eigen::Index count = std::ssize(increments_.all());
+    std::vector<Eigen::MatrixXd> own;
+    for (const RankPart& part : parts_) {
+        own.push_back(scale_of(part).increments());
+        count = std::min(count, own.back().cols());
+    }
+    Eigen::MatrixXd known(patch_.mesh.unknowns, count);
+    for (std::size_t k = 0; k < parts_.size(); ++k) known(parts_[k].unknowns, Eigen::all) = own[k].leftCols(count);
+    return known;
+}
+
+MovedIncrements FineRanks::moved_to(const EnrichedMesh& next) {
+    const std::optional<TipMoves> moves = TipMoves::between(patch_.mesh, next);
+    if (!moves || increments_.all().empty()) return {};
+    return {*moves, MovedField(patch_.mesh, next, *moves).of(increments())};
 }
 
 void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     const bool same_ranks = snapshot.ranks == std::ssize(scales_);
-    owner_ = same_ranks ? owners_in(snapshot) : shared_out(patch.mesh);
-    restore_parts(take(patch, snapshot.displacement), snapshot);
-    for (const Eigen::VectorXd& increment : snapshot.increments | std::views::reverse)
-        increments_.push(gather(increment, seams_.kept));
-}
-
-std::map<int, int> FineRanks::shared_out(const EnrichedMesh& zone) const {
-    return by_id(zone, share_out(zone, static_cast<int>(scales_.size())));
+    const int ranks = static_cast<int>(scales_.size());
+    owner_ = same_ranks ? owners_in(snapshot) : by_id(patch.mesh, share_out(patch.mesh, ranks, {}, {}, snapshot.flow));
+    go_on_from(patch, snapshot);
+    flow_ = snapshot.flow;
 }
 
 // Of the patch that all know. It changes no state, as a checkpoint would not.
 void FineRanks::move_history() {
     const ZoneSnapshot all = snapshot();
-    restore_parts(take(Patch(patch_), all.displacement), all);
+    go_on_from(Patch(patch_), all);
     ++history_moves_;
 }
 
@@ -82,22 +131,35 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
 }
 
 /// The patches of the parts.
-std::vector<Patch> FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement) {
+std::vector<Patch> FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement,
+                                   const MovedIncrements& moved) {
     DividedPatch divided = divide(patch, owner_, displacement);
     patch_ = patch;
     parts_ = std::move(divided.parts);
     seams_ = std::move(divided.seams);
     committed_ = trial_ = gather(displacement, seams_.kept);
     increments_.clear();
+    for (Eigen::Index k = moved.displacement.cols(); k-- > 0;)
+        increments_.push(gather(moved.displacement.col(k), seams_.kept));
     for (std::size_t r = 0; r < scales_.size(); ++r)
         if (std::ranges::find(parts_, static_cast<int>(r), &RankPart::rank) == parts_.end()) forget_state(reports_[r]);
-    tree_.emplace(patch_.mesh, parts_, seams_);
+    if (moved.displacement.cols() > 0)
+        for (std::size_t k = 0; k < parts_.size(); ++k)
+            divided.patches[k].moved = {moved.moves, moved.displacement(parts_[k].unknowns, Eigen::all)};
     return std::move(divided.patches);
 }
 
-void FineRanks::restore_parts(const std::vector<Patch>& patches, const ZoneSnapshot& snapshot) {
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-        scale_of(parts_[k]).restore(patches[k], part_of(snapshot, patches[k].mesh, parts_[k].unknowns));
+void FineRanks::go_on_from(const Patch& patch, const ZoneSnapshot& snapshot) {
+    const std::vector<Patch> patches = take(patch, snapshot.displacement);
+    for (const Eigen::VectorXd& increment : snapshot.increments | std::views::reverse)
+        increments_.push(gather(increment, seams_.kept));
+    std::vector<ZoneSnapshot> parts;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        parts.push_back(part_of(snapshot, patches[k].mesh, parts_[k].unknowns));
+        scale_of(parts_[k]).begin_restore(patches[k], parts[k]);
+    }
+    tree_.emplace(patch_.mesh, parts_, seams_);
+    for_each_part([&](std::size_t k) { scale_of(parts_[k]).restore(patches[k], parts[k]); });
 }
 
 void FineRanks::request(const PatchDisplacement& displacement) {
@@ -124,7 +186,11 @@ void FineRanks::request(const PatchDisplacement& displacement) {
 }
 
 PatchResponse FineRanks::collect() {
-    const std::vector<PatchResponse> answers = collect_all();
+    std::vector<PatchResponse> answers(parts_.size());
+    for_each_part([&](std::size_t k) {
+        answers[k] = scale_of(parts_[k]).collect();
+        if (!answers[k].same_tangent) tree_->set_tangent(k, std::move(answers[k].tangent));
+    });
     PatchResponse response;
     response.digest.yielding_points.assign(patch_.mesh.elements.size(), 0);
     Eigen::VectorXd unit_load = gather(patch_.unit_load, seams_.kept), load = load_factor_ * unit_load;
@@ -136,6 +202,7 @@ PatchResponse FineRanks::collect() {
         load(parts_[k].shared) -= answers[k].force;
         unit_load(parts_[k].shared) += answers[k].unit_load;
     }
+    note_flow(response.digest);
     for (const int seam : seams_.between)
         response.interior_residual = std::max(response.interior_residual, std::abs(load[seam]));
     response.same_tangent = !tree_->factor();
@@ -146,20 +213,17 @@ PatchResponse FineRanks::collect() {
     return response;
 }
 
-/// Every answer is read, also where one is a failure: nobody is left in mid-conversation.
-std::vector<PatchResponse> FineRanks::collect_all() {
-    std::vector<PatchResponse> answers(parts_.size());
+/// Reads every answer, also where one is a failure: nobody is left in mid-conversation.
+void FineRanks::for_each_part(const std::function<void(std::size_t)>& read) const {
     std::exception_ptr failure;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         try {
-            answers[k] = scale_of(parts_[k]).collect();
-            if (!answers[k].same_tangent) tree_->set_tangent(k, std::move(answers[k].tangent));
+            read(k);
         } catch (const NumericalFailure&) {
             if (!failure) failure = std::current_exception();
         }
     }
     if (failure) std::rethrow_exception(failure);
-    return answers;
 }
 
 StepReport FineRanks::commit(const Commit& what) {
@@ -180,17 +244,31 @@ void FineRanks::rollback() {
     for (const RankPart& part : parts_) scale_of(part).rollback();
 }
 
-ZoneSnapshot FineRanks::snapshot() {
+ZoneSnapshot FineRanks::snapshot() { return together(patch_.mesh, parts_, flow_, &FineScale::snapshot); }
+
+void FineRanks::keep() {
+    for (const RankPart& part : parts_) scale_of(part).keep();
+    kept_ = {patch_.mesh, parts_, flow_};
+}
+
+ZoneSnapshot FineRanks::kept() { return together(kept_.mesh, kept_.parts, kept_.flow, &FineScale::kept); }
+
+ZoneSnapshot FineRanks::together(const EnrichedMesh& mesh, const std::vector<RankPart>& parts,
+                                 const std::vector<double>& flow, ZoneSnapshot (FineScale::*give)()) const {
     ZoneSnapshot whole;
     whole.ranks = static_cast<std::int32_t>(scales_.size());
-    whole.displacement = whole.rest_displacement = Eigen::VectorXd::Zero(patch_.mesh.unknowns);
-    whole.increments.assign(increments_.all().size(), whole.displacement);
-    whole.held = whole.displacement;
-    for (const RankPart& part : parts_) add(whole, scale_of(part).snapshot(), part.rank, part.unknowns);
+    whole.displacement = whole.rest_displacement = whole.held = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (const RankPart& part : parts) {
+        const ZoneSnapshot own = (scale_of(part).*give)();
+        whole.increments.resize(own.increments.size(), Eigen::VectorXd::Zero(mesh.unknowns));
+        add(whole, own, part.rank, part.unknowns);
+    }
     std::ranges::stable_sort(whole.multipliers, {}, &MultiplierSnapshot::crack);
-    std::vector<int> all(at(patch_.mesh.unknowns));
+    std::vector<int> all(at(mesh.unknowns));
     std::iota(all.begin(), all.end(), 0);
-    return part_of(whole, patch_.mesh, all);  // in the order of the patch, as one rank would give it
+    whole = part_of(whole, mesh, all);  // in the order of the patch, as one rank would give it
+    whole.flow = flow;
+    return whole;
 }
 
 ZoneState FineRanks::state() {

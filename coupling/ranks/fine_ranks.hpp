@@ -2,6 +2,7 @@
 // substructures, and the merge above them stands here (docs/method.md, section 1).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -22,36 +23,51 @@ public:
     FineRanks(std::vector<FineScale*> ranks, std::size_t remembered);
 
     void set_patch(const Patch& patch) override;
-    void begin_patch(const Patch& patch) override;
-    [[nodiscard]] bool keeps_increments() const override { return false; }  // Patch::shared
+    void begin_set_patch(const Patch& patch) override;
+    [[nodiscard]] Eigen::MatrixXd increments() override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
     StepReport commit(const Commit& what) override;
     void rollback() override;
     ZoneState state() override;
     ZoneSnapshot snapshot() override;
+    void keep() override;
+    ZoneSnapshot kept() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
     /// The last report of each rank. Those of ranks without an element hold only what they have done so far.
     [[nodiscard]] const std::vector<StepReport>& reports() const { return reports_; }
 
-    /// How often history had to move.
+    /// How often history has moved.
     [[nodiscard]] int history_moves() const { return history_moves_; }
 
 private:
-    [[nodiscard]] std::map<int, int> shared_out(const EnrichedMesh& zone) const;
+    void choose_owners(const Patch& patch, const std::vector<double>& flow);
     void move_history();
+    [[nodiscard]] std::vector<double> flow_in(const Patch& next) const;
+    void note_flow(const Digest& digest);
+    /// Of all ranks; `give`: asks one.
+    [[nodiscard]] ZoneSnapshot together(const EnrichedMesh& mesh, const std::vector<RankPart>& parts,
+                                        const std::vector<double>& flow, ZoneSnapshot (FineScale::*give)()) const;
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
-    [[nodiscard]] std::vector<Patch> take(const Patch& patch, const Eigen::VectorXd& displacement);
-    void restore_parts(const std::vector<Patch>& patches, const ZoneSnapshot& snapshot);
+    [[nodiscard]] MovedIncrements moved_to(const EnrichedMesh& next);
+    [[nodiscard]] std::vector<Patch> take(const Patch& patch, const Eigen::VectorXd& displacement,
+                                          const MovedIncrements& moved = {});
+    void go_on_from(const Patch& patch, const ZoneSnapshot& snapshot);
     [[nodiscard]] FineScale& scale_of(const RankPart& part) const { return *scales_[at(part.rank)]; }
-    [[nodiscard]] std::vector<PatchResponse> collect_all();
+    void for_each_part(const std::function<void(std::size_t)>& read) const;
 
     std::vector<FineScale*> scales_;
     Patch patch_;
     std::map<int, int> owner_;  // rank by id of an element
+    std::vector<double> flow_;  // of each element: cost_of_sharing(); recent iterations count most
     std::vector<RankPart> parts_;
     std::vector<Patch> given_;  // to the parts, and they may not have it yet
+    struct Kept {
+        EnrichedMesh mesh;
+        std::vector<RankPart> parts;
+        std::vector<double> flow;
+    } kept_;
     Seams seams_;
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm

@@ -22,7 +22,7 @@ SeamTree::SeamTree(const EnrichedMesh& zone, const std::vector<RankPart>& parts,
     FrontLayout layout;
     layout.unknowns = static_cast<int>(seams.kept.size());
     layout.boundary = seams.gamma;
-    layout.leaf_elements = 1;
+    layout.leaf_elements = 2;  // two ranks meet in one front
     for (const RankPart& part : parts) {
         layout.element_unknowns.push_back(part.shared);
         layout.centres.push_back(centre(zone, part.elements));

@@ -3,151 +3,93 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
+#include <map>
 #include <span>
+#include <utility>
 
-#include "common/enrichment/element_basis.hpp"
 #include "common/index.hpp"
+#include "coupling/ranks/element_groups.hpp"
 
 namespace stria::coupling {
 namespace {
 
-/// Elements that one rank must own together.
-struct Group {
-    std::vector<int> elements;
-    Vec2 centre = Vec2::Zero();  // mean of the elements'
-    int rank = -1;
+// What an iteration costs, in units of an element that does not yield: measured, docs/performance.md.
+constexpr double of_yielding = 20.0;   // with its points and the fronts above it
+constexpr double of_seam_node = 0.05;  // times the nodes on seams: dense matrices cross and are merged
 
-    [[nodiscard]] double weight() const { return static_cast<double>(elements.size()); }
+/// Two kinds of work: elements yield in some iterations and not in others, and who has less of either waits for who has
+/// more.
+struct Work {
+    double elements = 0.0, yielding = 0.0;
+
+    Work& operator+=(const Work& more) {
+        elements += more.elements;
+        yielding += more.yielding;
+        return *this;
+    }
+    [[nodiscard]] double off(const Work& other) const {
+        return std::abs(elements - other.elements) + std::abs(yielding - other.yielding);
+    }
 };
 
-/// Sets of elements that are found to belong together.
-class Union {
-public:
-    explicit Union(std::size_t elements) : parent_(elements) { std::iota(parent_.begin(), parent_.end(), 0); }
+Work work_of(int element, const std::vector<double>& flow) {
+    return {1.0, flow.empty() ? 0.0 : of_yielding * flow[at(element)]};
+}
 
-    int root(int element) {
-        while (parent_[at(element)] != element) element = parent_[at(element)] = parent_[at(parent_[at(element)])];
-        return element;
-    }
-    void join(int a, int b) { parent_[at(root(b))] = root(a); }
-
-private:
-    std::vector<int> parent_;
+struct WeightedGroup {
+    ElementGroup group;
+    Work work;
 };
 
-/// The crack of each unknown, -1 for standard ones.
-std::vector<int> crack_of_unknowns(const EnrichedMesh& zone) {
-    std::vector<int> crack(at(zone.unknowns), -1);
-    for (const auto& [node, term, unknown] : zone.own_unknowns()) {
-        if (term == 0) continue;
-        const Term& own = zone.terms[at(node)][at(term - 1)];
-        crack[at(unknown)] = own.kind == Term::Kind::Heaviside ? own.owner : zone.tip_of(own).crack;
-    }
-    return crack;
-}
-
-/// Joins, under one key, all elements that it is said of.
-class JoinByKey {
-public:
-    explicit JoinByKey(Union& sets) : sets_(sets) {}
-    void operator()(int key, int element) { sets_.join(first_.try_emplace(key, element).first->second, element); }
-
-private:
-    Union& sets_;
-    std::map<int, int> first_;
-};
-
-/// What has to stay together in a mesh. `element`: in the sets, of each of the mesh.
-void tie_together(const EnrichedMesh& mesh, const std::vector<int>& element, Union& sets) {
-    JoinByKey on_crack(sets), about_hanging_node(sets);
-    const std::vector<int> piece = piece_of_elements(mesh), crack = crack_of_unknowns(mesh);
-    for (const CrackPiece& p : mesh.pieces) {
-        on_crack(p.crack, element[at(p.element)]);
-        if (p.neighbour >= 0) on_crack(p.crack, element[at(p.neighbour)]);
-    }
-    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
-        const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
-        for (const int unknown : basis.unknowns())
-            if (unknown % 2 == 0 && crack[at(unknown)] >= 0) on_crack(crack[at(unknown)], element[at(e)]);
-        for (const int node : mesh.elements[at(e)])
-            if (mesh.tie(node) != nullptr) about_hanging_node(node, element[at(e)]);
-    }
-}
-
-std::vector<Group> groups_of(const EnrichedMesh& zone, const EnrichedMesh& before, const std::vector<int>& part_of) {
-    Union sets(zone.elements.size());
-    std::map<int, int> element;  // by id
-    for (int e = 0; e < std::ssize(zone.elements); ++e) element[zone.element_ids[at(e)]] = e;
-    JoinByKey of_whole(sets);
-    for (int e = 0; e < std::ssize(part_of); ++e)
-        if (part_of[at(e)] >= 0) of_whole(part_of[at(e)], e);
-    for (const EnrichedMesh* mesh : {&zone, &before}) {
-        std::vector<int> in_zone;
-        for (const int id : mesh->element_ids) in_zone.push_back(element.at(id));
-        tie_together(*mesh, in_zone, sets);
-    }
-    std::vector<Group> groups;
-    std::vector<int> place(zone.elements.size(), -1);
-    for (int e = 0; e < std::ssize(zone.elements); ++e) {
-        int& own = place[at(sets.root(e))];
-        if (own < 0) {
-            own = static_cast<int>(groups.size());
-            groups.emplace_back();
-        }
-        Group& group = groups[at(own)];
-        group.elements.push_back(e);
-        for (const int node : zone.elements[at(e)]) group.centre += zone.nodes[at(node)] / 4.0;
-    }
-    for (Group& group : groups) group.centre /= group.weight();
-    return groups;
-}
-
-double weight_of(std::span<const Group> groups) {
-    return std::transform_reduce(groups.begin(), groups.end(), 0.0, std::plus<>(), std::mem_fn(&Group::weight));
-}
-
-/// Sorts along an axis; the number of groups before the cut that comes closest to a weight, and by how much it misses.
+/// The groups before a cut of those sorted along an axis, and what the cut costs.
 struct Cut {
     std::size_t groups;
-    double miss;
+    double cost;
 };
-Cut cut_along(int axis, std::span<Group> groups, double weight) {
-    std::ranges::stable_sort(groups, {}, [&](const Group& group) { return group.centre[axis]; });
-    Cut best{0, weight};
-    double sum = 0.0;
+
+double seam_between(const EnrichedMesh& zone, std::span<const WeightedGroup> groups, std::size_t before) {
+    std::vector<char> sides(zone.nodes.size(), 0);
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        for (const int element : groups[k].group.elements)
+            for (const int node : zone.elements[at(element)])
+                sides[at(node)] = static_cast<char>(sides[at(node)] | (k < before ? 1 : 2));
+    const auto nodes = static_cast<double>(std::ranges::count(sides, 3));
+    return of_seam_node * nodes * nodes;
+}
+
+/// Sorts, and takes the cut before which there is most nearly the wanted work.
+Cut cut_along(int axis, const EnrichedMesh& zone, std::span<WeightedGroup> groups, const Work& wanted) {
+    std::ranges::stable_sort(groups, {}, [&](const WeightedGroup& w) { return w.group.centre[axis]; });
+    Work before;
+    Cut best{0, before.off(wanted)};
     for (std::size_t k = 0; k < groups.size(); ++k) {
-        sum += groups[k].weight();
-        if (std::abs(sum - weight) < best.miss) best = {k + 1, std::abs(sum - weight)};
+        before += groups[k].work;
+        if (before.off(wanted) < best.cost) best = {k + 1, before.off(wanted)};
     }
+    best.cost += seam_between(zone, groups, best.groups);
     return best;
 }
 
-// Across the longer way, for a short seam; across the other where a crack, which is one group, would upset the balance.
-void bisect(std::span<Group> groups, int first_rank, int ranks) {
-    if (ranks == 1 || groups.size() <= 1) {
-        for (Group& group : groups) group.rank = first_rank;
+void bisect(const EnrichedMesh& zone, std::span<WeightedGroup> groups, int first_rank, int ranks) {
+    if (ranks == 1) {
+        for (WeightedGroup& w : groups) w.group.rank = first_rank;
         return;
     }
-    Vec2 least = groups.front().centre, most = least;
-    for (const Group& group : groups) {
-        least = least.cwiseMin(group.centre);
-        most = most.cwiseMax(group.centre);
-    }
-    const Vec2 extent = most - least;
-    const int longer = extent.x() >= extent.y() ? 0 : 1, half = ranks / 2;
-    const double total = weight_of(groups), weight = total * half / ranks;
-    const Cut other = cut_along(1 - longer, groups, weight);
-    Cut cut = cut_along(longer, groups, weight);
-    if (other.miss < cut.miss - total / 20.0) cut = cut_along(1 - longer, groups, weight);
-    const std::size_t before = std::clamp(cut.groups, std::size_t{1}, groups.size() - 1);
-    bisect(groups.first(before), first_rank, half);
-    bisect(groups.subspan(before), first_rank + half, ranks - half);
+    const int half = ranks / 2;
+    Work wanted;
+    for (const WeightedGroup& w : groups) wanted += w.work;
+    wanted = {wanted.elements * half / ranks, wanted.yielding * half / ranks};
+    const Cut upright = cut_along(0, zone, groups, wanted);
+    Cut cut = cut_along(1, zone, groups, wanted);
+    if (upright.cost < cut.cost) cut = cut_along(0, zone, groups, wanted);
+    const std::size_t before = std::clamp(cut.groups, at(half), groups.size() - at(ranks - half));  // nobody idles
+    bisect(zone, groups.first(before), first_rank, half);
+    bisect(zone, groups.subspan(before), first_rank + half, ranks - half);
 }
 
 /// False where a group has elements of several.
-bool keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<Group>& groups) {
-    for (Group& group : groups) {
+bool keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std::vector<ElementGroup>& groups) {
+    for (ElementGroup& group : groups) {
         for (const int element : group.elements) {
             const auto owner = owners.find(zone.element_ids[at(element)]);
             if (owner == owners.end()) continue;
@@ -159,18 +101,18 @@ bool keep_owners(const EnrichedMesh& zone, const std::map<int, int>& owners, std
 }
 
 /// Ring by ring about those that have a rank; what touches none of them joins the rank with least.
-void join_neighbours(const EnrichedMesh& zone, std::vector<Group>& groups) {
+void join_neighbours(const EnrichedMesh& zone, std::vector<ElementGroup>& groups) {
     std::vector<int> rank_at(zone.nodes.size(), -1);
     std::map<int, double> weight;
-    const auto give = [&](Group& group, int rank) {
+    const auto give = [&](ElementGroup& group, int rank) {
         group.rank = rank;
-        weight[rank] += group.weight();
+        weight[rank] += static_cast<double>(group.elements.size());
         for (const int element : group.elements)
             for (const int node : zone.elements[at(element)]) rank_at[at(node)] = rank;
     };
-    for (Group& group : groups)
+    for (ElementGroup& group : groups)
         if (group.rank >= 0) give(group, group.rank);
-    const auto neighbour = [&](const Group& group) {
+    const auto neighbour = [&](const ElementGroup& group) {
         for (const int element : group.elements)
             for (const int node : zone.elements[at(element)])
                 if (rank_at[at(node)] >= 0) return rank_at[at(node)];
@@ -178,7 +120,7 @@ void join_neighbours(const EnrichedMesh& zone, std::vector<Group>& groups) {
     };
     for (bool joined = true; joined;) {
         joined = false;
-        for (Group& group : groups) {
+        for (ElementGroup& group : groups) {
             if (group.rank >= 0) continue;
             if (const int rank = neighbour(group); rank >= 0) {
                 give(group, rank);
@@ -187,13 +129,13 @@ void join_neighbours(const EnrichedMesh& zone, std::vector<Group>& groups) {
         }
     }
     const auto least = [](const auto& share) { return share.second; };
-    for (Group& group : groups)
+    for (ElementGroup& group : groups)
         if (group.rank < 0) give(group, std::ranges::min_element(weight, {}, least)->first);
 }
 
-std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<Group>& groups) {
+std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<ElementGroup>& groups) {
     std::vector<int> rank(zone.elements.size(), 0);
-    for (const Group& group : groups)
+    for (const ElementGroup& group : groups)
         for (const int element : group.elements) rank[at(element)] = group.rank;
     return rank;
 }
@@ -201,18 +143,46 @@ std::vector<int> ranks_of_elements(const EnrichedMesh& zone, const std::vector<G
 }  // namespace
 
 std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMesh& before,
-                           const std::vector<int>& part_of) {
-    std::vector<Group> groups = groups_of(zone, before, part_of);
-    bisect(groups, 0, std::min(ranks, static_cast<int>(groups.size())));
-    return ranks_of_elements(zone, groups);
+                           const std::vector<int>& part_of, const std::vector<double>& flow) {
+    std::vector<WeightedGroup> weighted;
+    for (ElementGroup& group : element_groups_with_ways(zone, before, part_of)) {
+        Work work;
+        for (const int element : group.elements) work += work_of(element, flow);
+        weighted.push_back({std::move(group), work});
+    }
+    bisect(zone, weighted, 0, std::min(ranks, static_cast<int>(weighted.size())));
+    std::vector<int> rank(zone.elements.size(), 0);
+    for (const auto& [group, work] : weighted)
+        for (const int element : group.elements) rank[at(element)] = group.rank;
+    return rank;
 }
 
 std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners,
                                          const std::vector<int>& part_of) {
-    std::vector<Group> groups = groups_of(zone, {}, part_of);
+    std::vector<ElementGroup> groups = element_groups(zone, {}, part_of);
     if (!keep_owners(zone, owners, groups)) return std::nullopt;
     join_neighbours(zone, groups);
     return ranks_of_elements(zone, groups);
+}
+
+double cost_of_sharing(const EnrichedMesh& zone, const std::vector<int>& rank_of_element,
+                       const std::vector<double>& flow) {
+    std::map<int, Work> of_rank;
+    std::vector<int> rank_at(zone.nodes.size(), -1);
+    std::vector<char> is_shared(zone.nodes.size(), 0);
+    for (int e = 0; e < std::ssize(zone.elements); ++e) {
+        const int rank = rank_of_element[at(e)];
+        of_rank[rank] += work_of(e, flow);
+        for (const int node : zone.elements[at(e)]) {
+            const int other = std::exchange(rank_at[at(node)], rank);
+            if (other >= 0 && other != rank) is_shared[at(node)] = 1;
+        }
+    }
+    Work most;
+    for (const auto& [rank, work] : of_rank)
+        most = {std::max(most.elements, work.elements), std::max(most.yielding, work.yielding)};
+    const auto nodes = static_cast<double>(std::ranges::count(is_shared, 1));
+    return most.elements + most.yielding + of_seam_node * nodes * nodes;
 }
 
 }  // namespace stria::coupling

@@ -46,6 +46,8 @@ const char* name(Tag tag) {
         return "Keep";
     case Tag::Kept:
         return "Kept";
+    case Tag::Increments:
+        return "Increments";
     }
     return "a message of an unknown kind";
 }

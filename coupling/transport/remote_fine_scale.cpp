@@ -26,22 +26,22 @@ RemoteFineScale::RemoteFineScale(Transport& transport, std::uint64_t case_digest
 
 RemoteFineScale::~RemoteFineScale() {
     try {
-        patch_begun_ = keep_begun_ = false;
+        begun_.reset();
         if (in_flight_) receive();  // an unread answer would keep the other side from reading on
         send(Tag::Stop, {});
     } catch (...) {  // it has ended already, or the end of the transport will tell it
     }
 }
 
+void RemoteFineScale::begin_set_patch(const Patch& patch) { begin(Tag::Patch, pack(patch)); }
+
 void RemoteFineScale::set_patch(const Patch& patch) {
-    if (!patch_begun_) begin_patch(patch);
-    patch_begun_ = false;
+    if (begun_ != Tag::Patch) begin_set_patch(patch);
     answer(Tag::Done);
 }
 
-void RemoteFineScale::begin_patch(const Patch& patch) {
-    send(Tag::Patch, pack(patch));
-    patch_begun_ = true;
+Eigen::MatrixXd RemoteFineScale::increments() {
+    return unpack<Eigen::MatrixXd>(ask(Tag::Increments, {}, Tag::Increments).bytes);
 }
 
 void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag::Displacement, pack(displacement)); }
@@ -58,14 +58,10 @@ PatchResponse RemoteFineScale::collect() {
     return response;
 }
 
-void RemoteFineScale::begin_commit(const Commit& what) {
-    send(Tag::Commit, pack(what));
-    commit_begun_ = true;
-}
+void RemoteFineScale::begin_commit(const Commit& what) { begin(Tag::Commit, pack(what)); }
 
 StepReport RemoteFineScale::commit(const Commit& what) {
-    if (!commit_begun_) begin_commit(what);
-    commit_begun_ = false;
+    if (begun_ != Tag::Commit) begin_commit(what);
     return unpack<StepReport>(answer(Tag::Report).bytes);
 }
 
@@ -75,21 +71,23 @@ ZoneState RemoteFineScale::state() { return unpack<ZoneState>(ask(Tag::State, {}
 
 ZoneSnapshot RemoteFineScale::snapshot() { return unpack<ZoneSnapshot>(ask(Tag::Snapshot, {}, Tag::Snapshot).bytes); }
 
-void RemoteFineScale::keep() {
-    send(Tag::Keep, {});
-    keep_begun_ = true;
-}
+void RemoteFineScale::keep() { begin(Tag::Keep, {}); }
 
 ZoneSnapshot RemoteFineScale::kept() { return unpack<ZoneSnapshot>(ask(Tag::Kept, {}, Tag::Snapshot).bytes); }
 
+void RemoteFineScale::begin_restore(const Patch& patch, const ZoneSnapshot& snapshot) {
+    begin(Tag::Restore, pack(Restore{patch, snapshot}));
+}
+
 void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
-    ask(Tag::Restore, pack(Restore{patch, snapshot}), Tag::Done);
+    if (begun_ != Tag::Restore) begin_restore(patch, snapshot);
+    answer(Tag::Done);
 }
 
 /// The answers that nobody has waited for. That to a patch which nobody wants any more tells nothing.
 void RemoteFineScale::hear_what_is_left() {
-    if (std::exchange(patch_begun_, false)) receive();
-    if (std::exchange(keep_begun_, false)) answer(Tag::Done);
+    if (begun_ == Tag::Patch) receive();
+    if (begun_ == Tag::Keep) answer(Tag::Done);
 }
 
 void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
@@ -104,6 +102,7 @@ void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
 Message RemoteFineScale::receive() {
     require(in_flight_, "an answer is read once, after its question");
     in_flight_ = false;
+    begun_.reset();
     Message message = transport_.receive();
     ++traffic_.messages;
     traffic_.bytes += std::ssize(message.bytes);
@@ -115,6 +114,11 @@ Message RemoteFineScale::answer(Tag expected) {
     if (message.tag == Tag::Failure) throw_again(unpack<Failure>(message.bytes));
     expect(expected, message.tag);
     return message;
+}
+
+void RemoteFineScale::begin(Tag question, std::span<const std::byte> bytes) {
+    send(question, bytes);
+    begun_ = question;
 }
 
 Message RemoteFineScale::ask(Tag question, std::span<const std::byte> bytes, Tag expected) {

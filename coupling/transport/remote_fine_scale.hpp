@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "coupling/fine_scale.hpp"
@@ -21,7 +22,8 @@ public:
     ~RemoteFineScale() override;
 
     void set_patch(const Patch& patch) override;
-    void begin_patch(const Patch& patch) override;
+    void begin_set_patch(const Patch& patch) override;
+    [[nodiscard]] Eigen::MatrixXd increments() override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
     void begin_commit(const Commit& what) override;
@@ -32,6 +34,7 @@ public:
     void keep() override;
     ZoneSnapshot kept() override;
     void restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
+    void begin_restore(const Patch& patch, const ZoneSnapshot& snapshot) override;
 
     /// What has crossed, both ways, and what had not to.
     [[nodiscard]] const WorkCounts& traffic() const { return traffic_; }
@@ -41,12 +44,14 @@ private:
     void hear_what_is_left();
     Message receive();
     Message answer(Tag expected);
+    void begin(Tag question, std::span<const std::byte> bytes);
     Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
 
     Transport& transport_;
     WorkCounts traffic_;
     std::int64_t bytes_with_tangent_ = 0;  // of the last answer that brought one
-    bool in_flight_ = false, commit_begun_ = false, patch_begun_ = false, keep_begun_ = false;
+    bool in_flight_ = false;
+    std::optional<Tag> begun_;  // the question in flight, where nobody waits for its answer yet
 };
 
 }  // namespace stria::coupling

@@ -29,6 +29,8 @@ Message reply(const Message& question, FineScale& fine) {
         return {Tag::Done, {}};
     case Tag::Kept:
         return {Tag::Snapshot, pack(fine.kept())};
+    case Tag::Increments:
+        return {Tag::Increments, pack(fine.increments())};
     case Tag::Restore: {
         const auto [patch, snapshot] = unpack<Restore>(question.bytes);
         fine.restore(patch, snapshot);

@@ -23,7 +23,8 @@ enum class Tag : std::uint32_t {
     Snapshot,
     Restore,
     Keep,
-    Kept
+    Kept,
+    Increments
 };
 
 struct Message {

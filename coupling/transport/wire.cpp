@@ -204,6 +204,7 @@ template std::vector<std::byte> pack(const StepReport&);
 template std::vector<std::byte> pack(const ZoneState&);
 template std::vector<std::byte> pack(const ZoneSnapshot&);
 template std::vector<std::byte> pack(const Restore&);
+template std::vector<std::byte> pack(const Eigen::MatrixXd&);
 template std::vector<std::byte> pack(const std::vector<MultiplierSnapshot>&);
 template std::vector<std::byte> pack(const std::vector<FrozenTip>&);
 
@@ -216,6 +217,7 @@ template PatchResponse unpack(std::span<const std::byte>);
 template StepReport unpack(std::span<const std::byte>);
 template ZoneState unpack(std::span<const std::byte>);
 template ZoneSnapshot unpack(std::span<const std::byte>);
+template Eigen::MatrixXd unpack(std::span<const std::byte>);
 template Restore unpack(std::span<const std::byte>);
 template std::vector<MultiplierSnapshot> unpack(std::span<const std::byte>);
 template std::vector<FrozenTip> unpack(std::span<const std::byte>);

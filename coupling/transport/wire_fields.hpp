@@ -58,11 +58,21 @@ void fields(auto& wire, Is<EnrichedMesh> auto& m) {
          element_side, tied, first_unknown, first_gathered, unknowns);
 }
 
+void fields(auto& wire, Is<TipMoves> auto& m) {
+    auto& [tips, moves] = m;
+    wire(tips, moves);
+}
+
+void fields(auto& wire, Is<MovedIncrements> auto& m) {
+    auto& [moves, displacement] = m;
+    wire(moves, displacement);
+}
+
 void fields(auto& wire, Is<Patch> auto& m) {
     auto& [mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, shared,
-           part_of] = m;
+           moved, part_of] = m;
     wire(mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, shared,
-         part_of);
+         moved, part_of);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
@@ -138,10 +148,10 @@ void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {
-    auto& [ranks, element, rank, points, quiet_half_cycles, resting, columns, history, half_cycle_ended, displacement,
-           rest_displacement, increments, held, multipliers, frozen_tips] = m;
-    wire(ranks, element, rank, points, quiet_half_cycles, resting, columns, history, half_cycle_ended, displacement,
-         rest_displacement, increments, held, multipliers, frozen_tips);
+    auto& [ranks, element, rank, points, quiet_half_cycles, resting, flow, columns, history, half_cycle_ended,
+           displacement, rest_displacement, increments, held, multipliers, frozen_tips] = m;
+    wire(ranks, element, rank, points, quiet_half_cycles, resting, flow, columns, history, half_cycle_ended,
+         displacement, rest_displacement, increments, held, multipliers, frozen_tips);
 }
 
 void fields(auto& wire, Is<Restore> auto& m) {

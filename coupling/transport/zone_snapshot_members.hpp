@@ -22,7 +22,7 @@ template <class List> void as_bytes(auto& archive, const char* name, List& list)
 
 void members(auto& archive, auto& snapshot) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(snapshot)>>, ZoneSnapshot> {
-    auto& [ranks, element, rank, points, recent_flow, resting, columns, history, half_cycle_ended, displacement,
+    auto& [ranks, element, rank, points, recent_flow, resting, flow, columns, history, half_cycle_ended, displacement,
            rest_displacement, increments, held, multipliers, frozen_tips] = snapshot;
     archive("ranks", ranks);
     archive("element", element);
@@ -30,6 +30,7 @@ void members(auto& archive, auto& snapshot) requires
     archive("points", points);
     archive("recent_flow", recent_flow);
     archive("resting", resting);
+    archive("flow", flow);
     archive("columns", columns);
     archive("history", history);
     archive("half_cycle_ended", half_cycle_ended);

@@ -27,6 +27,13 @@ void FineModel::set_patch(const coupling::Patch& patch) {
     begin_rest();
 }
 
+Eigen::MatrixXd FineModel::increments() {
+    const std::deque<ZoneUnknowns>& known = system_.increments();
+    Eigen::MatrixXd increments(system_.patch().mesh.unknowns, std::ssize(known));
+    for (std::size_t k = 0; k < known.size(); ++k) increments.col(static_cast<Eigen::Index>(k)) = known[k].displacement;
+    return increments;
+}
+
 void FineModel::plant_tree() {
     const coupling::Patch& patch = system_.patch();
     const ContactInterface& contact = system_.contact();

@@ -18,6 +18,7 @@ public:
     explicit FineModel(const ZoneSections& input);
 
     void set_patch(const coupling::Patch& patch) override;
+    [[nodiscard]] Eigen::MatrixXd increments() override;
     void request(const coupling::PatchDisplacement& displacement) override;
     coupling::PatchResponse collect() override;
     coupling::StepReport commit(const coupling::Commit& what) override;

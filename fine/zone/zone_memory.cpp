@@ -71,16 +71,26 @@ private:
     std::vector<Between> from_;
 };
 
-/// Increments known about the old tips as guesses about the new ones.
-void move_increments(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface& old_contact,
-                     const EnrichedMesh& next, const ContactInterface& contact, const TipMoves& moves) {
-    const MovedField field(before, next, moves);
-    const MovedTractions tractions(moves, old_contact, contact);
+/// Increments known about the old tips as guesses about the new ones. All faces of a crack are those of one rank.
+void move_increments(ZoneMemory& memory, const ContactInterface& old_contact, const ContactInterface& contact,
+                     const coupling::MovedIncrements& known) {
+    const MovedTractions tractions(known.moves, old_contact, contact);
     std::vector<ZoneUnknowns> moved;
-    for (const ZoneUnknowns& increment : memory.increments.all())
-        moved.push_back({field.of(increment.displacement), tractions.of(increment.traction)});
+    for (Eigen::Index k = 0; k < known.displacement.cols(); ++k)
+        moved.push_back({known.displacement.col(k), tractions.of(memory.increments.all().at(at(k)).traction)});
     memory.increments.clear();
     for (ZoneUnknowns& increment : moved | std::views::reverse) memory.increments.push(std::move(increment));
+}
+
+coupling::MovedIncrements moved_to(const EnrichedMesh& next, const EnrichedMesh& before,
+                                   const IncrementMemory<ZoneUnknowns>& increments) {
+    const std::optional<TipMoves> moves = TipMoves::between(before, next);
+    if (!moves) return {};
+    const MovedField field(before, next, *moves);
+    coupling::MovedIncrements moved{*moves, Eigen::MatrixXd(next.unknowns, std::ssize(increments.all()))};
+    for (Eigen::Index k = 0; k < moved.displacement.cols(); ++k)
+        moved.displacement.col(k) = field.of(increments.all()[at(k)].displacement);
+    return moved;
 }
 
 }  // namespace
@@ -105,12 +115,9 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
         }
     }
     memory.committed = std::move(carried);
-    std::optional<TipMoves> moves;
-    if (old_contact != nullptr && !next.shared) moves = TipMoves::between(before, next.mesh);
-    if (moves)
-        move_increments(memory, before, *old_contact, next.mesh, contact, *moves);
-    else
-        memory.increments.clear();
+    if (old_contact == nullptr) return;
+    const coupling::MovedIncrements moved = next.shared ? next.moved : moved_to(next.mesh, before, memory.increments);
+    move_increments(memory, *old_contact, contact, moved);
 }
 
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out) {

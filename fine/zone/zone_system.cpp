@@ -260,6 +260,7 @@ coupling::ZoneState ZoneSystem::state() const {
 coupling::ZoneSnapshot ZoneSystem::snapshot() const {
     coupling::ZoneSnapshot out;
     bulk_->remember(out);
+    out.flow.assign(out.element.size(), 0.0);
     write(memory_, *contact_, out);
     return out;
 }

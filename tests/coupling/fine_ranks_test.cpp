@@ -1,6 +1,7 @@
 // Several fine components that look like one: answers, state, failures.
 #include "common/enrichment/part_of_mesh.hpp"
 #include "coupling/ranks/fine_ranks.hpp"
+#include "coupling/ranks/zone_partition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <array>
 
 #include "common/error.hpp"
+#include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/plates.hpp"
 
@@ -132,18 +134,74 @@ protected:
     }
 };
 
-/// Twice before equilibrium is found again: what the first advance has opened is released with the second.
+/// Twice before equilibrium is found again: what the first advance has opened is released with the second. Where the
+/// crack turns history has to move.
 TEST_P(GrowingFineRanks, AnswerAsOne) {
-    const auto crack_to = [&](double tip) { turn_to(plate_mesh(11, 9, plate_case({{0.0, 4.4}, {tip, 4.4}}))); };
-    crack_to(2.6);
+    const auto crack_to = [&](const std::vector<Vec2>& way) { turn_to(plate_mesh(11, 9, plate_case(way))); };
+    crack_to({{0.0, 4.4}, {2.6, 4.4}});
     const Eigen::VectorXd u = boundary(4e-3, 1);
     EXPECT_EQ(commit_the_same(u).energy.released, 0.0);
-    for (const double tip : {4.6, 8.6}) {
-        crack_to(tip - 1.0);
-        crack_to(tip);
+    for (const double tip : {4.6, 6.6}) {
+        crack_to({{0.0, 4.4}, {tip - 1.0, 4.4}});
+        crack_to({{0.0, 4.4}, {tip, 4.4}});
         EXPECT_GT(std::abs(commit_the_same(u).energy.released), 0.0);
     }
+    crack_to({{0.0, 4.4}, {6.6, 4.4}, {8.6, 7.4}});
+    EXPECT_GT(std::abs(commit_the_same(u).energy.released), 0.0);
     EXPECT_EQ(team.together->history_moves() > 0, GetParam() > 1);
+}
+
+/// Predictors start from the same increments behind a growth, whether history has moved or not.
+TEST_P(GrowingFineRanks, KnowTheIncrementsOfOne) {
+    const auto crack_to = [&](const std::vector<Vec2>& way) { turn_to(plate_mesh(11, 9, plate_case(way), 0)); };
+    crack_to({{0.0, 4.4}, {4.6, 4.4}});
+    for (const double size : {2e-3, 4e-3}) (void)commit_the_same(boundary(size, 1));
+    for (const std::vector<Vec2>& way :
+         {std::vector<Vec2>{{0.0, 4.4}, {5.6, 4.4}}, {{0.0, 4.4}, {5.6, 4.4}, {6.6, 5.4}}}) {
+        crack_to(way);
+        const Eigen::MatrixXd increments = one.increments();
+        ASSERT_EQ(increments.cols(), 2);
+        EXPECT_LT(difference(team.together->increments(), increments), 1e-9);
+        for (int k = 0; k < 2; ++k) EXPECT_GT(increments.col(k).norm(), 0.0);
+    }
+}
+
+/// Also where elements have changed their rank since.
+TEST_P(GrowingFineRanks, GiveTheStateThatWasKept) {
+    const auto crack_to = [&](const std::vector<Vec2>& way) { turn_to(plate_mesh(11, 9, plate_case(way))); };
+    crack_to({{0.0, 4.4}, {6.6, 4.4}});
+    (void)commit_the_same(boundary(4e-3, 1));
+    team.together->keep();
+    const coupling::ZoneSnapshot then = team.together->snapshot();
+    crack_to({{0.0, 4.4}, {6.6, 4.4}, {8.6, 7.4}});
+    const coupling::ZoneSnapshot kept = team.together->kept();
+    EXPECT_EQ(kept.element, then.element);
+    EXPECT_EQ(kept.rank, then.rank);
+    EXPECT_EQ(kept.flow, then.flow);
+    EXPECT_EQ(kept.history, then.history);
+    EXPECT_EQ(kept.displacement, then.displacement);
+}
+
+/// Where most of the flow is with one rank, here in a corner, it gives elements away with the next patch.
+TEST_P(GrowingFineRanks, ShareTheFlow) {
+    turn_to(plate_mesh(11, 9, plate_case({{0.0, 4.4}, {2.6, 4.4}})));
+    Eigen::VectorXd u = boundary(8e-3, 1);
+    for (Eigen::Index k = 0; k < u.size(); ++k) {
+        const auto owner = std::ranges::upper_bound(patch.mesh.first_unknown, patch.boundary[at(k)]);
+        const auto node = owner - patch.mesh.first_unknown.begin() - 1;
+        const Vec2 from_corner = patch.mesh.nodes[at(node)] - Vec2(11.0, 0.0);
+        if (from_corner.norm() > 4.5) u[k] = 0.0;
+    }
+    for (const double sign : {1.0, -1.0, 1.0, -1.0, 1.0, -1.0}) (void)commit_the_same(sign * u);
+    const auto cost = [&] {
+        const coupling::ZoneSnapshot now = team.together->snapshot();
+        return coupling::cost_of_sharing(patch.mesh, {now.rank.begin(), now.rank.end()}, now.flow);
+    };
+    const double before = cost();
+    turn_to(patch.mesh);
+    EXPECT_EQ(team.together->history_moves() > 0, GetParam() > 1);
+    EXPECT_TRUE(cost() < 0.85 * before || GetParam() == 1);
+    (void)commit_the_same(u);
 }
 
 class TwoCracksOnFineRanks : public GrowingFineRanks {

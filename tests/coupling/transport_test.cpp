@@ -107,15 +107,15 @@ TEST_F(MemoryConversation, APatchMayBeginBeforeAnybodyWaitsForIt) {
     {
         RemoteFineScale remote(near_end(), 1);
         const coupling::Patch patch = patch_of(3);
-        remote.begin_patch(patch);
+        remote.begin_set_patch(patch);
         EXPECT_EQ(remote.traffic().messages, 3);  // Hello, answered
         remote.set_patch(patch);
         EXPECT_EQ(remote.traffic().messages, 4);
         fine.trouble = Trouble::Numerical;
-        remote.begin_patch(patch);
+        remote.begin_set_patch(patch);
         EXPECT_THROW(remote.set_patch(patch), NumericalFailure);
         fine.trouble = Trouble::Numerical;
-        remote.begin_patch(patch);
+        remote.begin_set_patch(patch);
         EXPECT_NO_THROW(remote.rollback());  // nobody wants it any more
         compare(direct, remote, 5);
     }
@@ -182,6 +182,27 @@ TEST_F(MemoryConversation, NonsenseEndsTheConversation) {
     near_end().send(Tag::Patch, std::vector(5, std::byte{1}));
     expect_end(near_end());
     EXPECT_THROW(join(), ComponentLost);
+}
+
+/// The question is on its way before anyone waits for the answer, so that several work on theirs meanwhile.
+TEST_F(MemoryConversation, ANewPatchBeginsBeforeItsAnswerIsAwaited) {
+    std::promise<void> has_begun;
+    other_side([&](Transport& transport) {
+        FakeFineScale fine;
+        const coupling::Message hello = transport.receive();
+        transport.send(hello.tag, hello.bytes);
+        EXPECT_EQ(transport.receive().tag, Tag::Patch);
+        has_begun.set_value();
+        transport.send(Tag::Done, {});
+        transport.receive();
+    });
+    {
+        RemoteFineScale remote(near_end(), 1);
+        remote.begin_set_patch(patch_of(3));
+        has_begun.get_future().wait();
+        remote.set_patch(patch_of(3));
+    }
+    join();
 }
 
 TEST_F(MemoryConversation, AStubLeftInMidQuestionEndsInGoodOrder) {

@@ -72,10 +72,51 @@ TEST_F(ZonePartition, ElementsKeepTheirRankAndNewOnesJoinANeighbour) {
     }
 }
 
+/// A crack that flows outweighs all else: it has a rank of its own, and each of the others one element at least.
+TEST_F(ZonePartition, NobodyIdlesBesideAHeavyCrack) {
+    std::vector<double> flow(108, 0.0);
+    for (int e = 48; e < 60; ++e) flow[at(e)] = 1.0;  // its row
+    for (const int ranks : {2, 3, 4, 5, 7})
+        EXPECT_EQ(std::ssize(ranks_in(share_out(zone, ranks, {}, {}, flow))), ranks);
+}
+
+/// 108 elements in two parts: 10 nodes on the seam across the plate, 13 along it.
+TEST_F(ZonePartition, TakesTheShorterSeam) {
+    const auto x = [](const EnrichedMesh& mesh, int element) { return mesh.nodes[at(mesh.elements[at(element)][0])]; };
+    const EnrichedMesh wide = plate_mesh(12, 9, Case()), high = plate_mesh(9, 12, Case());
+    const std::vector<int> of_wide = share_out(wide, 2), of_high = share_out(high, 2);
+    for (int e = 0; e < 108; ++e) {
+        EXPECT_EQ(of_wide[at(e)], x(wide, e).x() < 5.5 ? 0 : 1);
+        EXPECT_EQ(of_high[at(e)], x(high, e).y() < 5.5 ? 0 : 1);
+    }
+}
+
+TEST_F(ZonePartition, ElementsThatYieldCountMore) {
+    std::vector<double> flow(108, 0.0);
+    for (int e = 0; e < 108; ++e)
+        if (zone.nodes[at(zone.elements[at(e)][0])].y() < 2.5) flow[at(e)] = 1.0;  // three of nine rows
+    const std::vector<int> blind = share_out(zone, 2), rank = share_out(zone, 2, {}, {}, flow);
+    // 54 or 60 elements and 36 of them that yield; about half of either in the better way. And the seams.
+    EXPECT_GT(coupling::cost_of_sharing(zone, blind, flow), 54.0 + 20.0 * 36.0);
+    EXPECT_LT(coupling::cost_of_sharing(zone, rank, flow), 65.0 + 20.0 * 20.0 + 20.0);
+    EXPECT_EQ(ranks_of_cracks(zone, rank).size(), 1U);
+}
+
+TEST_F(ZonePartition, ACrackThatGoesStraightOnStaysWithItsRank) {
+    for (const int ranks : {2, 3, 4}) {
+        const EnrichedMesh shorter = plate_mesh(12, 9, input, 0);
+        const std::vector<int> earlier = share_out(shorter, ranks);
+        for (const double tip : {6.6, 8.6, 11.6}) {
+            const EnrichedMesh longer = plate_mesh(12, 9, plate_case({{0.0, 4.4}, {tip, 4.4}}), 0);
+            EXPECT_EQ(share_on(longer, owners_of(zone, earlier)), earlier) << ranks << " ranks, " << tip;
+        }
+    }
+}
+
 TEST_F(ZonePartition, IsMadeAnewWhereALongerCrackCutsElementsOfAnotherRank) {
     const std::vector<int> earlier = share_out(zone, 2);
     EXPECT_EQ(share_on(zone, owners_of(zone, earlier)), earlier);
-    const EnrichedMesh longer = plate_mesh(12, 9, plate_case({{0.0, 4.4}, {9.6, 4.4}}));
+    const EnrichedMesh longer = plate_mesh(12, 9, plate_case({{0.0, 4.4}, {5.6, 4.4}, {8.6, 0.6}}));
     EXPECT_FALSE(share_on(longer, owners_of(zone, earlier)).has_value());
     const std::vector<int> later = share_out(longer, 2, zone);
     EXPECT_EQ(ranks_of_cracks(longer, later).size(), 1U);

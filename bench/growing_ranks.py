@@ -1,0 +1,136 @@
+#!/usr/bin/python3
+"""Several fine ranks on cracks that grow in every cycle: beta by ranks, and what a second rank gains.
+
+    bench/growing_ranks.py build/release/bin/stria [--cycles 5] [--repeat 3] [--only beta|gain]
+
+The plate of bench/growing_cycle, 90 MPa, refine = 32, for beta from 0.5 to 8; the same with refine = 64 and beta = 8
+(41 000 points, more with every cycle), and four cracks (bench/growing_ranks, 63 000 points), each on one rank and on
+two. All in mode mpi; numbers of ranks take turns. Prints Markdown tables: seconds per cycle by the clock from the third
+cycle on (ranks share the zone out anew when the first has shown where it flows), the fastest run of each; processor
+seconds of the coarse process and of the fine ones in all of that run; Newton iterations, moves of history, kB per
+iteration. The gain by processor seconds is that of ranks that never wait but for the coarse process: other work on the
+machine cannot spoil it.
+"""
+
+import argparse
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ONE_CRACK, FOUR_CRACKS = HERE / "growing_cycle" / "case.toml", HERE / "growing_ranks" / "four_cracks.toml"
+TICK = os.sysconf("SC_CLK_TCK")
+
+
+def processes_under(pid):
+    yield pid
+    try:
+        children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    except OSError:
+        return
+    for child in children:
+        yield from processes_under(int(child))
+
+
+def processor_seconds(process):
+    """By process id until the run ends: (program, seconds)."""
+    seconds = {}
+    while process.poll() is None:
+        for pid in processes_under(process.pid):
+            try:
+                text = Path(f"/proc/{pid}/stat").read_text()
+            except OSError:
+                continue
+            fields = text[text.rindex(")") + 2:].split()
+            seconds[pid] = (text[text.index("(") + 1:text.rindex(")")], (int(fields[11]) + int(fields[12])) / TICK)
+        time.sleep(0.02)
+    return seconds.values()
+
+
+def run(program, case, ranks, settings):
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name) / "out"
+        command = [program, "run", str(case), "-o", str(folder), "--mode", "mpi", "--fine", str(ranks), "--quiet"]
+        for setting in settings:
+            command += ["--set", setting]
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        seconds = list(processor_seconds(process))
+        if process.returncode != 0:
+            raise SystemExit(f"failed: {' '.join(command)}")
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        with open(folder / "cycles.csv", newline="", encoding="utf-8") as file:
+            cycles = {row["cycle"]: float(row["wall_s"]) for row in csv.DictReader(file)}
+    later = list(cycles.values())[2:]
+    return {
+        "wall": sum(later) / len(later),
+        "coarse": sum(s for program, s in seconds if program == "stria-coarse"),
+        "fine": sorted(s for program, s in seconds if program == "stria-fine"),
+        "summary": summary,
+    }
+
+
+def fastest(program, case, settings, cycles, stress, repeat):
+    """By number of ranks."""
+    blocks = f"load.blocks=[{{cycles={cycles},max={stress},ratio=0.0}}]"
+    best = {}
+    for _ in range(repeat):
+        for ranks in (1, 2):
+            now = run(program, case, ranks, [blocks] + settings)
+            if ranks not in best or now["wall"] < best[ranks]["wall"]:
+                best[ranks] = now
+    return best
+
+
+def longest(result):
+    return result["coarse"] + result["fine"][-1]
+
+
+def print_row(name, of):
+    both = [of[ranks] for ranks in (1, 2)]
+
+    def pair(value):
+        return ", ".join(value(result, result["summary"]) for result in both)
+
+    cells = [
+        name,
+        str(both[0]["summary"]["fine_points"]),
+        pair(lambda r, _: f"{r['wall']:.2f}"),
+        f"{both[0]['wall'] / both[1]['wall']:.2f}",
+        pair(lambda r, _: f"{r['coarse']:.1f}"),
+        pair(lambda r, _: " + ".join(f"{s:.1f}" for s in r["fine"])),
+        f"{longest(both[0]) / longest(both[1]):.2f}",
+        pair(lambda _, s: str(s["newton_iterations"])),
+        str(both[1]["summary"]["history_moves"]),
+        pair(lambda _, s: f"{s['bytes'] / s['newton_iterations'] / 1e3:.0f}"),
+    ]
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--cycles", type=int, default=5)
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--only", choices=["beta", "gain"])
+    chosen = parser.parse_args()
+    print("| case | points | s per cycle with 1, 2 ranks | gain | s of the coarse processor | of the fine ones | "
+          "gain by processors | iterations | moves of history | kB per iteration |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+
+    def measure(name, case, settings, stress):
+        print_row(name, fastest(chosen.program, case, settings, chosen.cycles, stress, chosen.repeat))
+
+    if chosen.only != "gain":
+        for beta in (0.5, 1, 2, 4, 8):
+            measure(f"beta = {beta}", ONE_CRACK, [f"fine.beta={beta}", "fine.guard=warn"], 90.0)
+    if chosen.only != "beta":
+        measure("one crack", ONE_CRACK, ["fine.beta=8", "fine.refine=64", "fine.growth=0.11"], 90.0)
+        measure("four cracks", FOUR_CRACKS, ["fine.refine=64"], 60.0)
+
+
+if __name__ == "__main__":
+    main()
