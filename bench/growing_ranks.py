@@ -3,13 +3,13 @@
 
     bench/growing_ranks.py build/release/bin/stria [--cycles 5] [--repeat 3] [--only beta|gain]
 
-The plate of bench/growing_cycle, 90 MPa, refine = 32, for beta from 0.5 to 8; the same with refine = 64 and beta = 8
-(41 000 points, more with every cycle), and four cracks (bench/growing_ranks, 63 000 points), each on one rank and on
-two. All in mode mpi; numbers of ranks take turns. Prints Markdown tables: seconds per cycle by the clock from the third
-cycle on (ranks share the zone out anew when the first has shown where it flows), the fastest run of each; processor
-seconds of the coarse process and of the fine ones in all of that run; Newton iterations, moves of history, kB per
-iteration. The gain by processor seconds is that of ranks that never wait but for the coarse process: other work on the
-machine cannot spoil it.
+The plate of bench/growing_cycle, 90 MPa, refine = 32, for beta from 0.5 to 8; the same with smaller elements and
+beta = 8 (58 000 points); and four cracks (bench/growing_ranks, 69 000 points). Each on one rank and on two, in mode
+mpi; numbers of ranks take turns. Prints a Markdown table: seconds per cycle by the clock from the third cycle on (ranks
+share the zone out anew when the first has shown where it flows), the fastest run of each; processor seconds per such
+cycle of the coarse process and of the fine ones; Newton iterations, moves of history and kB per iteration of all the
+run. The gain by processors is that of ranks that wait for the coarse process, and it for the one with most to do, but
+not from iteration to iteration: other work on the machine spoils it less.
 """
 
 import argparse
@@ -24,6 +24,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ONE_CRACK, FOUR_CRACKS = HERE / "growing_cycle" / "case.toml", HERE / "growing_ranks" / "four_cracks.toml"
 TICK = os.sysconf("SC_CLK_TCK")
+UNMEASURED = 2  # cycles
 
 
 def processes_under(pid):
@@ -36,19 +37,28 @@ def processes_under(pid):
         yield from processes_under(int(child))
 
 
-def processor_seconds(process):
-    """By process id until the run ends: (program, seconds)."""
+def processor_seconds(pid):
+    """Of all processes that a run has started, by id: (program, seconds)."""
     seconds = {}
+    for each in processes_under(pid):
+        try:
+            text = Path(f"/proc/{each}/stat").read_text()
+        except OSError:
+            continue
+        fields = text[text.rindex(")") + 2:].split()
+        seconds[each] = (text[text.index("(") + 1:text.rindex(")")], (int(fields[11]) + int(fields[12])) / TICK)
+    return seconds
+
+
+def follow(process, table, unmeasured):
+    """The same until the process ends, less what it had taken after so many cycles."""
+    before, seconds = {}, {}
     while process.poll() is None:
-        for pid in processes_under(process.pid):
-            try:
-                text = Path(f"/proc/{pid}/stat").read_text()
-            except OSError:
-                continue
-            fields = text[text.rindex(")") + 2:].split()
-            seconds[pid] = (text[text.index("(") + 1:text.rindex(")")], (int(fields[11]) + int(fields[12])) / TICK)
+        seconds.update(processor_seconds(process.pid))
+        if not before and table.exists() and table.read_text().rstrip().split("\n")[-1].startswith(f"{unmeasured},"):
+            before = dict(seconds)
         time.sleep(0.02)
-    return seconds.values()
+    return [(program, s - before[pid][1]) for pid, (program, s) in seconds.items() if pid in before]
 
 
 def run(program, case, ranks, settings):
@@ -58,17 +68,17 @@ def run(program, case, ranks, settings):
         for setting in settings:
             command += ["--set", setting]
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        seconds = list(processor_seconds(process))
+        seconds = follow(process, folder / "cycles.csv", UNMEASURED)
         if process.returncode != 0:
             raise SystemExit(f"failed: {' '.join(command)}")
         summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
         with open(folder / "cycles.csv", newline="", encoding="utf-8") as file:
             cycles = {row["cycle"]: float(row["wall_s"]) for row in csv.DictReader(file)}
-    later = list(cycles.values())[2:]
+    later = list(cycles.values())[UNMEASURED:]
     return {
         "wall": sum(later) / len(later),
-        "coarse": sum(s for program, s in seconds if program == "stria-coarse"),
-        "fine": sorted(s for program, s in seconds if program == "stria-fine"),
+        "coarse": sum(s for program, s in seconds if program == "stria-coarse") / len(later),
+        "fine": sorted(s / len(later) for program, s in seconds if program == "stria-fine"),
         "summary": summary,
     }
 
@@ -100,8 +110,8 @@ def print_row(name, of):
         str(both[0]["summary"]["fine_points"]),
         pair(lambda r, _: f"{r['wall']:.2f}"),
         f"{both[0]['wall'] / both[1]['wall']:.2f}",
-        pair(lambda r, _: f"{r['coarse']:.1f}"),
-        pair(lambda r, _: " + ".join(f"{s:.1f}" for s in r["fine"])),
+        pair(lambda r, _: f"{r['coarse']:.2f}"),
+        pair(lambda r, _: " + ".join(f"{s:.2f}" for s in r["fine"])),
         f"{longest(both[0]) / longest(both[1]):.2f}",
         pair(lambda _, s: str(s["newton_iterations"])),
         str(both[1]["summary"]["history_moves"]),
@@ -117,7 +127,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--only", choices=["beta", "gain"])
     chosen = parser.parse_args()
-    print("| case | points | s per cycle with 1, 2 ranks | gain | s of the coarse processor | of the fine ones | "
+    print("| case | points | s per cycle with 1, 2 ranks | gain | of the coarse processor | of the fine ones | "
           "gain by processors | iterations | moves of history | kB per iteration |")
     print("|---|---|---|---|---|---|---|---|---|---|")
 

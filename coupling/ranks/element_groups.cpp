@@ -123,7 +123,9 @@ private:
             join_by_key(seen_by, p.crack, element[at(p.element)]);
             if (p.neighbour >= 0) join_by_key(seen_by, p.crack, element[at(p.neighbour)]);
         }
+        const auto is_plain = [&](int node) { return mesh.terms[at(node)].empty() && mesh.tie(node) == nullptr; };
         for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+            if (std::ranges::all_of(mesh.elements[at(e)], is_plain)) continue;  // most of them
             const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
             for (const int unknown : basis.unknowns())
                 if (unknown % 2 == 0 && crack[at(unknown)] >= 0)

@@ -159,9 +159,10 @@ TEST_P(GrowingFineRanks, KnowTheIncrementsOfOne) {
     for (const std::vector<Vec2>& way :
          {std::vector<Vec2>{{0.0, 4.4}, {5.6, 4.4}}, {{0.0, 4.4}, {5.6, 4.4}, {6.6, 5.4}}}) {
         crack_to(way);
-        const Eigen::MatrixXd increments = one.increments();
+        const Eigen::MatrixXd increments = one.increments(), of_ranks = team.together->increments();
         ASSERT_EQ(increments.cols(), 2);
-        EXPECT_LT(difference(team.together->increments(), increments), 1e-9);
+        ASSERT_EQ(of_ranks.cols(), 2);
+        EXPECT_LT(difference(of_ranks, increments), 1e-9);
         for (int k = 0; k < 2; ++k) EXPECT_GT(increments.col(k).norm(), 0.0);
     }
 }
