@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -67,12 +68,13 @@ void expect_scheme(const Epri& scheme, double load, double finest) {
         "h_1 {:.2f} %, flow that counts twice {:.2f} %\n",
         scheme.n, load, on[0], on[1], on[2], J, 100.0 * (on[2] / J - 1.0), 100.0 * of_mesh, 100.0 * of_h1,
         100.0 * twice);
+    constexpr double a_tenth = 0.1;  // whatever the scheme leaves open
     verify({.scene = fmt::format("CT a/W 0.5, plane strain, power law n = {}, P / P_0 = {}", scheme.n, load),
             .source = "Kumar, German, Shih 1981 (3.2)",
             .quantity = "J, N/mm",
             .reference = J,
             .ours = on[2],
-            .within = of_mesh + of_h1 + twice,
+            .within = std::min(of_mesh + of_h1 + twice, a_tenth),
             .mesh = fmt::format("ligament / {}", finest)});
     EXPECT_LT(on[2], J * (1.0 + of_mesh + of_h1));
 }
