@@ -262,21 +262,21 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
     }
 }
 
-/// Several ranks start where one does, also behind a growth. What rests hangs on the tree of fronts, and joins the
-/// iterations when it is woken.
-TEST_P(SharedZone, SeveralFineRanksTakeAsManyIterations) {
-    const Case scene = input();
-    FineSide fine(scene, 2);
-    coarse::CondensedFactory factory(&fine.scale(), scene);
-    const RunHistory two = run_analysis(scene, factory);
-    ASSERT_EQ(two.increments.size(), direct->increments.size());
-    std::int64_t woken_before = 0;
-    for (std::size_t k = 0; k < two.increments.size(); ++k) {
-        const Followed &a = direct->increments[k], &b = two.increments[k];
-        const std::int64_t woken = a.zone.work.elements_woken + b.zone.work.elements_woken;
-        if (std::exchange(woken_before, woken) != woken) continue;
-        EXPECT_EQ(a.newton.count(), b.newton.count()) << "increment " << k + 1;
-    }
+/// Increments to predict from go along with a tip across a seam: without them two ranks take a third more iterations.
+/// What rests hangs on the tree of fronts, and joins the iterations when it is woken.
+TEST(GrowthOnTwoRanks, TakesAsManyIterationsAsOnOne) {
+    const Case scene =
+        sent_case({"mesh.grading=[]", "mesh.size=3.2", "fine.refine=32", "load.steps=\"auto\"", "growth.increment=0.1",
+                   "load.blocks=[{cycles=3, max=50.0, ratio=0.0}]", "fine.beta=1.0"});
+    const auto iterations = [&](int ranks) {
+        FineSide fine(scene, ranks);
+        coarse::CondensedFactory factory(&fine.scale(), scene);
+        int sum = 0;
+        for (const auto& [step, report] : run_analysis(scene, factory).attempts) sum += report.count();
+        return sum;
+    };
+    const int one = iterations(1);
+    EXPECT_LE(iterations(2), 1.05 * one) << one;
 }
 
 INSTANTIATE_TEST_SUITE_P(
