@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <future>
 #include <map>
+#include <semaphore>
 
 #include "app/run/fine_side.hpp"
 #include "app/run/monolithic/monolithic.hpp"
@@ -97,15 +98,50 @@ struct SettingsOfCase {
     std::vector<std::string> settings;
 };
 
+/// An end at which nobody computes but in turn: the serial OpenBLAS of tools/packages.txt is no library for two threads
+/// of one process, and a zone may change while the structure is busy.
+class InTurn : public coupling::Transport {
+public:
+    /// `begins`: has the turn first.
+    InTurn(coupling::Transport& end, std::binary_semaphore& turn, bool begins) : end_(end), turn_(turn) {
+        if (begins) take();
+    }
+    ~InTurn() override { give(); }
+
+    void send(coupling::Tag tag, std::span<const std::byte> bytes) override { end_.send(tag, bytes); }
+    coupling::Message receive() override {
+        give();
+        coupling::Message message = end_.receive();
+        take();
+        return message;
+    }
+
+private:
+    void take() {
+        turn_.acquire();
+        mine_ = true;
+    }
+    void give() {
+        if (std::exchange(mine_, false)) turn_.release();
+    }
+
+    coupling::Transport& end_;
+    std::binary_semaphore& turn_;
+    bool mine_ = false;
+};
+
 RunHistory run_over_memory(const Case& input) {
     auto [coarse_end, fine_end] = coupling::make_memory_transports();
-    auto server = std::async(std::launch::async, [&input, end = std::move(fine_end)] {
+    std::binary_semaphore turn(1);
+    auto server = std::async(std::launch::async, [&input, &turn, end = std::move(fine_end)] {
         fine::FineModel model(input);
-        coupling::serve(*end, model, digest(input));
+        InTurn transport(*end, turn, false);
+        coupling::serve(transport, model, digest(input));
     });
     RunHistory history;
     {
-        coupling::RemoteFineScale remote(*coarse_end, digest(input));
+        InTurn transport(*coarse_end, turn, true);
+        coupling::RemoteFineScale remote(transport, digest(input));
         coarse::CondensedFactory factory(&remote, input);
         history = run_analysis(input, factory);
     }
