@@ -52,10 +52,10 @@ protected:
     const std::string output = folder / "out";
 
 private:
-    // Long enough for a signal that mpirun passes on late: on busy cores that has taken a second.
+    // Long enough for a signal that mpirun passes on late: a second later, also on quiet cores.
     static void append_settings(Words& words) {
         for (const char* setting :
-             {"mesh.size=12.5", "load.blocks=[{cycles=28, max=50.0, ratio=-1.0}]", "load.steps=20",
+             {"mesh.size=12.5", "load.blocks=[{cycles=60, max=50.0, ratio=-1.0}]", "load.steps=20",
               "output.fields=none", "output.faces=cycles", "solver.tolerance=1e-12"})
             words.insert(words.end(), {"--set", setting});
         words.insert(words.end(), {"--set", mesh_at_tip(0.4)});
