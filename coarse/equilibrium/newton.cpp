@@ -33,19 +33,21 @@ bool is_misled(const NewtonReport& report) {
     return !(last.largest() < std::min(first.largest(), 0.1 * last.scale));
 }
 
-/// Where a residual is within its tolerance for the second time, and neither it nor the correction falls any more, what
+/// Where a residual is as small as rounding for the second time, and neither it nor the correction falls any more, what
 /// is left of both is rounding: near a limit load the body answers to next to no force with a large displacement.
 class LeftToRounding {
 public:
-    [[nodiscard]] bool is(double residual, double correction) {
-        const bool is = residual >= 0.5 * residual_ && correction >= 0.5 * correction_;
-        residual_ = residual;
+    [[nodiscard]] bool is(const Residual& residual, double correction) {
+        constexpr double rounding = 1e-11;  // of the forces that balance
+        if (!residual.within(rounding)) return false;
+        const bool is = residual.largest() >= 0.5 * residual_ && correction >= 0.5 * correction_;
+        residual_ = residual.largest();
         correction_ = correction;
         return is;
     }
 
 private:
-    // Where the residual was within its tolerance last.
+    // Where the residual was as small last.
     double residual_ = std::numeric_limits<double>::infinity(), correction_ = residual_;
 };
 
@@ -67,9 +69,8 @@ private:
         }
         const double correction = equilibrium.solve();
         report.iterations.push_back({residual, correction});
-        const bool settled =
-            residual.within(solver.tolerance) &&
-            (left_to_rounding.is(residual.largest(), correction) || correction <= 10.0 * solver.tolerance);
+        const bool settled = residual.within(solver.tolerance) &&
+                             (left_to_rounding.is(residual, correction) || correction <= 10.0 * solver.tolerance);
         const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
         if (settled || rounding) {
             report.converged = !residual.provisional;

@@ -151,10 +151,9 @@ std::vector<int> share_out(const EnrichedMesh& zone, int ranks, const EnrichedMe
         weighted.push_back({std::move(group), work});
     }
     bisect(zone, weighted, 0, std::min(ranks, static_cast<int>(weighted.size())));
-    std::vector<int> rank(zone.elements.size(), 0);
-    for (const auto& [group, work] : weighted)
-        for (const int element : group.elements) rank[at(element)] = group.rank;
-    return rank;
+    std::vector<ElementGroup> groups;
+    for (WeightedGroup& w : weighted) groups.push_back(std::move(w.group));
+    return ranks_of_elements(zone, groups);
 }
 
 std::optional<std::vector<int>> share_on(const EnrichedMesh& zone, const std::map<int, int>& owners,

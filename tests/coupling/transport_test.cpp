@@ -184,27 +184,6 @@ TEST_F(MemoryConversation, NonsenseEndsTheConversation) {
     EXPECT_THROW(join(), ComponentLost);
 }
 
-/// The question is on its way before anyone waits for the answer, so that several work on theirs meanwhile.
-TEST_F(MemoryConversation, ANewPatchBeginsBeforeItsAnswerIsAwaited) {
-    std::promise<void> has_begun;
-    other_side([&](Transport& transport) {
-        FakeFineScale fine;
-        const coupling::Message hello = transport.receive();
-        transport.send(hello.tag, hello.bytes);
-        EXPECT_EQ(transport.receive().tag, Tag::Patch);
-        has_begun.set_value();
-        transport.send(Tag::Done, {});
-        transport.receive();
-    });
-    {
-        RemoteFineScale remote(near_end(), 1);
-        remote.begin_set_patch(patch_of(3));
-        has_begun.get_future().wait();
-        remote.set_patch(patch_of(3));
-    }
-    join();
-}
-
 TEST_F(MemoryConversation, AStubLeftInMidQuestionEndsInGoodOrder) {
     FakeFineScale fine;
     other_side([&fine](Transport& transport) { serve(transport, fine, 1); });

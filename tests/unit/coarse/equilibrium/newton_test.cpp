@@ -197,6 +197,17 @@ TEST(Newton, SettlesWhereOnlyRoundingIsLeftOfTheCorrection) {
     EXPECT_NEAR(spring.u, 1001.0, 2e-5);
 }
 
+// What is left is within a coarse tolerance, but no rounding: where the spring stands is not known.
+TEST(Newton, DoesNotTakeForRoundingWhatATolerancePermits) {
+    Spring spring;
+    int call = 0;
+    spring.force = [&](double u) { return 1e-7 * (u - 1.0) + (call++ % 2 == 0 ? 1e-7 : -1e-7); };
+    spring.stiffness = [](double) { return 1e-7; };
+    SolverSection coarse_solver = solver;
+    coarse_solver.tolerance = 1e-5;
+    EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 1e-6}, 0.0, coarse_solver).converged);
+}
+
 // From a flat branch to the other one, and back for ever: between them it is steep.
 TEST(Newton, GivesBackStepsThatGoToAndFro) {
     Spring spring;
