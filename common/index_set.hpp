@@ -1,4 +1,4 @@
-// Sets of elements, nodes or unknowns of one mesh: a flag each, and a type each, so that one cannot stand for another.
+// Sets of elements, nodes, unknowns or multipliers: a flag each, and a type each, so that one cannot stand for another.
 #pragma once
 
 #include <algorithm>
@@ -69,5 +69,6 @@ private:
 using ElementSet = IndexSet<struct ElementKind>;
 using NodeSet = IndexSet<struct NodeKind>;
 using UnknownSet = IndexSet<struct UnknownKind>;
+using MultiplierSet = IndexSet<struct MultiplierOfFacesKind>;
 
 }  // namespace stria

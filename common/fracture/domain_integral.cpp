@@ -63,9 +63,10 @@ std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const
 }
 
 void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
+    if (visited_ == fields_.size()) fields_.push_back(auxiliary(point));
     const Vec2 own = energy_momentum(tip_, stress, gradient, work);
     std::array<Vec2, 3> mutual;
-    std::ranges::transform(auxiliary(point), mutual.begin(), [&](const TipField& field) {
+    std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const TipField& field) {
         return mutual_energy_momentum(tip_, stress, gradient, field);
     });
     for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
@@ -77,7 +78,7 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
 void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope) {
     const double own = elastic_.work(stress, slope);
     std::array<double, 3> mutual{};
-    std::ranges::transform(auxiliary(point), mutual.begin(),
+    std::ranges::transform(fields_[visited_ - 1], mutual.begin(),
                            [&](const TipField& field) { return strain_of(field.gradient).dot(slope); });
     const Eigen::Vector4d shape = shape_q4(corners_, point.xi).value;
     for (const auto& [ring, q] : entered_) {

@@ -68,8 +68,11 @@ public:
     RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
              std::span<const int> among, bool with_inside = false);
 
-    /// Sums start anew.
-    void clear() { sums_.assign(rings_.size(), {}); }
+    /// Sums start anew. The same points come again, in the same order: what their places say is known by then.
+    void clear() {
+        sums_.assign(rings_.size(), {});
+        visited_ = 0;
+    }
 
     /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
     bool enter(int element);
@@ -80,8 +83,8 @@ public:
     /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
 
-    /// What an initial stress adds there: its derivative along the tip, on the strains of the stress and of the
-    /// auxiliary fields (docs/equations.md, initial stress).
+    /// What an initial stress adds at the same point: its derivative along the tip, on the strains of the stress and of
+    /// the auxiliary fields (docs/equations.md, initial stress).
     void add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope);
 
     /// The auxiliary fields of the interactions I, II and T at a point.
@@ -115,8 +118,10 @@ private:
         Eigen::Vector4d q;
     };
     std::vector<int> elements_;
-    std::vector<Entered> weights_;    // element by element of these
-    std::vector<std::size_t> first_;  // of each element: its first weight; then the number of all
+    std::vector<std::array<TipField, 3>> fields_;  // auxiliary, of each point so far
+    std::size_t visited_ = 0;                      // points since clear()
+    std::vector<Entered> weights_;                 // element by element of these
+    std::vector<std::size_t> first_;               // of each element: its first weight; then the number of all
 
     // Of the element entered.
     std::array<Vec2, 4> corners_;

@@ -143,8 +143,10 @@ void fields(auto& wire, Is<FrozenTip> auto& m) {
 }
 
 void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
-    auto& [crack, place, pressure, shear, status, increments, shear_increments] = m;
-    wire(crack, place, pressure, shear, status, increments, shear_increments);
+    auto& [crack, place, pressure, shear, status, changes, resting, rest_pressure, rest_shear, increments,
+           shear_increments] = m;
+    wire(crack, place, pressure, shear, status, changes, resting, rest_pressure, rest_shear, increments,
+         shear_increments);
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {

@@ -45,13 +45,15 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
 
 Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement)
     : elements_(std::move(elements)), history_(std::move(laws), elements_.mesh().material, operators()),
-      resting_(operators(), displacement), proven_(elements_.count(), true),  // no force is known yet
+      resting_(elements_, displacement), proven_(elements_.count(), true),  // no force is known yet
       committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
-      tangents_(elements_.stiffness()), changed_(elements_.count(), true), yielded_(elements_.count()),
-      counts_{.elements_built = elements_.built()} {
+      tangents_(elements_.stiffness()), changed_(elements_.count(), true),
+      yielded_(elements_.count()), counts_{.elements_built = elements_.built()} {
+    std::vector<VonMisesForm> forms;
+    for (int k = 0; k < elements_.materials().count(); ++k) forms.emplace_back(elements_.materials().stiffness(k));
     for (int e = 0; e < elements_.count(); ++e)
-        bound_.add_element(elements_.op(e), elements_.elastic(e).shear_modulus());
+        bound_.add_element(elements_.op(e), forms[at(elements_.mesh().material_of(e))]);
 }
 
 void Bulk::remember(coupling::ZoneSnapshot& out) const {
@@ -137,11 +139,11 @@ void Bulk::evaluate(const Eigen::VectorXd& u) {
 }
 
 template <class Kernel> bool Bulk::proves_elastic(int e, const Kernel& kernel) {
-    const auto elastic = kernel.elastic(elements_.stiffness()[at(e)], increment_);
-    if (!bound_.proves(at(e), elastic.work)) return false;
+    if (!bound_.proves(e, increment_)) return false;
+    const auto force = kernel.elastic_force(elements_.stiffness()[at(e)], increment_);
     const auto committed = committed_force_.of(e);
     auto trial = trial_force_.of(e);
-    for (Eigen::Index k = 0; k < trial.size(); ++k) trial[k] = committed[k] + elastic.force.data()[k];
+    for (Eigen::Index k = 0; k < trial.size(); ++k) trial[k] = committed[k] + force.data()[k];
     return true;
 }
 
@@ -213,7 +215,7 @@ void Bulk::settle() {
     proven_ = ElementSet(elements_.count());
     committed_force_ = trial_force_;
     for (int e = 0; e < elements_.count(); ++e)
-        if (!resting_.contains(e)) bound_.set_margin(at(e), history_.elastic_margin(e));
+        if (!resting_.contains(e)) bound_.set_margin(e, history_.elastic_margin(e));
 }
 
 void Bulk::find_committed_force(int e) {
@@ -230,33 +232,30 @@ Mandel Bulk::trial_stress(int e, std::size_t q) const {
 }
 
 std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
-    const ElementOperator& op = elements_.op(e);
     std::vector<PointState> states;
-    states.reserve(op.points.size());
-    const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
-    for (std::size_t q = 0; q < op.points.size(); ++q)
-        states.push_back({history_.stress(e, q), history_.work(e, q), gradient(e, q, u)});
-    if (!resting_.contains(e)) return states;
-    const Eigen::VectorXd moved = resting_.moved(op, committed_u_);
-    for (std::size_t q = 0; q < op.points.size(); ++q) {
-        const Mandel strain = op.strain(moved, q);
-        const Mandel change = elements_.elastic_stiffness(e) * strain;
-        states[q].work += (states[q].stress + 0.5 * change).dot(strain);
-        states[q].stress += change;
-    }
+    states.reserve(elements_.op(e).points.size());
+    with_kernel(elements_.op(e), [&](const auto& kernel) {
+        const auto u = kernel.gather(committed_u_);
+        const auto moved =
+            resting_.contains(e) ? (u - kernel.gather(resting_.displacement())).eval() : (0.0 * u).eval();
+        for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
+            PointState state{history_.stress(e, q), history_.work(e, q),
+                             kernel.displacement_gradient(u, q) + history_.frozen_gradient(e, q)};
+            if (resting_.contains(e)) {
+                const Mandel strain = kernel.strain(moved, q), change = elements_.elastic_stiffness(e) * strain;
+                state.work += (state.stress + 0.5 * change).dot(strain);
+                state.stress += change;
+            }
+            states.push_back(state);
+        }
+    });
     return states;
-}
-
-double Bulk::energy_since_rest(int e) const {
-    if (!resting_.contains(e)) return 0.0;
-    const Eigen::VectorXd moved = resting_.moved(elements_.op(e), committed_u_);
-    return moved.dot(committed_force_.of(e) + 0.5 * elements_.stiffness()[at(e)] * moved);
 }
 
 ElementSet Bulk::may_rest() const { return resting_.may_rest(elements_, history_, yielded_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
-    resting_.rest(elements, displacement, operators());
+    resting_.rest(elements, displacement, bound_);
     for (const int e : elements.members()) {
         proven_.erase(e);
         changed_.erase(e);
@@ -288,7 +287,7 @@ void Bulk::wake_all_but(const ElementSet& still) {
         resting_.wake(e);
         find_committed_force(e);
         committed_force_.of(e) = trial_force_.of(e);
-        bound_.set_margin(at(e), history_.elastic_margin(e));
+        bound_.set_margin(e, history_.elastic_margin(e));
     }
 }
 

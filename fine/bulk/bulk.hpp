@@ -63,8 +63,6 @@ public:
     };
     /// Committed, of all points of an element. Where it rests they follow its displacement elastically.
     [[nodiscard]] std::vector<PointState> committed_states(int e) const;
-    /// Energy that an element holds beyond that of its points' states, as it has moved while it rests, N.
-    [[nodiscard]] double energy_since_rest(int e) const;
 
     /// Elements in and around which nothing is expected to yield in the coming half cycle (RestingElements).
     [[nodiscard]] ElementSet may_rest() const;

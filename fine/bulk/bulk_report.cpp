@@ -1,42 +1,8 @@
 #include "fine/bulk/bulk_report.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stria::fine {
-namespace {
-
-/// Calls visit(element, point there, its place and weight), element by element.
-template <class Visit> void for_each_point(const Bulk& bulk, const Visit& visit) {
-    for (int e = 0; e < bulk.elements().count(); ++e) {
-        const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
-        for (std::size_t q = 0; q < points.size(); ++q) visit(e, q, points[q]);
-    }
-}
-
-void raise(double& largest, double value) { largest = std::max(largest, value); }
-
-}  // namespace
-
-double dissipation(const Bulk& bulk) {
-    double sum = 0.0;
-    for_each_point(bulk, [&](int e, std::size_t q, const IntegrationPoint& point) {
-        sum += point.weight * bulk.history().dissipation(e, q);
-    });
-    return sum;
-}
-
-double stored_energy(const Bulk& bulk) {
-    double sum = 0.0;
-    for (int e = 0; e < bulk.elements().count(); ++e) {
-        const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
-        for (std::size_t q = 0; q < points.size(); ++q) sum += points[q].weight * bulk.history().stored_energy(e, q);
-        if (bulk.resting().contains(e)) sum += bulk.energy_since_rest(e);
-    }
-    return sum;
-}
-
 void add_to(RingSums& rings, const Bulk& bulk) {
     const InitialStress& initial = bulk.elements().materials().initial_stress();
     for (const int e : rings.elements()) {
@@ -50,24 +16,6 @@ void add_to(RingSums& rings, const Bulk& bulk) {
                                   initial.slope(points[q].x, bulk.elements().mesh().material_of(e), rings.direction()));
         }
     }
-}
-
-std::vector<PlasticExtent> plastic_extents(const Bulk& bulk) {
-    const std::vector<Tip>& tips = bulk.elements().mesh().tips;
-    std::vector<PlasticExtent> extents(tips.size());
-    if (tips.empty()) return extents;
-    for_each_point(bulk, [&](int e, std::size_t q, const IntegrationPoint& point) {
-        if (bulk.history().accumulated(e, q) == 0.0) return;
-        const auto distance = [&](const Tip& tip) { return (point.x - tip.position).norm(); };
-        const auto own = at(std::ranges::min_element(tips, {}, distance) - tips.begin());
-        PlasticExtent& extent = extents[own];
-        const TipPolar polar = tip_polar(tips[own], point.x, 0);
-        raise(extent.ever, polar.r);
-        if (!bulk.history().is_plastic(e, q)) return;
-        raise(extent.zone, polar.r);
-        if (std::abs(polar.theta) <= std::numbers::pi / 12.0) raise(extent.axis, polar.r);
-    });
-    return extents;
 }
 
 double force_ahead(const Bulk& bulk, const Tip& tip, double radius) {

@@ -1,39 +1,46 @@
-// Which elements surely stay elastic in an increment: their points need not be looked at until it is committed.
+// Which elements surely stay elastic: their points need not be looked at until the increment is committed.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
-#include "common/integration/element_operator.hpp"
+#include "common/index.hpp"
+#include "fine/bulk/stress_changes.hpp"
 
 namespace stria::fine {
 
-/// The energy of the increment in an element, du^T K du / 2 with its elastic matrix, is the sum of w e over its points,
-/// e the energy density of the stress increment, which is at least vm^2 / (6 mu). So no point's von Mises stress
-/// changes by more than sqrt(3 mu du^T K du / w), w its weight, and where the smallest distance to the yield surface is
-/// larger nothing flows. A point without weight proves nothing.
+/// Of a von Mises yield surface, wherever its centre is: a point flows only where the von Mises stress of what its
+/// stress changes by, elastically, reaches the distance to the surface. Displacements are those of all unknowns of the
+/// mesh, mm.
 class ElasticBound {
 public:
-    void add_element(const ElementOperator& op, double shear_modulus) {
-        const double least = std::ranges::min(op.points, {}, &IntegrationPoint::weight).weight;
-        per_energy_.push_back(least > 0.0 ? 3.0 * shear_modulus / least : std::numeric_limits<double>::infinity());
+    /// Numbered as they come.
+    void add_element(const ElementOperator& op, const VonMisesForm& form) {
+        changes_.add_element(op, form);
         margin_.push_back(0.0);
     }
 
-    /// The smallest distance to the yield surface of an element's committed points, MPa.
-    void set_margin(std::size_t element, double margin) { margin_[element] = margin; }
+    /// The smallest distance to the yield surface of an element's points, MPa: of what the coming changes begin with.
+    void set_margin(int element, double margin) { margin_[at(element)] = margin; }
+    /// They begin with this displacement, for proves_at().
+    void look_at(int element, const Eigen::VectorXd& u) { changes_.look_at(element, u); }
 
-    /// `work`: du^T K du, N.
-    [[nodiscard]] bool proves(std::size_t element, double work) const {
-        return per_energy_[element] * work < safety * margin_[element] * margin_[element];
+    /// Nothing flows on the way of an increment, or to a displacement.
+    [[nodiscard]] bool proves(int element, const Eigen::VectorXd& increment) const {
+        return is_within(element, changes_.by(element, increment));
+    }
+    [[nodiscard]] bool proves_at(int element, const Eigen::VectorXd& u) const {
+        return is_within(element, changes_.at_displacement(element, u));
     }
 
 private:
-    static constexpr double safety = 1.0 - 1e-6;  // what rounding may do
+    [[nodiscard]] bool is_within(int element, double change) const {
+        constexpr double safety = 1.0 - 1e-6;  // what rounding may do
+        return change < safety * margin_[at(element)] * margin_[at(element)];
+    }
 
-    std::vector<double> per_energy_, margin_;  // per element
+    StressChanges changes_;
+    std::vector<double> margin_;  // per element
 };
 
 }  // namespace stria::fine

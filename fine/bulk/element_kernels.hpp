@@ -16,42 +16,39 @@ public:
 
     explicit ElementKernel(const ElementOperator& op) : op_(op), count_(std::ssize(op.unknowns) / 2) {}
 
-    /// 4 components a point.
-    void write_strains(const Eigen::VectorXd& u, double* strain, std::ptrdiff_t stride) const {
+    /// Of a displacement of all unknowns, one column a function.
+    [[nodiscard]] Nodal gather(const Eigen::VectorXd& u) const {
         Nodal nodal(2, count_);
         for (std::size_t k = 0; k < op_.unknowns.size(); ++k) nodal.data()[k] = u[op_.unknowns[k]];
+        return nodal;
+    }
+
+    [[nodiscard]] Mandel strain(const Nodal& nodal, std::size_t q) const {
+        return with_mean(q, [&](const Gradient& g, const Gradient* mean) { return strain_at(nodal, g, mean); });
+    }
+
+    /// Row: component.
+    [[nodiscard]] Eigen::Matrix2d displacement_gradient(const Nodal& nodal, std::size_t q) const {
+        return nodal * Gradient(op_.gradients[q].data(), count_, 2);
+    }
+
+    /// 4 components a point.
+    void write_strains(const Eigen::VectorXd& u, double* strains, std::ptrdiff_t stride) const {
+        const Nodal nodal = gather(u);
         for (std::size_t q = 0; q < op_.points.size(); ++q) {
-            const Mandel value =
-                with_mean(q, [&](const Gradient& g, const Gradient* mean) { return strain_at(nodal, g, mean); });
-            for (int c = 0; c < 4; ++c) strain[c * stride + static_cast<std::ptrdiff_t>(q)] = value[c];
+            const Mandel value = strain(nodal, q);
+            for (int c = 0; c < 4; ++c) strains[c * stride + static_cast<std::ptrdiff_t>(q)] = value[c];
         }
     }
 
-    /// Elastic force of a displacement increment and its work.
-    struct Elastic {
-        Nodal force;
-        double work;
-    };
-    [[nodiscard]] Elastic elastic(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& u) const {
-        Eigen::Matrix<double, unknowns, 1> nodal(2 * count_);
-        for (std::size_t k = 0; k < op_.unknowns.size(); ++k) nodal[static_cast<Eigen::Index>(k)] = u[op_.unknowns[k]];
+    /// Of a displacement increment.
+    [[nodiscard]] Nodal elastic_force(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& u) const {
+        const Nodal nodal = gather(u);
+        Nodal force(2, count_);
         const Eigen::Map<const Matrix> K(stiffness.data(), 2 * count_, 2 * count_);
-        Elastic result{Nodal(2, count_), 0.0};
-        Eigen::Map<Eigen::Matrix<double, unknowns, 1>> force(result.force.data(), 2 * count_);
-        force.noalias() = K.lazyProduct(nodal);
-        result.work = force.dot(nodal);
-        return result;
-    }
-
-    /// The work of the displacement from `start`, values of the element's own unknowns, to `u`.
-    [[nodiscard]] double work(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& u, const double* start) const {
-        Eigen::Matrix<double, unknowns, 1> nodal(2 * count_);
-        for (std::size_t k = 0; k < op_.unknowns.size(); ++k)
-            nodal[static_cast<Eigen::Index>(k)] = u[op_.unknowns[k]] - start[k];
-        const Eigen::Map<const Matrix> K(stiffness.data(), 2 * count_, 2 * count_);
-        Eigen::Matrix<double, unknowns, 1> force(2 * count_);
-        force.noalias() = K.lazyProduct(nodal);
-        return force.dot(nodal);
+        Eigen::Map<Eigen::Matrix<double, unknowns, 1>>(force.data(), 2 * count_).noalias() =
+            K.lazyProduct(Eigen::Map<const Eigen::Matrix<double, unknowns, 1>>(nodal.data(), 2 * count_));
+        return force;
     }
 
     [[nodiscard]] Nodal force(const double* stress, std::ptrdiff_t stride) const {

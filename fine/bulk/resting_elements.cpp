@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "fine/bulk/element_kernels.hpp"
-
 namespace stria::fine {
 namespace {
 
@@ -11,16 +9,14 @@ constexpr int all_recent = 3;  // half cycles, one a bit
 
 }  // namespace
 
-RestingElements::RestingElements(const std::vector<ElementOperator>& operators, const Eigen::VectorXd& displacement)
-    : elements_(operators.size()), displacement_(displacement), looked_at_(operators),
-      recent_flow_(operators.size(), all_recent) {}
+RestingElements::RestingElements(const BulkElements& bulk, const Eigen::VectorXd& displacement)
+    : elements_(bulk.count()), displacement_(displacement), recent_flow_(at(bulk.count()), all_recent) {}
 
-void RestingElements::rest(const ElementSet& elements, const Eigen::VectorXd& displacement,
-                           const std::vector<ElementOperator>& operators) {
+void RestingElements::rest(const ElementSet& elements, const Eigen::VectorXd& displacement, ElasticBound& bound) {
     displacement_ = displacement;
     elements_ |= elements;
     for (int e = 0; e < elements.size(); ++e)
-        if (elements.contains(e)) looked_at_.of(e) = gather(displacement_, operators[at(e)].unknowns);
+        if (elements.contains(e)) bound.look_at(e, displacement_);
 }
 
 std::vector<int> RestingElements::would_yield(const Eigen::VectorXd& u, const BulkElements& bulk, PointHistory& history,
@@ -32,19 +28,16 @@ std::vector<int> RestingElements::would_yield(const Eigen::VectorXd& u, const Bu
     return found;
 }
 
-// The energy of what it has moved since it was looked at the last time proves most elements elastic. Of the others the
-// law tells, as of any point, and how much is left until one yields.
+// What its stresses have changed by since it was looked at the last time proves most elements elastic. Of the others
+// the law tells, as of any point, and how much is left until one yields.
 bool RestingElements::would_yield(int e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest,
                                   const BulkElements& bulk, PointHistory& history, ElasticBound& bound) {
-    double work = 0.0;
-    with_kernel(bulk.op(e),
-                [&](const auto& kernel) { work = kernel.work(bulk.stiffness()[at(e)], u, looked_at_.of(e).data()); });
-    if (bound.proves(at(e), work)) return false;
+    if (bound.proves_at(e, u)) return false;
     history.update(bulk.operators(), e, e + 1, since_rest);
     const bool yields = history.yields(e);
     if (!yields) {
-        bound.set_margin(at(e), history.trial_elastic_margin(e));
-        looked_at_.of(e) = gather(u, bulk.op(e).unknowns);
+        bound.set_margin(e, history.trial_elastic_margin(e));
+        bound.look_at(e, u);
     }
     history.set_elastic(e);
     history.rollback(e);

@@ -7,7 +7,6 @@
 #include "common/index_set.hpp"
 #include "fine/bulk/bulk_elements.hpp"
 #include "fine/bulk/elastic_bound.hpp"
-#include "fine/bulk/element_values.hpp"
 #include "fine/bulk/point_history.hpp"
 
 namespace stria::fine {
@@ -15,7 +14,7 @@ namespace stria::fine {
 /// Displacements are those of all unknowns of the mesh, mm.
 class RestingElements {
 public:
-    RestingElements(const std::vector<ElementOperator>& operators, const Eigen::VectorXd& displacement);
+    RestingElements(const BulkElements& bulk, const Eigen::VectorXd& displacement);
 
     [[nodiscard]] bool contains(int e) const { return elements_.contains(e); }
     [[nodiscard]] const ElementSet& elements() const { return elements_; }
@@ -23,8 +22,7 @@ public:
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return displacement_; }
 
     /// These rest from now on, at a displacement.
-    void rest(const ElementSet& elements, const Eigen::VectorXd& displacement,
-              const std::vector<ElementOperator>& operators);
+    void rest(const ElementSet& elements, const Eigen::VectorXd& displacement, ElasticBound& bound);
     void wake(int e) { elements_.erase(e); }
 
     /// What the unknowns of an element have moved since it came to rest, mm.
@@ -53,7 +51,6 @@ private:
 
     ElementSet elements_;
     Eigen::VectorXd displacement_;
-    ElementValues looked_at_;  // displacement at which the bound's margin was measured, mm
     std::vector<int> recent_flow_;
 };
 

@@ -19,7 +19,8 @@ constexpr double given_way = 1e-3;
 ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<int>& boundary,
                                    const std::vector<CrackSection>& cracks, int subcells, double stiffness,
                                    const FrozenTips& frozen)
-    : operators_(mesh, boundary, cracks, subcells, frozen), augmentation_(multipliers()) {
+    : operators_(mesh, boundary, cracks, subcells, frozen), augmentation_(multipliers()),
+      resting_(multipliers(), tractions()) {
     for (int k = 0; k < multipliers(); ++k) {
         const double length = operators_.is_stable(k) ? operators_.weight(k) : operators_.weights().maxCoeff();
         augmentation_[k] = 0.1 * stiffness / length;
@@ -46,6 +47,10 @@ ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorX
         (1.0 + 1e-9) * (gather(u, jump_unknowns_) - settled_jumps_).lpNorm<Eigen::Infinity>();  // rounding included
     Jumps jumps{settled_gap_ - moved * closing_, Eigen::VectorXd::Zero(multipliers())};
     for (int k = 0; k < multipliers(); ++k) {
+        if (resting_.contains(k)) {
+            jumps.gap[k] = settled_gap_[k];
+            continue;
+        }
         const bool surely_open = !is_closed(status_[at(k)]) && traction[k] <= 0.0 && jumps.gap[k] > 0.0;
         ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
         if (surely_open) continue;
@@ -64,6 +69,8 @@ void ContactInterface::begin_increment() {
 void ContactInterface::begin_touching() { committed_status_.assign(at(multipliers()), FaceStatus::Stick); }
 
 void ContactInterface::commit(const Eigen::VectorXd& u) {
+    for (int k = 0; k < multipliers(); ++k)
+        if (status_[at(k)] != committed_status_[at(k)]) resting_.note_change(k);
     committed_status_ = status_;
     settle(u);
 }
@@ -85,7 +92,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
     changes_ = 0;
     for (int k = 0; k < multipliers(); ++k) {
         const FaceState state = state_of(k, traction, jumps);
-        next[at(k)] = law(k).is_undecided(state) ? status_[at(k)] : law(k).status(state);
+        next[at(k)] = resting_.contains(k) ? status_[at(k)] : status_at(k, state);
         if (next[at(k)] == status_[at(k)]) continue;
         ++changes_;
         const double violation = law(k).violation(state, status_[at(k)]);
@@ -118,6 +125,7 @@ void ContactInterface::break_cycle(std::vector<FaceStatus>& next) {
 double ContactInterface::residual(const Eigen::VectorXd& traction, const Jumps& jumps) const {
     double largest = 0.0;
     for (int k = 0; k < multipliers(); ++k) {
+        if (resting_.contains(k)) continue;
         const FaceState state = state_of(k, traction, jumps);
         const double off = std::max(std::abs(law(k).pressure_residual(state)), std::abs(law(k).shear_residual(state)));
         largest = std::max(largest, operators_.weight(k) * off);
@@ -126,8 +134,9 @@ double ContactInterface::residual(const Eigen::VectorXd& traction, const Jumps& 
 }
 
 Eigen::VectorXd ContactInterface::right_hand_side(const Eigen::VectorXd& traction, const Jumps& jumps) const {
-    Eigen::VectorXd right(tractions());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(tractions());
     for (int k = 0; k < multipliers(); ++k) {
+        if (resting_.contains(k)) continue;
         const FaceStatus status = status_[at(k)];
         right[k] = is_closed(status) ? operators_.weight(k) * jumps.gap[k]
                                      : operators_.weight(k) * traction[k] / augmentation_[k];
@@ -139,6 +148,44 @@ Eigen::VectorXd ContactInterface::right_hand_side(const Eigen::VectorXd& tractio
                            : operators_.weight(k) / augmentation_[k] * (traction[shear] - bound);
     }
     return right;
+}
+
+// Closed faces keep the rounding of a gap otherwise: their equation goes on from it.
+Eigen::VectorXd ContactInterface::rest_load(const Eigen::VectorXd& displacement) const {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size()), right = Eigen::VectorXd::Zero(tractions());
+    operators_.add_force(resting_.traction() - awake(resting_.traction()), force);
+    for (const int k : resting_.multipliers().members())
+        if (is_closed(status_[at(k)])) right[k] = operators_.weight(k) * operators_.gap(k, displacement);
+    Eigen::VectorXd load(force.size() + right.size());
+    load << -force, right;
+    return load;
+}
+
+std::vector<int> ContactInterface::would_change(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
+                                                Jumps& jumps) const {
+    std::vector<int> found;
+    for (const int k : resting_.multipliers().members()) {
+        jumps.gap[k] = operators_.gap(k, u);
+        if (status_at(k, state_of(k, traction, jumps)) != status_[at(k)]) found.push_back(k);
+    }
+    return found;
+}
+
+Eigen::VectorXd ContactInterface::awake(Eigen::VectorXd traction) const {
+    for (const int k : resting_.multipliers().members()) {
+        traction[k] = 0.0;
+        if (shear_of(k) >= 0) traction[shear_of(k)] = 0.0;
+    }
+    return traction;
+}
+
+double ContactInterface::residual_at_rest(const Eigen::VectorXd& right_hand_side) const {
+    double largest = 0.0;
+    for (const int k : resting_.multipliers().members()) {
+        largest = std::max(largest, augmentation_[k] * std::abs(right_hand_side[k]));
+        if (shear_of(k) >= 0) largest = std::max(largest, augmentation_[k] * std::abs(right_hand_side[shear_of(k)]));
+    }
+    return largest;
 }
 
 std::vector<int> ContactInterface::unknowns_of(int k, int first_traction) const {

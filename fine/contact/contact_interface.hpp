@@ -13,6 +13,7 @@
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_law.hpp"
 #include "fine/contact/face_operators.hpp"
+#include "fine/contact/resting_faces.hpp"
 
 namespace stria::fine {
 
@@ -36,7 +37,8 @@ public:
 
     /// The same where faces may touch. A multiplier that is open and without pressure, and whose gap at settle() is
     /// wider than what jumps that have moved so far since can close, stays open: a gap above zero that is no wider than
-    /// its own stands for it. `work` counts both. Slips of faces apart are left at zero.
+    /// its own stands for it. `work` counts both. Slips of faces apart are left at zero. One at rest has what it had
+    /// at settle().
     [[nodiscard]] Jumps jumps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
                                           coupling::WorkCounts& work) const;
 
@@ -50,12 +52,32 @@ public:
     /// All faces touch and none has been looked at: a part that nothing else holds would float if they were apart.
     void begin_touching();
     void commit(const Eigen::VectorXd& u);
+    /// A half cycle ends.
+    void note_half_cycle() { resting_.note_half_cycle(); }
     /// Takes the gaps of a committed displacement as those to start from, and its slips as those to hold.
     void settle(const Eigen::VectorXd& u);
 
     [[nodiscard]] const std::vector<FaceStatus>& statuses() const { return status_; }
     [[nodiscard]] const std::vector<FaceStatus>& committed_statuses() const { return committed_status_; }
     void restore(std::vector<FaceStatus> statuses) { status_ = committed_status_ = std::move(statuses); }
+
+    // What rests takes no part in choose_statuses(), residual(), right_hand_side() and awake(): who condenses it has
+    // taken its matrix, and its unknowns follow the others.
+
+    [[nodiscard]] const RestingFaces& resting() const { return resting_; }
+    RestingFaces& resting() { return resting_; }
+    /// A steady one that does not slide and has jumps of its own.
+    [[nodiscard]] bool may_rest(int k) const { return resting_.is_steady(k) && !slides(k) && operators_.is_stable(k); }
+    /// What those at rest do where they came to rest, at a displacement: minus their forces on the mesh, then their
+    /// right_hand_side().
+    [[nodiscard]] Eigen::VectorXd rest_load(const Eigen::VectorXd& displacement) const;
+    /// Of those at rest, the ones whose status a state would change; their jumps there are written into `jumps`.
+    [[nodiscard]] std::vector<int> would_change(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
+                                                Jumps& jumps) const;
+    /// Tractions of those awake, zero of the others.
+    [[nodiscard]] Eigen::VectorXd awake(Eigen::VectorXd traction) const;
+    /// As residual(), of what is left of the equations of those at rest.
+    [[nodiscard]] double residual_at_rest(const Eigen::VectorXd& right_hand_side) const;
     [[nodiscard]] int status_changes() const { return changes_; }
 
     /// Largest residual of the law as a force per thickness, N/mm.
@@ -99,6 +121,9 @@ public:
 
 private:
     [[nodiscard]] CoulombContact law(int k) const { return {operators_.friction(k), augmentation_[k]}; }
+    [[nodiscard]] FaceStatus status_at(int k, const FaceState& state) const {
+        return law(k).is_undecided(state) ? status_[at(k)] : law(k).status(state);
+    }
     void break_cycle(std::vector<FaceStatus>& next);
     [[nodiscard]] FaceState state_of(int k, const Eigen::VectorXd& traction, const Jumps& jumps) const;
 
@@ -108,6 +133,7 @@ private:
     Eigen::VectorXd closing_;         // most that a gap closes by where no jump unknown moves more than one
     Eigen::VectorXd settled_jumps_, settled_gap_, settled_slip_;  // of what was committed
     std::vector<FaceStatus> status_, committed_status_;
+    RestingFaces resting_;
     std::set<std::vector<FaceStatus>> visited_;
     bool tried_to_stick_ = false, one_at_a_time_ = false;
     int changes_ = 0;

@@ -184,6 +184,22 @@ std::vector<int> FaceOperators::acts_on(int k) const {
     return unknowns;
 }
 
+std::vector<int> FaceOperators::places_in(const FaceOperators& others) const {
+    const int count = others.multipliers();
+    std::vector<int> places(keys_.size(), -1);
+    int next = 0;
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+        for (int tried = 0; tried < count; ++tried) {
+            const int other = (next + tried) % count;
+            if (!others.keys_[at(other)].is_at(keys_[k].crack, keys_[k].x)) continue;
+            places[k] = other;
+            next = other + 1;
+            break;
+        }
+    }
+    return places;
+}
+
 std::int64_t FaceOperators::interface_elements() const {
     return (std::ssize(stations_) + points_of_element - 1) / points_of_element;
 }

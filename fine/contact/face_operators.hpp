@@ -76,6 +76,9 @@ public:
         }
     };
     [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+    /// Of each multiplier the one at its place among those of other faces, -1: none. Both go along the cracks, so that
+    /// most are found at once.
+    [[nodiscard]] std::vector<int> places_in(const FaceOperators& others) const;
 
 private:
     struct CrackSpace {

@@ -8,17 +8,6 @@
 #include "common/stopwatch.hpp"
 
 namespace stria::fine {
-namespace {
-
-template <class Set> Set first_of(const Set& set, int count) {
-    Set first(count);
-    for (int id = 0; id < count; ++id)
-        if (set.contains(id)) first.insert(id);
-    return first;
-}
-
-}  // namespace
-
 FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
 void FineModel::set_patch(const coupling::Patch& patch) {
@@ -79,10 +68,15 @@ coupling::PatchResponse FineModel::collect() {
     coupling::PatchResponse response = system_.measure();
     const bool unseen = some_rest_ && !looked;
     response.provisional = unseen && !is_time_to_check_rest(response);
-    if (unseen && !response.provisional && wake_what_would_yield()) {
-        linearise();
-        response = system_.measure();
-        response.woken = true;
+    if (unseen && !response.provisional) {
+        const bool woken = wake_what_would_yield();
+        if (woken) {
+            linearise();
+            response = system_.measure();
+        } else {
+            system_.measure_faces(response.digest);
+        }
+        response.woken = woken;
     }
     response.along = work_along_correction();
     response.along_before = correction_.work_before;
@@ -92,57 +86,62 @@ coupling::PatchResponse FineModel::collect() {
 
 void FineModel::linearise() {
     system_.linearise();
-    if (some_rest_) system_.add_response(tree_->response(moved_since_rest()).head(system_.load().size()));
+    if (some_rest_) system_.add_response(tree_->response(system_.moved_since_rest()));
     find_changes();
 }
 
 // Subtrees of elements that may rest become leaves: their points and fronts are not looked at any more, until one
 // would yield.
 void FineModel::begin_rest() {
-    const ElementSet may_rest = system_.may_rest();
-    some_rest_ = !may_rest.none();
+    const Resting may_rest = system_.may_rest();
+    some_rest_ = !may_rest.elements.none();
     if (!some_rest_) return;
     if (all_changed_) {
         find_changes();
         factor();
     }
-    ElementSet resting(changed_.size());  // multipliers never do
-    for (const int e : may_rest.members())
-        if (!changed_.contains(e)) resting.insert(e);
-    tree_->rest(resting);
-    system_.rest(resting_elements(), unknowns_inside());
-    carry_rest_load();
+    ElementSet in_tree(changed_.size());
+    const auto add = [&](int element) {
+        if (!changed_.contains(element)) in_tree.insert(element);
+    };
+    for (const int e : may_rest.elements.members()) add(e);
+    for (const int k : may_rest.multipliers.members()) add(may_rest.elements.size() + k);
+    tree_->rest(in_tree);
+    system_.rest(resting(), tree_->inside());
+    tree_->carry(system_.rest_load());
 }
 
 // As a snapshot has it. Where the tree is another one, what does not fill a subtree of it is awake.
 void FineModel::rest_again(const coupling::ZoneSnapshot& snapshot) {
-    ElementSet resting(changed_.size());
+    ElementSet in_tree(changed_.size());
     for (std::size_t e = 0; e < snapshot.resting.size(); ++e)
-        if (snapshot.resting[e] != 0) resting.insert(e);
-    some_rest_ = !resting.none();
+        if (snapshot.resting[e] != 0) in_tree.insert(e);
+    some_rest_ = !in_tree.none();
     if (!some_rest_) return;
+    for (std::size_t k = 0; k < snapshot.multipliers.size(); ++k)
+        if (snapshot.multipliers[k].resting != 0) in_tree.insert(snapshot.resting.size() + k);
     find_changes();
     factor();
-    tree_->rest(resting);
-    system_.wake_all_but(resting_elements(), unknowns_inside());
-    carry_rest_load();
+    wake_all_but(in_tree);
 }
 
-// Of the bulk: the tree has multipliers besides.
-ElementSet FineModel::resting_elements() const { return first_of(tree_->resting(), system_.bulk().elements().count()); }
-
-UnknownSet FineModel::unknowns_inside() const { return first_of(tree_->inside(), system_.patch().mesh.unknowns); }
-
-void FineModel::carry_rest_load() {
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(tree_->inside().size());
-    load.head(system_.displacement().size()) = system_.bulk().rest_load();
-    tree_->carry(load);
+// The tree's elements are those of the bulk, then the multipliers.
+Resting FineModel::resting() const {
+    const int elements = system_.bulk().elements().count();
+    Resting resting{ElementSet(elements), MultiplierSet(system_.contact().multipliers())};
+    for (const int id : tree_->resting().members()) {
+        if (id < elements)
+            resting.elements.insert(id);
+        else
+            resting.multipliers.insert(id - elements);
+    }
+    return resting;
 }
 
-Eigen::VectorXd FineModel::moved_since_rest() const {
-    Eigen::VectorXd moved = Eigen::VectorXd::Zero(tree_->inside().size());
-    moved.head(system_.displacement().size()) = system_.displacement() - system_.bulk().resting().displacement();
-    return moved;
+void FineModel::wake_all_but(const ElementSet& still) {
+    tree_->rest(still);
+    system_.wake_all_but(resting(), tree_->inside());
+    tree_->carry(system_.rest_load());
 }
 
 // Once as soon as the state is roughly known, so that what is woken has iterations to come; and where this may be the
@@ -161,16 +160,14 @@ bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) c
 // True where something has been woken: then the trial state is to be evaluated again.
 bool FineModel::wake_what_would_yield() {
     rest_was_checked_ = true;
-    const Eigen::VectorXd& start = system_.bulk().resting().displacement();
-    const std::vector<int> yielding = system_.would_yield(start + tree_->follow(moved_since_rest()).head(start.size()));
-    if (yielding.empty()) return false;
+    const Restless restless = system_.follow(tree_->follow(system_.moved_since_rest()));
+    if (restless.elements.empty() && restless.multipliers.empty()) return false;
+    const int before = resting().elements.count();
     ElementSet still = tree_->resting();
-    for (const int e : yielding) still.erase(e);
-    const int before = tree_->resting().count();
-    tree_->rest(still);
-    work_.elements_woken += before - tree_->resting().count();
-    system_.wake_all_but(resting_elements(), unknowns_inside());
-    carry_rest_load();
+    for (const int e : restless.elements) still.erase(e);
+    for (const int k : restless.multipliers) still.erase(system_.bulk().elements().count() + k);
+    wake_all_but(still);
+    work_.elements_woken += before - resting().elements.count();
     return true;
 }
 
@@ -240,7 +237,7 @@ void FineModel::condense(coupling::PatchResponse& response) {
 // What Newton has to remove: forces, and gaps or pressures of multipliers. An open one does not push any more.
 Eigen::VectorXd FineModel::due() const {
     const ContactInterface& contact = system_.contact();
-    Eigen::VectorXd open = system_.traction(), forces = system_.load();
+    Eigen::VectorXd open = contact.awake(system_.traction()), forces = system_.load();
     for (int k = 0; k < contact.multipliers(); ++k) {
         if (!is_closed(contact.statuses()[at(k)])) continue;
         open[k] = 0.0;

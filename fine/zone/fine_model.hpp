@@ -33,13 +33,11 @@ private:
     void plant_tree();
     void begin_rest();
     void rest_again(const coupling::ZoneSnapshot& snapshot);
-    [[nodiscard]] ElementSet resting_elements() const;
-    [[nodiscard]] UnknownSet unknowns_inside() const;
+    [[nodiscard]] Resting resting() const;
+    void wake_all_but(const ElementSet& still);
     void linearise();
-    [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
     [[nodiscard]] bool is_time_to_check_rest(const coupling::PatchResponse& response) const;
     [[nodiscard]] bool wake_what_would_yield();
-    void carry_rest_load();
     void find_changes();
     [[nodiscard]] Eigen::VectorXd due() const;
     void correct();

@@ -96,19 +96,18 @@ coupling::MovedIncrements moved_to(const EnrichedMesh& next, const EnrichedMesh&
 }  // namespace
 
 void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
-                    const coupling::Patch& next, const ContactInterface& contact) {
+                    const coupling::Patch& next, ContactInterface& contact) {
     ZoneUnknowns carried{next.displacement, Eigen::VectorXd::Zero(contact.tractions())};
     if (old_contact != nullptr) {
         const ZoneUnknowns& committed = memory.committed;
         carried.displacement =
             carry_over(before, committed.displacement, next.mesh,
                        on_parts(before, committed.displacement, next.mesh, next.part_of, next.displacement));
+        const std::vector<int> old_place = contact.operators().places_in(old_contact->operators());
         for (int k = 0; k < contact.multipliers(); ++k) {
-            const FaceOperators::Key& own = contact.operators().keys()[at(k)];
-            const auto same = [&](const FaceOperators::Key& key) { return key.is_at(own.crack, own.x); };
-            const auto found = std::ranges::find_if(old_contact->operators().keys(), same);
-            if (found == old_contact->operators().keys().end()) continue;
-            const int old = static_cast<int>(found - old_contact->operators().keys().begin());
+            const int old = old_place[at(k)];
+            if (old < 0) continue;
+            contact.resting().set_changes(k, old_contact->resting().changes(old));
             carried.traction[k] = committed.traction[old];
             if (contact.shear_of(k) >= 0 && old_contact->shear_of(old) >= 0)
                 carried.traction[contact.shear_of(k)] = committed.traction[old_contact->shear_of(old)];
@@ -132,9 +131,13 @@ void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::
         multiplier.place = key.x;
         multiplier.pressure = memory.committed.traction[k];
         multiplier.status = static_cast<std::int8_t>(contact.committed_statuses()[at(k)]);
+        multiplier.changes = contact.resting().changes(k);
+        multiplier.resting = contact.resting().contains(k) ? 1 : 0;
+        multiplier.rest_pressure = contact.resting().traction()[k];
         for (const ZoneUnknowns& increment : increments) multiplier.increments.push_back(increment.traction[k]);
         if (const int shear = contact.shear_of(k); shear >= 0) {
             multiplier.shear = memory.committed.traction[shear];
+            multiplier.rest_shear = contact.resting().traction()[shear];
             for (const ZoneUnknowns& increment : increments)
                 multiplier.shear_increments.push_back(increment.traction[shear]);
         }
@@ -143,7 +146,27 @@ void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::
     out.frozen_tips = memory.frozen.tips();
 }
 
-void take_up(ZoneMemory& memory, const ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
+namespace {
+
+void take_up_rest(ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
+    std::vector<FaceStatus> statuses;
+    MultiplierSet resting(contact.multipliers());
+    Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions());
+    for (int k = 0; k < contact.multipliers(); ++k) {
+        const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[at(k)];
+        statuses.push_back(static_cast<FaceStatus>(multiplier.status));
+        contact.resting().set_changes(k, multiplier.changes);
+        if (multiplier.resting != 0) resting.insert(k);
+        traction[k] = multiplier.rest_pressure;
+        if (contact.shear_of(k) >= 0) traction[contact.shear_of(k)] = multiplier.rest_shear;
+    }
+    contact.restore(std::move(statuses));
+    contact.resting().rest(std::move(resting), traction);
+}
+
+}  // namespace
+
+void take_up(ZoneMemory& memory, ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
     require(std::ssize(snapshot.multipliers) == contact.multipliers(), "a snapshot has the multipliers of its zone");
     memory.committed = {snapshot.displacement, Eigen::VectorXd(contact.tractions())};
     std::vector<ZoneUnknowns> increments;
@@ -165,13 +188,7 @@ void take_up(ZoneMemory& memory, const ContactInterface& contact, const coupling
     memory.increments.clear();
     for (ZoneUnknowns& increment : increments | std::views::reverse) memory.increments.push(std::move(increment));
     memory.opening = OpeningFaces(snapshot.held);
-}
-
-std::vector<FaceStatus> statuses_of(const coupling::ZoneSnapshot& snapshot) {
-    std::vector<FaceStatus> statuses;
-    for (const coupling::MultiplierSnapshot& multiplier : snapshot.multipliers)
-        statuses.push_back(static_cast<FaceStatus>(multiplier.status));
-    return statuses;
+    take_up_rest(contact, snapshot);
 }
 
 }  // namespace stria::fine

@@ -30,16 +30,13 @@ void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const cou
 /// Turns to the unknowns of a new mesh and of its faces. Increments go along with the tips (MovedField), or are
 /// forgotten where they cannot. `old_contact`: null at the start, when nothing is carried.
 void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
-                    const coupling::Patch& next, const ContactInterface& contact);
+                    const coupling::Patch& next, ContactInterface& contact);
 
-/// Writes all of it, and per multiplier its place and its committed status.
+/// Writes all of it, and of each multiplier its place, its committed status and its rest.
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out);
 
 /// Takes up all but the frozen tips, which the faces have to know before. Throws std::logic_error where the multipliers
 /// of a snapshot are not those of `contact`.
-void take_up(ZoneMemory& memory, const ContactInterface& contact, const coupling::ZoneSnapshot& snapshot);
-
-/// Per multiplier.
-[[nodiscard]] std::vector<FaceStatus> statuses_of(const coupling::ZoneSnapshot& snapshot);
+void take_up(ZoneMemory& memory, ContactInterface& contact, const coupling::ZoneSnapshot& snapshot);
 
 }  // namespace stria::fine

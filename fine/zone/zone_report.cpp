@@ -51,10 +51,30 @@ double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen, co
     return station.terms.empty() ? std::numeric_limits<double>::quiet_NaN() : opening(frozen, displacement, station);
 }
 
+void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
+    const auto& [patch, contact, frozen, displacement, traction, jumps, smallest_slip] = faces;
+    const std::vector<Tip>& tips = patch.mesh.tips;
+    digest.status.clear();
+    for (const FaceStatus status : contact.statuses()) digest.status.push_back(static_cast<std::int8_t>(status));
+    digest.multiplier.assign(traction.begin(), traction.begin() + contact.multipliers());
+    digest.status_changes = contact.status_changes();
+    digest.contact.assign(patch.contact_at.size(), {});
+    for (std::size_t t = 0; t < patch.contact_at.size(); ++t)
+        for (const double distance : patch.contact_at[t])
+            digest.contact[t].push_back(contact.contact_behind(tips[t], distance, traction, jumps, displacement));
+    digest.opening.clear();
+    for (std::size_t t = 0; t < patch.opening_at.size(); ++t)
+        digest.opening.push_back(opening_behind(patch, frozen, displacement, t));
+    digest.slides.assign(patch.slip_at.size(), {});
+    for (std::size_t t = 0; t < patch.slip_at.size(); ++t)
+        for (const double distance : patch.slip_at[t])
+            digest.slides[t].push_back(contact.slides_behind(tips[t], distance, jumps, smallest_slip) ? 1 : 0);
+}
+
 std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     const EnrichedMesh& mesh = zone.patch.mesh;
     std::vector<coupling::TipReport> reports(mesh.tips.size());
-    const std::vector<PlasticExtent> extents = plastic_extents(zone.bulk);
+    const std::vector<PlasticExtent> extents = zone.summary.plastic_extents();
     for (std::size_t t = 0; t < reports.size(); ++t) {
         reports[t].CTOD = opening_at_intercept(mesh, mesh.tips[t],
                                                [&](const FaceStation& station) { return opening(zone, station); });

@@ -1,11 +1,12 @@
-// What the committed zone reports to the coarse side: its tips, its share of the rings, and its faces.
+// What the zone reports to the coarse side: of each trial state its faces; committed its tips, its share of the rings,
+// and its faces.
 #pragma once
 
 #include <vector>
 
 #include "common/fracture/domain_integral.hpp"
 #include "coupling/messages.hpp"
-#include "fine/bulk/bulk.hpp"
+#include "fine/bulk/bulk_summary.hpp"
 #include "fine/contact/contact_interface.hpp"
 
 namespace stria::fine {
@@ -14,6 +15,7 @@ namespace stria::fine {
 struct CommittedZone {
     const coupling::Patch& patch;
     const Bulk& bulk;
+    const BulkSummary& summary;
     const ContactInterface& contact;
     const FrozenTips& frozen;
     const Eigen::VectorXd& displacement;  // of all unknowns of the mesh, mm
@@ -24,6 +26,17 @@ struct CommittedZone {
 /// place is not in the zone.
 [[nodiscard]] double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen,
                                     const Eigen::VectorXd& displacement, std::size_t t);
+
+/// What a digest tells of a trial state's faces.
+struct TrialFaces {
+    const coupling::Patch& patch;
+    const ContactInterface& contact;
+    const FrozenTips& frozen;
+    const Eigen::VectorXd &displacement, &traction;  // as in CommittedZone
+    const ContactInterface::Jumps& jumps;
+    double smallest_slip;  // mm: less is rounding
+};
+void put_faces(const TrialFaces& faces, coupling::Digest& digest);
 
 /// One per tip of the mesh.
 [[nodiscard]] std::vector<coupling::TipReport> report_tips(const CommittedZone& zone);

@@ -51,8 +51,8 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = memory_.committed;
-    dissipated_ = fine::dissipation(*bulk_);  // new weights are no flow
-    at_rest_.inside = UnknownSet(patch_.mesh.unknowns);
+    summary_.emplace(*bulk_);  // new weights are no flow
+    at_rest_ = ZoneAtRest(*bulk_, *contact_, UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
     contact_->settle(memory_.committed.displacement);
     rings_ = rings_of(patch_, input_.materials, input_.cracks, subcells_at_crack(input_.fine));
 }
@@ -108,101 +108,103 @@ void ZoneSystem::linearise() {
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);
     contact_->choose_statuses(trial_.traction, jumps_);
     Eigen::VectorXd force = bulk_->internal_force();
-    contact_->operators().add_force(trial_.traction, force);
+    contact_->operators().add_force(contact_->awake(trial_.traction), force);
     load_ = load_factor_ * patch_.unit_load - force;
     if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads * cases_;
     memory_.opening.hold(held_, load_);
-    at_rest_.response.resize(0);
+    at_rest_.forget_response();
 }
 
 void ZoneSystem::add_response(const Eigen::VectorXd& load) {
-    load_ += load;
-    at_rest_.response = load;
+    load_ += load.head(load_.size());
+    at_rest_.respond(load);
 }
 
-ElementSet ZoneSystem::may_rest() const {
-    ElementSet may = bulk_->may_rest();
-    const Eigen::VectorXd held = memory_.opening.held(patch_.mesh.unknowns);
-    const auto bears_load = [&](int unknown) {
-        return patch_.unit_load[unknown] != 0.0 || held[unknown] != 0.0 ||
-               (patch_.case_loads.cols() > 0 && !patch_.case_loads.row(unknown).isZero(0.0));
-    };
-    for (int e = 0; e < may.size(); ++e) {
-        if (std::ranges::any_of(bulk_->elements().op(e).unknowns, bears_load)) may.erase(e);
-        for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
-            if (bulk_->elements().is_near(e, patch_.mesh.tips[t].position, patch_.ahead[t])) may.erase(e);
-    }
-    return may;
+Eigen::VectorXd ZoneSystem::contact_right_hand_side() const {
+    Eigen::VectorXd right = contact_->right_hand_side(trial_.traction, jumps_);
+    if (at_rest_.response().size() > 0) right += at_rest_.response().tail(right.size());
+    return right;
 }
 
-void ZoneSystem::rest(const ElementSet& elements, const UnknownSet& inside) {
-    bulk_->rest(elements, memory_.committed.displacement);
-    set_inside(inside);
+void ZoneSystem::rest(Resting resting, UnknownSet inside) {
+    bulk_->rest(resting.elements, memory_.committed.displacement);
+    contact_->resting().rest(std::move(resting.multipliers), memory_.committed.traction);
+    at_rest_ = ZoneAtRest(*bulk_, *contact_, std::move(inside));
 }
 
-std::vector<int> ZoneSystem::would_yield(const Eigen::VectorXd& displacement) {
+Restless ZoneSystem::follow(const Eigen::VectorXd& moved) {
     const Stopwatch watch(constitutive_s_);
-    for (Eigen::Index i = 0; i < trial_.displacement.size(); ++i)
-        if (at_rest_.inside.contains(i)) trial_.displacement[i] = displacement[i];
-    return bulk_->would_yield(trial_.displacement);
+    const Eigen::VectorXd &u = bulk_->resting().displacement(), &traction = contact_->resting().traction();
+    for (Eigen::Index i = 0; i < u.size(); ++i)
+        if (at_rest_.inside().contains(i)) trial_.displacement[i] = u[i] + moved[i];
+    for (Eigen::Index k = 0; k < traction.size(); ++k)
+        if (at_rest_.inside().contains(u.size() + k)) trial_.traction[k] = traction[k] + moved[u.size() + k];
+    return {bulk_->would_yield(trial_.displacement),
+            contact_->would_change(trial_.displacement, trial_.traction, jumps_)};
 }
 
-void ZoneSystem::wake_all_but(const ElementSet& still, const UnknownSet& inside) {
-    bulk_->wake_all_but(still);
-    set_inside(inside);
+void ZoneSystem::wake_all_but(Resting still, UnknownSet inside) {
+    const ElementSet rested = bulk_->resting().elements();
+    bulk_->wake_all_but(still.elements);
+    for (const int e : rested.members())
+        if (!still.elements.contains(e)) summary_->look_at(*bulk_, e);
+    contact_->resting().wake_all_but(std::move(still.multipliers));
+    at_rest_ = ZoneAtRest(*bulk_, *contact_, std::move(inside));
 }
 
-void ZoneSystem::wake_all() { wake_all_but(ElementSet(bulk_->elements().count()), UnknownSet(patch_.mesh.unknowns)); }
+void ZoneSystem::wake_all() {
+    wake_all_but({ElementSet(bulk_->elements().count()), MultiplierSet(contact_->multipliers())},
+                 UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
+}
 
-void ZoneSystem::set_inside(const UnknownSet& inside) {
-    at_rest_.inside = inside;
-    at_rest_.force_scale = bulk_->rest_load().lpNorm<Eigen::Infinity>();
+Eigen::VectorXd ZoneSystem::moved_since_rest() const {
+    Eigen::VectorXd moved(patch_.mesh.unknowns + contact_->tractions());
+    moved << trial_.displacement - bulk_->resting().displacement(), trial_.traction - contact_->resting().traction();
+    return moved;
 }
 
 coupling::PatchResponse ZoneSystem::measure() {
     coupling::PatchResponse response;
-    UnknownSet followed = at_rest_.inside;  // by the structure, or by the others
+    UnknownSet followed = at_rest_.inside();  // by the structure, or by the others
     for (const int unknown : patch_.boundary) followed.insert(unknown);
-    response.interior_force = at_rest_.force_scale;
-    const Eigen::VectorXd scale =
-        at_rest_.response.size() > 0 ? bulk_->force_scale() + at_rest_.response.cwiseAbs() : bulk_->force_scale();
+    response.interior_force = at_rest_.force_scale();
+    const bool some_rest = at_rest_.response().size() > 0;
+    Eigen::VectorXd scale = bulk_->force_scale();
+    if (some_rest) scale += at_rest_.response().head(scale.size()).cwiseAbs();
     for (int i = 0; i < patch_.mesh.unknowns; ++i) {
         response.interior_force = std::max(response.interior_force, scale[i]);
         if (!followed.contains(i))
             response.interior_residual = std::max(response.interior_residual, std::abs(load_[i]));
     }
     response.contact_residual = contact_->residual(trial_.traction, jumps_);
+    if (some_rest)
+        response.contact_residual = std::max(
+            response.contact_residual, contact_->residual_at_rest(at_rest_.response().tail(contact_->tractions())));
     response.interior_correction = largest_move_;
     response.interior_displacement = trial_.displacement.cwiseAbs().maxCoeff();
     response.digest.yielding_points = bulk_->history().yielding_points();
     response.digest.largest_plastic_increment = bulk_->history().largest_plastic_increment();
-    for (const FaceStatus status : contact_->statuses())
-        response.digest.status.push_back(static_cast<std::int8_t>(status));
-    response.digest.multiplier.assign(trial_.traction.begin(), trial_.traction.begin() + contact_->multipliers());
-    response.digest.status_changes = contact_->status_changes();
-    for (std::size_t t = 0; t < patch_.contact_at.size(); ++t) {
-        std::vector<double>& contact = response.digest.contact.emplace_back();
-        for (const double distance : patch_.contact_at[t])
-            contact.push_back(
-                contact_->contact_behind(patch_.mesh.tips[t], distance, trial_.traction, jumps_, trial_.displacement));
-    }
-    for (std::size_t t = 0; t < patch_.opening_at.size(); ++t)
-        response.digest.opening.push_back(opening_behind(patch_, memory_.frozen, trial_.displacement, t));
     for (std::size_t t = 0; t < patch_.ahead.size(); ++t)
         response.digest.force_ahead.push_back(force_ahead(*bulk_, patch_.mesh.tips[t], patch_.ahead[t]));
-    response.digest.slides = find_sliding();
+    measure_faces(response.digest);
     return response;
 }
 
-std::vector<std::vector<std::int8_t>> ZoneSystem::find_sliding() const {
+void ZoneSystem::measure_faces(coupling::Digest& digest) const {
+    put_faces({.patch = patch_,
+               .contact = *contact_,
+               .frozen = memory_.frozen,
+               .displacement = trial_.displacement,
+               .traction = trial_.traction,
+               .jumps = jumps_,
+               .smallest_slip = smallest_slip()},
+              digest);
+}
+
+double ZoneSystem::smallest_slip() const {
     constexpr double rounding = 1e-8;  // of a displacement
-    const double smallest = rounding * std::max(trial_.displacement.lpNorm<Eigen::Infinity>(),
-                                                memory_.committed.displacement.lpNorm<Eigen::Infinity>());
-    std::vector<std::vector<std::int8_t>> sliding(patch_.slip_at.size());
-    for (std::size_t t = 0; t < sliding.size(); ++t)
-        for (const double distance : patch_.slip_at[t])
-            sliding[t].push_back(contact_->slides_behind(patch_.mesh.tips[t], distance, jumps_, smallest) ? 1 : 0);
-    return sliding;
+    return rounding * std::max(trial_.displacement.lpNorm<Eigen::Infinity>(),
+                               memory_.committed.displacement.lpNorm<Eigen::Infinity>());
 }
 
 coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
@@ -212,18 +214,21 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
     memory_.committed = trial_;
-    bulk_->commit(what.reversal, !memory_.opening.any());
+    const bool counts = !memory_.opening.any(), begins = bulk_->history().half_cycle_ended();
+    const double dissipated = summary_->dissipation();
+    bulk_->commit(what.reversal, counts);
     contact_->commit(memory_.committed.displacement);
+    if (what.reversal && counts) contact_->note_half_cycle();
+    summary_->update(*bulk_, begins);
     coupling::StepReport report;
-    report.energy = {.stored = what.brief ? 0.0 : fine::stored_energy(*bulk_),
+    report.energy = {.stored = summary_->stored_energy() + at_rest_.energy(moved_since_rest()),
                      .released = memory_.opening.release(move.displacement, held_),
                      .friction = friction,
                      .load_path = patch_.unit_load.dot(move.displacement)};
     if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
     memory_.increments.push(move);
     report_on(report, what.brief);
-    const double before = std::exchange(dissipated_, fine::dissipation(*bulk_));
-    report.dissipation = dissipated_ - before;
+    report.dissipation = summary_->dissipation() - dissipated;
     report.points = bulk_->history().points();
     report.unknowns = patch_.mesh.unknowns + contact_->tractions();
     report.multipliers = contact_->tractions();
@@ -239,6 +244,7 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
 void ZoneSystem::report_on(coupling::StepReport& report, bool brief) {
     const CommittedZone zone{.patch = patch_,
                              .bulk = *bulk_,
+                             .summary = *summary_,
                              .contact = *contact_,
                              .frozen = memory_.frozen,
                              .displacement = memory_.committed.displacement,
@@ -269,7 +275,6 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     memory_.frozen = FrozenTips(snapshot.frozen_tips);
     make_contact(patch);
     take_up(memory_, *contact_, snapshot);
-    contact_->restore(statuses_of(snapshot));
     const coupling::WorkCounts so_far = bulk_ ? bulk_->counts() : coupling::WorkCounts();
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), snapshot);
     bulk_->count_on_from(so_far);

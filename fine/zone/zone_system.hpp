@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
+#include "fine/zone/zone_at_rest.hpp"
 #include "fine/zone/zone_memory.hpp"
 #include "fine/zone/zone_report.hpp"
 #include "fine/zone/zone_sections.hpp"
@@ -42,18 +44,24 @@ public:
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
     void linearise();
 
-    /// Elements that may rest (Bulk), without loads of their own or new faces that forces hold, and away from the tips
-    /// about which the force ahead is asked for.
-    [[nodiscard]] ElementSet may_rest() const;
+    // What rests. Vectors are of all unknowns of the mesh and then of the tractions.
+
+    [[nodiscard]] Resting may_rest() const {
+        return fine::may_rest(*bulk_, *contact_, patch_, memory_.opening.held(patch_.mesh.unknowns));
+    }
     /// These rest from the committed state on. `inside`: the unknowns that follow the others; neither their loads nor
     /// their residuals are known here.
-    void rest(const ElementSet& elements, const UnknownSet& inside);
-    /// The trial unknowns inside go to `displacement` (of all unknowns); the elements at rest that would yield there.
-    [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& displacement);
+    void rest(Resting resting, UnknownSet inside);
+    /// The trial unknowns inside have `moved` since they came to rest. Those of what rests that would yield there, or
+    /// change their status.
+    [[nodiscard]] Restless follow(const Eigen::VectorXd& moved);
     /// All but those that still rest are evaluated again.
-    void wake_all_but(const ElementSet& still, const UnknownSet& inside);
+    void wake_all_but(Resting still, UnknownSet inside);
     void wake_all();
-    /// What the elements at rest do to the others, N/mm.
+    /// What is due on them where they came to rest, and what the unknowns have moved since then.
+    [[nodiscard]] const Eigen::VectorXd& rest_load() const { return at_rest_.load(); }
+    [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
+    /// What they do to the others.
     void add_response(const Eigen::VectorXd& load);
 
     /// What Newton has to remove from every zone unknown: applied load - (internal force - B^T p + T^T tau), N/mm.
@@ -66,12 +74,12 @@ public:
     [[nodiscard]] const Eigen::VectorXd& traction() const { return trial_.traction; }
     [[nodiscard]] const FrozenTips& frozen() const { return memory_.frozen; }
     /// Of the multipliers' part of the semismooth system.
-    [[nodiscard]] Eigen::VectorXd contact_right_hand_side() const {
-        return contact_->right_hand_side(trial_.traction, jumps_);
-    }
+    [[nodiscard]] Eigen::VectorXd contact_right_hand_side() const;
 
     /// Residuals, scales and digest; force and tangent are left to who condenses.
     [[nodiscard]] coupling::PatchResponse measure();
+    /// What a digest says of the faces.
+    void measure_faces(coupling::Digest& digest) const;
     [[nodiscard]] double tolerance() const { return input_.tolerance; }
 
     coupling::StepReport commit(const coupling::Commit& what);
@@ -92,31 +100,23 @@ private:
     [[nodiscard]] IntegrationRule rule() const;
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
-    [[nodiscard]] std::vector<std::vector<std::int8_t>> find_sliding() const;  // Digest::slides
-    void set_inside(const UnknownSet& inside);
+    [[nodiscard]] double smallest_slip() const;
     void open_new_faces(const EnrichedMesh& before);
     void report_on(coupling::StepReport& report, bool brief);
-
-    /// What rests, as this sees it.
-    struct AtRest {
-        UnknownSet inside;
-        double force_scale = 0.0;  // of the state in which it came to rest, N/mm
-        Eigen::VectorXd response;  // N/mm; empty: nothing rests
-    };
 
     ZoneSections input_;
     coupling::Patch patch_;
     std::unique_ptr<Bulk> bulk_;
+    std::optional<BulkSummary> summary_;  // of the committed bulk
     std::unique_ptr<ContactInterface> contact_;
     std::vector<TipRings> rings_;  // per tip
     ZoneMemory memory_;
     ZoneUnknowns trial_;
     Eigen::VectorXd load_, cases_;
     ContactInterface::Jumps jumps_;
-    AtRest at_rest_;
+    ZoneAtRest at_rest_;
     int steps_ = 0;  // of Newton's method in this attempt
     double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
-    double dissipated_ = 0.0;  // by flow, in the committed state, N
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;
 };

@@ -1,6 +1,7 @@
 // The bulk of the zone: repeatable evaluation, tangents, history that survives an extension, two-sided patches.
 #include "common/enrichment/part_of_mesh.hpp"
 #include "fine/bulk/bulk_report.hpp"
+#include "fine/bulk/bulk_summary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -97,13 +98,53 @@ TEST(Bulk, PlasticPointsBelongToTheNearestTip) {
     Bulk bulk = make_bulk(mesh, inner);
     bulk.evaluate(random_vector(mesh.unknowns, 4e-2, 1));
     bulk.commit(false);
-    for (const fine::PlasticExtent& extent : plastic_extents(bulk)) {
+    for (const fine::PlasticExtent& extent : fine::BulkSummary(bulk).plastic_extents()) {
         EXPECT_GT(extent.zone, 3.0);
         EXPECT_LT(extent.zone, std::hypot(2.3, 2.6));
         EXPECT_DOUBLE_EQ(extent.ever, extent.zone);
         EXPECT_LT(extent.axis, 2.4);
         EXPECT_GT(extent.axis, 1.8);
     }
+}
+
+// After each commit as if all of them had been looked at: at rest, woken, and in a new half cycle.
+TEST(BulkSummary, LooksAtWhatMayHaveChanged) {
+    const Case input = plate_case({{0.0, 2.4}, {3.3, 2.6}});
+    const EnrichedMesh mesh = plate_mesh(6, 5, input);
+    Bulk bulk = make_bulk(mesh, input);
+    fine::BulkSummary summary(bulk);
+    const Eigen::VectorXd u = random_vector(mesh.unknowns, 4e-2, 1);
+    ElementSet half(bulk.elements().count());
+    for (int e = 0; e < half.size(); e += 2) half.insert(e);
+    const auto commit = [&](double share, bool reversal) {
+        const bool begins = bulk.history().half_cycle_ended();
+        bulk.evaluate(share * u);
+        bulk.commit(reversal);
+        summary.update(bulk, begins);
+    };
+    const auto expect_all_seen = [&] {
+        const fine::BulkSummary anew(bulk);
+        EXPECT_GT(anew.dissipation(), 0.0);
+        EXPECT_DOUBLE_EQ(summary.dissipation(), anew.dissipation());
+        EXPECT_DOUBLE_EQ(summary.stored_energy(), anew.stored_energy());
+        for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
+            EXPECT_EQ(summary.plastic_extents()[t].ever, anew.plastic_extents()[t].ever);
+            EXPECT_EQ(summary.plastic_extents()[t].zone, anew.plastic_extents()[t].zone);
+            EXPECT_EQ(summary.plastic_extents()[t].axis, anew.plastic_extents()[t].axis);
+        }
+    };
+    commit(0.5, false);
+    expect_all_seen();
+    commit(1.0, true);
+    expect_all_seen();
+    bulk.rest(half, u);
+    commit(0.99, false);  // nothing flows, and no zone is left of the half cycle before
+    expect_all_seen();
+    EXPECT_EQ(summary.plastic_extents()[0].zone, 0.0);
+    commit(0.0, false);
+    bulk.wake_all_but(ElementSet(half.size()));
+    for (const int e : half.members()) summary.look_at(bulk, e);
+    expect_all_seen();
 }
 
 TEST(Bulk, ElasticBulkIsLinear) {

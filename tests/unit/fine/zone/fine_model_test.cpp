@@ -252,11 +252,14 @@ INSTANTIATE_TEST_SUITE_P(States, RoughSuperelement,
 /// A plate whose crack sees little of it: after a whole cycle most of it rests.
 class Resting : public testing::Test {
 protected:
+    explicit Resting(const Case& input = scene, int columns = 11)
+        : mesh_(plate_mesh(columns, 9, input)), model_(input), full_(zone_, input) {}
+
     /// Both to equilibrium, and committed.
     coupling::StepReport go_to(double strain, bool reversal) {
         const Eigen::VectorXd boundary = stretched(strain, 1, zone_);
         const auto settled_whole = [](const PatchResponse& r) {
-            return r.interior_residual < 1e-11 * r.interior_force;
+            return r.interior_residual + r.contact_residual < 1e-11 * r.interior_force;
         };
         PatchResponse condensed, whole;
         for (int iteration = 0; iteration < 40; ++iteration) {
@@ -283,10 +286,10 @@ protected:
         return last;
     }
 
-    EnrichedMesh mesh_ = plate_mesh(11, 9, scene);
+    EnrichedMesh mesh_;
     coupling::Patch zone_ = plate_patch(mesh_);
-    FineModel model_{scene};
-    FullNewton full_{zone_};
+    FineModel model_;
+    FullNewton full_;
     void SetUp() override { model_.set_patch(zone_); }
 };
 
@@ -316,6 +319,44 @@ TEST_F(Resting, ItsReportsAreThoseOfAnAwakeZone) {
         largest = std::max(largest, std::abs(resting.stress[i] - awake.stress[i]));
     EXPECT_LT(largest, 1e-6);  // MPa
 }
+
+/// The same with a crack, rough or not, most of whose faces are far from its tip.
+class RestingFaces : public Resting, public testing::WithParamInterface<double> {
+protected:
+    static Case long_crack() {
+        Case input = plate_case({mouth, mouth + 2.5 * (tip - mouth)});
+        input.cracks[0].contact->friction = GetParam();
+        return input;
+    }
+    RestingFaces() : Resting(long_crack(), 16) {}
+
+    /// Between two strains that do not change who touches, until faces rest; how many of them.
+    int cycle_between(double one, double other) {
+        for (int half = 0; half < 6; ++half) {
+            go_to(0.5 * (one + other), false);
+            go_to(half % 2 == 0 ? other : one, true);
+        }
+        return model_.system().contact().resting().multipliers().count();
+    }
+    [[nodiscard]] int closed() const {
+        return static_cast<int>(std::ranges::count_if(model_.system().contact().statuses(), fine::is_closed));
+    }
+};
+
+TEST_P(RestingFaces, WhereTheyTouchAndWhereTheyAreApart) {
+    go_to(-2e-4, false);
+    const int all = closed();
+    EXPECT_GT(all, 5);
+    EXPECT_GT(cycle_between(-4e-4, -2e-4), all / 2);
+    go_to(2e-4, true);  // they part, at rest
+    EXPECT_EQ(closed(), 0);
+    EXPECT_GT(cycle_between(4e-4, 2e-4), all / 2);
+    go_to(-2e-4, true);  // and meet
+    EXPECT_GT(closed(), 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Friction, RestingFaces, testing::Values(0.0, 0.6),
+                         [](const auto& test) { return test.param > 0.0 ? "rough" : "smooth"; });
 
 TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
     FineModel model(scene);

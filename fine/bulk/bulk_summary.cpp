@@ -1,0 +1,64 @@
+#include "fine/bulk/bulk_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace stria::fine {
+namespace {
+
+void raise(double& largest, double value) { largest = std::max(largest, value); }
+
+}  // namespace
+
+BulkSummary::BulkSummary(const Bulk& bulk)
+    : tips_(bulk.elements().mesh().tips.size()), dissipation_(at(bulk.elements().count())), stored_(dissipation_),
+      extents_(tips_ * dissipation_.size()) {
+    for (int e = 0; e < bulk.elements().count(); ++e) look_at(bulk, e);
+}
+
+// What has yielded in the half cycle before counts no more, at rest or not.
+void BulkSummary::update(const Bulk& bulk, bool half_cycle_begins) {
+    if (half_cycle_begins)
+        for (PlasticExtent& extent : extents_) extent.zone = extent.axis = 0.0;
+    for (int e = 0; e < bulk.elements().count(); ++e)
+        if (!bulk.resting().contains(e)) look_at(bulk, e);
+}
+
+void BulkSummary::look_at(const Bulk& bulk, int e) {
+    const PointHistory& history = bulk.history();
+    const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
+    const std::vector<Tip>& tips = bulk.elements().mesh().tips;
+    const std::span extents = std::span(extents_).subspan(tips_ * at(e), tips_);
+    std::ranges::fill(extents, PlasticExtent());
+    dissipation_[at(e)] = stored_[at(e)] = 0.0;
+    for (std::size_t q = 0; q < points.size(); ++q) {
+        dissipation_[at(e)] += points[q].weight * history.dissipation(e, q);
+        stored_[at(e)] += points[q].weight * history.stored_energy(e, q);
+        if (tips.empty() || history.accumulated(e, q) == 0.0) continue;
+        const auto distance = [&](const Tip& tip) { return (points[q].x - tip.position).norm(); };
+        const auto own = at(std::ranges::min_element(tips, {}, distance) - tips.begin());
+        const TipPolar polar = tip_polar(tips[own], points[q].x, 0);
+        raise(extents[own].ever, polar.r);
+        if (!history.is_plastic(e, q)) continue;
+        raise(extents[own].zone, polar.r);
+        if (std::abs(polar.theta) <= std::numbers::pi / 12.0) raise(extents[own].axis, polar.r);
+    }
+}
+
+double BulkSummary::sum(const std::vector<double>& of_elements) {
+    return std::accumulate(of_elements.begin(), of_elements.end(), 0.0);
+}
+
+std::vector<PlasticExtent> BulkSummary::plastic_extents() const {
+    std::vector<PlasticExtent> all(tips_);
+    for (std::size_t i = 0; i < extents_.size(); ++i) {
+        raise(all[i % tips_].ever, extents_[i].ever);
+        raise(all[i % tips_].zone, extents_[i].zone);
+        raise(all[i % tips_].axis, extents_[i].axis);
+    }
+    return all;
+}
+
+}  // namespace stria::fine

@@ -1,0 +1,45 @@
+// What sums the bulk up after each commit: energies, and how far plasticity reaches. Element by element, so that only
+// those are looked at again whose points may have changed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fine/bulk/bulk.hpp"
+
+namespace stria::fine {
+
+/// How far plasticity reaches from a tip. A point belongs to the tip that is nearest to it, and to no other one.
+struct PlasticExtent {
+    double ever = 0.0;  // largest distance of a point that has ever yielded, mm
+    double zone = 0.0;  // of one that has yielded in this half cycle, mm
+    double axis = 0.0;  // of these, within 15 degrees of the line ahead, mm
+};
+
+/// Of the committed states of the points, per mm of thickness.
+class BulkSummary {
+public:
+    /// Of all elements.
+    explicit BulkSummary(const Bulk& bulk);
+
+    /// After a commit of the same bulk: looks at all elements that do not rest. `half_cycle_begins`: with its
+    /// increment.
+    void update(const Bulk& bulk, bool half_cycle_begins);
+    /// The points of this one have a new state.
+    void look_at(const Bulk& bulk, int e);
+
+    [[nodiscard]] double dissipation() const { return sum(dissipation_); }  // N
+    /// But for what elements at rest have stored since they came to rest, N.
+    [[nodiscard]] double stored_energy() const { return sum(stored_); }
+    /// One per tip of the mesh.
+    [[nodiscard]] std::vector<PlasticExtent> plastic_extents() const;
+
+private:
+    [[nodiscard]] static double sum(const std::vector<double>& of_elements);
+
+    std::size_t tips_;
+    std::vector<double> dissipation_, stored_;  // per element, N
+    std::vector<PlasticExtent> extents_;        // per element, tip by tip
+};
+
+}  // namespace stria::fine

@@ -1,0 +1,48 @@
+#include "fine/bulk/stress_changes.hpp"
+
+namespace stria::fine {
+
+void StressChanges::add_element(const ElementOperator& op, const VonMisesForm& form) {
+    records_.push_back(
+        {std::ssize(op.unknowns), std::ssize(op.points), std::ssize(unknowns_), std::ssize(values_), form});
+    unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
+    values_.insert(values_.end(), op.unknowns.size(), 0.0);
+    for (Eigen::Index f = 0; f < std::ssize(op.unknowns) / 2; ++f)
+        for (const Eigen::Index direction : {0, 1})
+            for (const Gradients& gradient : op.gradients) values_.push_back(gradient(f, direction));
+}
+
+void StressChanges::look_at(int element, const Eigen::VectorXd& u) {
+    const Record& record = records_[at(element)];
+    for (Eigen::Index k = 0; k < record.unknowns; ++k)
+        values_[at(record.first + k)] = u[unknowns_[at(record.first_unknown + k)]];
+}
+
+template <bool since_look> double StressChanges::largest(const Record& record, const Eigen::VectorXd& u) const {
+    if (record.unknowns == 8 && record.points == 4) return largest_of<since_look, 8, 4>(record, u);
+    return largest_of<since_look, Eigen::Dynamic, Eigen::Dynamic>(record, u);
+}
+
+template double StressChanges::largest<true>(const Record& record, const Eigen::VectorXd& u) const;
+template double StressChanges::largest<false>(const Record& record, const Eigen::VectorXd& u) const;
+
+template <bool since_look, int unknowns, int points>
+double StressChanges::largest_of(const Record& record, const Eigen::VectorXd& u) const {
+    const double* const start = &values_[at(record.first)];
+    const Eigen::Map<const Eigen::Array<double, points, unknowns>> gradients(start + record.unknowns, record.points,
+                                                                             record.unknowns);
+    const int* const place = &unknowns_[at(record.first_unknown)];
+    const auto moved = [&](Eigen::Index k) { return since_look ? u[place[k]] - start[k] : u[place[k]]; };
+    using Values = Eigen::Array<double, points, 1>;
+    Values xx = Values::Zero(record.points), yy = xx, xy = xx;
+    for (Eigen::Index k = 0; k < record.unknowns; k += 2) {
+        const double x = moved(k), y = moved(k + 1);
+        xx += x * gradients.col(k);
+        yy += y * gradients.col(k + 1);
+        xy += x * gradients.col(k + 1) + y * gradients.col(k);
+    }
+    const VonMisesForm& form = record.form;
+    return (form.normal * (xx * xx + yy * yy) + form.mixed * xx * yy + form.shear * xy * xy).maxCoeff();
+}
+
+}  // namespace stria::fine

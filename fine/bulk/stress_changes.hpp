@@ -1,0 +1,65 @@
+// By how much a displacement changes the stresses of an element elastically.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "common/index.hpp"
+#include "common/integration/element_operator.hpp"
+#include "common/mandel.hpp"
+
+namespace stria::fine {
+
+/// The square of the von Mises stress of an elastic strain, MPa2, as the isotropic elastic stiffness (Mandel form)
+/// makes it: normal (xx^2 + yy^2) + mixed xx yy + shear (2 xy)^2. A mean dilatation has no part in it.
+struct VonMisesForm {
+    explicit VonMisesForm(const MandelMatrix& elastic)
+        : normal(squared(elastic, {1.0, 0.0, 0.0, 0.0})), mixed(squared(elastic, {1.0, 1.0, 0.0, 0.0}) - 2.0 * normal),
+          shear(0.5 * squared(elastic, {0.0, 0.0, 0.0, 1.0})) {}
+
+    double normal, mixed, shear;
+
+private:
+    [[nodiscard]] static double squared(const MandelMatrix& elastic, const Mandel& strain) {
+        return 1.5 * deviator(elastic * strain).squaredNorm();
+    }
+};
+
+/// The largest square of a von Mises stress, MPa2, over an element's points. Element by element all that this takes
+/// lies together: elements at rest are many, and seldom in a cache. Displacements are those of all unknowns of the
+/// mesh, mm.
+class StressChanges {
+public:
+    /// Numbered as they come; looked at without displacement.
+    void add_element(const ElementOperator& op, const VonMisesForm& form);
+
+    /// Its changes are those from here on.
+    void look_at(int element, const Eigen::VectorXd& u);
+
+    /// Of the changes since then; of those by a move.
+    [[nodiscard]] double at_displacement(int element, const Eigen::VectorXd& u) const {
+        return largest<true>(records_[at(element)], u);
+    }
+    [[nodiscard]] double by(int element, const Eigen::VectorXd& move) const {
+        return largest<false>(records_[at(element)], move);
+    }
+
+private:
+    struct Record {
+        Eigen::Index unknowns, points;        // how many
+        std::ptrdiff_t first_unknown, first;  // in unknowns_ and in values_
+        VonMisesForm form;
+    };
+    template <bool since_look> [[nodiscard]] double largest(const Record& record, const Eigen::VectorXd& u) const;
+    template <bool since_look, int unknowns, int points>
+    [[nodiscard]] double largest_of(const Record& record, const Eigen::VectorXd& u) const;
+
+    std::vector<Record> records_;
+    std::vector<int> unknowns_;
+    // Of an element: its displacement when it was looked at; per function its derivatives by x at all points, then
+    // those by y.
+    std::vector<double> values_;
+};
+
+}  // namespace stria::fine
