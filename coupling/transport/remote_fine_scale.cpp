@@ -90,13 +90,13 @@ void RemoteFineScale::hear_what_is_left() {
     if (begun_ == Tag::Keep) answer(Tag::Done);
 }
 
-void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
+void RemoteFineScale::send(Tag tag, std::vector<std::byte> bytes) {
     hear_what_is_left();
     require(!in_flight_, "one question in flight");
-    transport_.send(tag, bytes);
-    in_flight_ = tag != Tag::Stop;
     ++traffic_.messages;
     traffic_.bytes += std::ssize(bytes);
+    transport_.send(tag, std::move(bytes));
+    in_flight_ = tag != Tag::Stop;
 }
 
 Message RemoteFineScale::receive() {
@@ -116,13 +116,13 @@ Message RemoteFineScale::answer(Tag expected) {
     return message;
 }
 
-void RemoteFineScale::begin(Tag question, std::span<const std::byte> bytes) {
-    send(question, bytes);
+void RemoteFineScale::begin(Tag question, std::vector<std::byte> bytes) {
+    send(question, std::move(bytes));
     begun_ = question;
 }
 
-Message RemoteFineScale::ask(Tag question, std::span<const std::byte> bytes, Tag expected) {
-    send(question, bytes);
+Message RemoteFineScale::ask(Tag question, std::vector<std::byte> bytes, Tag expected) {
+    send(question, std::move(bytes));
     return answer(expected);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "coupling/fine_scale.hpp"
 #include "coupling/transport/transport.hpp"
@@ -40,12 +40,12 @@ public:
     [[nodiscard]] const WorkCounts& traffic() const { return traffic_; }
 
 private:
-    void send(Tag tag, std::span<const std::byte> bytes);
+    void send(Tag tag, std::vector<std::byte> bytes);
     void hear_what_is_left();
     Message receive();
     Message answer(Tag expected);
-    void begin(Tag question, std::span<const std::byte> bytes);
-    Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
+    void begin(Tag question, std::vector<std::byte> bytes);
+    Message ask(Tag question, std::vector<std::byte> bytes, Tag expected);
 
     Transport& transport_;
     WorkCounts traffic_;
