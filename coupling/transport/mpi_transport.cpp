@@ -36,6 +36,15 @@ class Patience {
 public:
     Patience(const Doorbell& bell, int peer) : bell_(bell), by_bell_(bell.reaches(peer)) {}
 
+    /// Until `there()`, anybody has rung, or a moment has passed.
+    template <class There> void wait_a_moment(There there) const {
+        using namespace std::chrono;
+        for (const auto start = steady_clock::now(); steady_clock::now() < start + for_answer;)
+            if (there()) return;
+        const std::uint32_t rung = bell_.rung();
+        if (!there()) bell_.sleep(rung, longest_sleep(microseconds(0)));
+    }
+
     /// `leaves()`: the peer may be taking something large, perhaps in parts, each of which needs both sides awake.
     template <class There, class Leaves> void wait_until(There there, Leaves leaves) const {
         using namespace std::chrono;
@@ -106,6 +115,12 @@ public:
         return message;
     }
 
+    [[nodiscard]] bool has_message() override { return !peer_present_ || has_arrived(announcement); }
+
+    void wait_a_moment() override {
+        patience_.wait_a_moment([this] { return has_message(); });
+    }
+
 private:
     struct Header {
         std::uint64_t tag;
@@ -153,15 +168,16 @@ private:
         return header;
     }
 
+    [[nodiscard]] bool has_arrived(int mpi_tag, MPI_Status* status = MPI_STATUS_IGNORE) const {
+        int arrived = 0;
+        check(MPI_Iprobe(peer_, mpi_tag, MPI_COMM_WORLD, &arrived, status));
+        return arrived != 0;
+    }
+
     void receive_exactly(std::span<std::byte> bytes, int mpi_tag) {
         MPI_Status status{};
         int received = 0;
-        const auto has_arrived = [&] {
-            int arrived = 0;
-            check(MPI_Iprobe(peer_, mpi_tag, MPI_COMM_WORLD, &arrived, &status));
-            return arrived != 0;
-        };
-        patience_.wait_until(has_arrived, [&] { return !has_left(); });
+        patience_.wait_until([&] { return has_arrived(mpi_tag, &status); }, [&] { return !has_left(); });
         check(MPI_Get_count(&status, MPI_BYTE, &received));
         if (at(received) != bytes.size())
             throw ComponentLost("a message between the components is not as long as announced");

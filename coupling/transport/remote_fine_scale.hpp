@@ -26,6 +26,8 @@ public:
     [[nodiscard]] Eigen::MatrixXd increments() override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
+    [[nodiscard]] bool has_answered() override { return !in_flight_ || transport_.has_message(); }
+    void wait_a_moment() override { transport_.wait_a_moment(); }
     void begin_commit(const Commit& what) override;
     StepReport commit(const Commit& what) override;
     void rollback() override;
