@@ -58,13 +58,9 @@ void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flo
     const int ranks = static_cast<int>(owner_.empty() ? scales_.size() : parts_.size());
     const std::optional<std::vector<int>> on =
         owner_.empty() ? std::nullopt : share_on(patch.mesh, owner_, patch.part_of);
-    if (on && (ranks == 1 || !patch.part_of.empty())) {
-        owner_ = by_id(patch.mesh, *on);
-        return;
-    }
     const auto cost = [&](const std::vector<int>& rank_of) { return cost_of_sharing(patch.mesh, rank_of, flow); };
     const double cost_on = on ? cost(*on) : 0.0;
-    if (on && std::abs(cost_on - weighed_cost_) < another * weighed_cost_) {
+    if (on && (ranks == 1 || !patch.part_of.empty() || std::abs(cost_on - weighed_cost_) < another * weighed_cost_)) {
         owner_ = by_id(patch.mesh, *on);
         return;
     }

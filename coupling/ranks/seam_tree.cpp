@@ -48,7 +48,10 @@ bool SeamTree::factor() {
 
 void SeamTree::reduce(const Eigen::VectorXd& load, const Eigen::VectorXd& unit_load) {
     load_ = tree_->reduce(load);
-    unit_load_ = tree_->reduce(unit_load);
+    if (unit_load.isZero(0.0))
+        unit_load_ = {Eigen::VectorXd::Zero(load_.interior.size()), Eigen::VectorXd::Zero(load_.boundary.size())};
+    else
+        unit_load_ = tree_->reduce(unit_load);
 }
 
 Eigen::VectorXd SeamTree::follow(const Eigen::VectorXd& step, double load_step) const {

@@ -42,7 +42,7 @@ public:
         for (const auto start = steady_clock::now(); steady_clock::now() < start + for_answer;)
             if (there()) return;
         const std::uint32_t rung = bell_.rung();
-        if (!there()) bell_.sleep(rung, longest_sleep(microseconds(0)));
+        if (!there()) bell_.sleep(rung, longest_sleep(by_bell_ ? milliseconds(5) : milliseconds(0)));
     }
 
     /// `leaves()`: the peer may be taking something large, perhaps in parts, each of which needs both sides awake.
