@@ -30,6 +30,10 @@ public:
     /// The answer to the last request. Throws NumericalFailure where a return mapping or a factorisation failed.
     virtual PatchResponse collect() = 0;
 
+    /// Whether collect() would not have to wait. Where it would: a moment of sleep, until something arrives.
+    [[nodiscard]] virtual bool has_answered() { return true; }
+    virtual void wait_a_moment() {}
+
     /// Lets the commit() that must follow begin, where the transport allows: several commit side by side.
     virtual void begin_commit(const Commit& /*what*/) {}
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/error.hpp"
 #include "common/index.hpp"
 
 namespace stria {
@@ -17,7 +17,9 @@ void drop_unseen_terms(EnrichedMesh& mesh) {
     mesh.number();
     std::vector<char> seen(at(mesh.unknowns), 0);
     const std::vector<int> piece = piece_of_elements(mesh);
+    const auto is_plain = [&](int node) { return mesh.terms[at(node)].empty() && mesh.tie(node) == nullptr; };
     for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+        if (std::ranges::all_of(mesh.elements[at(e)], is_plain)) continue;  // most of them
         const ElementBasis basis(mesh, e, piece[at(e)] >= 0);
         for (const int unknown : basis.unknowns()) seen[at(unknown)] = 1;
     }
@@ -41,14 +43,13 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
     part.tip_exponent = whole.tip_exponent;
     part.tip_functions = whole.tip_functions;
 
-    std::map<int, int> local_node;  // ascending: the part keeps the order of the whole
-    std::vector<int> local_element(whole.elements.size(), -1);
+    std::vector<int> local_node(whole.nodes.size(), -1), local_element(whole.elements.size(), -1);
     for (const int e : elements) {
-        for (const int node : whole.elements[at(e)]) local_node.emplace(node, 0);
+        for (const int node : whole.elements[at(e)]) local_node[at(node)] = 0;
     }
-    for (auto& [node, local] : local_node) {
-        local = static_cast<int>(part.nodes.size());
-        const auto n = at(node);
+    for (std::size_t n = 0; n < local_node.size(); ++n) {  // the part keeps the order of the whole
+        if (local_node[n] < 0) continue;
+        local_node[n] = static_cast<int>(part.nodes.size());
         part.nodes.push_back(whole.nodes[n]);
         part.node_ids.push_back(whole.node_ids[n]);
         part.terms.push_back(whole.terms[n]);
@@ -57,7 +58,7 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
         const auto index = at(e);
         local_element[index] = static_cast<int>(part.elements.size());
         std::array<int, 4> corners{};
-        for (std::size_t k = 0; k < 4; ++k) corners[k] = local_node.at(whole.elements[index][k]);
+        for (std::size_t k = 0; k < 4; ++k) corners[k] = local_node[at(whole.elements[index][k])];
         part.elements.push_back(corners);
         part.element_ids.push_back(whole.element_ids[index]);
         part.element_side.push_back(whole.element_side[index]);
@@ -69,10 +70,13 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
         if (piece.element >= 0) part.pieces.push_back(std::move(piece));
     }
     for (TiedNode tied : whole.tied) {
-        const auto local = local_node.find(tied.node);
-        if (local == local_node.end()) continue;
-        tied.node = local->second;
-        for (int& end : tied.ends) end = local_node.at(end);
+        const int local = local_node[at(tied.node)];
+        if (local < 0) continue;
+        tied.node = local;
+        for (int& end : tied.ends) {
+            end = local_node[at(end)];
+            require(end >= 0, "a part of a mesh has the ends of the edges that its nodes hang on");
+        }
         part.tied.push_back(tied);
     }
     drop_unseen_terms(part);

@@ -70,6 +70,19 @@ private:
     Eigen::KdBVH<double, 2, int> tree_;
 };
 
+/// The first unknown of a node where nothing jumps at it and it follows no others; else -1.
+int plain_unknown(const EnrichedMesh& mesh, int node) {
+    return mesh.terms[at(node)].empty() && !mesh.follows(node, 0) ? mesh.unknown(node, 0, 0) : -1;
+}
+
+/// The same of a mesh that may have the node.
+int plain_unknown(const EnrichedMesh& mesh, int id, const Vec2& x) {
+    const auto found = std::ranges::lower_bound(mesh.node_ids, id);
+    const int node = static_cast<int>(found - mesh.node_ids.begin());
+    const bool has_it = found != mesh.node_ids.end() && *found == id && mesh.nodes[at(node)] == x;
+    return has_it ? plain_unknown(mesh, node) : -1;
+}
+
 /// Of elements, as they are asked for.
 class Fields {
 public:
@@ -81,6 +94,22 @@ public:
         const int p = piece_[at(element)];
         if (!field) field.emplace(mesh_, element, p >= 0 ? &mesh_.pieces[at(p)] : nullptr);
         return *field;
+    }
+
+    /// The same where nothing jumps and nothing hangs: the shape functions. Nothing elsewhere.
+    [[nodiscard]] std::optional<Shares> plain(int element, const Vec2& x) const {
+        if (piece_[at(element)] >= 0) return std::nullopt;
+        QuadNodes corners;
+        Shares shares;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int node = mesh_.elements[at(element)][k];
+            corners[k] = mesh_.nodes[at(node)];
+            shares.push_back({plain_unknown(mesh_, node), 0.0});
+            if (shares.back().unknown < 0) return std::nullopt;
+        }
+        const Eigen::Vector4d value = shape_values(map_to_parent(corners, x));
+        for (std::size_t k = 0; k < 4; ++k) shares[k].weight = value[static_cast<Eigen::Index>(k)];
+        return shares;
     }
 
 private:
@@ -162,12 +191,22 @@ MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const T
     for (int node = 0; node < std::ssize(to.nodes); ++node) {
         const Vec2 here = to.nodes[at(node)];
         Vec2 x = here - moves.of_nearest_tip(here);
+        const int plain = plain_unknown(to, node);
+        if (const int before = plain >= 0 && x == here ? plain_unknown(from, to.node_ids[at(node)], here) : -1;
+            before >= 0) {
+            rows.add(plain, {{before, 1.0}});
+            continue;
+        }
         std::vector<int> found = places.elements_at(x);
         if (found.empty()) found = places.elements_at(x = here);  // at the body's boundary, or at the zone's
         if (found.empty()) {
             const int nearest = places.node_nearest_to(here);
             x = from.nodes[at(nearest)];
             found = places.elements_at(x);
+        }
+        if (const std::optional<Shares> shares = plain >= 0 ? fields.plain(found.front(), x) : std::nullopt) {
+            rows.add(plain, *shares);
+            continue;
         }
         const auto& terms = to.terms[at(node)];
         FieldAtNode field(x, terms);

@@ -3,6 +3,8 @@
 // against 19 / 115 / 840, LU 29 / 160 / 980 against 35 / 230 / 1720; below 50 unknowns they are equal.
 #pragma once
 
+#include <cstddef>
+
 // NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
@@ -58,6 +60,24 @@ inline void solve_triangle(Side side, Triangle triangle, Op op, Diagonal diagona
     const char s = letter(side), u = letter(triangle), o = letter(op), d = letter(diagonal);
     const double one = 1.0;
     dtrsm_(&s, &u, &o, &d, &m, &n, &one, t, &stride_t, b, &stride_b);
+}
+
+/// B (m x n) = B L^-T, in halves down to a small triangle: products run at 1.5 times the speed of dtrsm (47 against 26
+/// Gflop/s at 172 x 492).
+inline void solve_lower_transposed(int m, int n, const double* l, int stride_l, double* b, int stride_b) {
+    constexpr int small = 48;
+    if (n <= small) {
+        solve_triangle(Side::Right, Triangle::Lower, Op::Transposed, Diagonal::General, m, n, l, stride_l, b, stride_b);
+        return;
+    }
+    const int first = (n / 2 + 7) / 8 * 8, second = n - first;
+    const std::ptrdiff_t down = first, across_l = std::ptrdiff_t{first} * stride_l;
+    double* rest = b + std::ptrdiff_t{first} * stride_b;
+    solve_lower_transposed(m, first, l, stride_l, b, stride_b);
+    const char plain = letter(Op::Plain), transposed = letter(Op::Transposed);
+    const double minus = -1.0, one = 1.0;
+    dgemm_(&plain, &transposed, &m, &second, &first, &minus, b, &stride_b, l + down, &stride_l, &one, rest, &stride_b);
+    solve_lower_transposed(m, second, l + across_l + down, stride_l, rest, stride_b);
 }
 
 /// x = op(T)^-1 x.

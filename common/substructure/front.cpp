@@ -78,8 +78,8 @@ int Front::eliminate_symmetric(double tolerance) {
     for (int i = 0; i < ordinary; ++i) {
         if (vanishes(panel_(i, i) * panel_(i, i), scale_[i], tolerance)) return i;
     }
-    lapack::solve_triangle(Side::Right, Triangle::Lower, Op::Transposed, Diagonal::General, multipliers_ + kept_,
-                           ordinary, panel_.data(), stride_, panel_.data() + ordinary, stride_);
+    lapack::solve_lower_transposed(multipliers_ + kept_, ordinary, panel_.data(), stride_, panel_.data() + ordinary,
+                                   stride_);
     lapack::add_square(kept_, ordinary, -1.0, panel_.data() + eliminated_, stride_, 1.0, schur_.data(),
                        std::max(1, kept_));
     return multipliers_ > 0 ? eliminate_multipliers(tolerance) : -1;

@@ -21,7 +21,8 @@ namespace stria {
 class FrontTree : public Substructure {
 public:
     struct ElementMatrix {
-        const Eigen::MatrixXd& values;  // of a symmetric one both triangles
+        /// Of a symmetric one both triangles, or the lower one if its unknowns are eliminated, and kept, in its order.
+        const Eigen::MatrixXd& values;
         Symmetry symmetry = Symmetry::Symmetric;
     };
     using MatrixOfElement = std::function<ElementMatrix(int element)>;
@@ -39,6 +40,8 @@ public:
                 Symmetry symmetry = Symmetry::Symmetric);
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
+    /// The same, of a symmetric one the lower triangle only.
+    [[nodiscard]] const Eigen::MatrixXd& lower_tangent() const;
     /// Of the tangent.
     [[nodiscard]] Symmetry symmetry() const;
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;

@@ -1,6 +1,7 @@
 #include "coupling/ranks/divided_patch.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <utility>
 
 #include "common/enrichment/part_of_mesh.hpp"
@@ -43,15 +44,26 @@ Seams find_seams(const Patch& patch, const std::vector<RankPart>& parts) {
     return seams;
 }
 
-/// Gives a part's patch its boundary, and the kept unknowns their places.
+/// Gives a part's patch its boundary, and the kept unknowns their places: seams first, as they are eliminated.
 void end_at_seams(const Seams& seams, RankPart& part, Patch& patch) {
+    struct Shared {
+        bool on_gamma;
+        int place, own;
+        auto operator<=>(const Shared&) const = default;
+    };
+    std::vector<Shared> shared;
     for (int i = 0; i < patch.mesh.unknowns; ++i) {
-        const auto place = std::ranges::lower_bound(seams.kept, part.unknowns[at(i)]);
-        if (place == seams.kept.end() || *place != part.unknowns[at(i)]) continue;
-        patch.boundary.push_back(i);
+        const auto found = std::ranges::lower_bound(seams.kept, part.unknowns[at(i)]);
+        if (found == seams.kept.end() || *found != part.unknowns[at(i)]) continue;
+        const int place = static_cast<int>(found - seams.kept.begin());
+        shared.push_back({std::ranges::binary_search(seams.gamma, place), place, i});
         patch.unit_load[i] = 0.0;
         if (patch.case_loads.cols() > 0) patch.case_loads.row(i).setZero();
-        part.shared.push_back(static_cast<int>(place - seams.kept.begin()));
+    }
+    std::ranges::sort(shared);
+    for (const Shared& s : shared) {
+        patch.boundary.push_back(s.own);
+        part.shared.push_back(s.place);
     }
 }
 

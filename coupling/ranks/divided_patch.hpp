@@ -13,7 +13,8 @@ struct RankPart {
     int rank = 0;
     std::vector<int> elements;  // of the zone's mesh, ascending
     std::vector<int> unknowns;  // per unknown of the part's mesh: unknown of the zone's mesh
-    std::vector<int> shared;    // per unknown of the part's boundary: place in Seams::kept
+    std::vector<int> shared;    // per unknown of the part's boundary: place in Seams::kept; seams first, then Gamma,
+                                // both ascending
 };
 
 /// Unknowns at which parts end. On Gamma they meet the structure; on seams only each other.

@@ -18,7 +18,8 @@ namespace {
 
 std::map<int, int> by_id(const EnrichedMesh& zone, const std::vector<int>& rank_of) {
     std::map<int, int> owners;
-    for (std::size_t e = 0; e < rank_of.size(); ++e) owners[zone.element_ids[e]] = rank_of[e];
+    for (std::size_t e = 0; e < rank_of.size(); ++e)
+        owners.emplace_hint(owners.end(), zone.element_ids[e], rank_of[e]);  // ascending ids
     return owners;
 }
 
@@ -36,7 +37,7 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
 void FineRanks::set_patch(const Patch& patch) {
     if (given_.empty()) begin_set_patch(patch);
     const std::vector<Patch> given = std::exchange(given_, {});
-    for_each_part([&](std::size_t k) { scale_of(parts_[k]).set_patch(given[k]); });
+    for_each_answer([&](std::size_t k) { scale_of(parts_[k]).set_patch(given[k]); });
 }
 
 void FineRanks::begin_set_patch(const Patch& patch) {
@@ -48,21 +49,24 @@ void FineRanks::begin_set_patch(const Patch& patch) {
     tree_.emplace(patch_.mesh, parts_, seams_);
 }
 
-// Elements keep their rank unless a crack ties together those of several, or another sharing is much better. While
-// elements are split their history stays where it is.
+// Elements keep their rank unless a crack ties together those of several, or another sharing is much better. That is
+// looked at where the cost is another one than when it was looked at last. While elements are split their history stays
+// where it is.
 void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flow) {
-    constexpr double much_better = 0.85;
+    constexpr double much_better = 0.85, another = 0.05;
     // Who has lost all elements once idles for good: what it knows is no more true.
     const int ranks = static_cast<int>(owner_.empty() ? scales_.size() : parts_.size());
     const std::optional<std::vector<int>> on =
         owner_.empty() ? std::nullopt : share_on(patch.mesh, owner_, patch.part_of);
-    if (on && (ranks == 1 || !patch.part_of.empty())) {
+    const auto cost = [&](const std::vector<int>& rank_of) { return cost_of_sharing(patch.mesh, rank_of, flow); };
+    const double cost_on = on ? cost(*on) : 0.0;
+    if (on && (ranks == 1 || !patch.part_of.empty() || std::abs(cost_on - weighed_cost_) < another * weighed_cost_)) {
         owner_ = by_id(patch.mesh, *on);
         return;
     }
     const std::vector<int> anew = share_out(patch.mesh, ranks, patch_.mesh, patch.part_of, flow);
-    const auto cost = [&](const std::vector<int>& rank_of) { return cost_of_sharing(patch.mesh, rank_of, flow); };
-    const bool stays = on && cost(anew) > much_better * cost(*on);
+    const bool stays = on && cost(anew) > much_better * cost_on;
+    weighed_cost_ = stays ? cost_on : cost(anew);
     const bool moves = !owner_.empty() && !stays;
     owner_ = by_id(patch.mesh, stays ? *on : anew);
     if (moves) move_history();
@@ -71,7 +75,8 @@ void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flo
 /// By id; parts have that of their whole.
 std::vector<double> FineRanks::flow_in(const Patch& next) const {
     std::map<int, double> known;
-    for (std::size_t e = 0; e < flow_.size(); ++e) known[patch_.mesh.element_ids[e]] = flow_[e];
+    for (std::size_t e = 0; e < flow_.size(); ++e)
+        known.emplace_hint(known.end(), patch_.mesh.element_ids[e], flow_[e]);
     std::vector<double> flow;
     for (std::size_t e = 0; e < next.mesh.elements.size(); ++e) {
         const bool is_part = !next.part_of.empty() && next.part_of[e] >= 0;
@@ -159,7 +164,7 @@ void FineRanks::go_on_from(const Patch& patch, const ZoneSnapshot& snapshot) {
         scale_of(parts_[k]).begin_restore(patches[k], parts[k]);
     }
     tree_.emplace(patch_.mesh, parts_, seams_);
-    for_each_part([&](std::size_t k) { scale_of(parts_[k]).restore(patches[k], parts[k]); });
+    for_each_answer([&](std::size_t k) { scale_of(parts_[k]).restore(patches[k], parts[k]); });
 }
 
 void FineRanks::request(const PatchDisplacement& displacement) {
@@ -187,7 +192,7 @@ void FineRanks::request(const PatchDisplacement& displacement) {
 
 PatchResponse FineRanks::collect() {
     std::vector<PatchResponse> answers(parts_.size());
-    for_each_part([&](std::size_t k) {
+    for_each_answer([&](std::size_t k) {
         answers[k] = scale_of(parts_[k]).collect();
         if (!answers[k].same_tangent) tree_->set_tangent(k, std::move(answers[k].tangent));
     });
@@ -213,17 +218,28 @@ PatchResponse FineRanks::collect() {
     return response;
 }
 
-/// Reads every answer, also where one is a failure: nobody is left in mid-conversation.
-void FineRanks::for_each_part(const std::function<void(std::size_t)>& read) const {
-    std::exception_ptr failure;
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-        try {
-            read(k);
-        } catch (const NumericalFailure&) {
-            if (!failure) failure = std::current_exception();
+/// Reads every answer, also where one is a failure: nobody is left in mid-conversation. As they come: what one rank has
+/// found is unpacked while another still computes.
+void FineRanks::for_each_answer(const std::function<void(std::size_t)>& read) const {
+    std::vector<std::exception_ptr> failures(parts_.size());
+    std::vector<std::size_t> due(parts_.size());
+    std::iota(due.begin(), due.end(), std::size_t{0});
+    const auto is_there = [&](std::size_t k) { return scale_of(parts_[k]).has_answered(); };
+    while (!due.empty()) {
+        const auto next = std::ranges::find_if(due, is_there);
+        if (next == due.end()) {
+            scale_of(parts_[due.front()]).wait_a_moment();
+            continue;
         }
+        try {
+            read(*next);
+        } catch (const NumericalFailure&) {
+            failures[*next] = std::current_exception();
+        }
+        due.erase(next);
     }
-    if (failure) std::rethrow_exception(failure);
+    for (const std::exception_ptr& failure : failures)
+        if (failure) std::rethrow_exception(failure);
 }
 
 StepReport FineRanks::commit(const Commit& what) {

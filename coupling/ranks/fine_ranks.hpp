@@ -55,12 +55,13 @@ private:
                                           const MovedIncrements& moved = {});
     void go_on_from(const Patch& patch, const ZoneSnapshot& snapshot);
     [[nodiscard]] FineScale& scale_of(const RankPart& part) const { return *scales_[at(part.rank)]; }
-    void for_each_part(const std::function<void(std::size_t)>& read) const;
+    void for_each_answer(const std::function<void(std::size_t)>& read) const;
 
     std::vector<FineScale*> scales_;
     Patch patch_;
-    std::map<int, int> owner_;  // rank by id of an element
-    std::vector<double> flow_;  // of each element: cost_of_sharing(); recent iterations count most
+    std::map<int, int> owner_;   // rank by id of an element
+    std::vector<double> flow_;   // of each element: cost_of_sharing(); recent iterations count most
+    double weighed_cost_ = 0.0;  // of an iteration, when another sharing was last thought of: cost_of_sharing()
     std::vector<RankPart> parts_;
     std::vector<Patch> given_;  // to the parts, and they may not have it yet
     struct Kept {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/index.hpp"
+#include "common/linear/dense_cholesky.hpp"
 
 namespace stria::coupling {
 namespace {
@@ -35,8 +36,17 @@ void SeamTree::set_tangent(std::size_t part, CondensedTangent tangent) {
     changed_[part] = 1;
 }
 
+// Lower triangles serve where all is symmetric and one front eliminates in the order of the parts: that of two.
+void SeamTree::mirror_where_read() {
+    const auto is_symmetric = [](const CondensedTangent& tangent) { return tangent.symmetry == Symmetry::Symmetric; };
+    if (tangents_.size() <= 2 && std::ranges::all_of(tangents_, is_symmetric)) return;
+    for (CondensedTangent& tangent : tangents_)
+        if (is_symmetric(tangent)) mirror_lower(tangent.matrix);
+}
+
 bool SeamTree::factor() {
     if (std::ranges::none_of(changed_, [](char changed) { return changed != 0; })) return false;
+    mirror_where_read();
     const auto tangent_of = [&](int part) {
         const auto& [matrix, symmetry] = tangents_[at(part)];
         return FrontTree::ElementMatrix{matrix, symmetry};
@@ -48,7 +58,10 @@ bool SeamTree::factor() {
 
 void SeamTree::reduce(const Eigen::VectorXd& load, const Eigen::VectorXd& unit_load) {
     load_ = tree_->reduce(load);
-    unit_load_ = tree_->reduce(unit_load);
+    if (unit_load.isZero(0.0))
+        unit_load_ = {Eigen::VectorXd::Zero(load_.interior.size()), Eigen::VectorXd::Zero(load_.boundary.size())};
+    else
+        unit_load_ = tree_->reduce(unit_load);
 }
 
 Eigen::VectorXd SeamTree::follow(const Eigen::VectorXd& step, double load_step) const {

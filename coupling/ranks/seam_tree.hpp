@@ -16,7 +16,7 @@ class SeamTree {
 public:
     SeamTree(const EnrichedMesh& zone, const std::vector<RankPart>& parts, const Seams& seams);
 
-    /// `tangent`: of a part, on its shared unknowns, N/mm per mm.
+    /// `tangent`: of a part, on its shared unknowns, N/mm per mm; of a symmetric one the lower triangle.
     void set_tangent(std::size_t part, CondensedTangent tangent);
 
     /// Factors anew what set_tangent has changed; false where there was nothing. Throws NumericalFailure.
@@ -36,6 +36,8 @@ public:
     [[nodiscard]] Eigen::VectorXd follow(const Eigen::VectorXd& step, double load_step) const;
 
 private:
+    void mirror_where_read();
+
     std::unique_ptr<FrontTree> tree_;
     std::vector<CondensedTangent> tangents_;  // per part
     std::vector<char> changed_;               // per part: since the last factor

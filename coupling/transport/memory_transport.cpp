@@ -48,9 +48,7 @@ MemoryTransport::~MemoryTransport() {
     incoming_->close();
 }
 
-void MemoryTransport::send(Tag tag, std::span<const std::byte> bytes) {
-    outgoing_->push({tag, {bytes.begin(), bytes.end()}});
-}
+void MemoryTransport::send(Tag tag, std::vector<std::byte> bytes) { outgoing_->push({tag, std::move(bytes)}); }
 
 Message MemoryTransport::receive() { return incoming_->pop(); }
 

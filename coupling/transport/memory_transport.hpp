@@ -17,7 +17,7 @@ public:
     MemoryTransport(std::shared_ptr<MessageQueue> outgoing, std::shared_ptr<MessageQueue> incoming);
     ~MemoryTransport() override;
 
-    void send(Tag tag, std::span<const std::byte> bytes) override;
+    void send(Tag tag, std::vector<std::byte> bytes) override;
     Message receive() override;
 
 private:

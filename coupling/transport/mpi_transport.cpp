@@ -30,29 +30,42 @@ void check(int code) {
 using std::chrono::microseconds;
 
 /// Waits until `there()`: at first by asking again and again, then asleep, until the peer rings. Then it may be there
-/// in some tens of microseconds, or leave in parts, each of which needs both sides awake. Where no bell reaches, it
-/// sleeps for a tenth of what it has waited: the core is somebody else's, and the answer hardly later.
+/// in some tens of microseconds. Where no bell reaches, it sleeps for a tenth of what it has waited: the core is
+/// somebody else's, and the answer hardly later.
 class Patience {
 public:
     Patience(const Doorbell& bell, int peer) : bell_(bell), by_bell_(bell.reaches(peer)) {}
 
-    template <class There> void wait_until(microseconds awake, There there) const {
+    /// Until `there()`, anybody has rung, or a moment has passed.
+    template <class There> void wait_a_moment(There there) const {
+        using namespace std::chrono;
+        for (const auto start = steady_clock::now(); steady_clock::now() < start + for_answer;)
+            if (there()) return;
+        const std::uint32_t rung = bell_.rung();
+        if (!there()) bell_.sleep(rung, longest_sleep(by_bell_ ? milliseconds(5) : milliseconds(0)));
+    }
+
+    /// `leaves()`: the peer may be taking something large, perhaps in parts, each of which needs both sides awake.
+    template <class There, class Leaves> void wait_until(There there, Leaves leaves) const {
         using namespace std::chrono;
         const auto start = steady_clock::now();
-        auto asleep_from = start + (by_bell_ ? for_answer : awake);
+        auto awake_since = start;
+        bool takes = !by_bell_;
         for (;;) {
             const std::uint32_t rung = bell_.rung();
             if (there()) return;
             const auto now = steady_clock::now();
-            if (now < asleep_from) continue;
+            if (now < awake_since + (takes && leaves() ? for_transfer : for_answer)) continue;
             bell_.sleep(rung, longest_sleep(duration_cast<microseconds>(now - start)));
-            if (bell_.rung() != rung) asleep_from = steady_clock::now() + awake;
+            if (bell_.rung() == rung) continue;
+            awake_since = steady_clock::now();
+            takes = true;
         }
     }
 
+private:
     static constexpr microseconds for_answer{30}, for_transfer{3000};
 
-private:
     // What nobody rings for is asked for again after a while.
     [[nodiscard]] microseconds longest_sleep(microseconds waited) const {
         return std::clamp(waited / 10, microseconds(50), microseconds(500)) * (by_bell_ ? 20 : 1);
@@ -62,25 +75,31 @@ private:
     bool by_bell_;
 };
 
-/// A header, then the bytes it announces. Destroying an end says goodbye and waits for the other's goodbye, so that no
-/// message is left behind when MPI ends, and the other end, if it still waits for a message, gets ComponentLost.
+/// A header, then the bytes it announces. A message leaves when the peer takes it, and nobody waits for that but who
+/// sends the next one: a peer that has to be woken first would keep the others from being asked. Destroying an end says
+/// goodbye and waits for the other's goodbye, so that no message is left behind when MPI ends, and the other end, if it
+/// still waits for a message, gets ComponentLost.
 class MpiTransport final : public Transport {
 public:
     MpiTransport(int peer, const Doorbell& bell) : peer_(peer), bell_(bell), patience_(bell, peer) {}
 
     ~MpiTransport() override {
-        try {
-            send_header({.tag = goodbye, .size = 0});
+        const auto try_to = [](auto what) {
+            try {
+                what();
+            } catch (...) {  // nobody left to say goodbye to
+            }
+        };
+        try_to([&] { begin_sending(goodbye, {}); });
+        try_to([&] {
             while (peer_present_) receive();
-        } catch (...) {  // nobody left to say goodbye to
-        }
+        });
+        try_to([&] { finish_sending(); });
     }
 
-    void send(Tag tag, std::span<const std::byte> bytes) override {
+    void send(Tag tag, std::vector<std::byte> bytes) override {
         if (!peer_present_) throw_ended();
-        send_header({.tag = static_cast<std::uint64_t>(tag), .size = bytes.size()});
-        for (; !bytes.empty(); bytes = bytes.subspan(chunk(bytes.size())))
-            send_piece(bytes.first(chunk(bytes.size())), payload);
+        begin_sending(static_cast<std::uint64_t>(tag), std::move(bytes));
     }
 
     Message receive() override {
@@ -94,6 +113,12 @@ public:
         for (std::span<std::byte> rest = message.bytes; !rest.empty(); rest = rest.subspan(chunk(rest.size())))
             receive_exactly(rest.first(chunk(rest.size())), payload);
         return message;
+    }
+
+    [[nodiscard]] bool has_message() override { return !peer_present_ || has_arrived(announcement); }
+
+    void wait_a_moment() override {
+        patience_.wait_a_moment([this] { return has_message(); });
     }
 
 private:
@@ -110,39 +135,53 @@ private:
 
     [[noreturn]] static void throw_ended() { throw ComponentLost("the other component has ended"); }
 
-    void send_header(const Header& header) const { send_piece(std::as_bytes(std::span(&header, 1)), announcement); }
-
-    // A large piece leaves when the peer takes it.
-    void send_piece(std::span<const std::byte> bytes, int mpi_tag) const {
-        MPI_Request request{};
-        check(MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD,
-                        &request));
+    void begin_sending(std::uint64_t tag, std::vector<std::byte> bytes) {
+        finish_sending();
+        bytes_ = std::move(bytes);
+        header_ = {.tag = tag, .size = bytes_.size()};
+        begin_piece(std::as_bytes(std::span(&header_, 1)), announcement);
+        for (std::span<const std::byte> rest = bytes_; !rest.empty(); rest = rest.subspan(chunk(rest.size())))
+            begin_piece(rest.first(chunk(rest.size())), payload);
         bell_.ring(peer_);
-        patience_.wait_until(Patience::for_transfer, [&] {
-            int sent = 0;
-            check(MPI_Test(&request, &sent, MPI_STATUS_IGNORE));
-            return sent != 0;
-        });
     }
 
-    [[nodiscard]] Header receive_header() const {
+    void begin_piece(std::span<const std::byte> bytes, int mpi_tag) {
+        check(MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD,
+                        &leaving_.emplace_back()));
+    }
+
+    void finish_sending() {
+        patience_.wait_until([&] { return has_left(); }, [] { return true; });
+    }
+
+    /// All of the message before.
+    bool has_left() {
+        int all = 0;
+        check(MPI_Testall(static_cast<int>(leaving_.size()), leaving_.data(), &all, MPI_STATUSES_IGNORE));
+        if (all != 0) leaving_.clear();
+        return all != 0;
+    }
+
+    [[nodiscard]] Header receive_header() {
         Header header{};
         receive_exactly(std::as_writable_bytes(std::span(&header, 1)), announcement);
         return header;
     }
 
-    void receive_exactly(std::span<std::byte> bytes, int mpi_tag) const {
+    [[nodiscard]] bool has_arrived(int mpi_tag, MPI_Status* status = MPI_STATUS_IGNORE) const {
+        int arrived = 0;
+        check(MPI_Iprobe(peer_, mpi_tag, MPI_COMM_WORLD, &arrived, status));
+        return arrived != 0;
+    }
+
+    void receive_exactly(std::span<std::byte> bytes, int mpi_tag) {
         MPI_Status status{};
         int received = 0;
-        patience_.wait_until(Patience::for_answer, [&] {
-            int arrived = 0;
-            check(MPI_Iprobe(peer_, mpi_tag, MPI_COMM_WORLD, &arrived, &status));
-            return arrived != 0;
-        });
+        patience_.wait_until([&] { return has_arrived(mpi_tag, &status); }, [&] { return !has_left(); });
         check(MPI_Get_count(&status, MPI_BYTE, &received));
         if (at(received) != bytes.size())
             throw ComponentLost("a message between the components is not as long as announced");
-        bell_.ring(peer_);  // it leaves when we take it
+        if (mpi_tag == payload) bell_.ring(peer_);  // it leaves when we take it
         check(MPI_Recv(bytes.data(), received, MPI_BYTE, peer_, mpi_tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE));
     }
 
@@ -150,6 +189,9 @@ private:
     const Doorbell& bell_;
     Patience patience_;
     bool peer_present_ = true;
+    Header header_{};  // of the last message
+    std::vector<std::byte> bytes_;
+    std::vector<MPI_Request> leaving_;  // its pieces
 };
 
 std::vector<Role> gather_roles(Role own) {

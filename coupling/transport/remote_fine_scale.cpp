@@ -33,7 +33,10 @@ RemoteFineScale::~RemoteFineScale() {
     }
 }
 
-void RemoteFineScale::begin_set_patch(const Patch& patch) { begin(Tag::Patch, pack(patch)); }
+void RemoteFineScale::begin_set_patch(const Patch& patch) {
+    begin(Tag::Patch, pack(patch));
+    merges_ = patch.shared;
+}
 
 void RemoteFineScale::set_patch(const Patch& patch) {
     if (begun_ != Tag::Patch) begin_set_patch(patch);
@@ -48,7 +51,7 @@ void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag:
 
 PatchResponse RemoteFineScale::collect() {
     const Message message = answer(Tag::Response);
-    auto response = unpack<PatchResponse>(message.bytes);
+    PatchResponse response = merges_ ? unpack_half(message.bytes) : unpack<PatchResponse>(message.bytes);
     if (response.same_tangent) {
         ++traffic_.tangents_not_sent;
         traffic_.bytes_not_sent += bytes_with_tangent_ - std::ssize(message.bytes);
@@ -77,6 +80,7 @@ ZoneSnapshot RemoteFineScale::kept() { return unpack<ZoneSnapshot>(ask(Tag::Kept
 
 void RemoteFineScale::begin_restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     begin(Tag::Restore, pack(Restore{patch, snapshot}));
+    merges_ = patch.shared;
 }
 
 void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
@@ -90,13 +94,13 @@ void RemoteFineScale::hear_what_is_left() {
     if (begun_ == Tag::Keep) answer(Tag::Done);
 }
 
-void RemoteFineScale::send(Tag tag, std::span<const std::byte> bytes) {
+void RemoteFineScale::send(Tag tag, std::vector<std::byte> bytes) {
     hear_what_is_left();
     require(!in_flight_, "one question in flight");
-    transport_.send(tag, bytes);
-    in_flight_ = tag != Tag::Stop;
     ++traffic_.messages;
     traffic_.bytes += std::ssize(bytes);
+    transport_.send(tag, std::move(bytes));
+    in_flight_ = tag != Tag::Stop;
 }
 
 Message RemoteFineScale::receive() {
@@ -116,13 +120,13 @@ Message RemoteFineScale::answer(Tag expected) {
     return message;
 }
 
-void RemoteFineScale::begin(Tag question, std::span<const std::byte> bytes) {
-    send(question, bytes);
+void RemoteFineScale::begin(Tag question, std::vector<std::byte> bytes) {
+    send(question, std::move(bytes));
     begun_ = question;
 }
 
-Message RemoteFineScale::ask(Tag question, std::span<const std::byte> bytes, Tag expected) {
-    send(question, bytes);
+Message RemoteFineScale::ask(Tag question, std::vector<std::byte> bytes, Tag expected) {
+    send(question, std::move(bytes));
     return answer(expected);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "coupling/fine_scale.hpp"
 #include "coupling/transport/transport.hpp"
@@ -26,6 +26,8 @@ public:
     [[nodiscard]] Eigen::MatrixXd increments() override;
     void request(const PatchDisplacement& displacement) override;
     PatchResponse collect() override;
+    [[nodiscard]] bool has_answered() override { return !in_flight_ || transport_.has_message(); }
+    void wait_a_moment() override { transport_.wait_a_moment(); }
     void begin_commit(const Commit& what) override;
     StepReport commit(const Commit& what) override;
     void rollback() override;
@@ -40,17 +42,18 @@ public:
     [[nodiscard]] const WorkCounts& traffic() const { return traffic_; }
 
 private:
-    void send(Tag tag, std::span<const std::byte> bytes);
+    void send(Tag tag, std::vector<std::byte> bytes);
     void hear_what_is_left();
     Message receive();
     Message answer(Tag expected);
-    void begin(Tag question, std::span<const std::byte> bytes);
-    Message ask(Tag question, std::span<const std::byte> bytes, Tag expected);
+    void begin(Tag question, std::vector<std::byte> bytes);
+    Message ask(Tag question, std::vector<std::byte> bytes, Tag expected);
 
     Transport& transport_;
     WorkCounts traffic_;
     std::int64_t bytes_with_tangent_ = 0;  // of the last answer that brought one
     bool in_flight_ = false;
+    bool merges_ = false;       // its answers are for who merges several ranks: Patch::shared
     std::optional<Tag> begun_;  // the question in flight, where nobody waits for its answer yet
 };
 

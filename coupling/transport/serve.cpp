@@ -1,5 +1,7 @@
 #include "coupling/transport/serve.hpp"
 
+#include <utility>
+
 #include "common/error.hpp"
 #include "coupling/transport/wire.hpp"
 
@@ -61,8 +63,8 @@ void serve(Transport& transport, FineScale& fine, std::uint64_t case_digest) {
     check_same(own, unpack<Hello>(greeting.bytes));
 
     for (Message question = transport.receive(); question.tag != Tag::Stop; question = transport.receive()) {
-        const Message answer = reply_or_failure(question, fine);
-        transport.send(answer.tag, answer.bytes);
+        Message answer = reply_or_failure(question, fine);
+        transport.send(answer.tag, std::move(answer.bytes));
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace stria::coupling {
@@ -39,8 +38,14 @@ public:
     Transport& operator=(const Transport&) = delete;
     virtual ~Transport() = default;
 
-    virtual void send(Tag tag, std::span<const std::byte> bytes) = 0;
+    /// Does not wait until the peer takes it: several may be asked before any of them listens.
+    virtual void send(Tag tag, std::vector<std::byte> bytes) = 0;
     virtual Message receive() = 0;  // blocks; throws ComponentLost where the peer is gone
+
+    /// Whether a message is there, where the transport can tell; where none is: a moment of sleep, until any peer sends
+    /// something.
+    [[nodiscard]] virtual bool has_message() { return true; }
+    virtual void wait_a_moment() {}
 };
 
 }  // namespace stria::coupling

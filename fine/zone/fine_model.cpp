@@ -221,7 +221,8 @@ void FineModel::condense(coupling::PatchResponse& response) {
         ++work_.factors_reused;
     } else {
         factor();
-        response.tangent = {tree_->tangent(), tree_->symmetry()};
+        const bool half = system_.patch().shared;  // half of a symmetric one is enough for who merges ranks
+        response.tangent = {half ? tree_->lower_tangent() : tree_->tangent(), tree_->symmetry()};
     }
     reduced_ = tree_->reduce(due());
     response.force = -reduced_.boundary;

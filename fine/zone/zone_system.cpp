@@ -43,9 +43,10 @@ IntegrationRule ZoneSystem::rule() const {
 }
 
 void ZoneSystem::make_contact(const coupling::Patch& patch) {
-    contact_ =
-        std::make_unique<ContactInterface>(patch.mesh, patch.boundary, input_.cracks, subcells_at_crack(input_.fine),
-                                           input_.materials.largest_plane_modulus(), memory_.frozen);
+    std::vector<int> boundary = patch.boundary;
+    std::ranges::sort(boundary);
+    contact_ = std::make_unique<ContactInterface>(patch.mesh, boundary, input_.cracks, subcells_at_crack(input_.fine),
+                                                  input_.materials.largest_plane_modulus(), memory_.frozen);
 }
 
 void ZoneSystem::begin_with(const coupling::Patch& patch) {

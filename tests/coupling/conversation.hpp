@@ -58,6 +58,13 @@ inline void receive_many(Transport& transport) {
         demand(transport.receive().bytes == std::vector{std::byte{k}}, "messages keep their order");
 }
 
+/// Both sides at once: nobody waits until what is sent has been taken.
+inline void speak_first(Transport& transport) {
+    const std::vector<std::byte> bytes = bytes_of_length(message_sizes.back());
+    transport.send(Tag::State, bytes);
+    demand(transport.receive().bytes == bytes, "who speaks first is heard");
+}
+
 /// The other end is destroyed right after the last word.
 inline void expect_end(Transport& transport) {
     try {

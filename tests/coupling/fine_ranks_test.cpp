@@ -103,6 +103,42 @@ TEST_P(FineRanks, AnswerAsOne) {
         for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(q[k][c], p[k][c], 1e-7);
 }
 
+/// Has its answer only after somebody has waited for it.
+class LateModel : public fine::FineModel {
+public:
+    LateModel(const Case& input, int rank, std::vector<int>& heard) : FineModel(input), rank_(rank), heard_(heard) {}
+
+    [[nodiscard]] bool has_answered() override { return is_there; }
+    void wait_a_moment() override { is_there = true; }
+    coupling::PatchResponse collect() override {
+        heard_.push_back(rank_);
+        return FineModel::collect();
+    }
+    bool is_there = true;
+
+private:
+    int rank_;
+    std::vector<int>& heard_;
+};
+
+TEST(FineRanksInTurn, WhoHasAnsweredIsHeardFirstAndTheSumHasTheSameBits) {
+    const Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
+    const coupling::Patch patch = plate_patch(plate_mesh(11, 9, input));
+    const Eigen::VectorXd u = random_vector(std::ssize(patch.boundary), 2e-3, 1);
+    std::vector<int> heard;
+    std::array<coupling::PatchResponse, 2> answers;
+    for (const bool late : {false, true}) {
+        LateModel first(input, 0, heard), second(input, 1, heard);
+        coupling::FineRanks ranks({&first, &second}, 10);
+        ranks.set_patch(patch);
+        first.is_there = !late;
+        answers[late ? 1 : 0] = answer(ranks, 0, u);
+    }
+    EXPECT_EQ(heard, (std::vector{0, 1, 1, 0}));
+    EXPECT_EQ(answers[1].force, answers[0].force);
+    EXPECT_EQ(answers[1].tangent.matrix, answers[0].tangent.matrix);
+}
+
 class GrowingFineRanks : public FineRanks {
 protected:
     using FineRanks::FineRanks;

@@ -108,7 +108,7 @@ public:
     }
     ~InTurn() override { give(); }
 
-    void send(coupling::Tag tag, std::span<const std::byte> bytes) override { end_.send(tag, bytes); }
+    void send(coupling::Tag tag, std::vector<std::byte> bytes) override { end_.send(tag, std::move(bytes)); }
     coupling::Message receive() override {
         give();
         coupling::Message message = end_.receive();

@@ -25,6 +25,7 @@ void coarse_side(const MpiSession& session, int peer) {
         const auto transport = session.transport(peer);
         hear_echo(*transport);
         send_many(*transport);
+        speak_first(*transport);
     }
     expect_end(*session.transport(peer));
     const auto transport = session.transport(peer);
@@ -41,6 +42,7 @@ void fine_side(const MpiSession& session) {
         const auto transport = session.transport();
         echo(*transport);
         receive_many(*transport);
+        speak_first(*transport);
         expect_end(*transport);
     }
     { const auto ended_at_once = session.transport(); }

@@ -64,6 +64,21 @@ TEST(MovedField, IsThatOfTheNearestTip) {
     EXPECT_FALSE(TipMoves::between(from, test::cracked(body, {{0.3, 0.5}, {0.65, 0.5}}, 6)));
 }
 
+TEST(MovedField, StaysAsItIsWhereNoTipMoves) {
+    const Mesh body = coarse::refine(test::square_mesh(8), {{{0.5, 0.47}, {0.5, 0.47}, 0.1, 2, 0.0}}).mesh;
+    const EnrichedMesh mesh = test::cracked(body, {{-1.0, 0.47}, {0.5, 0.47}}, 0);
+    const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(mesh.unknowns, -1.0, 1.0).array().sin();
+    const Eigen::VectorXd moved = MovedField(mesh, mesh, TipMoves::between(mesh, mesh).value()).of(u);
+    int plain = 0;
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+        if (!mesh.terms[at(node)].empty()) continue;
+        EXPECT_EQ(moved.segment<2>(unknown), u.segment<2>(unknown)) << mesh.nodes[at(node)].transpose();
+        ++plain;
+    }
+    EXPECT_GT(plain, 50);
+    EXPECT_LT((moved - u).norm(), 1e-12 * u.norm());
+}
+
 // Where small elements give way to large ones no move takes the mesh onto itself.
 TEST(MovedField, WantsTheSameMeshAboutTheTip) {
     const auto with_disk = [](double x) {
