@@ -2,6 +2,8 @@
 // error bound asks for.
 #pragma once
 
+#include <algorithm>
+
 #include "fine/material/implicit/j2_return.hpp"
 #include "fine/material/implicit/with_slope.hpp"
 
@@ -18,7 +20,7 @@ public:
         : elastic_(Scalars<rows>::Ones()), parts_(Scalars<rows>::Ones()) {
         const Path path(law, before, elastic);
         elastic_ = chosen<rows>(flows, path.elastic, elastic_);
-        put_parts(std::pow(law.error_of_parts(), -2.0) * squared_error(law, rates, before, path), 5.0 * law.substeps,
+        put_parts(std::pow(law.error_of_parts(), -2.0) * squared_error(law, rates, before, path), most(law, path),
                   flows);
     }
 
@@ -98,13 +100,28 @@ private:
         return (lost / (one + lost)) * (grown * end - recalled * fixed<rows>(X));
     }
 
+    /// As many parts as there may be. Where an increment is many radii of the yield surface long its flow has long
+    /// turned: a part of x radii leaves (1 - (1 - 2 a) x) / (1 + a x)^2 of the angle, a as in Alexander's method, for
+    /// all x > 2 no more than a fifth of it, and eight parts nothing that counts. What recall lags by fades more
+    /// slowly.
+    static WithSlope<rows> most(const J2Parameters& law, const Path& path) {
+        constexpr double long_increment = 10.0;  // radii
+        const WithSlope<rows> all(Scalars<rows>::Constant(5.0 * law.substeps));
+        const bool recalls = std::ranges::any_of(law.kinematic, [](const auto& term) { return term.gamma != 0.0; });
+        if (recalls) return all;
+        const WithSlope<rows> length = sqrt(dot(path.trial, path.trial)) * WithSlope<rows>(1.0 / path.radius);
+        const WithSlope<rows> fewer = long_increment * (all / length),
+                              least(Scalars<rows>::Constant(2.0 * law.substeps));
+        const WithSlope<rows> most = chosen<rows>(fewer.value > least.value, fewer, least);
+        return chosen<rows>(length.value > long_increment, most, all);
+    }
+
     /// `error`: squared, over the bound. Backward Euler needs its root as parts; a method of second order, which starts
     /// on the yield surface, needs the root of that (unit.*EveryLawInParts.*).
-    /// Increments of many yield strains ask for more than `most`. Their errors fade: the flow has long turned.
-    void put_parts(const WithSlope<rows>& error, double most, const Mask<rows>& flows) {
-        const Mask<rows> several = flows && error.value > 1.0, too_many = !(error.value < std::pow(most, 4.0));
+    void put_parts(const WithSlope<rows>& error, const WithSlope<rows>& most, const Mask<rows>& flows) {
+        const Mask<rows> several = flows && error.value > 1.0, too_many = !(error.value < most.value.pow(4));
         parts_ = sqrt(sqrt(chosen<rows>(several, error, parts_)));
-        parts_ = chosen<rows>(several && too_many, Scalars<rows>(Scalars<rows>::Constant(most)), parts_);
+        parts_ = chosen<rows>(several && too_many, most, parts_);
     }
 
     WithSlope<rows> elastic_, parts_;

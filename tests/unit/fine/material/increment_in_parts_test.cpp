@@ -48,12 +48,14 @@ protected:
     }
 
     /// Largest error of a path's increments, over the yield stress.
-    double worst_error(int substeps) {
+    double worst_error(int substeps, double times = 1.0) {
         const fine::J2Implicit judged = implicit_law(GetParam(), substeps);
         double worst = 0.0;
-        on_a_random_path(30, 5, [&](const std::vector<double>& committed, const Mandel& increment, const PointUpdate&) {
+        on_a_random_path(30, 5, [&](const std::vector<double>& committed, const Mandel& one, const PointUpdate&) {
+            const Mandel increment = times * one;
             PointUpdate exact{.state = committed, .tangent = law_.elastic(), .yields = false};
-            for (int k = 0; k < 1000; ++k) exact = update_point(law_, exact.state, 1e-3 * increment);
+            const int parts = times > 1.0 ? 5000 : 1000;
+            for (int k = 0; k < parts; ++k) exact = update_point(law_, exact.state, increment / parts);
             const Mandel stress = update_point(judged, committed, increment).stress();
             worst = std::max(worst, von_mises(stress - exact.stress()) / *GetParam().material.yield_stress);
         });
@@ -88,6 +90,17 @@ TEST_P(EveryLawInParts, KeepsItsBound) {
     EXPECT_LT(worst_error(4), 1e-3);
     EXPECT_LT(worst_error(40), 1e-4);
     EXPECT_GT(worst_error(1), 1e-2);  // backward Euler at once
+}
+
+// There are fewer parts again, where nothing recalls: the flow has long turned.
+TEST_P(EveryLawInParts, KeepsItsBoundAtTensOfYieldStrains) { EXPECT_LT(worst_error(4, 30.0), 1e-3); }
+
+TEST_P(EveryLawInParts, AHundredYieldStrainsTakeEightPartsWhereNothingRecalls) {
+    const std::vector<KinematicHardening>& terms = GetParam().material.kinematic;
+    const bool recalls = std::ranges::any_of(terms, [](const auto& term) { return term.gamma != 0.0; });
+    const Mandel before{-1e-3, 2e-3, 0.0, 1e-3}, turned{0.3, 0.1, 0.0, -0.4};
+    const PointUpdate start = update_point(law_, std::vector<double>(at(law_.state_size()), 0.0), before);
+    EXPECT_EQ(parts_of(start.state, turned), recalls ? 20 : 8);
 }
 
 TEST_P(EveryLawInParts, TangentIsTheSymmetricPartOfTheDerivative) {
