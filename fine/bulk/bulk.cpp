@@ -236,8 +236,7 @@ std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
     states.reserve(elements_.op(e).points.size());
     with_kernel(elements_.op(e), [&](const auto& kernel) {
         const auto u = kernel.gather(committed_u_);
-        const auto moved =
-            resting_.contains(e) ? (u - kernel.gather(resting_.displacement())).eval() : (0.0 * u).eval();
+        const auto moved = (u - kernel.gather(resting_.displacement())).eval();
         for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
             PointState state{history_.stress(e, q), history_.work(e, q),
                              kernel.displacement_gradient(u, q) + history_.frozen_gradient(e, q)};

@@ -25,11 +25,6 @@ public:
     void rest(const ElementSet& elements, const Eigen::VectorXd& displacement, ElasticBound& bound);
     void wake(int e) { elements_.erase(e); }
 
-    /// What the unknowns of an element have moved since it came to rest, mm.
-    [[nodiscard]] Eigen::VectorXd moved(const ElementOperator& op, const Eigen::VectorXd& u) const {
-        return gather(u, op.unknowns) - gather(displacement_, op.unknowns);
-    }
-
     /// Those that would yield at a displacement. `bound` keeps how far the others are from it. The history stays.
     [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& u, const BulkElements& bulk,
                                                PointHistory& history, ElasticBound& bound);

@@ -116,10 +116,10 @@ void FineModel::rest_again(const coupling::ZoneSnapshot& snapshot) {
     ElementSet in_tree(changed_.size());
     for (std::size_t e = 0; e < snapshot.resting.size(); ++e)
         if (snapshot.resting[e] != 0) in_tree.insert(e);
-    some_rest_ = !in_tree.none();
-    if (!some_rest_) return;
     for (std::size_t k = 0; k < snapshot.multipliers.size(); ++k)
         if (snapshot.multipliers[k].resting != 0) in_tree.insert(snapshot.resting.size() + k);
+    some_rest_ = !in_tree.none();
+    if (!some_rest_) return;
     find_changes();
     factor();
     wake_all_but(in_tree);

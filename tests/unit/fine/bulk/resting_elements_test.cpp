@@ -70,8 +70,6 @@ TEST_F(Rest, EndsWhereTheStateMeetsTheYieldCriterion) {
 
 TEST_F(Rest, CountsTheWayFromWhereItBegan) {
     resting.rest(ElementSet(plate.elements.operators().size(), true), plate.stretched(1e-4), bound);
-    const ElementOperator& op = plate.elements.op(7);
-    EXPECT_LT((resting.moved(op, plate.stretched(3e-4)) - gather(plate.stretched(2e-4), op.unknowns)).norm(), 1e-15);
     // The states are those of the beginning, here without stress.
     const double first_yield = 300.0 / (2.0 * plate.elastic.shear_modulus());
     EXPECT_TRUE(would_yield(1e-4 + 0.99 * first_yield).empty());
