@@ -79,11 +79,18 @@ IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double
     lay_out();
 }
 
+// Once faces are closed no opening tells what an increment is off by.
+int IncrementSchedule::increments(const Legs& legs) const {
+    if (state_.meetings.empty()) return legs.increments;
+    const Legs& other = &legs == &state_.rising ? state_.falling : state_.rising;
+    return std::max(legs.increments, (other.increments + 1) / 2);
+}
+
 // Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
 std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
     if (!chooses_) return graded_ways(legs.increments, grading_, turns_);
-    const auto meetings = std::min(state_.meetings.size(), at(legs.increments / 2));
-    std::vector<double> ways = graded_ways(legs.increments - static_cast<int>(meetings), grading_);
+    const int all = increments(legs), meetings = std::min(static_cast<int>(state_.meetings.size()), all / 2);
+    std::vector<double> ways = graded_ways(all - meetings, grading_);
     ways.insert(ways.end(), state_.meetings.begin(), state_.meetings.begin() + meetings);
     std::ranges::sort(ways);
     return ways;
@@ -122,9 +129,10 @@ void IncrementSchedule::learn(Legs& legs) {
     ++legs.unmeasured;
     if (state_.pairs.empty()) return;
     legs.unmeasured = 0;
-    if (std::ssize(state_.pairs) != legs.increments / 2) return;  // one has led nowhere
+    const int taken = increments(legs);
+    if (std::ssize(state_.pairs) != taken / 2) return;  // one has led nowhere
     if (const std::optional<double> error = error_of_leg(state_.path, state_.pairs)) {
-        const double wanted = std::ceil(legs.increments * std::sqrt(*error / (share_of_leg * accuracy_)));
+        const double wanted = std::ceil(taken * std::sqrt(*error / (share_of_leg * accuracy_)));
         legs.increments = static_cast<int>(std::clamp<double>(wanted, least_increments, most_increments));
         lay_out();
     }

@@ -41,7 +41,8 @@ struct TwoAsOne {
 /// with the square of the number (docs/performance.md), which is then chosen for an error of half of the accuracy: a
 /// cycle has two legs. In between the number stays, since a predictor wants the same increments a cycle later.
 /// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
-/// path of the metal bends. So one increment of a leg that unloads ends where they met last.
+/// path of the metal bends. So one increment of a leg that unloads ends where they met last, and such a leg has at
+/// least half as many as one that loads.
 class IncrementSchedule {
 public:
     /// Those of one direction.
@@ -80,6 +81,7 @@ public:
 
 private:
     void learn(Legs& legs);
+    [[nodiscard]] int increments(const Legs& legs) const;
     [[nodiscard]] std::vector<double> ways(const Legs& legs) const;
     void lay_out();
 

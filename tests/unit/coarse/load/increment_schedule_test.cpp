@@ -125,6 +125,24 @@ TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
     EXPECT_EQ(std::ranges::count(given.ways(false), 0.415), 0) << "a number that is given still means that number";
 }
 
+TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
+    IncrementSchedule schedule({}, {}, true);
+    IncrementSchedule::State state = schedule.state();
+    state.rising.increments = 15;
+    state.falling.increments = 4;
+    schedule.resume(state);
+    EXPECT_EQ(schedule.ways(false).size(), 5U);
+    schedule.meet_at({0.3});
+    EXPECT_EQ(schedule.ways(false).size(), 9U);
+    state.falling.increments = 10;
+    schedule.resume(state);
+    schedule.meet_at({0.3});
+    EXPECT_EQ(schedule.ways(false).size(), 11U);
+    schedule.meet_at({});
+    EXPECT_EQ(schedule.ways(false).size(), 11U);
+    EXPECT_EQ(schedule.ways(true).size(), 16U);
+}
+
 TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
     const int begins = LoadSection().first_steps() / 2;
     EXPECT_GT(after({}, 0.05), begins);
