@@ -30,6 +30,7 @@ void FineModel::plant_tree() {
     layout.unknowns = patch.mesh.unknowns + contact.tractions();
     layout.multipliers = contact.tractions();
     layout.boundary = patch.boundary;
+    for (const Tip& tip : patch.mesh.tips) layout.busy.push_back(tip.position);
     for (const ElementOperator& op : system_.bulk().operators()) {
         layout.element_unknowns.push_back(op.unknowns);
         layout.centres.push_back(centre(patch.mesh, op.element));
