@@ -25,7 +25,7 @@ void add_cases(const Structure& body, const StructureRings& rings, std::vector<T
 }
 
 std::vector<TipResult> tips_of(const Structure& body, const Eigen::VectorXd& unit) {
-    const StructureRings rings(body);
+    const StructureRings rings(body, Asked::Once);
     std::vector<TipResult> tips = fracture_parameters(rings, unit, rings.integrals_of_displacement(unit), {});
     add_cases(body, rings, tips);
     if (!body.scene().initial_stress().any()) return tips;

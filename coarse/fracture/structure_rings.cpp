@@ -4,9 +4,9 @@
 
 namespace stria::coarse {
 
-StructureRings::StructureRings(const Structure& structure) : structure_(&structure) {
+StructureRings::StructureRings(const Structure& structure, Asked asked) : structure_(&structure) {
     for (int tip = 0; tip < std::ssize(structure.scene().enriched.tips); ++tip)
-        tips_.emplace_back(structure.elements(), tip);
+        tips_.emplace_back(structure.elements(), tip, asked);
 }
 
 RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {

@@ -14,7 +14,7 @@ using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
 class StructureRings {
 public:
     /// `structure` must outlive its rings.
-    explicit StructureRings(const Structure& structure);
+    explicit StructureRings(const Structure& structure, Asked asked = Asked::InEachIncrement);
 
     [[nodiscard]] const Structure& structure() const { return *structure_; }
     [[nodiscard]] const RingForms& about(int tip) const { return tips_[at(tip)]; }

@@ -42,7 +42,7 @@ struct TiedNode {
 struct EnrichedMesh {
     std::vector<Vec2> nodes;
     std::vector<std::array<int, 4>> elements;
-    std::vector<int> node_ids;     // of the whole mesh
+    std::vector<int> node_ids;     // of the whole mesh, ascending
     std::vector<int> element_ids;  // of the whole mesh
     std::vector<int> material;     // of each element (materials.hpp); empty: all are of material 0
 

@@ -8,6 +8,7 @@
 #include "common/integration/moment_fit.hpp"
 #include "fine/bulk/element_kernels.hpp"
 #include "fine/bulk/history_rows.hpp"
+#include "fine/bulk/point_states.hpp"
 
 namespace stria::fine {
 
@@ -202,7 +203,7 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
 
 void Bulk::commit(bool reversal, bool counts) {
     update_points(true);
-    history_.commit(reversal);
+    history_.commit(reversal, resting_.elements());
     committed_u_ = trial_u_;
     increment_.setZero();
     settle();
@@ -233,21 +234,7 @@ Mandel Bulk::trial_stress(int e, std::size_t q) const {
 
 std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
     std::vector<PointState> states;
-    states.reserve(elements_.op(e).points.size());
-    with_kernel(elements_.op(e), [&](const auto& kernel) {
-        const auto u = kernel.gather(committed_u_);
-        const auto moved = (u - kernel.gather(resting_.displacement())).eval();
-        for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
-            PointState state{history_.stress(e, q), history_.work(e, q),
-                             kernel.displacement_gradient(u, q) + history_.frozen_gradient(e, q)};
-            if (resting_.contains(e)) {
-                const Mandel strain = kernel.strain(moved, q), change = elements_.elastic_stiffness(e) * strain;
-                state.work += (state.stress + 0.5 * change).dot(strain);
-                state.stress += change;
-            }
-            states.push_back(state);
-        }
-    });
+    for_each_committed_state(e, [&](std::size_t, const PointState& state) { states.push_back(state); });
     return states;
 }
 
@@ -279,10 +266,13 @@ std::vector<int> Bulk::would_yield(const Eigen::VectorXd& u) {
 
 void Bulk::wake_all_but(const ElementSet& still) {
     const Eigen::VectorXd moved = committed_u_ - resting_.displacement();
-    for (const int e : resting_.elements().members()) {
-        if (still.contains(e)) continue;
-        history_.update(operators(), e, e + 1, moved);
-        history_.commit(e);
+    ElementSet waking = resting_.elements();
+    for (const int e : still.members()) waking.erase(e);
+    for_each_run(waking, true, [&](int begin, int end) {
+        history_.update(operators(), begin, end, moved);
+        history_.commit(begin, end);
+    });
+    for (const int e : waking.members()) {
         resting_.wake(e);
         find_committed_force(e);
         committed_force_.of(e) = trial_force_.of(e);

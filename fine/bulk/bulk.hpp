@@ -63,6 +63,8 @@ public:
     };
     /// Committed, of all points of an element. Where it rests they follow its displacement elastically.
     [[nodiscard]] std::vector<PointState> committed_states(int e) const;
+    /// Calls visit(q, state) of each of them (point_states.hpp).
+    template <class Visit> void for_each_committed_state(int e, Visit&& visit) const;
 
     /// Elements in and around which nothing is expected to yield in the coming half cycle (RestingElements).
     [[nodiscard]] ElementSet may_rest() const;
