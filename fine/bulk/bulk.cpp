@@ -8,7 +8,6 @@
 #include "common/integration/moment_fit.hpp"
 #include "fine/bulk/element_kernels.hpp"
 #include "fine/bulk/history_rows.hpp"
-#include "fine/bulk/point_states.hpp"
 
 namespace stria::fine {
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "fine/bulk/point_states.hpp"
-
 namespace stria::fine {
 void add_to(RingSums& rings, const Bulk& bulk) {
     const InitialStress& initial = bulk.elements().materials().initial_stress();
