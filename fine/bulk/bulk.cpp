@@ -56,6 +56,13 @@ Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& disp
         bound_.add_element(elements_.op(e), forms[at(elements_.mesh().material_of(e))]);
 }
 
+// As a bulk that begins: every tangent is elastic.
+void Bulk::move_tips(std::vector<Tip> tips) {
+    elements_.move_tips(std::move(tips));
+    for (const int e : yielded_.members()) tangents_[at(e)] = elements_.stiffness()[at(e)];
+    changed_ = std::exchange(yielded_, ElementSet(elements_.count()));
+}
+
 void Bulk::remember(coupling::ZoneSnapshot& out) const {
     out.element = elements_.mesh().element_ids;
     out.rank.assign(out.element.size(), 0);

@@ -32,6 +32,10 @@ public:
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
          const coupling::ZoneSnapshot& snapshot);
 
+    /// The same elements on which tips have moved on (same_but_for_tips()). None may rest. changed(): those whose
+    /// tangent was not elastic.
+    void move_tips(std::vector<Tip> tips);
+
     /// Writes all that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
 
