@@ -66,6 +66,16 @@ private:
     std::vector<char> flags_;
 };
 
+/// Calls visit(begin, end) for each longest run of neighbouring ids that are all in the set, or all not.
+template <class Kind, class Visit> void for_each_run(const IndexSet<Kind>& set, bool inside, Visit&& visit) {
+    for (int begin = 0; begin < set.size();) {
+        int end = begin;
+        while (end < set.size() && set.contains(end) == inside) ++end;
+        if (end > begin) visit(begin, end);
+        begin = end + 1;
+    }
+}
+
 using ElementSet = IndexSet<struct ElementKind>;
 using NodeSet = IndexSet<struct NodeKind>;
 using UnknownSet = IndexSet<struct UnknownKind>;

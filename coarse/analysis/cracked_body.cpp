@@ -115,18 +115,31 @@ std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const Eleme
 // K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
 // the structure, it condenses what is near or in the zone.
 std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
-    note_if_large("elastic solution of the whole body");
     const bool known = knows_far_body();
-    auto near = std::exchange(factors_.near, nullptr);
-    auto body = condense(scene, ElementSet(scene.mesh.elements.size()));
-    factors_.near = std::move(near);  // of the structure
-    // A far body that was there before: the guard knows how it answers.
-    NominalSolution nominal = known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
+    NominalSolution nominal = nominal_serves(scene) ? with_tips_moved(scene, far_, std::move(nominal_fields_->fields))
+                                                    : nominal_solution(scene, known);
     nominal_ = nominal.tips;
     largest_K_I_ =
         stria::coarse::largest_K_I(scene.input.load, unit_response(nominal), grown(), CaseHistories(scene.input));
-    nominal_displacement_ = known ? Eigen::VectorXd() : std::move(nominal.displacement);
+    nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
+    nominal_fields_.reset();
+    if (known) nominal_fields_ = {std::move(nominal.fields), far_};
     return std::move(nominal.structure);
+}
+
+// `far_known`: a far body that was there before: the guard knows how it answers.
+NominalSolution CrackedBody::nominal_solution(const Scene& scene, bool far_known) {
+    note_if_large("elastic solution of the whole body");
+    auto near = std::exchange(factors_.near, nullptr);
+    auto body = condense(scene, ElementSet(scene.mesh.elements.size()));
+    factors_.near = std::move(near);  // of the structure
+    return far_known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
+}
+
+// While a tip moves on inside its element nothing else changes: the body does what it did.
+bool CrackedBody::nominal_serves(const Scene& scene) const {
+    return has_zone() && nominal_fields_ && nominal_fields_->far == far_ &&
+           same_but_for_tips(scene_->enriched, scene.enriched);
 }
 
 ElementSet CrackedBody::whole_elements() const {
@@ -175,6 +188,7 @@ void CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd& displacement) {
     for (int e = 0; e < std::ssize(finer.part_of); ++e)
         if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // far_elements() sees that none of them is far
     structure_.reset();
+    nominal_fields_.reset();
     splits_.insert(splits_.end(), finer.splits.begin(), finer.splits.end());
     grown_ = std::make_unique<Scene>(std::move(finer.scene));
     scene_ = grown_.get();
@@ -215,6 +229,7 @@ void CrackedBody::take(std::unique_ptr<Scene> longer, std::unique_ptr<Scene> kee
             nominal_displacement_ = carry_over(longer->enriched, nominal_displacement_, keeping->enriched,
                                                Eigen::VectorXd::Zero(keeping->enriched.unknowns));
         longer = std::move(keeping);
+        nominal_fields_.reset();
     }
     if (scene_->input.fine.refine > 1) settled_ |= elements_with_more_than_jumps(*scene_);
     grown_ = std::move(longer);

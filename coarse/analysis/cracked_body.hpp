@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "coarse/analysis/analysis_state.hpp"
@@ -77,6 +78,8 @@ private:
     [[nodiscard]] double grown() const;
     [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone);
     [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene);
+    [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known);
+    [[nodiscard]] bool nominal_serves(const Scene& scene) const;
     void go_on_from(const AnalysisState& state);
     void note_if_large(const char* phase) const;
 
@@ -92,6 +95,11 @@ private:
     std::unique_ptr<Structure> structure_;
     std::vector<TipResult> nominal_;
     Eigen::VectorXd nominal_displacement_;
+    struct FieldsBesideFar {
+        NominalFields fields;
+        ElementSet far;  // with which they were found
+    };
+    std::optional<FieldsBesideFar> nominal_fields_;  // of the present scene; none: not known near the tips alone
     std::vector<double> largest_K_I_;
     double first_length_ = 0.0;  // of the crack of the first tip at the start, mm
 };

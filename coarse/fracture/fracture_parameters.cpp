@@ -20,7 +20,7 @@ double crack_length(const Scene& scene, const Tip& tip) {
 }
 
 /// Opening at the crack's first point in the body, where the structure holds it.
-double mouth_opening(const Structure& structure, int crack, const Eigen::VectorXd& u) {
+double mouth_opening(const CoarseElements& structure, int crack, const Eigen::VectorXd& u) {
     for (const CrackPiece& piece : structure.scene().enriched.pieces) {
         if (piece.crack != crack) continue;
         if (structure.in_zone().contains(piece.element) || !has_mouth(structure.scene().enriched, crack)) break;
@@ -106,21 +106,21 @@ std::vector<double> openings(const std::vector<TipResult>& tips) {
 
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report) {
-    const StructureRings rings(structure);
+    const StructureRings rings(structure.elements());
     return fracture_parameters(rings, u, rings.integrals(u), report);
 }
 
 std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Eigen::VectorXd& u,
                                            const RingIntegrals& own, const coupling::StepReport& report,
                                            std::span<const double> behind) {
-    const Scene& scene = rings.structure().scene();
+    const Scene& scene = rings.elements().scene();
     std::vector<TipResult> results;
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
         const Tip& tip = scene.enriched.tips[at(t)];
         TipResult result;
         result.a = crack_length(scene, tip);
         result.CTOD = std::nan("");
-        result.CMOD = mouth_opening(rings.structure(), tip.crack, u);
+        result.CMOD = mouth_opening(rings.elements(), tip.crack, u);
         put_openings(scene.enriched, t, u, report, behind, result);
         const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
         put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), plastic_reach, result);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coarse/fracture/structure_rings.hpp"
+#include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {

@@ -72,7 +72,7 @@ std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) 
     if (scene.mesh.load_line) {
         const double per_load = modulus / load;
         lines.push_back({"compliance E' B v / P on the load line", "", ct_load_line_compliance(a / width),
-                         per_load * opening_at(scene, 0.0, nominal.displacement)});
+                         per_load * opening_at(scene, 0.0, nominal.fields.unit)});
         lines.push_back({"compliance E' B v / P on the front face", "", ct_front_face_compliance(a / width),
                          per_load * tips.front().CMOD});
     }

@@ -10,11 +10,24 @@ Eigen::VectorXd near_displacement(const Structure& body, const LoadFactors& fact
     return u;
 }
 
-/// What each load case does alone.
-void add_cases(const Structure& body, const StructureRings& rings, std::vector<TipResult>& tips) {
-    if (tips.empty()) return;
-    for (Eigen::Index k = 0; k < std::ssize(body.loads().cases()); ++k) {
-        const Eigen::VectorXd alone = near_displacement(body, LoadFactors::of_one_case(k), 0.0);
+/// `unit`: at the load factor 1.
+NominalFields fields_of(const Structure& body, Eigen::VectorXd unit) {
+    NominalFields fields{.unit = std::move(unit),
+                         .initial = {},
+                         .of_cases = {},
+                         .mean_displacement = body.loads().mean_displacement().per_load_factor};
+    if (body.scene().enriched.tips.empty()) return fields;
+    for (Eigen::Index k = 0; k < std::ssize(body.loads().cases()); ++k)
+        fields.of_cases.push_back(near_displacement(body, LoadFactors::of_one_case(k), 0.0));
+    if (body.scene().initial_stress().any()) fields.initial = near_displacement(body, 0.0, 1.0);
+    return fields;
+}
+
+std::vector<TipResult> tips_of(const CoarseElements& elements, const NominalFields& fields) {
+    const StructureRings rings(elements, Asked::Once);
+    std::vector<TipResult> tips =
+        fracture_parameters(rings, fields.unit, rings.integrals_of_displacement(fields.unit), {});
+    for (const Eigen::VectorXd& alone : fields.of_cases) {
         const std::vector<TipResult> of_case =
             fracture_parameters(rings, alone, rings.integrals_of_displacement(alone), {});
         for (std::size_t t = 0; t < tips.size(); ++t) {
@@ -22,31 +35,35 @@ void add_cases(const Structure& body, const StructureRings& rings, std::vector<T
             tips[t].K_II_of_cases.push_back(of_case[t].K_II);
         }
     }
-}
-
-std::vector<TipResult> tips_of(const Structure& body, const Eigen::VectorXd& unit) {
-    const StructureRings rings(body);
-    std::vector<TipResult> tips = fracture_parameters(rings, unit, rings.integrals_of_displacement(unit), {});
-    add_cases(body, rings, tips);
-    if (!body.scene().initial_stress().any()) return tips;
-    const Eigen::VectorXd alone = near_displacement(body, 0.0, 1.0);
-    const std::vector<TipResult> initial = fracture_parameters(rings, alone, rings.integrals(alone), {});
+    if (fields.initial.size() == 0) return tips;
+    const std::vector<TipResult> initial =
+        fracture_parameters(rings, fields.initial, rings.integrals(fields.initial), {});
     for (std::size_t t = 0; t < tips.size(); ++t) tips[t].K_initial = initial[t].K_I;
     return tips;
+}
+
+NominalSolution solution_of(std::unique_ptr<Structure> body, Eigen::VectorXd unit) {
+    NominalFields fields = fields_of(*body, std::move(unit));
+    std::vector<TipResult> tips = tips_of(body->elements(), fields);
+    return {std::move(body), std::move(fields), std::move(tips)};
 }
 
 }  // namespace
 
 NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
     Eigen::VectorXd u = body->expand({}, 1.0);
-    std::vector<TipResult> tips = tips_of(*body, u);
-    return {std::move(body), std::move(u), std::move(tips)};
+    return solution_of(std::move(body), std::move(u));
 }
 
 NominalSolution solve_nominal_near(std::unique_ptr<Structure> body) {
     Eigen::VectorXd u = near_displacement(*body, 1.0, 0.0);
-    std::vector<TipResult> tips = tips_of(*body, u);
-    return {std::move(body), std::move(u), std::move(tips)};
+    return solution_of(std::move(body), std::move(u));
+}
+
+NominalSolution with_tips_moved(const Scene& scene, const ElementSet& far, NominalFields known) {
+    const CoarseElements elements(scene, ElementSet(scene.mesh.elements.size()), far);
+    std::vector<TipResult> tips = tips_of(elements, known);
+    return {nullptr, std::move(known), std::move(tips)};
 }
 
 NominalSolution solve_nominal(const Scene& scene) { return solve_nominal(std::make_unique<Structure>(scene)); }
@@ -67,8 +84,8 @@ UnitResponse unit_response(const NominalSolution& nominal) {
     return {.K_I = stress_intensities(nominal.tips),
             .K_initial = std::move(K_initial),
             .K_of_cases = std::move(K_of_cases),
-            .mean_displacement = nominal.structure->loads().mean_displacement().per_load_factor,
-            .largest_displacement = nominal.displacement.lpNorm<Eigen::Infinity>()};
+            .mean_displacement = nominal.fields.mean_displacement,
+            .largest_displacement = nominal.fields.unit.lpNorm<Eigen::Infinity>()};
 }
 
 }  // namespace stria::coarse

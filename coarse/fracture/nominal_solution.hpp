@@ -11,10 +11,17 @@
 
 namespace stria::coarse {
 
+/// What the body does, wherever on it the tips are said to be. Displacements are those of the whole mesh, mm.
+struct NominalFields {
+    Eigen::VectorXd unit, initial;          // at the load factor 1; of the initial stress alone, empty: there is none
+    std::vector<Eigen::VectorXd> of_cases;  // of each load case alone
+    double mean_displacement = 0.0;         // of the loaded boundary, mm
+};
+
 struct NominalSolution {
-    std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone
-    Eigen::VectorXd displacement;          // of the whole mesh, mm
-    std::vector<TipResult> tips;           // one per tip
+    std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone; null: it was not condensed
+    NominalFields fields;
+    std::vector<TipResult> tips;  // one per tip
 };
 
 /// `body`: without a zone.
@@ -22,6 +29,10 @@ struct NominalSolution {
 
 /// Finds the displacement of near elements alone, which is all that K needs; elsewhere it is zero. Costs less.
 [[nodiscard]] NominalSolution solve_nominal_near(std::unique_ptr<Structure> body);
+
+/// On a scene of which the fields are known, for it differs in nothing but the places of its tips
+/// (same_but_for_tips()). `far`: elements where they are zero.
+[[nodiscard]] NominalSolution with_tips_moved(const Scene& scene, const ElementSet& far, NominalFields known);
 
 /// Condenses the whole body for it. `scene` must outlive the solution.
 [[nodiscard]] NominalSolution solve_nominal(const Scene& scene);

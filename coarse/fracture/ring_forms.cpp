@@ -25,7 +25,9 @@ RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rin
 
 }  // namespace
 
-RingForms::RingForms(const CoarseElements& elements, int tip) : tip_(tip), rings_(rings_about(elements.scene(), tip)) {
+RingForms::RingForms(const CoarseElements& elements, int tip, Asked asked)
+    : tip_(tip), asked_(asked), rings_(rings_about(elements.scene(), tip)) {
+    if (asked_ == Asked::Once) return;
     weigh_points(elements);
     weigh_unknowns(elements);
 }
@@ -76,6 +78,7 @@ void RingForms::weigh_unknowns(const CoarseElements& elements) {
 }
 
 std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
+    if (asked_ == Asked::Once) return summed_up(elements, u, false);
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.materials.stiffness(about.material);
@@ -104,19 +107,26 @@ std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, co
 
 std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseElements& elements,
                                                                   const Eigen::VectorXd& u) const {
+    return summed_up(elements, u, true);
+}
+
+std::vector<DomainIntegral> RingForms::summed_up(const CoarseElements& elements, const Eigen::VectorXd& u,
+                                                 bool with_initial_stress) const {
     const Scene& scene = elements.scene();
     const Elasticity& elastic = scene.elastic(scene.enriched.tips[at(tip_)]);
     const MandelMatrix stiffness = elastic.stiffness();
-    RingSums sums = sums_about(scene, tip_, rings_, elements.near(), true);
+    RingSums sums = sums_about(scene, tip_, rings_, elements.near(), with_initial_stress);
     elements.for_each(sums.elements(), [&](const auto& op) {
         sums.enter(op.element);
         const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Vec2& x = op.points[q].x;
-            const Mandel stress = scene.initial_stress(op.element, x) + stiffness * op.strain(local, q);
+            Mandel stress = stiffness * op.strain(local, q);
+            if (with_initial_stress) stress += scene.initial_stress(op.element, x);
             sums.add(op.points[q], stress, op.displacement_gradient(local, q), elastic.energy(stress));
-            sums.add_initial(op.points[q], stress,
-                             scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
+            if (with_initial_stress)
+                sums.add_initial(op.points[q], stress,
+                                 scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
         }
     });
     return {sums.values().begin(), sums.values().end()};

@@ -10,9 +10,12 @@
 
 namespace stria::coarse {
 
+/// How often their values are asked for: to work out what the geometry says costs more than one answer.
+enum class Asked { Once, InEachIncrement };
+
 class RingForms {
 public:
-    RingForms(const CoarseElements& elements, int tip);
+    RingForms(const CoarseElements& elements, int tip, Asked asked = Asked::InEachIncrement);
 
     [[nodiscard]] const std::vector<Annulus>& rings() const { return rings_; }
 
@@ -26,8 +29,11 @@ public:
 private:
     void weigh_points(const CoarseElements& elements);
     void weigh_unknowns(const CoarseElements& elements);
+    [[nodiscard]] std::vector<DomainIntegral> summed_up(const CoarseElements& elements, const Eigen::VectorXd& u,
+                                                        bool with_initial_stress) const;
 
     int tip_;
+    Asked asked_;
     std::vector<Annulus> rings_;
     std::vector<int> elements_;     // coarse ones on which q varies in some ring, ascending
     IndexLists entered_;            // of each: the rings in which it does

@@ -4,15 +4,14 @@
 
 namespace stria::coarse {
 
-StructureRings::StructureRings(const Structure& structure) : structure_(&structure) {
-    for (int tip = 0; tip < std::ssize(structure.scene().enriched.tips); ++tip)
-        tips_.emplace_back(structure.elements(), tip);
+StructureRings::StructureRings(const CoarseElements& elements, Asked asked) : elements_(&elements) {
+    for (int tip = 0; tip < std::ssize(elements.scene().enriched.tips); ++tip) tips_.emplace_back(elements, tip, asked);
 }
 
 RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {
-    if (!structure_->scene().initial_stress().any()) return integrals_of_displacement(u);
+    if (!elements_->scene().initial_stress().any()) return integrals_of_displacement(u);
     RingIntegrals integrals;
-    for (const RingForms& tip : tips_) integrals.push_back(tip.values_with_initial_stress(structure_->elements(), u));
+    for (const RingForms& tip : tips_) integrals.push_back(tip.values_with_initial_stress(*elements_, u));
     return integrals;
 }
 
@@ -26,7 +25,7 @@ RingIntegrals StructureRings::unknown() const {
 
 RingIntegrals StructureRings::integrals_of_displacement(const Eigen::VectorXd& u) const {
     RingIntegrals integrals;
-    for (const RingForms& tip : tips_) integrals.push_back(tip.values(structure_->elements(), u));
+    for (const RingForms& tip : tips_) integrals.push_back(tip.values(*elements_, u));
     return integrals;
 }
 

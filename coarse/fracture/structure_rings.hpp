@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "coarse/fracture/ring_forms.hpp"
-#include "coarse/structure/structure.hpp"
 
 namespace stria::coarse {
 
@@ -13,10 +12,10 @@ using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
 
 class StructureRings {
 public:
-    /// `structure` must outlive its rings.
-    explicit StructureRings(const Structure& structure);
+    /// `elements` must outlive their rings.
+    explicit StructureRings(const CoarseElements& elements, Asked asked = Asked::InEachIncrement);
 
-    [[nodiscard]] const Structure& structure() const { return *structure_; }
+    [[nodiscard]] const CoarseElements& elements() const { return *elements_; }
     [[nodiscard]] const RingForms& about(int tip) const { return tips_[at(tip)]; }
 
     /// The structure's share in the domain integrals, with the initial stress where there is one. `u`: displacement of
@@ -28,7 +27,7 @@ public:
     [[nodiscard]] RingIntegrals unknown() const;
 
 private:
-    const Structure* structure_;
+    const CoarseElements* elements_;
     std::vector<RingForms> tips_;
 };
 

@@ -1,7 +1,6 @@
 #include "common/enrichment/enriched_mesh.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "common/index.hpp"
 
@@ -77,25 +76,47 @@ bool same_on(const EnrichedMesh& from, const Term& old, const EnrichedMesh& to, 
 
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial) {
-    std::map<int, int> old_node;  // by id
-    for (int n = 0; n < std::ssize(from.nodes); ++n) old_node[from.node_ids[at(n)]] = n;
+    auto old = from.node_ids.begin();  // ids ascend in both
     for (const auto& [node, term, unknown] : to.own_unknowns()) {
         const auto n = at(node);
-        const auto found = old_node.find(to.node_ids[n]);
-        if (found == old_node.end()) continue;
+        while (old != from.node_ids.end() && *old < to.node_ids[n]) ++old;
+        if (old == from.node_ids.end()) break;
+        if (*old != to.node_ids[n]) continue;
+        const int old_node = static_cast<int>(old - from.node_ids.begin());
         int same = 0;
         if (term > 0) {
             const Term& own = to.terms[n][at(term - 1)];
-            const auto& old = from.terms[at(found->second)];
+            const auto& old_terms = from.terms[at(old_node)];
             const auto is_same = [&](const Term& other) { return same_on(from, other, to, own); };
-            const auto twin = std::ranges::find_if(old, is_same);
-            if (twin == old.end()) continue;
-            same = static_cast<int>(twin - old.begin()) + 1;
+            const auto twin = std::ranges::find_if(old_terms, is_same);
+            if (twin == old_terms.end()) continue;
+            same = static_cast<int>(twin - old_terms.begin()) + 1;
         }
-        if (from.follows(found->second, same)) continue;
-        initial.segment<2>(unknown) = values.segment<2>(from.unknown(found->second, same, 0));
+        if (from.follows(old_node, same)) continue;
+        initial.segment<2>(unknown) = values.segment<2>(from.unknown(old_node, same, 0));
     }
     return initial;
+}
+
+bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {
+    const auto plain = [](const EnrichedMesh& m) { return m.tip_functions == 0 && m.left_tips.empty(); };
+    const auto same_end = [](const Tip& a, const Tip& b) { return a.crack == b.crack && a.upper == b.upper; };
+    const auto same_term = [](const Term& a, const Term& b) { return a.same_function(b) && a.shift == b.shift; };
+    const auto same_terms = [&](const auto& a, const auto& b) { return std::ranges::equal(a, b, same_term); };
+    const auto same_tie = [](const TiedNode& a, const TiedNode& b) {
+        return a.node == b.node && a.ends == b.ends && a.side == b.side && a.jump_tied == b.jump_tied;
+    };
+    const auto same_piece = [](const CrackPiece& a, const CrackPiece& b) {
+        return a.crack == b.crack && a.element == b.element && a.neighbour == b.neighbour && a.points == b.points &&
+               a.s == b.s && a.entry == b.entry && a.exit == b.exit;
+    };
+    return plain(mesh) && plain(other) && mesh.unknowns == other.unknowns &&
+           std::ranges::equal(mesh.tips, other.tips, same_end) &&
+           std::ranges::equal(mesh.pieces, other.pieces, same_piece) && mesh.element_ids == other.element_ids &&
+           mesh.node_ids == other.node_ids && mesh.elements == other.elements && mesh.nodes == other.nodes &&
+           mesh.material == other.material && mesh.element_side == other.element_side &&
+           std::ranges::equal(mesh.tied, other.tied, same_tie) &&
+           std::ranges::equal(mesh.terms, other.terms, same_terms);
 }
 
 bool has_mouth(const EnrichedMesh& mesh, int crack) {

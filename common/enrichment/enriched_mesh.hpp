@@ -42,7 +42,7 @@ struct TiedNode {
 struct EnrichedMesh {
     std::vector<Vec2> nodes;
     std::vector<std::array<int, 4>> elements;
-    std::vector<int> node_ids;     // of the whole mesh
+    std::vector<int> node_ids;     // of the whole mesh, ascending
     std::vector<int> element_ids;  // of the whole mesh
     std::vector<int> material;     // of each element (materials.hpp); empty: all are of material 0
 
@@ -105,6 +105,9 @@ struct EnrichedMesh {
 /// one numbering to the other; elsewhere `initial`.
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial);
+
+/// The same elements with the same functions, whatever the places of the tips: none of the functions is a tip's.
+bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other);
 
 /// Whether a crack begins at the boundary, and not at a tip.
 bool has_mouth(const EnrichedMesh& mesh, int crack);

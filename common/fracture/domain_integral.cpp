@@ -57,29 +57,54 @@ bool RingSums::enter(int element) {
 }
 
 std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const {
-    const int side = point.side != 0 ? point.side : side_;
-    return {williams_field(1, tip_, point.x, side, elastic_), williams_field(2, tip_, point.x, side, elastic_),
-            point_force_field(tip_, point.x, side, elastic_)};
+    const TipPlace place(tip_, point.x, point.side != 0 ? point.side : side_);
+    return {williams_field(1, tip_, place, elastic_), williams_field(2, tip_, place, elastic_),
+            point_force_field(tip_, place.polar, elastic_)};
 }
 
+RingSums::Auxiliary::Auxiliary(const TipField& field, const Vec2& direction)
+    : slope(field.gradient * direction), stress_xx(field.stress[0]), stress_yy(field.stress[1]),
+      stress_xy(field.stress[3] / std::numbers::sqrt2), strain_xx(field.gradient(0, 0)),
+      strain_yy(field.gradient(1, 1)), shear(field.gradient(0, 1) + field.gradient(1, 0)) {}
+
+void RingSums::look_at(const IntegrationPoint& point) {
+    if (fields_.empty()) {
+        constexpr std::size_t points = 4;  // of most elements
+        fields_.reserve(points * elements_.size());
+        weighted_.reserve(points * weights_.size());
+    }
+    const auto [I, II, T] = auxiliary(point);
+    fields_.push_back({Auxiliary(I, tip_.direction), Auxiliary(II, tip_.direction), Auxiliary(T, tip_.direction)});
+    for_each_ring(point, [&](std::size_t, const Vec2& dq) { weighted_.emplace_back(point.weight * dq); });
+}
+
+// energy_momentum() and mutual_energy_momentum(), with what they have in common worked out once.
 void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
-    if (visited_ == fields_.size()) fields_.push_back(auxiliary(point));
-    const Vec2 own = energy_momentum(tip_, stress, gradient, work);
+    if (visited_ == fields_.size()) look_at(point);
+    const Vec2 &along = tip_.direction, slope = gradient * along;
+    const double xx = stress[0], yy = stress[1], xy = stress[3] / std::numbers::sqrt2;
+    const auto traction = [&](const Vec2& of) { return Vec2(xx * of.x() + xy * of.y(), xy * of.x() + yy * of.y()); };
+    const Vec2 own = traction(slope) - work * along;
     std::array<Vec2, 3> mutual;
-    std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const TipField& field) {
-        return mutual_energy_momentum(tip_, stress, gradient, field);
+    std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const Auxiliary& field) -> Vec2 {
+        const Vec2 back(field.stress_xx * slope.x() + field.stress_xy * slope.y(),
+                        field.stress_xy * slope.x() + field.stress_yy * slope.y());
+        const double shared = xx * field.strain_xx + yy * field.strain_yy + xy * field.shear;
+        return traction(field.slope) + back - shared * along;
     });
-    for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
-        const Vec2 weighted = point.weight * dq;
-        sums_[ring] += {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
-    });
+    for (const Entered& entered : entered_) {
+        const Vec2& weighted = weighted_[next_weighted_++];
+        sums_[entered.ring] +=
+            {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
+    }
 }
 
 void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope) {
     const double own = elastic_.work(stress, slope);
     std::array<double, 3> mutual{};
-    std::ranges::transform(fields_[visited_ - 1], mutual.begin(),
-                           [&](const TipField& field) { return strain_of(field.gradient).dot(slope); });
+    std::ranges::transform(fields_[visited_ - 1], mutual.begin(), [&](const Auxiliary& field) {
+        return Mandel(field.strain_xx, field.strain_yy, 0.0, field.shear / std::numbers::sqrt2).dot(slope);
+    });
     const Eigen::Vector4d shape = shape_q4(corners_, point.xi).value;
     for (const auto& [ring, q] : entered_) {
         const double weight = -point.weight * shape.dot(q);

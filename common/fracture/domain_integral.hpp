@@ -71,7 +71,7 @@ public:
     /// Sums start anew. The same points come again, in the same order: what their places say is known by then.
     void clear() {
         sums_.assign(rings_.size(), {});
-        visited_ = 0;
+        visited_ = next_weighted_ = 0;
     }
 
     /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
@@ -107,6 +107,8 @@ public:
     [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
 
 private:
+    void look_at(const IntegrationPoint& point);
+
     const EnrichedMesh& mesh_;
     Tip tip_;
     Elasticity elastic_;
@@ -118,10 +120,19 @@ private:
         Eigen::Vector4d q;
     };
     std::vector<int> elements_;
-    std::vector<std::array<TipField, 3>> fields_;  // auxiliary, of each point so far
-    std::size_t visited_ = 0;                      // points since clear()
-    std::vector<Entered> weights_;                 // element by element of these
-    std::vector<std::size_t> first_;               // of each element: its first weight; then the number of all
+    /// What an auxiliary field has in the energy momentum that it shares with the solution.
+    struct Auxiliary {
+        explicit Auxiliary(const TipField& field, const Vec2& direction);
+
+        Vec2 slope;  // of its displacement along the tip
+        double stress_xx, stress_yy, stress_xy;
+        double strain_xx, strain_yy, shear;  // shear: twice strain_xy
+    };
+    std::vector<std::array<Auxiliary, 3>> fields_;  // of each point so far
+    std::vector<Vec2> weighted_;                    // weight times grad q, of each point so far, ring by ring
+    std::size_t visited_ = 0, next_weighted_ = 0;   // points since clear(), and their weighted_
+    std::vector<Entered> weights_;                  // element by element of these
+    std::vector<std::size_t> first_;                // of each element: its first weight; then the number of all
 
     // Of the element entered.
     std::array<Vec2, 4> corners_;

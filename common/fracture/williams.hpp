@@ -23,11 +23,20 @@ inline Eigen::Matrix2d tip_axes(const Tip& tip) {
     return Eigen::Matrix2d{{tip.direction.x(), -tip.direction.y()}, {tip.direction.y(), tip.direction.x()}};
 }
 
+/// A place about a tip, with what the fields of both modes take from its angle.
+struct TipPlace {
+    TipPlace(const Tip& tip, const Vec2& x, int side)
+        : polar(tip_polar(tip, x, side)), s(std::sin(polar.theta / 2.0)), c(std::cos(polar.theta / 2.0)),
+          s3(std::sin(1.5 * polar.theta)), c3(std::cos(1.5 * polar.theta)) {}
+
+    TipPolar polar;
+    double s, c, s3, c3;
+};
+
 /// Fields for K_I = 1 (mode 1) or K_II = 1 (mode 2), per MPa sqrt(mm).
-inline TipField williams_field(int mode, const Tip& tip, const Vec2& x, int side, const Elasticity& elastic) {
-    const TipPolar polar = tip_polar(tip, x, side);
-    const double r = polar.r, t = polar.theta, kappa = elastic.kolosov(), mu = elastic.shear_modulus();
-    const double s = std::sin(t / 2.0), c = std::cos(t / 2.0), s3 = std::sin(1.5 * t), c3 = std::cos(1.5 * t);
+inline TipField williams_field(int mode, const Tip& tip, const TipPlace& place, const Elasticity& elastic) {
+    const auto& [polar, s, c, s3, c3] = place;
+    const double r = polar.r, kappa = elastic.kolosov(), mu = elastic.shear_modulus();
     const double amplitude = std::sqrt(r / (2.0 * std::numbers::pi)) / (2.0 * mu);
     // u = amplitude * a(theta) in the tip's axes; a and da/dtheta, with cos t etc. expanded in half angles.
     Vec2 a, slope;
@@ -47,11 +56,14 @@ inline TipField williams_field(int mode, const Tip& tip, const Vec2& x, int side
     return field;
 }
 
+inline TipField williams_field(int mode, const Tip& tip, const Vec2& x, int side, const Elasticity& elastic) {
+    return williams_field(mode, tip, TipPlace(tip, x, side), elastic);
+}
+
 /// A force of 1 N/mm along the tip's direction, at the tip: sigma_rr = -cos(theta) / (pi r) is the only stress of the
 /// plane, so the faces are free of traction (Kfouri, Int. J. Fracture 30 (1986) 301). The displacement is zero at
 /// r = 1 mm straight ahead; its jump across the faces is a constant.
-inline TipField point_force_field(const Tip& tip, const Vec2& x, int side, const Elasticity& elastic) {
-    const TipPolar polar = tip_polar(tip, x, side);
+inline TipField point_force_field(const Tip& tip, const TipPolar& polar, const Elasticity& elastic) {
     const double r = polar.r, t = polar.theta, kappa = elastic.kolosov(), s = std::sin(t), c = std::cos(t);
     const double shear = 1.0 / (4.0 * std::numbers::pi * elastic.shear_modulus());
     const double spread = 0.5 * (kappa + 1.0) * shear, turn = 0.5 * (kappa - 1.0) * shear;

@@ -50,10 +50,11 @@ public:
 private:
     void evaluate_gradients() {
         BasisValues values;
-        result_.gradients.reserve(result_.points.size());
-        for (const IntegrationPoint& point : result_.points) {
+        result_.gradients.assign(result_.points.size(), basis_.functions());
+        for (std::size_t q = 0; q < result_.points.size(); ++q) {
+            const IntegrationPoint& point = result_.points[q];
             basis_.evaluate(point.xi, point.x, point.side, values);
-            result_.gradients.push_back(values.gradient);
+            result_.gradients[q] = values.gradient;
         }
     }
 
@@ -145,7 +146,7 @@ private:
     void form_means() {
         const bool by_side = cut_ && cut_->tips.empty();
         const int regions = by_side ? 2 : 1;
-        result_.mean.assign(at(regions), Gradients::Zero(basis_.functions(), 2));
+        result_.mean.assign(at(regions), basis_.functions());
         std::vector<double> area(at(regions), 0.0);
         for (std::size_t q = 0; q < result_.points.size(); ++q) {
             IntegrationPoint& point = result_.points[q];
@@ -199,32 +200,38 @@ ElementOperator make_operator(const EnrichedMesh& mesh, int element, const Crack
 }
 
 Eigen::Matrix2d ElementOperator::displacement_gradient(const Eigen::VectorXd& u, std::size_t q) const {
-    const Gradients& g = gradients[q];
+    const auto g = gradients[q];
     return Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>>(u.data(), 2, g.rows()) * g;
 }
 
 namespace {
 
-const Gradients* mean_at(const ElementOperator& op, std::size_t q) {
-    return op.mean.empty() ? nullptr : &op.mean[at(op.points[q].region)];
+/// Calls visit(gradients, their mean or null) of point q.
+template <class Visit> decltype(auto) with_mean(const ElementOperator& op, std::size_t q, Visit&& visit) {
+    const auto g = op.gradients[q];
+    if (op.mean.empty()) return visit(g, static_cast<decltype(&g)>(nullptr));
+    const auto mean = op.mean[at(op.points[q].region)];
+    return visit(g, &mean);
 }
 
 }  // namespace
 
 Mandel ElementOperator::strain(const Eigen::VectorXd& u, std::size_t q) const {
-    const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>> nodal(u.data(), 2, gradients[q].rows());
-    return strain_at(nodal, gradients[q], mean_at(*this, q));
+    return with_mean(*this, q, [&](const auto& g, const auto* m) {
+        const Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>> nodal(u.data(), 2, g.rows());
+        return strain_at(nodal, g, m);
+    });
 }
 
 Eigen::Matrix<double, 4, Eigen::Dynamic> ElementOperator::strain_matrix(std::size_t q) const {
     Eigen::Matrix<double, 4, Eigen::Dynamic> B(4, 2 * gradients[q].rows());
-    fill_strain_matrix(gradients[q], mean_at(*this, q), B);
+    with_mean(*this, q, [&](const auto& g, const auto* m) { fill_strain_matrix(g, m, B); });
     return B;
 }
 
 void ElementOperator::add_force(const Mandel& stress, std::size_t q, Eigen::VectorXd& force) const {
     Eigen::Map<Eigen::Matrix<double, 2, Eigen::Dynamic>> nodal(force.data(), 2, gradients[q].rows());
-    add_force_at(stress, points[q].weight, gradients[q], mean_at(*this, q), nodal);
+    with_mean(*this, q, [&](const auto& g, const auto* m) { add_force_at(stress, points[q].weight, g, m, nodal); });
 }
 
 Eigen::MatrixXd ElementOperator::stiffness(const MandelMatrix& elastic) const {

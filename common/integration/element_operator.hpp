@@ -13,6 +13,28 @@ namespace stria {
 
 using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
+/// Several gradients of the same functions, one behind another: elements are many, and seldom in a cache.
+class GradientList {
+public:
+    [[nodiscard]] bool empty() const { return values_.empty(); }
+    [[nodiscard]] std::size_t size() const { return functions_ > 0 ? values_.size() / at(2 * functions_) : 0; }
+    [[nodiscard]] Eigen::Map<Gradients> operator[](std::size_t k) { return {first(k), functions_, 2}; }
+    [[nodiscard]] Eigen::Map<const Gradients> operator[](std::size_t k) const { return {first(k), functions_, 2}; }
+
+    /// All zero.
+    void assign(std::size_t count, int functions) {
+        functions_ = functions;
+        values_.assign(count * at(2 * functions), 0.0);
+    }
+
+private:
+    [[nodiscard]] double* first(std::size_t k) { return values_.data() + k * at(2 * functions_); }
+    [[nodiscard]] const double* first(std::size_t k) const { return values_.data() + k * at(2 * functions_); }
+
+    int functions_ = 0;
+    std::vector<double> values_;
+};
+
 /// docs/method.md, section 3: grad phi is replaced in the volumetric part of B by its mean over the point's crack side
 /// (over the whole element where it holds a tip), for every function; and a constant per side is added to grad phi
 /// where the points are not exact (tip functions, cut elements that are no parallelograms) so that its integral equals
@@ -24,8 +46,8 @@ struct ElementOperator {
     int element = 0;
     std::vector<int> unknowns;  // 2 a function
     std::vector<IntegrationPoint> points;
-    std::vector<Gradients> gradients;  // per point, one row per function
-    std::vector<Gradients> mean;       // per region; empty: without mean dilatation
+    GradientList gradients;  // per point, one row per function
+    GradientList mean;       // per region; empty: without mean dilatation
     double area = 0.0;
 
     /// Strain of element values `u` (2 a function) at point q; zz is the assumed part of a mean dilatation.

@@ -22,6 +22,27 @@ class Bisection {
 public:
     Bisection(const Layout& layout, std::vector<Node>& nodes) : layout_(layout), nodes_(nodes) {}
 
+    /// What lies about the busy places comes first, so that the way from there to the root is short however many the
+    /// others are.
+    int split_about_busy_places(std::span<int> elements) {
+        constexpr std::size_t about_each = 128;  // elements: docs/performance.md
+        const std::size_t near = about_each * layout_.busy.size();
+        if (near == 0 || elements.size() < 2 * near) return split(elements);
+        const auto distance = [&](int element) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const Vec2& place : layout_.busy)
+                least = std::min(least, (layout_.centres[at(element)] - place).squaredNorm());
+            return std::tuple(least, element);
+        };
+        const auto end = elements.begin() + static_cast<std::ptrdiff_t>(near);
+        std::ranges::nth_element(elements, end, {}, distance);
+        Node node;
+        const int others = split({end, elements.end()});
+        node.children = {others, split({elements.begin(), end})};
+        nodes_.push_back(std::move(node));
+        return static_cast<int>(nodes_.size()) - 1;
+    }
+
     int split(std::span<int> elements) {
         Node node;
         if (static_cast<int>(elements.size()) <= layout_.leaf_elements) {
@@ -154,7 +175,7 @@ AssemblyTree::AssemblyTree(const Layout& layout) {
     check(layout);
     std::vector<int> elements(layout.element_unknowns.size());
     std::iota(elements.begin(), elements.end(), 0);
-    Bisection(layout, nodes).split(elements);
+    Bisection(layout, nodes).split_about_busy_places(elements);
     rank_unknowns(layout);
     place_contributions(layout);
 }

@@ -56,6 +56,13 @@ Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& disp
         bound_.add_element(elements_.op(e), forms[at(elements_.mesh().material_of(e))]);
 }
 
+// As a bulk that begins: every tangent is elastic.
+void Bulk::move_tips(std::vector<Tip> tips) {
+    elements_.move_tips(std::move(tips));
+    for (const int e : yielded_.members()) tangents_[at(e)] = elements_.stiffness()[at(e)];
+    changed_ = std::exchange(yielded_, ElementSet(elements_.count()));
+}
+
 void Bulk::remember(coupling::ZoneSnapshot& out) const {
     out.element = elements_.mesh().element_ids;
     out.rank.assign(out.element.size(), 0);
@@ -200,7 +207,7 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
 
 void Bulk::commit(bool reversal, bool counts) {
     update_points(true);
-    history_.commit(reversal);
+    history_.commit(reversal, resting_.elements());
     committed_u_ = trial_u_;
     increment_.setZero();
     settle();
@@ -231,21 +238,7 @@ Mandel Bulk::trial_stress(int e, std::size_t q) const {
 
 std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
     std::vector<PointState> states;
-    states.reserve(elements_.op(e).points.size());
-    with_kernel(elements_.op(e), [&](const auto& kernel) {
-        const auto u = kernel.gather(committed_u_);
-        const auto moved = (u - kernel.gather(resting_.displacement())).eval();
-        for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
-            PointState state{history_.stress(e, q), history_.work(e, q),
-                             kernel.displacement_gradient(u, q) + history_.frozen_gradient(e, q)};
-            if (resting_.contains(e)) {
-                const Mandel strain = kernel.strain(moved, q), change = elements_.elastic_stiffness(e) * strain;
-                state.work += (state.stress + 0.5 * change).dot(strain);
-                state.stress += change;
-            }
-            states.push_back(state);
-        }
-    });
+    for_each_committed_state(e, [&](std::size_t, const PointState& state) { states.push_back(state); });
     return states;
 }
 
@@ -277,10 +270,13 @@ std::vector<int> Bulk::would_yield(const Eigen::VectorXd& u) {
 
 void Bulk::wake_all_but(const ElementSet& still) {
     const Eigen::VectorXd moved = committed_u_ - resting_.displacement();
-    for (const int e : resting_.elements().members()) {
-        if (still.contains(e)) continue;
-        history_.update(operators(), e, e + 1, moved);
-        history_.commit(e);
+    ElementSet waking = resting_.elements();
+    for (const int e : still.members()) waking.erase(e);
+    for_each_run(waking, true, [&](int begin, int end) {
+        history_.update(operators(), begin, end, moved);
+        history_.commit(begin, end);
+    });
+    for (const int e : waking.members()) {
         resting_.wake(e);
         find_committed_force(e);
         committed_force_.of(e) = trial_force_.of(e);

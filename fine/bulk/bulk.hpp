@@ -10,6 +10,7 @@
 #include "coupling/zone_snapshot.hpp"
 #include "fine/bulk/bulk_elements.hpp"
 #include "fine/bulk/elastic_bound.hpp"
+#include "fine/bulk/element_kernels.hpp"
 #include "fine/bulk/element_values.hpp"
 #include "fine/bulk/point_history.hpp"
 #include "fine/bulk/resting_elements.hpp"
@@ -30,6 +31,10 @@ public:
     /// As a snapshot has it, which holds all elements of the mesh. Throws std::logic_error where it does not.
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
          const coupling::ZoneSnapshot& snapshot);
+
+    /// The same elements on which tips have moved on (same_but_for_tips()). None may rest. changed(): those whose
+    /// tangent was not elastic.
+    void move_tips(std::vector<Tip> tips);
 
     /// Writes all that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
@@ -64,6 +69,8 @@ public:
     };
     /// Committed, of all points of an element. Where it rests they follow its displacement elastically.
     [[nodiscard]] std::vector<PointState> committed_states(int e) const;
+    /// Calls visit(q, state) of each of them.
+    template <class Visit> void for_each_committed_state(int e, Visit&& visit) const;
 
     /// Elements in and around which nothing is expected to yield in the coming half cycle (RestingElements).
     [[nodiscard]] ElementSet may_rest() const;
@@ -112,5 +119,23 @@ private:
     ElementSet yielded_;  // in the last evaluation
     coupling::WorkCounts counts_;
 };
+
+template <class Visit> void Bulk::for_each_committed_state(int e, Visit&& visit) const {
+    with_kernel(elements_.op(e), [&](const auto& kernel) {
+        const auto u = kernel.gather(committed_u_);
+        const auto moved = (u - kernel.gather(resting_.displacement())).eval();
+        const bool rests = resting_.contains(e);
+        for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
+            PointState state{history_.stress(e, q), history_.work(e, q), kernel.displacement_gradient(u, q)};
+            if (history_.has_frozen_gradients()) state.gradient += history_.frozen_gradient(e, q);
+            if (rests) {
+                const Mandel strain = kernel.strain(moved, q), change = elements_.elastic_stiffness(e) * strain;
+                state.work += (state.stress + 0.5 * change).dot(strain);
+                state.stress += change;
+            }
+            visit(q, state);
+        }
+    });
+}
 
 }  // namespace stria::fine

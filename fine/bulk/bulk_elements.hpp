@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
@@ -24,6 +25,9 @@ public:
     using KnownPoints = std::function<std::optional<std::vector<IntegrationPoint>>(int element, const CrackPiece* cut)>;
     BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                  const KnownPoints& known, BulkElements* old = nullptr);
+
+    /// Nothing else is new (same_but_for_tips()).
+    void move_tips(std::vector<Tip> tips) { mesh_.tips = std::move(tips); }
 
     [[nodiscard]] int count() const { return static_cast<int>(operators_.size()); }
     [[nodiscard]] const EnrichedMesh& mesh() const { return mesh_; }

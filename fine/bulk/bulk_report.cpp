@@ -7,14 +7,13 @@ void add_to(RingSums& rings, const Bulk& bulk) {
     const InitialStress& initial = bulk.elements().materials().initial_stress();
     for (const int e : rings.elements()) {
         rings.enter(e);
-        const std::vector<Bulk::PointState> states = bulk.committed_states(e);
         const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
-        for (std::size_t q = 0; q < states.size(); ++q) {
-            rings.add(points[q], states[q].stress, states[q].gradient, states[q].work);
+        bulk.for_each_committed_state(e, [&](std::size_t q, const Bulk::PointState& state) {
+            rings.add(points[q], state.stress, state.gradient, state.work);
             if (initial.any())
-                rings.add_initial(points[q], states[q].stress,
+                rings.add_initial(points[q], state.stress,
                                   initial.slope(points[q].x, bulk.elements().mesh().material_of(e), rings.direction()));
-        }
+        });
     }
 }
 

@@ -39,19 +39,20 @@ void PointHistory::update(std::span<const ElementOperator> operators, int begin,
     evaluated_ += first_[at(end)] - first_[at(begin)];
 }
 
-void PointHistory::commit(bool reversal) {
-    committed_.swap(trial_);
-    trial_ = committed_;
+void PointHistory::commit(bool reversal, const ElementSet& resting) {
     if (half_cycle_ended_) std::ranges::fill(plastic_, static_cast<unsigned char>(0));
-    for (std::size_t q = 0; q < plastic_.size(); ++q)
-        plastic_[q] = static_cast<unsigned char>(plastic_[q] | yielding_[q]);
+    for_each_run(resting, false, [&](int begin, int end) {
+        commit(begin, end);
+        for (auto q = at(first_[at(begin)]); q < at(first_[at(end)]); ++q)
+            plastic_[q] = static_cast<unsigned char>(plastic_[q] | yielding_[q]);
+    });
     half_cycle_ended_ = reversal;
 }
 
-void PointHistory::copy(int e, const std::vector<double>& from, std::vector<double>& to) const {
+void PointHistory::copy(int begin, int end, const std::vector<double>& from, std::vector<double>& to) const {
     for (int c = 0; c < state_size_; ++c) {
-        const auto begin = static_cast<std::ptrdiff_t>(place(c, e, 0));
-        std::copy_n(from.begin() + begin, points(e), to.begin() + begin);
+        const auto first = static_cast<std::ptrdiff_t>(place(c, begin, 0));
+        std::copy_n(from.begin() + first, first_[at(end)] - first_[at(begin)], to.begin() + first);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/index_set.hpp"
 #include "common/integration/element_operator.hpp"
 #include "fine/material/material_law.hpp"
 
@@ -37,11 +38,11 @@ public:
     /// Trial states and tangents of the elements begin ... end - 1: committed ones plus a displacement increment, given
     /// on all unknowns, mm. Throws NumericalFailure where the return mapping fails.
     void update(std::span<const ElementOperator> operators, int begin, int end, const Eigen::VectorXd& increment);
-    /// Trial becomes committed. `reversal`: with this a half cycle ends.
-    void commit(bool reversal);
-    /// Of one element, whatever the others do.
-    void commit(int e) { copy(e, trial_, committed_); }
-    void rollback(int e) { copy(e, committed_, trial_); }
+    /// Trial becomes committed, but for elements at rest. `reversal`: with this a half cycle ends.
+    void commit(bool reversal, const ElementSet& resting);
+    /// Of the elements begin ... end - 1, whatever the others do.
+    void commit(int begin, int end) { copy(begin, end, trial_, committed_); }
+    void rollback(int e) { copy(e, e + 1, committed_, trial_); }
     void rollback() { trial_ = committed_; }
 
     [[nodiscard]] Mandel stress(int e, std::size_t q) const { return tensor(committed_, state::stress, e, q); }
@@ -119,7 +120,7 @@ private:
     [[nodiscard]] Mandel tensor(const std::vector<double>& states, int component, int e, std::size_t q) const {
         return tensor_at(&states[place(component, e, q)], points(), 0);
     }
-    void copy(int e, const std::vector<double>& from, std::vector<double>& to) const;
+    void copy(int begin, int end, const std::vector<double>& from, std::vector<double>& to) const;
 
     [[nodiscard]] int material_of(int e) const { return material_.empty() ? 0 : material_[at(e)]; }
 

@@ -9,7 +9,7 @@ void StressChanges::add_element(const ElementOperator& op, const VonMisesForm& f
     values_.insert(values_.end(), op.unknowns.size(), 0.0);
     for (Eigen::Index f = 0; f < std::ssize(op.unknowns) / 2; ++f)
         for (const Eigen::Index direction : {0, 1})
-            for (const Gradients& gradient : op.gradients) values_.push_back(gradient(f, direction));
+            for (std::size_t q = 0; q < op.gradients.size(); ++q) values_.push_back(op.gradients[q](f, direction));
 }
 
 void StressChanges::look_at(int element, const Eigen::VectorXd& u) {

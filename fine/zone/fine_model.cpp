@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
+#include "fine/zone/tree_layout.hpp"
 
 namespace stria::fine {
 FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
 void FineModel::set_patch(const coupling::Patch& patch) {
-    system_.set_patch(patch);
-    plant_tree();
-    begin_rest();
+    const std::vector<Vec2> busy = tree_ ? busy_places(system_.patch().mesh) : std::vector<Vec2>();
+    const bool stays = system_.set_patch(patch);
+    if (!stays || busy != busy_places(patch.mesh)) plant_tree();
+    begin_rest(true);
 }
 
 Eigen::MatrixXd FineModel::increments() {
@@ -24,25 +25,12 @@ Eigen::MatrixXd FineModel::increments() {
 }
 
 void FineModel::plant_tree() {
-    const coupling::Patch& patch = system_.patch();
     const ContactInterface& contact = system_.contact();
-    FrontTree::Layout layout;
-    layout.unknowns = patch.mesh.unknowns + contact.tractions();
-    layout.multipliers = contact.tractions();
-    layout.boundary = patch.boundary;
-    for (const ElementOperator& op : system_.bulk().operators()) {
-        layout.element_unknowns.push_back(op.unknowns);
-        layout.centres.push_back(centre(patch.mesh, op.element));
-    }
-    for (int k = 0; k < contact.multipliers(); ++k) {
-        layout.element_unknowns.push_back(contact.unknowns_of(k, patch.mesh.unknowns));
-        layout.centres.push_back(contact.operators().keys()[at(k)].x);
-    }
-    changed_ = ElementSet(layout.element_unknowns.size(), true);
+    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_));
+    changed_ = ElementSet(system_.bulk().elements().count() + contact.multipliers(), true);
     all_changed_ = true;
     in_tree_.assign(at(contact.multipliers()), none);
     multiplier_matrices_.resize(in_tree_.size());
-    tree_ = std::make_unique<FrontTree>(std::move(layout));
 }
 
 void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
@@ -93,11 +81,12 @@ void FineModel::linearise() {
 
 // Subtrees of elements that may rest become leaves: their points and fronts are not looked at any more, until one
 // would yield.
-void FineModel::begin_rest() {
+void FineModel::begin_rest(bool after_patch) {
     const Resting may_rest = system_.may_rest();
     some_rest_ = !may_rest.elements.none();
+    if (!some_rest_ && !tree_->resting().none()) tree_->rest(ElementSet(changed_.size()));
     if (!some_rest_) return;
-    if (all_changed_) {
+    if (all_changed_ || after_patch) {
         find_changes();
         factor();
     }
@@ -277,7 +266,7 @@ coupling::StepReport FineModel::commit(const coupling::Commit& what) {
     coupling::StepReport report = system_.commit(what);
     if (what.reversal) {
         system_.wake_all();
-        begin_rest();
+        begin_rest(false);
     }
     report.factor_s = factor_s_;
     report.work += work_;

@@ -31,7 +31,7 @@ public:
 
 private:
     void plant_tree();
-    void begin_rest();
+    void begin_rest(bool after_patch);
     void rest_again(const coupling::ZoneSnapshot& snapshot);
     [[nodiscard]] Resting resting() const;
     void wake_all_but(const ElementSet& still);

@@ -16,19 +16,28 @@ ZoneSystem::ZoneSystem(const ZoneSections& input)
     : input_(input), memory_{.increments =
                                  IncrementMemory<ZoneUnknowns>(remembered_increments(input.steps_per_cycle))} {}
 
-void ZoneSystem::set_patch(const coupling::Patch& patch) {
+bool ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
-    const std::unique_ptr<Bulk> old = std::move(bulk_);
+    const bool stays = bulk_ && patch.part_of.empty() && patch_.boundary == patch.boundary &&
+                       same_but_for_tips(patch_.mesh, patch.mesh);
+    const std::unique_ptr<Bulk> old = stays ? nullptr : std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     if (old && patch.part_of.empty()) keep_displacement(memory_, patch_.mesh, patch);
     make_contact(patch);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
     if (memory_.committed.displacement.isZero(0.0)) contact_->begin_touching();
-    bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), old.get(),
-                                   memory_.committed.displacement);
+    if (stays)
+        bulk_->move_tips(patch.mesh.tips);
+    else
+        bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), old.get(),
+                                       memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
-    if (old) open_new_faces(before);
+    if (stays)
+        memory_.opening.follow(before, patch_.mesh);
+    else if (old)
+        open_new_faces(before);
+    return stays;
 }
 
 MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }

@@ -18,8 +18,9 @@ class ZoneSystem {
 public:
     explicit ZoneSystem(const ZoneSections& input);
 
-    /// A new zone; elements and multipliers that the old one had keep their history.
-    void set_patch(const coupling::Patch& patch);
+    /// A new zone; elements and multipliers that the old one had keep their history. True where nothing is new but the
+    /// places of the tips: then all matrices are the old ones, elastic as in any new zone.
+    bool set_patch(const coupling::Patch& patch);
 
     /// The first iterate of an increment.
     void predict(const Predictor& predictor);

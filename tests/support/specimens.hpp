@@ -97,7 +97,7 @@ struct ElasticSolution {
     coarse::Scene scene;
     coarse::NominalSolution nominal;
     const coarse::Structure& structure = *nominal.structure;
-    const Eigen::VectorXd& u = nominal.displacement;
+    const Eigen::VectorXd& u = nominal.fields.unit;
     const std::vector<coarse::TipResult>& tips = nominal.tips;
 
     explicit ElasticSolution(const Case& input)

@@ -212,7 +212,7 @@ struct Pinned {
     [[nodiscard]] double K_I() const { return nominal.tips[0].K_I; }
     [[nodiscard]] double front_face() const { return young * nominal.tips[0].CMOD; }
     [[nodiscard]] double load_line() const {
-        return young * face_station_at(scene.enriched, 0, 0.25 * pinned_width).opening(nominal.displacement);
+        return young * face_station_at(scene.enriched, 0, 0.25 * pinned_width).opening(nominal.fields.unit);
     }
 
     static constexpr double pinned_width = 50.0;  // mm, from the load line

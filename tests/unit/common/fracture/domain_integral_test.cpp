@@ -22,7 +22,7 @@ protected:
 
     /// At polar coordinates of the inclined tip.
     [[nodiscard]] TipField at(double r, double theta) const {
-        return point_force_field(inclined, place(r, theta), theta > 0.0 ? 1 : -1, elastic);
+        return point_force_field(inclined, tip_polar(inclined, place(r, theta), theta > 0.0 ? 1 : -1), elastic);
     }
     [[nodiscard]] static Vec2 place(double r, double theta) {
         return inclined.position + r * (tip_axes(inclined) * Vec2(std::cos(theta), std::sin(theta)));
@@ -35,8 +35,9 @@ TEST_P(PointForce, GradientIsTheDerivativeOfTheDisplacement) {
         const int side = theta > 0.0 ? 1 : -1;
         for (const int axis : {0, 1}) {
             const Vec2 step = 1e-5 * Vec2::Unit(axis);
-            const Vec2 difference = point_force_field(inclined, x + step, side, elastic).displacement -
-                                    point_force_field(inclined, x - step, side, elastic).displacement;
+            const Vec2 difference =
+                point_force_field(inclined, tip_polar(inclined, x + step, side), elastic).displacement -
+                point_force_field(inclined, tip_polar(inclined, x - step, side), elastic).displacement;
             EXPECT_LT((difference / 2e-5 - at(0.7, theta).gradient.col(axis)).norm(), 1e-12);
         }
     }

@@ -188,6 +188,23 @@ TEST_P(FrontTreeOfEither, OnlyDirtyPathsAreRefactored) {
     EXPECT_EQ(tree.refactored(), 15 + 4 + 7);
 }
 
+TEST_P(FrontTreeOfEither, FromABusyPlaceTheWayToTheRootDoesNotDependOnHowManyElementsThereAre) {
+    const auto refactored_at_busy_corner = [](int nx) {
+        Grid grid(nx, 8, GetParam());
+        grid.layout.busy = {{nx - 0.5, 0.5}};
+        grid.keep_outline();
+        FrontTree tree(grid.layout);
+        tree.factor(grid.matrices, grid.changed, grid.symmetry);
+        const long whole = tree.refactored();
+        grid.change(grid.matrices.size() - 1);
+        tree.factor(grid.matrices, grid.changed, grid.symmetry);
+        const Eigen::MatrixXd& s = tree.tangent();
+        EXPECT_LT((s - grid.dense_schur()).cwiseAbs().maxCoeff(), 1e-12 * s.cwiseAbs().maxCoeff());
+        return tree.refactored() - whole;
+    };
+    EXPECT_EQ(refactored_at_busy_corner(40), refactored_at_busy_corner(100));
+}
+
 TEST_P(FrontTreeOfEither, FailureLeavesAUsableTree) {
     Grid grid(8, 8, GetParam());
     grid.keep_outline();

@@ -44,7 +44,7 @@ TEST_F(PointHistories, KeepEachPointsOwnNumbers) {
 
 TEST_F(PointHistories, CommitOneElementAlone) {
     update(plate.stretched(1e-4));
-    history.commit(1);
+    history.commit(1, 2);
     EXPECT_EQ(history.stress(1, 0), history.trial_stress(1, 0));
     EXPECT_GT(history.stress(1, 0).norm(), 1.0);
     EXPECT_EQ(history.stress(0, 0), Mandel(Mandel::Zero()));
@@ -69,11 +69,11 @@ TEST_F(PointHistories, ArePlasticUntilTheHalfCycleAfter) {
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(plate.mesh.unknowns);
     update(plate.stretched(5e-3));
     EXPECT_FALSE(history.is_plastic(0));
-    history.commit(true);
+    history.commit(true, ElementSet(count()));
     EXPECT_TRUE(history.is_plastic(0));
     EXPECT_TRUE(history.half_cycle_ended());
     update(nothing);
-    history.commit(false);
+    history.commit(false, ElementSet(count()));
     EXPECT_FALSE(history.is_plastic(0));
     EXPECT_GT(history.accumulated(0, 0), 1e-3);
 }

@@ -1,0 +1,76 @@
+// A tip that moves on inside its element changes nothing else: the zone stays, and answers as a new one would.
+#include <gtest/gtest.h>
+
+#include "common/index.hpp"
+#include "fine/zone/fine_model.hpp"
+#include "tests/support/plates.hpp"
+
+namespace stria::test {
+namespace {
+
+using coupling::PatchResponse;
+using fine::FineModel;
+
+Case with_tip_at(double x) { return plate_case({{0.0, 5.5}, {x, 5.5}}); }
+EnrichedMesh mesh_with_tip_at(double x) { return plate_mesh(24, 11, with_tip_at(x), 0); }
+
+Eigen::VectorXd pulled(const coupling::Patch& zone, double strain) {
+    const Field pull = [&](const Vec2& x) { return Vec2(0.0, strain * (x.y() - 5.5)); };
+    return gather(two_sided(zone.mesh, {0.0, 5.5}, {12.0, 5.5}, pull, pull), zone.boundary);
+}
+
+PatchResponse in_equilibrium(FineModel& model, const Eigen::VectorXd& boundary) {
+    for (int iteration = 0; iteration < 30; ++iteration) {
+        model.request({.iteration = iteration, .check_rest = true, .boundary = boundary});
+        PatchResponse response = model.collect();
+        if (response.interior_residual + response.contact_residual < 1e-11 * response.interior_force) return response;
+    }
+    throw std::runtime_error("the interior finds no equilibrium");
+}
+
+/// After a cycle in which metal flows at the tip.
+void flow(FineModel& model, const coupling::Patch& zone) {
+    model.set_patch(zone);
+    for (const double strain : {2.5e-4, 5e-4, 7.5e-4, 1e-3, 7.5e-4, 5e-4, 2.5e-4, 0.0, 2.5e-4, 5e-4}) {
+        in_equilibrium(model, pulled(zone, strain));
+        model.commit({.reversal = strain == 1e-3 || strain == 0.0});
+    }
+}
+
+TEST(MovedTips, AreNothingButMovedTips) {
+    EXPECT_TRUE(same_but_for_tips(mesh_with_tip_at(12.2), mesh_with_tip_at(12.4)));
+    EXPECT_FALSE(same_but_for_tips(mesh_with_tip_at(12.4), mesh_with_tip_at(13.2)));  // another element
+    EXPECT_FALSE(same_but_for_tips(plate_mesh(24, 11, with_tip_at(12.2), 1), plate_mesh(24, 11, with_tip_at(12.4), 1)));
+    EnrichedMesh turned = mesh_with_tip_at(12.4);
+    turned.nodes[3].y() += 1e-15;
+    EXPECT_FALSE(same_but_for_tips(mesh_with_tip_at(12.2), turned));
+}
+
+TEST(MovedTips, LeaveTheZoneAsItIs) {
+    const coupling::Patch before = plate_patch(mesh_with_tip_at(12.2)), after = plate_patch(mesh_with_tip_at(12.4));
+    coupling::Patch anew =
+        after;  // none of its elements is a part of another one, but the zone asks element by element
+    anew.part_of.assign(after.mesh.elements.size(), -1);
+    FineModel model(with_tip_at(12.2)), other(with_tip_at(12.2));
+    flow(model, before);
+    flow(other, before);
+    model.set_patch(after);
+    other.set_patch(anew);
+    for (const double strain : {7e-4, 9e-4, 1.1e-3, 9e-4}) {
+        const PatchResponse response = in_equilibrium(model, pulled(after, strain));
+        const PatchResponse expected = in_equilibrium(other, pulled(after, strain));
+        EXPECT_GT(expected.force.norm(), 1.0);
+        EXPECT_LT((response.force - expected.force).norm(), 1e-12 * expected.force.norm());
+        EXPECT_EQ(response.digest.yielding_points, expected.digest.yielding_points);
+        const coupling::StepReport report = model.commit({}), wanted = other.commit({});
+        ASSERT_EQ(report.tips.size(), 1U);
+        EXPECT_NEAR(report.tips[0].plastic_zone, wanted.tips[0].plastic_zone, 1e-12);
+        EXPECT_GT(wanted.tips[0].plastic_reach, 0.0);
+        EXPECT_NEAR(report.tips[0].plastic_reach, wanted.tips[0].plastic_reach, 1e-12);
+        EXPECT_NEAR(report.energy.stored, wanted.energy.stored, 1e-12 * wanted.energy.stored);
+        EXPECT_LT(report.work.fronts_refactored, wanted.work.fronts_refactored);
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
