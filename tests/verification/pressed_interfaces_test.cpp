@@ -1,5 +1,5 @@
 // Interfaces from side to side of a block, pressed together: a pressure that varies along one that sticks
-// (docs/references.md 5.4), and a wedge that is pushed up another (5.7).
+// (docs/references.md 5.4), and a wedge that is pushed up another (5.7). And a crack that is pressed from all sides.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -126,6 +126,24 @@ TEST(PressedInterface, AWedgeNeedsTheForceOfItsFriction) {
             EXPECT_LT(std::abs(force.x() - exact), 0.5 * before);
             before = std::abs(force.x() - exact);
         }
+    }
+}
+
+// Behind a kink at a node the crack runs along one edge more: all that jumps there jumps at the kink.
+TEST(PressedInterface, OfOneEdgeBehindAKinkBearsThePressure) {
+    for (const Vec2& end : {Vec2(0.3, 0.7), Vec2(0.2, 0.6)}) {
+        Case input = specimen("plate", 1.0, {{0.0, 0.85}, {0.2, 0.7}, end});
+        input.mesh.size = 0.1;
+        input.fine.enrichment = Enrichment::None;
+        input.cracks[0].contact = ContactSection{};
+        for (const char* on : {"top", "bottom", "left", "right"}) {
+            input.boundaries.emplace_back();
+            input.boundaries.back().on = on;
+            input.boundaries.back().pressure = 100.0;
+        }
+        const Equilibrated result = equilibrate(coarse::refined_scene(input), 1.0);
+        EXPECT_TRUE(result.newton.converged) << result.newton.failure;
+        for (const coupling::FaceSample& face : result.zone.faces) EXPECT_NEAR(face.pressure, 100.0, 1e-6);
     }
 }
 

@@ -65,6 +65,15 @@ TEST(CrackFront, AlongEdgesAnUlpDoesNotMatter) {
     }
 }
 
+// What is left of the crack beyond the edge is too short to tell where it heads.
+TEST(CrackFront, StaysWhereTheTipLiesAHairBeyondTheEdge) {
+    const EnrichedMesh mesh = ending_on_edges({{0.11, 0.4975}, {0.61 + 1e-9, 0.5 + 5e-12}});
+    const CrackPiece& last = mesh.pieces.back();
+    EXPECT_LT((last.points.back() - Vec2(0.61, 0.5)).norm(), 1e-8);
+    EXPECT_NEAR(last.s.back() - last.s.front(), 0.11, 1e-5);
+    EXPECT_LT(last.neighbour, 0);
+}
+
 // From a kink on an edge the last piece runs beside that edge, and beyond the tip it meets the edge's node: nothing
 // would hold a jump between both.
 TEST(CrackFront, StaysOnAnEdgeBesideWhichTheLastPieceRuns) {
