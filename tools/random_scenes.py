@@ -233,8 +233,8 @@ def judge(arguments, seed):
                 first = folder / MODES[0]
                 broken = unlawful(first, text) or broken_balance(arguments.programs, first, text)
                 verdict = ("IS UNLAWFUL", broken) if broken else verdict
-        elif codes == {3}:
-            verdict = "ends with 3", ends[MODES[0]][1]
+        elif codes in ({2}, {3}):  # 2: no legal case, and a sentence says so
+            verdict = "ends with %d" % codes.pop(), ends[MODES[0]][1]
         else:
             verdict = "ENDS DIFFERENTLY", str(ends)
         if any(said != warnings for _, _, said in ends.values()):
