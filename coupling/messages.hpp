@@ -68,6 +68,7 @@ struct PatchDisplacement {
     double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
     double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more
     bool check_rest = false;     // look at the elements at rest: this state may be the last
+    bool elastic = false;        // no point flows in this iterate, whatever its stress
     Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
 };
 

@@ -38,6 +38,12 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
                          try_at, expected(now, unit));
 }
 
+std::vector<double> ClosureMeasurement::met() const {
+    std::vector<double> loads;
+    for (std::size_t k = 0; k < memory_.closed.size(); k += meter_.signals().all()) loads.push_back(memory_.closed[k]);
+    return loads;
+}
+
 // Where it last came or went as it does now.
 std::vector<double> ClosureMeasurement::expected(const std::vector<double>& now, double unit) const {
     std::vector<double> expected;

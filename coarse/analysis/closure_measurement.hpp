@@ -45,6 +45,8 @@ public:
 
     /// Committed: what the next increment starts from.
     [[nodiscard]] const ClosureMemory& memory() const { return memory_; }
+    /// Loads at which faces met last at or beyond the first distance behind each tip; likewise in units of the history.
+    [[nodiscard]] std::vector<double> met() const;
 
 private:
     [[nodiscard]] std::vector<double> expected(const std::vector<double>& now, double unit) const;

@@ -74,7 +74,7 @@ void FatigueAnalysis::run() {
         std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
-        controller_.accepted(openings(accepted_.tips));
+        controller_.accepted(openings(accepted_.tips), closure_.met());
         if (growth_ && growth_->is_due(*step)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
@@ -126,7 +126,7 @@ std::optional<NewtonReport> FatigueAnalysis::solve_equilibrium(const LoadStep& s
         return std::nullopt;
     }
     if (zone_must_grow(step)) return std::nullopt;
-    if (report.was_misled()) controller_.forget_increments();
+    controller_.judge_predictor(report.was_misled());
     return report;
 }
 

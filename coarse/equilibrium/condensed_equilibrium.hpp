@@ -23,6 +23,7 @@ public:
     Residual linearise() override;
     double solve() override;
     void look_at_rest() override { request_.check_rest = true; }
+    void set_elastic(bool elastic) override { request_.elastic = elastic; }
     void apply() override;
     void apply_further(double part) override;
     void put_aside() override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "coarse/equilibrium/line_search.hpp"
@@ -51,18 +52,56 @@ private:
     double residual_ = std::numeric_limits<double>::infinity(), correction_ = residual_;
 };
 
+/// Where nothing is known of an increment in which closed faces open, they come to rest on elastic metal first.
+/// Newton's first correction keeps them closed, and the metal that this stretches flows: what follows is far from a
+/// state which may even be elastic.
+class ContactFirst {
+public:
+    explicit ContactFirst(bool may_be) : may_be_(may_be) {}
+
+    /// With each state in turn: whether it is to be evaluated again, with the metal the other way.
+    [[nodiscard]] bool turns(const Residual& state) {
+        constexpr int most = 8;
+        const bool changes = state.status_changes > 0;
+        ++states_;
+        if (elastic_) {
+            const bool first = states_ == 3;  // the one before, and so with its statuses
+            if (first || (changes && states_ < most)) return false;
+            elastic_ = false;
+            return true;
+        }
+        may_be_ = may_be_ && (states_ == 1 ? state.closed > 0 : states_ == 2 && changes);
+        elastic_ = may_be_ && states_ == 2;
+        return elastic_;
+    }
+    [[nodiscard]] bool elastic() const { return elastic_; }
+
+private:
+    bool may_be_, elastic_ = false;
+    int states_ = 0;
+};
+
 /// From one start until convergence or for as long as is allowed; false where the start turns out to mislead.
-[[nodiscard]] bool iterate(Equilibrium& equilibrium, const SolverSection& solver, double largest_force, bool guessed,
-                           const Waits& waits, NewtonReport& report) {
-    LineSearch search;
+[[nodiscard]] bool iterate(Equilibrium& equilibrium, const Target& target, const SolverSection& solver,
+                           double largest_force, bool guessed, const Waits& waits, NewtonReport& report) {
+    std::optional<LineSearch> search(std::in_place);
     LeftToRounding left_to_rounding;
+    ContactFirst contact_first(!guessed && target.held == 0.0);
     for (int iteration = 0; iteration <= solver.max_iterations; ++iteration) {
         report.stopped = !waits();
         if (report.stopped) return true;
         const Residual residual = equilibrium.linearise();
         if (!residual.is_finite()) throw NumericalFailure("the residual is not a number");
         if (residual.woken) iteration = 0;  // what has been woken is new to it
-        if (const double part = search.further(residual); part != 0.0) {
+        if (contact_first.turns(residual)) {
+            report.iterations.push_back({residual, 0.0});
+            search.emplace();
+            iteration = 0;  // what flows from here on is new to it
+            equilibrium.set_elastic(contact_first.elastic());
+            equilibrium.apply_further(0.0);
+            continue;
+        }
+        if (const double part = search->further(residual); part != 0.0) {
             report.iterations.push_back({residual, 0.0});
             equilibrium.apply_further(part);
             continue;
@@ -72,7 +111,7 @@ private:
         const bool settled = residual.within(solver.tolerance) &&
                              (left_to_rounding.is(residual, correction) || correction <= 10.0 * solver.tolerance);
         const bool rounding = residual.largest() < 1e-13 * largest_force && residual.target <= solver.tolerance;
-        if (settled || rounding) {
+        if (!contact_first.elastic() && (settled || rounding)) {
             report.converged = !residual.provisional;
             if (report.converged) return true;
             equilibrium.look_at_rest();
@@ -93,7 +132,7 @@ NewtonReport find_equilibrium(Equilibrium& equilibrium, const Target& target, co
         const bool guessed = start.goes_on || start.factor != 0.0;
         try {
             equilibrium.begin(target, start);
-            return iterate(equilibrium, solver, largest_force, guessed, waits, report);
+            return iterate(equilibrium, target, solver, largest_force, guessed, waits, report);
         } catch (const NumericalFailure& failure) {
             report.failure = failure.what();
             return !guessed;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int least_increments = 4, most_increments = 24;  // of a leg
 constexpr double share_of_leg = 0.5;                       // of the accuracy: a cycle has two
+constexpr double least_apart = 0.02;                       // of the way, where faces meet behind several tips
 
 // A path whose start nobody knows is that of the ramp, virgin metal.
 bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }
@@ -78,9 +79,19 @@ IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double
     lay_out();
 }
 
+// Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
+std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
+    if (!chooses_) return graded_ways(legs.increments, grading_, turns_);
+    const auto meetings = std::min(state_.meetings.size(), at(legs.increments / 2));
+    std::vector<double> ways = graded_ways(legs.increments - static_cast<int>(meetings), grading_);
+    ways.insert(ways.end(), state_.meetings.begin(), state_.meetings.begin() + meetings);
+    std::ranges::sort(ways);
+    return ways;
+}
+
 void IncrementSchedule::lay_out() {
-    rising_ = graded_ways(state_.rising.increments, grading_, turns_);
-    falling_ = graded_ways(state_.falling.increments, grading_, turns_);
+    rising_ = ways(state_.rising);
+    falling_ = ways(state_.falling);
 }
 
 void IncrementSchedule::resume(const State& state) {
@@ -126,6 +137,16 @@ void IncrementSchedule::end_leg(bool rises, bool alike) {
     if (is_cycle(state_.path)) learn(legs);
     state_.pairs.clear();
     begin(std::vector<double>(state_.path.opening.back()));
+}
+
+void IncrementSchedule::meet_at(std::vector<double> ways) {
+    if (!chooses_) return;
+    const auto is_near = [](double a, double b) { return b - a < least_apart; };
+    std::ranges::sort(ways);
+    const auto near = std::ranges::unique(ways, is_near);
+    ways.erase(near.begin(), near.end());
+    state_.meetings = std::move(ways);
+    lay_out();
 }
 
 }  // namespace stria::coarse

@@ -40,6 +40,8 @@ struct TwoAsOne {
 /// measured now and then: each two of its increments are tried as one before they are taken (error_of_leg). It falls
 /// with the square of the number (docs/performance.md), which is then chosen for an error of half of the accuracy: a
 /// cycle has two legs. In between the number stays, since a predictor wants the same increments a cycle later.
+/// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
+/// path of the metal bends. So one increment of a leg that unloads ends where they met last.
 class IncrementSchedule {
 public:
     /// Those of one direction.
@@ -50,8 +52,9 @@ public:
     };
     struct State {
         Legs rising, falling;
-        OpeningPath path;                  // of the present leg
-        std::vector<TwoAsOne> pairs = {};  // likewise
+        OpeningPath path;                   // of the present leg
+        std::vector<TwoAsOne> pairs = {};   // likewise
+        std::vector<double> meetings = {};  // likewise: parts of its way, ascending
     };
 
     /// Chooses only where load.steps is no number, and `may_choose`. `turns`: as for graded_ways.
@@ -69,12 +72,15 @@ public:
     void add(TwoAsOne pair) { state_.pairs.push_back(std::move(pair)); }
     /// The leg is done; its last state begins the next one.
     void end_leg(bool rises, bool alike);
+    /// Parts of the way at which faces are expected to meet in the leg that begins.
+    void meet_at(std::vector<double> ways);
 
     [[nodiscard]] const State& state() const { return state_; }
     void resume(const State& state);
 
 private:
     void learn(Legs& legs);
+    [[nodiscard]] std::vector<double> ways(const Legs& legs) const;
     void lay_out();
 
     bool chooses_;

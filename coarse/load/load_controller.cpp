@@ -147,13 +147,29 @@ void LoadController::remember(const LoadPosition::Taken& last) {
     if (taken.size() > remembered_) taken.pop_back();
 }
 
+void LoadController::judge_predictor(bool misled) {
+    position_.misled = misled ? position_.misled + 1 : 0;
+    if (position_.misled < 2) return;
+    forget_increments();
+    position_.misled = 0;
+}
+
 void LoadController::committed_besides(int cycle, std::vector<double> openings) {
     schedule_.begin(std::move(openings));
     const double here = position_.reached / scale_;
     remember({cycle, here, here, position_.cases, position_.cases});
 }
 
-void LoadController::accepted(std::vector<double> openings) {
+std::vector<double> LoadController::meetings(const std::vector<double>& loads) const {
+    std::vector<double> ways;
+    if (position_.leg == legs_.size() || rises()) return ways;
+    const Leg& leg = legs_[position_.leg];
+    for (const double load : loads)
+        if (const double way = (load - leg.from) / (leg.to - leg.from); way > 0.0 && way < 1.0) ways.push_back(way);
+    return ways;
+}
+
+void LoadController::accepted(std::vector<double> openings, const std::vector<double>& met) {
     const LoadStep step = *next();
     const auto [way, arrives] = next_way();
     remember(taken_by(step));
@@ -168,6 +184,7 @@ void LoadController::accepted(std::vector<double> openings) {
         position_.increments = 0;
         position_.leg_start = position_.reached;
         position_.way = 0.0;
+        schedule_.meet_at(meetings(met));
     }
     if (position_.consecutive_cuts > 0) {
         position_.fraction = std::min(1.0, 2.0 * position_.fraction);

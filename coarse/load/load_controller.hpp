@@ -44,6 +44,7 @@ struct LoadPosition {
     double fraction = 1.0;       // of a whole increment, after cuts
     int consecutive_cuts = 0, cuts = 0;
     std::vector<Taken> taken;  // increments to predict from, the last one first
+    int misled = 0;            // in a row, of those that were predicted from
     IncrementSchedule::State schedule = {};
 };
 
@@ -68,14 +69,19 @@ public:
     [[nodiscard]] std::optional<LoadStep> two_as_one() const;
     void tried_as_one(std::vector<double> openings);
 
-    /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments.
-    void accepted(std::vector<double> openings = {});
+    /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments. `met`: loads at which
+    /// faces behind the tips met last, in units of the history; NaN: never.
+    void accepted(std::vector<double> openings = {}, const std::vector<double>& met = {});
 
     /// An increment has been committed at the load that is reached, which is no step of the history.
     void committed_besides(int cycle, std::vector<double> openings = {});
 
     /// Increments taken so far are of no use to predict from: their unknowns are gone.
     void forget_increments() { position_.taken.clear(); }
+
+    /// Whether Newton's method was misled by what the increment was predicted from, as one is where a crack has grown
+    /// onto other elements. Where two in a row mislead, the others would too.
+    void judge_predictor(bool misled);
 
     /// Halves the increment; false after `max_cuts` halvings.
     [[nodiscard]] bool cut();
@@ -102,6 +108,7 @@ private:
     [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Way next_way() const;
+    [[nodiscard]] std::vector<double> meetings(const std::vector<double>& loads) const;  // parts of the present leg
     [[nodiscard]] bool is_alike() const;  // the present leg, and the last one in its direction
     [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
     [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;

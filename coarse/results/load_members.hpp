@@ -51,15 +51,17 @@ void members(auto& archive, Is<TwoAsOne> auto& m) {
 }
 
 void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
-    auto& [rising, falling, path, pairs] = m;
+    auto& [rising, falling, path, pairs, meetings] = m;
     archive("rising", rising);
     archive("falling", falling);
     archive("path", path);
     archive("pairs", pairs);
+    archive("meetings", meetings);
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {
-    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, schedule] = m;
+    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, misled, schedule] =
+        m;
     archive("leg", leg);
     archive("increments", increments);
     archive("leg_start", leg_start);
@@ -70,6 +72,7 @@ void members(auto& archive, Is<LoadPosition> auto& m) {
     archive("consecutive_cuts", consecutive_cuts);
     archive("cuts", cuts);
     archive("taken", taken);
+    archive("misled", misled);
     archive("schedule", schedule);
 }
 

@@ -76,10 +76,10 @@ void fields(auto& wire, Is<Patch> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below, check_rest,
+    auto& [iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below, check_rest, elastic,
            boundary] = m;
     wire(iteration, predictor.factor, predictor.back, predictor.goes_on, put_aside, load_factor, cases, further, step,
-         held, settled_below, check_rest, boundary);
+         held, settled_below, check_rest, elastic, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {

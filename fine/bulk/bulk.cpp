@@ -110,17 +110,17 @@ Eigen::Matrix2d Bulk::gradient(int e, std::size_t q, const Eigen::VectorXd& elem
     return elements_.op(e).displacement_gradient(element_u, q) + history_.frozen_gradient(e, q);
 }
 
-void Bulk::evaluate(const Eigen::VectorXd& u) {
+void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
     trial_u_ = u;
     increment_ = u - committed_u_;
     for (int e = 0; e < elements_.count(); ++e) {
         if (resting_.contains(e)) continue;
-        with_kernel(elements_.op(e), [&](const auto& kernel) {
-            if (proves_elastic(e, kernel))
-                proven_.insert(e);
-            else
-                proven_.erase(e);
-        });
+        if (!elastic && !bound_.proves(e, increment_)) {
+            proven_.erase(e);
+            continue;
+        }
+        proven_.insert(e);
+        with_kernel(elements_.op(e), [&](const auto& kernel) { find_elastic_force(e, kernel); });
     }
     update_points(false);
     force_.setZero();
@@ -138,13 +138,11 @@ void Bulk::evaluate(const Eigen::VectorXd& u) {
     }
 }
 
-template <class Kernel> bool Bulk::proves_elastic(int e, const Kernel& kernel) {
-    if (!bound_.proves(e, increment_)) return false;
+template <class Kernel> void Bulk::find_elastic_force(int e, const Kernel& kernel) {
     const auto force = kernel.elastic_force(elements_.stiffness()[at(e)], increment_);
     const auto committed = committed_force_.of(e);
     auto trial = trial_force_.of(e);
     for (Eigen::Index k = 0; k < trial.size(); ++k) trial[k] = committed[k] + force.data()[k];
-    return true;
 }
 
 // In as long blocks as there are.

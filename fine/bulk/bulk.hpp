@@ -35,7 +35,8 @@ public:
     void remember(coupling::ZoneSnapshot& out) const;
 
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
-    void evaluate(const Eigen::VectorXd& u);
+    /// `elastic`: as if no point flowed.
+    void evaluate(const Eigen::VectorXd& u, bool elastic = false);
 
     /// Trial becomes committed. `reversal`: with this increment a half cycle ends; plastic extents start anew after it.
     /// `counts`: as one of the load's, which tells what will flow the next time.
@@ -87,7 +88,7 @@ private:
     void mix_history(const Bulk& old, int old_element, int element);
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
-    template <class Kernel> [[nodiscard]] bool proves_elastic(int e, const Kernel& kernel);
+    template <class Kernel> void find_elastic_force(int e, const Kernel& kernel);
     template <class Kernel> void find_trial_force(int e, const Kernel& kernel);
     template <class Kernel> void find_tangent(int e, const Kernel& kernel);
     void add_trial_force(int e);

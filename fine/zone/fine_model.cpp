@@ -58,6 +58,7 @@ coupling::PatchResponse FineModel::collect() {
         system_.move(asked_.step * correction_.displacement, asked_.step * correction_.traction);
     }
     system_.set_held(asked_.held);
+    system_.set_elastic(asked_.elastic);
     system_.set_load_factor(asked_.load_factor);
     system_.set_cases(asked_.cases);
     system_.set_boundary(asked_.boundary);
@@ -150,6 +151,7 @@ void FineModel::wake_all_but(const ElementSet& still) {
 bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) const {
     constexpr double roughly = 1e-2, margin = 10.0;
     const double residual = std::max(response.interior_residual, response.contact_residual);
+    if (asked_.elastic) return false;
     const bool last =
         residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.settled_below);
     const bool early = !rest_was_checked_ && asked_.iteration > 0 && response.digest.status_changes == 0 &&

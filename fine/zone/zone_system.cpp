@@ -103,7 +103,7 @@ void ZoneSystem::linearise() {
     if (steps_ == 1) memory_.opening.begin(trial_.displacement - memory_.committed.displacement);
     {
         const Stopwatch watch(constitutive_s_);
-        bulk_->evaluate(trial_.displacement);
+        bulk_->evaluate(trial_.displacement, elastic_);
     }
     const Stopwatch watch(contact_s_);
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);

@@ -34,6 +34,7 @@ public:
 
     /// Share of the forces on faces that growth has opened that still holds them, until it is set again.
     void set_held(double share) { held_ = share; }
+    void set_elastic(bool elastic) { elastic_ = elastic; }
     /// Growth has opened faces that forces still hold in the committed state.
     [[nodiscard]] bool opens_faces() const { return memory_.opening.any(); }
 
@@ -117,6 +118,7 @@ private:
     ZoneAtRest at_rest_;
     int steps_ = 0;  // of Newton's method in this attempt
     double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
+    bool elastic_ = false;  // as if no point flowed
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;
 };

@@ -50,6 +50,7 @@ public:
         taken_.resize(0);
         zone_.predict(predictor);
         zone_.set_held(target.held);
+        zone_.set_elastic(false);
         zone_.set_load_factor(factors_.main);
         zone_.set_cases(factors_.cases);
         zone_.set_boundary(on_boundary());
@@ -102,6 +103,8 @@ public:
         zone_.set_load_factor(factors_.main);
         zone_.set_boundary(on_boundary());
     }
+
+    void set_elastic(bool elastic) override { zone_.set_elastic(elastic); }
 
     void put_aside() override {
         increments_.put_aside({trial_ - committed_, factors_.main - committed_factors_.main});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -102,6 +103,26 @@ TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     }
     EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05), 24);
     EXPECT_EQ(after({}, 1e-9), 4);
+}
+
+// Where faces meet an increment ends, and there are no more of them; of two places that are nearly one the first.
+TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
+    IncrementSchedule schedule({}, {}, true);
+    const std::size_t ends = schedule.ways(false).size();
+    schedule.meet_at({0.7, 0.415, 0.42});
+    const std::vector<double>& ways = schedule.ways(false);
+    EXPECT_EQ(ways.size(), ends);
+    EXPECT_TRUE(std::ranges::is_sorted(ways));
+    for (const double place : {0.0, 0.415, 0.7, 1.0}) EXPECT_EQ(std::ranges::count(ways, place), 1) << place;
+    EXPECT_EQ(std::ranges::count(ways, 0.42), 0);
+    schedule.meet_at(std::vector<double>(ways.begin() + 1, ways.end() - 1));  // behind many tips
+    EXPECT_EQ(schedule.ways(false).size(), ends);
+    EXPECT_EQ(schedule.ways(false).back(), 1.0);
+    schedule.meet_at({});
+    EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
+    IncrementSchedule given({.steps = 16, .blocks = {}}, {}, true);
+    given.meet_at({0.415});
+    EXPECT_EQ(std::ranges::count(given.ways(false), 0.415), 0) << "a number that is given still means that number";
 }
 
 TEST(IncrementSchedule, LeavesGivenNumbersAlone) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace stria::coarse {
 namespace {
@@ -78,6 +79,45 @@ TEST(LoadController, ACycleStartsFromTheIncrementsOfTheOneBefore) {
     for (int k = 0; k < 6; ++k) loads.accepted();
     loads.forget_increments();
     EXPECT_EQ(loads.next()->predictor, Predictor());
+}
+
+// Once, where a crack has grown onto other elements; twice in a row, where it has grown far.
+TEST(LoadController, ForgetsIncrementsThatMisleadTwiceInARow) {
+    auto loads = controller(4, {{2, 10.0, 0.0}});
+    for (int k = 0; k < 6; ++k) loads.accepted();
+    const auto judged = [&](std::vector<bool> misled) {
+        LoadController copy = loads;
+        for (const bool one : misled) copy.judge_predictor(one);
+        auto again = controller(4, {{2, 10.0, 0.0}});
+        again.resume(copy.position());
+        EXPECT_EQ(again.next()->predictor, copy.next()->predictor);
+        return copy.next()->predictor;
+    };
+    EXPECT_EQ(judged({true}), Predictor(1.0, 4));
+    EXPECT_EQ(judged({true, false, true}), Predictor(1.0, 4));
+    EXPECT_EQ(judged({true, true}), Predictor());
+    EXPECT_EQ(judged({false, true, true, false}), Predictor());
+    LoadController before = loads;
+    before.judge_predictor(true);
+    LoadController resumed = controller(4, {{2, 10.0, 0.0}});
+    resumed.resume(before.position());
+    resumed.judge_predictor(true);
+    EXPECT_EQ(resumed.next()->predictor, Predictor()) << "a run that is gone on with knows of the first one";
+}
+
+// In units of the history, and only on the way down: what opens does so after its faces have parted.
+TEST(LoadController, EndsAnIncrementWhereFacesMetLast) {
+    LoadController loads({.blocks = {{.cycles = 2, .max = 40.0, .min = -40.0}}, .control = Control::StressIntensity},
+                         SolverSection());
+    loads.set_scale(0.1);
+    constexpr double met = 10.0;
+    std::vector<bool> ends_there(1, false);
+    while (const auto step = loads.next()) {
+        if (std::abs(step->target.value - 0.1 * met) < 1e-12) ends_there.back() = true;
+        loads.accepted({}, {std::numeric_limits<double>::quiet_NaN(), met, 50.0});
+        if (step->reversal) ends_there.push_back(false);
+    }
+    EXPECT_EQ(ends_there, (std::vector<bool>{false, true, false, true, false, false}));  // the last one does not come
 }
 
 TEST(LoadController, FollowsTheCrackWhereKIsControlled) {

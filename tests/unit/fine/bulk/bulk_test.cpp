@@ -89,6 +89,26 @@ TEST(Bulk, TangentIsTheDerivativeOfTheForce) {
     }
 }
 
+// As if no point flowed: forces are linear in the way, and none of that is left afterwards.
+TEST(Bulk, IsElasticWhereItIsToldTo) {
+    Bulk bulk = strained_bulk(plate);
+    const Eigen::VectorXd from = bulk.committed_displacement(), way = random_vector(plate.unknowns, 4e-3, 3);
+    bulk.evaluate(from + way);
+    const Eigen::VectorXd flown = bulk.internal_force();
+    ASSERT_GT(yielding(bulk), 0);
+    bulk.evaluate(from, true);
+    const Eigen::VectorXd start = bulk.internal_force();
+    for (const double part : {0.5, 2.0}) {
+        bulk.evaluate(from + part * way, true);
+        EXPECT_EQ(yielding(bulk), 0);
+        const Eigen::VectorXd linear = start + part * times_tangent(bulk, way);
+        EXPECT_LT((bulk.internal_force() - linear).norm(), 1e-12 * linear.norm());
+    }
+    EXPECT_GT((bulk.internal_force() - start - 2.0 * (flown - start)).norm(), 1e-2 * flown.norm());
+    bulk.evaluate(from + way);
+    EXPECT_EQ(bulk.internal_force(), flown);
+}
+
 // An inner crack from tip to tip in a plate of 9 x 5 that has yielded everywhere: to the left of the middle a tip sees
 // no point farther off than the corner, to the right the other one.
 TEST(Bulk, PlasticPointsBelongToTheNearestTip) {
