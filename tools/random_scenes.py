@@ -5,7 +5,8 @@
 
 A scene is a coarse specimen with a random crack, material, friction, load, growth and refinement. It runs in one
 process, in one matrix and over MPI. Numbers of `history.csv` agree where they differ by less than 1e-8 of the largest
-of their column, or the three runs end alike with exit code 3 and a sentence. What the first one leaves is lawful, too:
+of their column, or the three runs end alike with exit code 3 and a sentence. All three warn alike, and of nothing but
+what the scene explains. What the first one leaves is lawful, too:
 pressures push and shear stays in the cone of friction; faces of cracks that do not grow overlap by no more than the
 pressure strains an element; nothing gives dissipation back; and work balances. Exit code 1 where a scene does neither.
 
@@ -35,6 +36,11 @@ MODES = ["inprocess", "monolithic", "mpi"]
 SAME = 1e-8
 COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], ["J"], ["CMOD"],
            ["external_work", "stored_energy", "dissipation", "released_energy"]]  # of one scale each
+# What a run may warn of, and what the scene then has.
+EXPLAINED = {r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
+             r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])",
+             r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
+             r"turns sharply": r"\[growth\]"}
 
 
 def crack_of(specimen, rng):
@@ -104,10 +110,12 @@ def scene(rng):
 
 
 def run(programs, case, folder, mode):
-    command = [str(programs / "stria"), "run", str(case), "-o", str(folder), "--mode", mode, "--quiet"]
+    """Its exit code, the last line of what it has against the case, and its warnings."""
+    command = [str(programs / "stria"), "run", str(case), "-o", str(folder), "--mode", mode]
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1")
     result = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=600)
-    return result.returncode, (result.stderr.strip().splitlines() or [""])[-1]
+    warnings = re.findall(r"^warning: (.*)$", result.stdout, re.M)
+    return result.returncode, (result.stderr.strip().splitlines() or [""])[-1], warnings
 
 
 def numbers(folder):
@@ -169,7 +177,7 @@ def broken_balance(programs, folder, text):
         return None
     finer = folder.parent / "finer.toml"
     finer.write_text(with_more_increments(text, 4))
-    code, said = run(programs, finer, folder.parent / "finer", "inprocess")
+    code, said, _ = run(programs, finer, folder.parent / "finer", "inprocess")
     if code != 0:
         return "work is off by %.1e, and with more increments: %s" % (steady, said)
     left = out_of_balance(increments_of(folder.parent / "finer"))[0]
@@ -201,6 +209,12 @@ def unlawful(folder, text):
     return None
 
 
+def unexplained(warnings, text):
+    """The first warning for which the scene has no reason, or None."""
+    known = lambda warning: any(re.search(kind, warning) and re.search(reason, text) for kind, reason in EXPLAINED.items())
+    return next((warning for warning in warnings if not known(warning)), None)
+
+
 def judge(arguments, seed):
     rng = random.Random(seed)
     with tempfile.TemporaryDirectory() as scratch:
@@ -209,7 +223,8 @@ def judge(arguments, seed):
         text = scene(rng)
         case.write_text(text)
         ends = {mode: run(arguments.programs, case, folder / mode, mode) for mode in MODES}
-        codes = {code for code, _ in ends.values()}
+        codes = {code for code, _, _ in ends.values()}
+        warnings = ends[MODES[0]][2]
         if codes == {0}:
             one = numbers(folder / MODES[0])
             worst, where = max(difference(one, numbers(folder / mode)) for mode in MODES[1:])
@@ -218,10 +233,14 @@ def judge(arguments, seed):
                 first = folder / MODES[0]
                 broken = unlawful(first, text) or broken_balance(arguments.programs, first, text)
                 verdict = ("IS UNLAWFUL", broken) if broken else verdict
-        elif codes in ({2}, {3}):
+        elif codes in ({2}, {3}):  # 2: no legal case, and a sentence says so
             verdict = "ends with %d" % codes.pop(), ends[MODES[0]][1]
         else:
             verdict = "ENDS DIFFERENTLY", str(ends)
+        if any(said != warnings for _, _, said in ends.values()):
+            verdict = "WARNS OTHERWISE", str([said for _, _, said in ends.values()])
+        elif (strange := unexplained(warnings, text)) is not None:
+            verdict = "WARNS WITHOUT A REASON", strange
         if verdict[0].isupper() and arguments.keep:
             shutil.copytree(folder, arguments.keep / str(seed), dirs_exist_ok=True)
         return seed, *verdict

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <ranges>
 #include <utility>
 
@@ -51,12 +52,28 @@ bool cuts_nothing_off(const CrackPiece& piece, double exit) {
                                [&](int edge) { return lies_on(piece.entry, edge) && lies_on(exit, edge); });
 }
 
+/// Of the crack at a tip. Beside an edge it is that of the edge: what is shorter than rounding puts between it and the
+/// edge may point anywhere.
+Vec2 heading(const std::array<Vec2, 4>& corners, const CrackPiece& last) {
+    const Vec2 &tip = last.points.back(), way = tip - last.points[last.points.size() - 2];
+    if (last.neighbour < 0) return way.normalized();
+    Vec2 nearest = way;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec2 edge = (corners[(k + 1) % 4] - corners[k]).normalized();
+        const double off = std::abs(cross(edge, tip - corners[k]));
+        if (off < least) nearest = way.dot(edge) > 0.0 ? edge : Vec2(-edge), least = off;
+    }
+    return nearest;
+}
+
 /// The front at the end of the last piece, which holds a tip.
 void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     constexpr double rounding = 1e-6;
     CrackPiece& last = pieces.back();
-    const Vec2 &tip = last.points.back(), before = last.points[last.points.size() - 2];
-    const Exit exit = leaves(corners_of(mesh, last.element), tip, (tip - before).normalized());
+    const Vec2& tip = last.points.back();
+    const std::array<Vec2, 4> corners = corners_of(mesh, last.element);
+    const Exit exit = leaves(corners, tip, heading(corners, last));
     const double behind = last.s.back() - last.s.front();
     const bool ends_behind = behind <= (1.0 + rounding) * exit.distance || cuts_nothing_off(last, exit.place);
     if (pieces.size() > 1 && ends_behind) {

@@ -43,12 +43,25 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     }
 }
 
-/// A piece along an edge needs both its elements on one side of the interface.
-void add_neighbours_along_edges(const EnrichedMesh& mesh, ElementSet& zone) {
+/// A piece along an edge needs both its elements on one side of the interface, and what jumps at its nodes jumps in all
+/// elements about them: where it begins at a kink there are more than those beside it. A jump that is not the zone's
+/// own holds no multiplier.
+void add_elements_along_edges(const Scene& scene, ElementSet& zone) {
+    const EnrichedMesh& mesh = scene.enriched;
+    const auto around = elements_around_nodes(scene.mesh);
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.neighbour < 0 || !(zone.contains(piece.element) || zone.contains(piece.neighbour))) continue;
         zone.insert(piece.element);
         zone.insert(piece.neighbour);
+        for (const double place : {piece.entry, piece.exit}) {
+            if (place < 0.0 || place != std::floor(place)) continue;
+            const int node = mesh.elements[at(piece.element)][at(static_cast<int>(place)) % 4];
+            if (std::ranges::find(mesh.terms[at(node)], Term::Kind::Heaviside, &Term::kind) ==
+                mesh.terms[at(node)].end())
+                continue;
+            for (const int element : around[at(node)])
+                if (!scene.mesh.in_insert(element)) zone.insert(element);
+        }
     }
 }
 
@@ -71,7 +84,7 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
         add_disk(scene, t, zone_radius(scene.input.fine, yield_stress[at(t)], K_I[at(t)]), zone);
-    add_neighbours_along_edges(scene.enriched, zone);
+    add_elements_along_edges(scene, zone);
     const int subcells = subcells_elsewhere(scene.input.fine);
     const double points = 4.0 * subcells * subcells * zone.count();
     require_memory(fmt::format("fine.subcells: a zone of {} points", points), points * bytes_of_point);

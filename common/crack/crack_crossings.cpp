@@ -12,8 +12,7 @@
 namespace stria {
 namespace {
 
-// How near a point is put onto an edge: what it would cut off is no element. A tip that is there to rounding stays.
-constexpr double edge_fraction = 1e-6, rounding = 1e-9;
+constexpr double edge_fraction = 1e-6;  // how near a point is put onto an edge: what it would cut off is no element
 
 std::pair<int, int> edge_key(int a, int b) { return std::minmax(a, b); }
 
@@ -30,9 +29,8 @@ std::optional<double> fraction(const Crossing& crossing, int from, int to) {
     return std::nullopt;
 }
 
-/// Onto one of an element's corners, or else onto an edge that is farther away than `least` of its length; a corner
-/// found before stays.
-void snap(const Mesh& mesh, const std::array<int, 4>& element, const Vec2& x, double least, Vec2& snapped) {
+/// Onto one of an element's corners, or else onto an edge; a corner found before stays.
+void snap(const Mesh& mesh, const std::array<int, 4>& element, const Vec2& x, Vec2& snapped) {
     for (std::size_t k = 0; k < 4; ++k) {
         const Vec2 &node = mesh.nodes[at(element[k])], &next = mesh.nodes[at(element[(k + 1) % 4])],
                    &last = mesh.nodes[at(element[(k + 3) % 4])];
@@ -43,8 +41,9 @@ void snap(const Mesh& mesh, const std::array<int, 4>& element, const Vec2& x, do
         }
         const double along = (x - node).dot(edge) / edge.squaredNorm();
         if (snapped != x || along < snap_fraction || along > 1.0 - snap_fraction) continue;
-        const double distance = (x - node - along * edge).norm() / edge.norm();
-        if (distance < edge_fraction && distance >= least) snapped = node + along * edge;
+        const Vec2 normal = Vec2(-edge.y(), edge.x()).normalized();
+        const double distance = (x - node).dot(normal);
+        if (std::abs(distance) < edge_fraction * edge.norm()) snapped = x - distance * normal;
     }
 }
 
@@ -65,8 +64,7 @@ std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& p
         const double margin = snap_fraction * box.diagonal().norm();
         box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
         for (std::size_t k = 0; k < points.size(); ++k)
-            if (box.contains(points[k]))
-                snap(mesh, element, points[k], k == 0 || k + 1 == points.size() ? rounding : 0.0, snapped[k]);
+            if (box.contains(points[k])) snap(mesh, element, points[k], snapped[k]);
     }
     snapped.erase(std::ranges::unique(snapped).begin(), snapped.end());
     return snapped.size() > 1 ? snapped : points;

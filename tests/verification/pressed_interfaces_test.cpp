@@ -1,11 +1,13 @@
-// Interfaces from side to side of a block, pressed together: a pressure that varies along one that sticks
-// (docs/references.md 5.4), and a wedge that is pushed up another (5.7).
+// Interfaces from side to side of a block, pressed together: uniform states that stick (docs/references.md 5.3), a
+// pressure that varies along one (5.4), and a wedge that is pushed up another (5.7). And a crack that is pressed from
+// all sides.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "coarse/zone/refined_scene.hpp"
 #include "common/fem/quadrature.hpp"
@@ -16,6 +18,50 @@
 
 namespace stria::test {
 namespace {
+
+// references 5.3: a square with an interface from side to side, pressed between clamped ends. nu = 0, so that the state
+// is uniform; units of 20 m, MPa for the Pa of the source.
+TEST(Interface, SticksWithTheTractionsOfAUniformState) {
+    const auto pressed = [](double degrees, double friction) {
+        const double rise = 0.5 * std::tan(degrees * std::numbers::pi / 180.0);
+        Case input = specimen("plate", 1.0, {{0.0, 0.503 - rise}, {1.0, 0.503 + rise}});
+        input.mesh.size = 1.0 / 11.0;
+        input.material.young = 100.0;
+        input.material.poisson = 0.0;
+        input.fine.enrichment = Enrichment::None;
+        input.cracks[0].contact = ContactSection{friction};
+        for (const char* on : {"top", "bottom"}) {
+            BoundarySection held;
+            held.on = on;
+            held.displacement = {0.0, on == std::string("top") ? -0.05 : 0.0};
+            input.boundaries.push_back(held);
+        }
+        return equilibrate(coarse::refined_scene(input), 1.0);
+    };
+    const auto expect_uniform = [](const Equilibrated& result, double pressure, double shear) {
+        EXPECT_TRUE(result.newton.converged) << result.newton.table();
+        ASSERT_FALSE(result.zone.faces.empty());
+        double farthest = pressure, farthest_shear = shear;
+        for (const coupling::FaceSample& face : result.zone.faces) {
+            if (std::abs(face.pressure - pressure) > std::abs(farthest - pressure)) farthest = face.pressure;
+            if (std::abs(std::abs(face.shear) - shear) > std::abs(farthest_shear - shear))
+                farthest_shear = std::abs(face.shear);
+            EXPECT_EQ(face.status, 1);
+        }
+        const auto row = rows_of({.scene = fmt::format("interface that sticks, {} degrees", shear == 0.0 ? 0.0 : 22.5),
+                                  .source = "Code_Aster SSNV182 (5.3)",
+                                  .within = 1e-6,
+                                  .mesh = "11 x 11",
+                                  .scale = pressure});
+        row("pressure where it is farthest off, Pa", pressure, farthest);
+        row("shear where it is farthest off, Pa", shear, farthest_shear);
+    };
+    expect_uniform(pressed(0.0, 0.1), 5.0, 0.0);
+    expect_uniform(pressed(22.5, 0.414214 + 1e-6), 4.267767, 1.767767);
+    const Equilibrated slid = pressed(22.5, 0.414213);
+    const auto slides = [](const coupling::FaceSample& face) { return face.status == 2; };
+    EXPECT_TRUE(std::ranges::any_of(slid.zone.faces, slides));
+}
 
 /// Pressure (100 - (x - 10)^2 / 2) / 10 MPa on the top edge: the source's, for its E of 1e11 Pa.
 double pressure_on_top(double x) { return 10.0 - 0.05 * (x - 10.0) * (x - 10.0); }
@@ -126,6 +172,24 @@ TEST(PressedInterface, AWedgeNeedsTheForceOfItsFriction) {
             EXPECT_LT(std::abs(force.x() - exact), 0.5 * before);
             before = std::abs(force.x() - exact);
         }
+    }
+}
+
+// Behind a kink at a node the crack runs along one edge more: all that jumps there jumps at the kink.
+TEST(PressedInterface, OfOneEdgeBehindAKinkBearsThePressure) {
+    for (const Vec2& end : {Vec2(0.3, 0.7), Vec2(0.2, 0.6)}) {
+        Case input = specimen("plate", 1.0, {{0.0, 0.85}, {0.2, 0.7}, end});
+        input.mesh.size = 0.1;
+        input.fine.enrichment = Enrichment::None;
+        input.cracks[0].contact = ContactSection{};
+        for (const char* on : {"top", "bottom", "left", "right"}) {
+            input.boundaries.emplace_back();
+            input.boundaries.back().on = on;
+            input.boundaries.back().pressure = 100.0;
+        }
+        const Equilibrated result = equilibrate(coarse::refined_scene(input), 1.0);
+        EXPECT_TRUE(result.newton.converged) << result.newton.failure;
+        for (const coupling::FaceSample& face : result.zone.faces) EXPECT_NEAR(face.pressure, 100.0, 1e-6);
     }
 }
 

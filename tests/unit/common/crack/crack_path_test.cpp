@@ -141,6 +141,17 @@ TEST(CrackPath, PutsPointsBesideANodeOntoIt) {
     EXPECT_EQ(resolve_crack(square_mesh(4), 0, tiny).points, tiny);  // nothing else would be left of it
 }
 
+// Whatever side rounding puts it on: the element that holds a tip on its edge has its functions.
+TEST(CrackPath, PutsATipBesideAnEdgeOntoIt) {
+    for (const double hair : {0.0, 1e-16, 1e-11, -1e-11, 1e-7, -1e-7}) {
+        const CrackPath path = resolve_crack(square_mesh(4), 0, {{0.1, 0.3}, {0.6, 0.5 + hair}});
+        EXPECT_EQ(path.points.back(), Vec2(0.6, 0.5)) << hair;
+        EXPECT_EQ(path.pieces.back().element, 6) << hair;
+        EXPECT_GE(path.pieces.back().exit, 0.0) << hair;
+        EXPECT_TRUE(path.tip_at_end);
+    }
+}
+
 // A hair beside an edge that it runs along, a crack would cut a sliver off the element there.
 TEST(CrackPath, PutsPointsBesideAnEdgeOntoIt) {
     for (const double hair : {1e-7, -1e-7}) {
