@@ -43,12 +43,17 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     }
 }
 
+bool jumps(const EnrichedMesh& mesh, int node) {
+    return std::ranges::any_of(mesh.terms[at(node)],
+                               [](const Term& term) { return term.kind == Term::Kind::Heaviside; });
+}
+
 /// A piece along an edge needs both its elements on one side of the interface, and what jumps at its nodes jumps in all
 /// elements about them: where it begins at a kink there are more than those beside it. A jump that is not the zone's
 /// own holds no multiplier.
 void add_elements_along_edges(const Scene& scene, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
-    const auto around = elements_around_nodes(scene.mesh);
+    NodeSet own(mesh.terms.size());
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.neighbour < 0 || !(zone.contains(piece.element) || zone.contains(piece.neighbour))) continue;
         zone.insert(piece.element);
@@ -56,13 +61,14 @@ void add_elements_along_edges(const Scene& scene, ElementSet& zone) {
         for (const double place : {piece.entry, piece.exit}) {
             if (place < 0.0 || place != std::floor(place)) continue;
             const int node = mesh.elements[at(piece.element)][at(static_cast<int>(place)) % 4];
-            if (std::ranges::find(mesh.terms[at(node)], Term::Kind::Heaviside, &Term::kind) ==
-                mesh.terms[at(node)].end())
-                continue;
-            for (const int element : around[at(node)])
-                if (!scene.mesh.in_insert(element)) zone.insert(element);
+            if (jumps(mesh, node)) own.insert(node);
         }
     }
+    if (own.none()) return;
+    for (int e = 0; e < zone.size(); ++e)
+        if (!scene.mesh.in_insert(e) &&
+            std::ranges::any_of(mesh.elements[at(e)], [&](int node) { return own.contains(node); }))
+            zone.insert(e);
 }
 
 }  // namespace
