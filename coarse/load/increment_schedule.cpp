@@ -12,7 +12,7 @@ namespace {
 
 constexpr int least_increments = 4, most_increments = 24;  // of a leg
 constexpr double share_of_leg = 0.5;                       // of the accuracy: a cycle has two
-constexpr double least_apart = 0.02;                       // of the way, where faces meet behind several tips
+constexpr double least_apart = 0.02;                       // of the way: where faces meet, and other ends
 
 // A path whose start nobody knows is that of the ramp, virgin metal.
 bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }
@@ -87,11 +87,16 @@ int IncrementSchedule::increments(const Legs& legs) const {
 }
 
 // Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
+// Nor do they leave splinters beside other ends, which no pair could judge.
 std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
     if (!chooses_) return graded_ways(legs.increments, grading_, turns_);
-    const int all = increments(legs), meetings = std::min(static_cast<int>(state_.meetings.size()), all / 2);
-    std::vector<double> ways = graded_ways(all - meetings, grading_);
-    ways.insert(ways.end(), state_.meetings.begin(), state_.meetings.begin() + meetings);
+    const int all = increments(legs), count = std::min(static_cast<int>(state_.meetings.size()), all / 2);
+    const auto meetings = std::span(state_.meetings).first(at(count));
+    std::vector<double> ways = graded_ways(all - count, grading_);
+    std::erase_if(ways, [&](double way) {
+        return std::ranges::any_of(meetings, [&](double place) { return std::abs(place - way) < least_apart; });
+    });
+    ways.insert(ways.end(), meetings.begin(), meetings.end());
     std::ranges::sort(ways);
     return ways;
 }
@@ -129,10 +134,10 @@ void IncrementSchedule::learn(Legs& legs) {
     ++legs.unmeasured;
     if (state_.pairs.empty()) return;
     legs.unmeasured = 0;
-    const int taken = increments(legs);
+    const auto taken = std::ssize(ways(legs)) - 1;
     if (std::ssize(state_.pairs) != taken / 2) return;  // one has led nowhere
     if (const std::optional<double> error = error_of_leg(state_.path, state_.pairs)) {
-        const double wanted = std::ceil(taken * std::sqrt(*error / (share_of_leg * accuracy_)));
+        const double wanted = std::ceil(static_cast<double>(taken) * std::sqrt(*error / (share_of_leg * accuracy_)));
         legs.increments = static_cast<int>(std::clamp<double>(wanted, least_increments, most_increments));
         lay_out();
     }
@@ -150,6 +155,7 @@ void IncrementSchedule::end_leg(bool rises, bool alike) {
 void IncrementSchedule::meet_at(std::vector<double> ways) {
     if (!chooses_) return;
     const auto is_near = [](double a, double b) { return b - a < least_apart; };
+    std::erase_if(ways, [](double way) { return way < least_apart || way > 1.0 - least_apart; });
     std::ranges::sort(ways);
     const auto near = std::ranges::unique(ways, is_near);
     ways.erase(near.begin(), near.end());

@@ -73,7 +73,7 @@ public:
     void add(TwoAsOne pair) { state_.pairs.push_back(std::move(pair)); }
     /// The leg is done; its last state begins the next one.
     void end_leg(bool rises, bool alike);
-    /// Parts of the way at which faces are expected to meet in the leg that begins.
+    /// Parts of the way at which faces are expected to meet in the leg that begins; next to its ends they do not count.
     void meet_at(std::vector<double> ways);
 
     [[nodiscard]] const State& state() const { return state_; }

@@ -115,9 +115,15 @@ TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
     EXPECT_TRUE(std::ranges::is_sorted(ways));
     for (const double place : {0.0, 0.415, 0.7, 1.0}) EXPECT_EQ(std::ranges::count(ways, place), 1) << place;
     EXPECT_EQ(std::ranges::count(ways, 0.42), 0);
-    schedule.meet_at(std::vector<double>(ways.begin() + 1, ways.end() - 1));  // behind many tips
+    for (const double beside : {-0.01, 0.0, 0.01}) {  // the place of another end, or next to it
+        schedule.meet_at({graded_ways(static_cast<int>(ends) - 2, LoadSection().power())[2] + beside});
+        EXPECT_EQ(schedule.ways(false).size(), ends - 1) << beside;
+    }
+    schedule.meet_at({0.1, 0.3, 0.5, 0.8});  // behind many tips
     EXPECT_EQ(schedule.ways(false).size(), ends);
     EXPECT_EQ(schedule.ways(false).back(), 1.0);
+    schedule.meet_at({0.01, 0.99});
+    EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
     schedule.meet_at({});
     EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
     IncrementSchedule given({.steps = 16, .blocks = {}}, {}, true);
