@@ -40,6 +40,39 @@ struct Place {
     double s, weight;
 };
 
+std::vector<Place> gauss_places(double first, double last, int gauss) {
+    std::vector<Place> places;
+    for (const LinePoint& point : gauss_line(gauss))
+        places.push_back({first + 0.5 * (1.0 + point.xi) * (last - first), 0.5 * point.weight * (last - first)});
+    return places;
+}
+
+/// Gauss points of v = sqrt(|s - centre|): what is a polynomial in v, divided by v, is integrated exactly.
+std::vector<Place> places_about(double centre, double first, double last, int gauss) {
+    const double v_first = std::sqrt(std::abs(first - centre)), v_last = std::sqrt(std::abs(last - centre));
+    const double sign = first + last > 2.0 * centre ? 1.0 : -1.0;
+    std::vector<Place> places;
+    for (const LinePoint& point : gauss_line(gauss)) {
+        const double v = v_first + 0.5 * (1.0 + point.xi) * (v_last - v_first);
+        places.push_back({centre + sign * v * v, point.weight * v * std::abs(v_last - v_first)});
+    }
+    return places;
+}
+
+/// Of the tips whose functions act in a piece's element, that of the same crack nearest to an arc length; else null.
+const Tip* tip_with_functions_on(const EnrichedMesh& mesh, const CrackPiece& piece, double s) {
+    const Tip* nearest = nullptr;
+    for (const int node : mesh.elements[at(piece.element)]) {
+        for (const Term& term : mesh.terms[at(node)]) {
+            if (term.kind != Term::Kind::Tip && term.kind != Term::Kind::Gathered) continue;
+            const Tip& tip = mesh.tip_of(term);
+            if (tip.crack != piece.crack) continue;
+            if (nearest == nullptr || std::abs(tip.s - s) < std::abs(nearest->s - s)) nearest = &tip;
+        }
+    }
+    return nearest;
+}
+
 FaceStation nowhere(int crack, double s) {
     FaceStation station;
     station.crack = crack;
@@ -74,7 +107,7 @@ std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int su
         for (std::size_t k = 0; k + 1 < ends.points.size(); ++k) {
             const Vec2 d = ends.points[k + 1] - ends.points[k];
             const double length = ends.s[k + 1] - ends.s[k];
-            for (const auto& [s, weight] : places_between(ends.s[k], ends.s[k + 1])) {
+            for (const auto& [s, weight] : places_between(piece, ends.s[k], ends.s[k + 1])) {
                 const Vec2 x = ends.points[k] + (s - ends.s[k]) / length * d;
                 stations.push_back(make_station(basis, piece, x, d.normalized(), s, weight));
             }
@@ -98,25 +131,15 @@ double FaceStation::slope(const Eigen::VectorXd& u, const Vec2& direction) const
 }
 
 std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss) {
-    return stations_of(mesh, crack, subcells, [&](double first, double last) {
-        std::vector<Place> places;
-        for (const LinePoint& point : gauss_line(gauss)) {
-            places.push_back({first + 0.5 * (1.0 + point.xi) * (last - first), 0.5 * point.weight * (last - first)});
-        }
-        return places;
+    return stations_of(mesh, crack, subcells, [&](const CrackPiece& piece, double first, double last) {
+        const Tip* tip = tip_with_functions_on(mesh, piece, 0.5 * (first + last));
+        return tip != nullptr ? places_about(tip->s, first, last, gauss) : gauss_places(first, last, gauss);
     });
 }
 
 std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip& tip, int subcells, int gauss) {
-    return stations_of(mesh, tip.crack, subcells, [&](double first, double last) {
-        const double v_first = std::sqrt(std::abs(first - tip.s)), v_last = std::sqrt(std::abs(last - tip.s));
-        const double sign = first + last > 2.0 * tip.s ? 1.0 : -1.0;
-        std::vector<Place> places;
-        for (const LinePoint& point : gauss_line(gauss)) {
-            const double v = v_first + 0.5 * (1.0 + point.xi) * (v_last - v_first);
-            places.push_back({tip.s + sign * v * v, point.weight * v * std::abs(v_last - v_first)});
-        }
-        return places;
+    return stations_of(mesh, tip.crack, subcells, [&](const CrackPiece&, double first, double last) {
+        return places_about(tip.s, first, last, gauss);
     });
 }
 

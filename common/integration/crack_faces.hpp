@@ -37,7 +37,7 @@ struct FaceStation {
 };
 
 /// Gauss points of the interface elements (crack pieces cut by the s x s sub-quadrangles, Fig. 2) of one crack, in
-/// order.
+/// order. Where functions of its tip act they are those of sqrt(r): the jump of eq. (2) is a polynomial in it.
 std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss);
 
 /// The same interface elements of a tip's crack for integrands that are singular there: r^(-1/2) times a polynomial is
