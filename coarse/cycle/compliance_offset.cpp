@@ -26,8 +26,10 @@ double compliance_offset_opening(std::span<const double> load_down, std::span<co
     const double of_open =
         (opening_down.front() - interpolated(load_down, opening_down, upper)) / (load_down.front() - upper);
     if (!(of_open > 0.0)) return NAN;
-    double above = NAN, offset_above = 0.0;  // the middle of the segment above, and its offset
+    const double longest = 0.1 * range * (1.0 + 1e-9);  // E647's segments
+    double above = NAN, offset_above = 0.0;             // the middle of the segment above, and its offset
     for (std::size_t k = load_up.size() - 1; k > 0; --k) {
+        if (load_up[k] - load_up[k - 1] > longest) return NAN;
         const double compliance = (opening_up[k] - opening_up[k - 1]) / (load_up[k] - load_up[k - 1]);
         const double middle = 0.5 * (load_up[k] + load_up[k - 1]), here = 1.0 - compliance / of_open;
         if (here >= offset) {

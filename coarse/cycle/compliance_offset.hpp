@@ -8,7 +8,8 @@ namespace stria::coarse {
 /// The load at which, on the way up from the minimum, the compliance dv/dP at the mouth last is less than 1 - `offset`
 /// times that of the open crack. The open crack's compliance is that of the upper quarter of the way down.
 /// `load_down`, `opening_down`: load factors and mouth openings, mm, at the increments from the maximum to the minimum;
-/// `load_up`, `opening_up`: from there to the maximum. NaN where there is no such load or the mouth does not open.
+/// `load_up`, `opening_up`: from there to the maximum. NaN where there is no such load, where the mouth does not open,
+/// and where an increment from the one below that load up to the maximum is longer than a tenth of the load range.
 double compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
                                  std::span<const double> load_up, std::span<const double> opening_up,
                                  double offset = 0.02);

@@ -216,6 +216,13 @@ void check_opening_range(const Case& whole, const Value& root, const Place& plac
            "needs closure.distance: how far behind the tip the opening is read");
 }
 
+/// Increments that the program chooses are too long to tell a compliance.
+void check_compliance(const Case& whole, const Value& root, const Place& place) {
+    if (whole.closure.definition != OpeningDefinition::Offset || !whole.load.steps.is_auto()) return;
+    reject(place.inside("closure.definition"), *find(*find(root, "closure"), "definition"), {},
+           "needs load.steps, for instance 40 with load.grading = 1: it takes segments of a tenth of the load range");
+}
+
 /// Only where a load drives the body is there a load factor left to find.
 void check_control(const Case& whole, const Value& root, const Place& place) {
     if (whole.load.K_gradient != 0.0 && whole.load.control != Control::StressIntensity)
@@ -276,6 +283,7 @@ void check_case(const Case& whole, const Value& root, const Place& place) {
         reject(place.inside("name"), *find(root, "name"), {}, "must be the name of a folder, without /");
     check_control(whole, root, place);
     check_opening_range(whole, root, place);
+    check_compliance(whole, root, place);
     check_load_cases(whole, root, place);
     if (std::ranges::none_of(whole.boundaries, carries_load))
         reject(place.inside("boundary"), root.line,

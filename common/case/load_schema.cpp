@@ -204,8 +204,8 @@ Section<ClosureSection> closure_section() {
                                  {"tension", OpeningDefinition::Tension}})
         .says(
             "What K_op of cycles.csv, U and dK_eff are. contact: the last contact behind the tip is lost. offset: the "
-            "compliance at the mouth is 2 % below that of the open crack (E647). tension: the mean normal stress ahead "
-            "of the tip becomes positive.");
+            "compliance at the mouth is 2 % below that of the open crack (E647); needs load.steps. tension: the mean "
+            "normal stress ahead of the tip becomes positive.");
     s.value("profile", &ClosureSection::profile)
         .in("mm")
         .positive()

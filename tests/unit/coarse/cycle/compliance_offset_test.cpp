@@ -30,5 +30,22 @@ TEST(ComplianceOffset, FindsWhereTheCrackIsOpen) {
     EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // no mouth
 }
 
+// What the secant of a long increment tells depends on where it ends.
+TEST(ComplianceOffset, IsNotReadFromLongIncrements) {
+    const auto opening = [](double load) { return load > 40.0 ? load : 40.0 - 0.8 * (40.0 - load); };
+    const auto with_increments_of = [&](double length) {
+        std::vector<double> down, up, v_down, v_up;
+        for (double load = 0.0; load < 100.5; load += length) {
+            up.push_back(load);
+            down.push_back(100.0 - load);
+            v_up.push_back(opening(up.back()));
+            v_down.push_back(opening(down.back()));
+        }
+        return compliance_offset_opening(down, v_down, up, v_up);
+    };
+    EXPECT_NEAR(with_increments_of(10.0), 40.0, 10.0);
+    EXPECT_TRUE(std::isnan(with_increments_of(12.5)));
+}
+
 }  // namespace
 }  // namespace stria::coarse

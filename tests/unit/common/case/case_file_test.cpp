@@ -222,6 +222,13 @@ TEST_F(CaseFile, AnOpeningRangeIsReadSomewhere) {
     EXPECT_EQ(read(grows + "[closure]\ndistance = 0.2\n").closure.distance, 0.2);
 }
 
+TEST_F(CaseFile, AComplianceNeedsIncrementsOfANumber) {
+    const std::string offset = std::string(complete) + "[closure]\ndefinition = \"offset\"\n";
+    EXPECT_NE(complaint(offset, {"load.steps=\"auto\""}).find("closure.definition = \"offset\" needs load.steps, "),
+              std::string::npos);
+    EXPECT_EQ(read(offset, {"load.steps=40"}).closure.definition, OpeningDefinition::Offset);
+}
+
 TEST_F(CaseFile, AnIncrementOfGrowthIsANumberOrAuto) {
     const auto growing = [](const std::string& law, const std::string& more) {
         return std::string(complete) + "[growth]\nlaw = \"" + law + "\"\n" + more;
