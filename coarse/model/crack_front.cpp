@@ -44,9 +44,11 @@ std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
     return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])], mesh.nodes[at(n[3])]};
 }
 
-/// A straight piece from one place of an edge to another one of it.
-bool cuts_nothing_off(const CrackPiece& piece, double exit) {
-    if (piece.neighbour >= 0 || piece.entry < 0.0 || piece.points.size() > 2) return false;
+bool is_at_node(double place) { return place == std::floor(place); }
+
+/// From one place of an edge to another one of it nothing jumps: its ends hold none, or no whole edge opens.
+bool returns_to_its_edge(const CrackPiece& piece, double exit) {
+    if (piece.entry < 0.0 || (piece.neighbour >= 0 && is_at_node(piece.entry))) return false;
     const auto lies_on = [](double place, int edge) { return std::fmod(place - edge + 4.0, 4.0) <= 1.0; };
     return std::ranges::any_of(std::views::iota(0, 4),
                                [&](int edge) { return lies_on(piece.entry, edge) && lies_on(exit, edge); });
@@ -75,7 +77,7 @@ void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     const std::array<Vec2, 4> corners = corners_of(mesh, last.element);
     const Exit exit = leaves(corners, tip, heading(corners, last));
     const double behind = last.s.back() - last.s.front();
-    const bool ends_behind = behind <= (1.0 + rounding) * exit.distance || cuts_nothing_off(last, exit.place);
+    const bool ends_behind = behind <= (1.0 + rounding) * exit.distance || returns_to_its_edge(last, exit.place);
     if (pieces.size() > 1 && ends_behind) {
         pieces.pop_back();
         return;
@@ -99,8 +101,11 @@ void turn_round(std::vector<CrackPiece>& pieces, double length) {
 
 CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path) {
     const double length = path.length;
-    if (path.tip_at_end && path.pieces.back().exit < 0.0) end_on_edge(mesh, path.pieces);
-    if (path.tip_at_start && path.pieces.front().entry < 0.0) {
+    const auto is_inside = [](const CrackPiece& piece, double place) {
+        return place < 0.0 || (piece.neighbour >= 0 && !is_at_node(place));
+    };
+    if (path.tip_at_end && is_inside(path.pieces.back(), path.pieces.back().exit)) end_on_edge(mesh, path.pieces);
+    if (path.tip_at_start && is_inside(path.pieces.front(), path.pieces.front().entry)) {
         turn_round(path.pieces, length);
         end_on_edge(mesh, path.pieces);
         turn_round(path.pieces, length);
@@ -122,7 +127,7 @@ std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start) {
     const double place = start ? piece.entry : piece.exit;
     const auto& nodes = mesh.elements[at(piece.element)];
     const auto edge = at(static_cast<int>(place));
-    if (place == std::floor(place)) return {nodes[edge % 4]};
+    if (is_at_node(place)) return {nodes[edge % 4]};
     return {nodes[edge % 4], nodes[(edge + 1) % 4]};
 }
 

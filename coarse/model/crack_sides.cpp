@@ -77,6 +77,9 @@ void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const s
         if (on_crack_.contains(node)) continue;
         for (const int element : around[at(node)]) seen[element].insert(near_tip(piece, node));
     }
+    for (auto& [element, of_its_nodes] : seen)
+        for (const int node : mesh_.elements[at(element)])
+            if (of_nodes_.contains(node) && !on_crack_.contains(node)) of_its_nodes.insert(of_nodes_.at(node));
     for (const auto& [element, of_its_nodes] : seen) {
         signed char& known = sides[at(element)];
         const int side = *of_its_nodes.begin();

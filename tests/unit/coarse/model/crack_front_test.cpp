@@ -83,6 +83,17 @@ TEST(CrackFront, StaysOnAnEdgeBesideWhichTheLastPieceRuns) {
     EXPECT_EQ(jumping_nodes(mesh), 6);
 }
 
+// No edge opens as a whole where the crack runs along part of it, or comes back to it.
+TEST(CrackFront, StaysWhereTheCrackMeetsAnEdgeThatItDoesNotLeave) {
+    const std::vector<Vec2> along{{0.0, 0.75}, {0.55, 0.5}, {0.7, 0.5}}, back{{0.0, 0.95}, {0.62, 0.46}, {0.72, 0.495}};
+    for (const auto& crack : {along, back}) {
+        const EnrichedMesh mesh = ending_on_edges(crack);
+        EXPECT_NEAR(mesh.pieces.back().points.back().y(), 0.5, 1e-14);
+        EXPECT_LT(mesh.pieces.back().points.back().x(), 0.57);
+        EXPECT_LT(mesh.pieces.back().neighbour, 0);
+    }
+}
+
 TEST(CrackFront, ArcLengthsBeginAtTheFirstPointOfAnInnerCrack) {
     const EnrichedMesh mesh = ending_on_edges({{0.26 + 0.1, 0.4}, {0.9, 0.4}});
     EXPECT_EQ(mesh.pieces.front().points.front(), Vec2(0.25, 0.4));

@@ -141,6 +141,13 @@ TEST(Enrichment, ATipJustBeyondASnappedCrossingKeepsItsDirection) {
     EXPECT_LT((mesh.tips[0].direction - Vec2(0.2504, -0.0003).normalized()).norm(), 1e-15);
 }
 
+// Behind such a tip theta would be more than 3/2 pi. Without functions nothing asks for it.
+TEST(Enrichment, RefusesATipThatTurnsBackInItsElement) {
+    const std::vector<Vec2> hook{{0.0, 0.4}, {0.6, 0.4}, {0.63, 0.37}, {0.61, 0.34}};
+    EXPECT_THROW(cracked(square_mesh(4), hook, 1), CaseError);
+    EXPECT_NO_THROW(cracked(square_mesh(4), hook, 0));
+}
+
 TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
     const Mesh mesh = square_mesh(8);
     const auto two = [&](double gap) {
