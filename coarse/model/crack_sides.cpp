@@ -58,8 +58,11 @@ void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed c
         if (piece.neighbour < 0) cut.insert(piece.element);
     const Around around = elements_around_nodes(mesh_);
     for (const int node : on_crack_) {
-        for (const int element : around[at(node)])
-            if (!cut.contains(element)) sides[at(element)] = side_at_node(mesh_.nodes[at(node)], element);
+        for (const int element : around[at(node)]) {
+            const int side = side_at_node(mesh_.nodes[at(node)], element);
+            if (cut.contains(element) || known_sides(element).contains(-side)) continue;  // cut, or ahead of a tip
+            sides[at(element)] = static_cast<signed char>(side);
+        }
     }
     if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), tips.front(), cut, around, sides);
     if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), tips.back(), cut, around, sides);
@@ -70,6 +73,13 @@ void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed c
     }
 }
 
+std::set<int> CrackSides::known_sides(int element) const {
+    std::set<int> known;
+    for (const int node : mesh_.elements[at(element)])
+        if (of_nodes_.contains(node) && !on_crack_.contains(node)) known.insert(of_nodes_.at(node));
+    return known;
+}
+
 void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
                                 std::vector<signed char>& sides) const {
     std::map<int, std::set<int>> seen;  // sides of each element's nodes; both: it lies ahead of the tip
@@ -77,9 +87,7 @@ void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const s
         if (on_crack_.contains(node)) continue;
         for (const int element : around[at(node)]) seen[element].insert(near_tip(piece, node));
     }
-    for (auto& [element, of_its_nodes] : seen)
-        for (const int node : mesh_.elements[at(element)])
-            if (of_nodes_.contains(node) && !on_crack_.contains(node)) of_its_nodes.insert(of_nodes_.at(node));
+    for (auto& [element, of_its_nodes] : seen) of_its_nodes.merge(known_sides(element));
     for (const auto& [element, of_its_nodes] : seen) {
         signed char& known = sides[at(element)];
         const int side = *of_its_nodes.begin();

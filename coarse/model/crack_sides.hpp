@@ -38,6 +38,8 @@ private:
 
     void note_piece(const CrackPiece& piece);
     void note_if_node(const CrackPiece& piece, double place);
+    /// Of the nodes of an element, but for those on the crack: both where the crack cuts it, or ends before it.
+    [[nodiscard]] std::set<int> known_sides(int element) const;
     void put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
                         std::vector<signed char>& sides) const;
     [[nodiscard]] bool is_torn(int element, const Tip& tip, int side) const;

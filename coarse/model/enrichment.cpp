@@ -125,10 +125,17 @@ private:
         std::set<int> without_jump;  // the tip functions open the crack there
         if (path.tip_at_start) add_tip(crack, path, true, without_jump);
         if (path.tip_at_end) add_tip(crack, path, false, without_jump);
+        bool jumps = false;
         for (const auto& [node, side] : sides.of_nodes()) {
-            if (!without_jump.contains(node))
-                result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
+            if (without_jump.contains(node)) continue;
+            jumps = true;
+            result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
         }
+        if (!jumps && tip_enrichment_.functions == 0)
+            throw CaseError(
+                fmt::format("crack {}: it is less than two elements long, and without tip functions none of "
+                            "it opens; use smaller elements there",
+                            crack + 1));
         const int tips = int(path.tip_at_start) + int(path.tip_at_end);
         sides.put_on_elements(std::span(result_.tips).last(at(tips)), result_.element_side);
         met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
@@ -12,9 +14,10 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double wanted = 5.0;            // elements across the forward zone
+constexpr double across_zone = 5.0;       // elements, the forward zone
 constexpr double most_at_a_time = 2.0;    // elements
-constexpr double elements_in_ring = 4.0;  // across the radius of the largest one
+constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
+constexpr double of_one_material = 4.0;   // likewise, where an interface may bound it
 constexpr double elements_to_bend = 2.0;  // from the tip
 
 bool asks_for_opening_loads(const Case& input) {
@@ -23,10 +26,10 @@ bool asks_for_opening_loads(const Case& input) {
 }
 
 std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
-    const double finer = std::exp2(std::ceil(std::log2(wanted * element / zone)));
+    const double finer = std::exp2(std::ceil(std::log2(across_zone * element / zone)));
     return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm, spans {:.2g} elements of {:.3g} mm; opening "
                        "loads want {:g} or more: fine.refine = {:g}",
-                       tip, zone, zone / element, element, wanted, refine * finer);
+                       tip, zone, zone / element, element, across_zone, refine * finer);
 }
 
 std::string growth_warning(std::size_t tip, double increment, double element) {
@@ -36,32 +39,27 @@ std::string growth_warning(std::size_t tip, double increment, double element) {
         tip, increment, increment / element, element);
 }
 
-/// Rings stay inside the material of the tip: near an interface they may be thinner than the mesh shows.
-void add_ring_warnings(const Scene& scene, std::vector<std::string>& warnings) {
-    for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
-        const Tip& tip = scene.enriched.tips[at(t)];
-        const double radius = largest_ring(scene, t);
-        const double element = tip_element_edge(scene.enriched, tip);
-        if (radius >= elements_in_ring * element) continue;
-        warnings.push_back(fmt::format("tip {}: the largest ring inside its material has a radius of {:.3g} mm, {:.2g} "
-                                       "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
-                                       t, radius, radius / element, element, elements_in_ring));
-    }
+/// Rings about a tip pass over a bend that is nearer to it than they are.
+std::optional<std::string> bend_warning(const Scene& scene, std::size_t t) {
+    const Tip& tip = scene.enriched.tips[t];
+    const double straight = straight_length(scene.input.cracks[at(tip.crack)], tip,
+                                            bend_to_element * tip_element_size(scene.enriched, tip));
+    const double element = tip_element_edge(scene.enriched, tip);
+    if (straight >= elements_to_bend * element) return std::nullopt;
+    return fmt::format("tip {}: its crack bends {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; K is "
+                       "not resolved nearer than {:g}: smaller elements there",
+                       t, straight, straight / element, element, elements_to_bend);
 }
 
-/// Rings about a tip pass over a bend that is nearer to it than they are.
-void add_bend_warnings(const Scene& scene, std::vector<std::string>& warnings) {
-    for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
-        const Tip& tip = scene.enriched.tips[t];
-        const double straight = straight_length(scene.input.cracks[at(tip.crack)], tip,
-                                                bend_to_element * tip_element_size(scene.enriched, tip));
-        const double element = tip_element_edge(scene.enriched, tip);
-        if (straight >= elements_to_bend * element) continue;
-        warnings.push_back(
-            fmt::format("tip {}: its crack bends {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; K is "
-                        "not resolved nearer than {:g}: smaller elements there",
-                        t, straight, straight / element, element, elements_to_bend));
-    }
+/// Rings stay inside the body and the material of the tip, and clear of bends and other tips.
+std::optional<std::string> ring_warning(const Scene& scene, std::size_t t) {
+    const double wanted = scene.input.regions.empty() ? elements_in_ring : of_one_material;
+    const double radius = largest_ring(scene, static_cast<int>(t));
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
+    if (radius >= wanted * element) return std::nullopt;
+    return fmt::format("tip {}: the largest ring inside its material, off edges, bends and other tips, has a radius of "
+                       "{:.3g} mm, {:.2g} elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
+                       t, radius, radius / element, element, wanted);
 }
 
 }  // namespace
@@ -74,15 +72,18 @@ double forward_zone(double K_I, double yield_stress, PlaneState plane) {
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I) {
     const Case& input = scene.input;
     std::vector<std::string> warnings = region_warnings(scene.mesh, input.regions);
-    if (!input.regions.empty()) add_ring_warnings(scene, warnings);
-    add_bend_warnings(scene, warnings);
+    for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
+        std::optional<std::string> warning = bend_warning(scene, t);
+        if (!warning) warning = ring_warning(scene, t);
+        if (warning) warnings.push_back(std::move(*warning));
+    }
     if (!asks_for_opening_loads(input)) return warnings;
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
         if (!std::isfinite(yield_stress[t])) continue;
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
         const double zone = forward_zone(largest_K_I[t], yield_stress[t], input.model.plane);
-        if (zone > 0.0 && zone < wanted * element)
+        if (zone > 0.0 && zone < across_zone * element)
             warnings.push_back(zone_warning(t, zone, element, input.fine.refine));
         const double at_a_time = input.growth ? input.growth->increment.value_or(0.0) : 0.0;
         if (at_a_time >= most_at_a_time * element) warnings.push_back(growth_warning(t, at_a_time, element));

@@ -70,6 +70,10 @@ private:
         const std::vector<int> shared = skeleton_.common_elements(a, b);
         const bool along_edge = chain.first.size() == 2 && skeleton_.on_one_edge(a, b);
         if (along_edge) return along(a, b, chain, shared);
+        if (chain.first.size() > 2) {
+            refuse_bend_on_edge(chain.first[0], chain.first[1]);
+            refuse_bend_on_edge(chain.first.back(), chain.first[chain.first.size() - 2]);
+        }
         const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
         for (const int e : shared) {
             const int inside = side_of_polygon(polygon(e), middle);
@@ -98,24 +102,43 @@ private:
                         crack_ + 1, x.x(), x.y()));
     }
 
+    // To rounding, whichever side an ulp puts it on.
+    [[nodiscard]] bool lies_on(const MeshEdge& edge, const Vec2& x) const {
+        const Vec2 &first = node(edge.first), &second = node(edge.second);
+        return distance_to_segment(x, first, second) <= 1e-9 * (first - second).norm();
+    }
+
+    // The edge between two elements that holds all of a chain, if one does.
+    [[nodiscard]] const MeshEdge* edge_of(const std::vector<Vec2>& points) const {
+        const auto holds_all = [&](const MeshEdge& edge) {
+            return edge.elements[1] >= 0 &&
+                   std::ranges::all_of(points, [&](const Vec2& x) { return lies_on(edge, x); });
+        };
+        const auto found = std::ranges::find_if(skeleton_.edges(), holds_all);
+        return found != skeleton_.edges().end() ? &*found : nullptr;
+    }
+
+    // The crack has come along an edge and leaves it there, which is no crossing.
+    void refuse_bend_on_edge(const Vec2& end, const Vec2& bend) const {
+        const auto holds = [&](const MeshEdge& edge) { return lies_on(edge, end) && lies_on(edge, bend); };
+        if (std::ranges::any_of(skeleton_.edges(), holds)) refuse_partial_edge(bend);
+    }
+
     // A piece that ends at a tip inside an element (null end), or lies wholly inside one.
     CrackPiece piece(const Crossing* a, const Crossing* b) {
         const auto chain = points_between(a, b);
         const Vec2 middle = (chain.first[0] + chain.first[1]) / 2.0;
-        // The tip lies on an edge that the crack runs along: both elements beside it hold the tip.
-        const Crossing* end = a != nullptr ? a : b;
-        for (const MeshEdge& edge : skeleton_.edges()) {
-            const Vec2 tip = a != nullptr ? chain.first.back() : chain.first.front();
-            const Vec2 &first = node(edge.first), &second = node(edge.second);
-            // To rounding, whatever side an ulp puts it on.
-            const double off =
-                std::max(distance_to_segment(tip, first, second), distance_to_segment(middle, first, second));
-            if (end == nullptr || edge.elements[1] < 0 || off > 1e-9 * (first - second).norm()) continue;
-            const int left =
-                orientation(chain.first.front(), chain.first.back(), centre(mesh_, edge.elements[0])) > 0 ? 0 : 1;
-            CrackPiece result = make_piece(edge.elements[at(1 - left)], chain, a, b);
-            result.neighbour = edge.elements[at(left)];
-            return result;
+        if (a != nullptr || b != nullptr) {
+            const std::vector<Vec2>& points = chain.first;
+            if (const MeshEdge* edge = edge_of(points)) {  // both elements beside it hold the tip
+                const int left =
+                    orientation(points.front(), points.back(), centre(mesh_, edge->elements[0])) > 0 ? 0 : 1;
+                CrackPiece result = make_piece(edge->elements[at(1 - left)], chain, a, b);
+                result.neighbour = edge->elements[at(left)];
+                return result;
+            }
+            if (a != nullptr) refuse_bend_on_edge(points[0], points[1]);
+            if (b != nullptr) refuse_bend_on_edge(points.back(), points[points.size() - 2]);
         }
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
             const int inside = side_of_polygon(polygon(static_cast<int>(e)), middle);

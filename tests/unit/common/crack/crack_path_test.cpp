@@ -212,5 +212,18 @@ TEST(CrackPath, NamesThePlaceWhereItLeavesAnEdge) {
         }
 }
 
+// Whichever side of a slanted edge rounding puts the bend on.
+TEST(CrackPath, NamesThePlaceWhereItLeavesASlantedEdge) {
+    Mesh mesh = square_mesh(4);
+    for (Vec2& x : mesh.nodes) x.x() += 0.137 * x.y();
+    const auto slanted = [](double x, double y) { return Vec2(x + 0.137 * y, y); };
+    for (int k = 1; k < 20; ++k) {
+        const Vec2 bend = slanted(0.5, 0.25 + 0.0125 * k);
+        EXPECT_THROW(resolve_crack(mesh, 0, {slanted(0.1, 0.15), slanted(0.5, 0.25), bend, bend + Vec2(0.05, 0.05)}),
+                     CaseError)
+            << k;
+    }
+}
+
 }  // namespace
 }  // namespace stria::test

@@ -57,7 +57,7 @@ TEST(MovedField, IsThatOfTheNearestTip) {
         return test::cracked(body, {{left, 0.5}, {right, 0.5}}, 0);
     };
     constexpr double element = 1.0 / 9.0;
-    const EnrichedMesh from = with_crack(0.4, 0.6), to = with_crack(0.3, 0.65);
+    const EnrichedMesh from = with_crack(0.3, 0.6), to = with_crack(0.2, 0.65);
     const TipMoves moves = TipMoves::between(from, to).value();
     EXPECT_LT((moves.of_nearest_tip({0.2, 0.5}) - Vec2(-element, 0.0)).norm(), 1e-12);  // 0.1, to whole elements
     EXPECT_LT(moves.of_nearest_tip({0.6, 0.4}).norm(), 1e-12);                          // 0.05
