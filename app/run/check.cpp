@@ -12,6 +12,7 @@
 #include "coarse/mesh_file/mesh_file.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/tip_refinement.hpp"
+#include "coarse/zone/work_estimate.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
 #include "common/memory.hpp"
@@ -71,6 +72,13 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
 
+void print_estimate(const coarse::NominalSolution& nominal, const std::vector<double>& K_I) {
+    const coarse::WorkEstimate work = coarse::estimate_work(nominal, K_I);
+    fmt::print("# estimate of the run: {:.0f} increments, at most {} of {} points flow; about {:.2g} s of a processor "
+               "and {:.2g} MB, more where increments have to be halved\n",
+               work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
+}
+
 /// Of growth, mm; where the program chooses it, what it may be at first.
 double largest_increment(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
                          const std::vector<double>& K_I) {
@@ -113,6 +121,9 @@ int check(const RunOptions& options) {
         for (const std::string& line : coarse::describe_mesh_file(*input.mesh.file)) fmt::print("# {}\n", line);
     fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
+    fmt::print("# estimate of the elastic body: about {:.2g} s of a processor and {:.2g} MB\n",
+               coarse::seconds_of_body(scene), 1e-6 * coarse::bytes_of_body(scene));
+    std::fflush(stdout);  // before it is solved
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
     const std::vector<double> K_I =
@@ -121,10 +132,11 @@ int check(const RunOptions& options) {
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
-        return 0;
+    } else {
+        print_zone_estimate(scene, nominal);
+        print_way(scene, nominal, K_I);
     }
-    print_zone_estimate(scene, nominal);
-    print_way(scene, nominal, K_I);
+    print_estimate(nominal, K_I);
     return 0;
 }
 

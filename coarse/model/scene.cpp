@@ -129,18 +129,19 @@ void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors&
     for (const PrescribedUnknown& p : prescribed) u[p.unknown] = p.under(factors);
 }
 
-Scene make_scene(const Case& input, Mesh mesh) {
+Scene make_scene(const Case& input, Mesh mesh, int refined) {
     Scene scene;
     scene.input = input;
     scene.materials = Materials(input);
     scene.mesh = std::move(mesh);
     if (scene.mesh.material.empty()) scene.mesh.material = materials_of_elements(scene.mesh, input.regions);
     if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
+    require_near(scene.mesh, input.cracks);
+    scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
+    if (refined > 0) require_room(scene.mesh, scene.enriched, refined);
     scene.loads = resolve_loads(scene.mesh, input);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads.main);
     require_balanced_cases(scene);
-    require_near(scene.mesh, input.cracks);
-    scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
     put_loads_on_unknowns(scene);
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
         throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");

@@ -82,8 +82,9 @@ struct Scene {
     }
 };
 
-/// Enriches and resolves a case on a mesh. Throws CaseError.
-Scene make_scene(const Case& input, Mesh mesh);
+/// Enriches and resolves a case on a mesh. Throws CaseError. `refined`: tips need room there (require_room); 0: they
+/// have been looked at. That is asked before loads are resolved, of which there may be very many.
+Scene make_scene(const Case& input, Mesh mesh, int refined = 0);
 
 /// The same scene, with the tip functions of `before` kept as unknowns where the tip has moved on (growth.retain).
 Scene with_functions_left(Scene scene, const EnrichedMesh& before);

@@ -3,15 +3,13 @@
 #include <utility>
 
 #include "coarse/fracture/nominal_solution.hpp"
-#include "coarse/model/crack_room.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 
 namespace stria::coarse {
 
 Scene refined_scene(const Case& input) {
-    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks, input.regions));
-    require_room(scene.mesh, scene.enriched, input.fine.refine);
+    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks, input.regions), input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
     if (!input.fine.radius || input.growth)

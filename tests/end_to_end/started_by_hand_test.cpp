@@ -74,6 +74,18 @@ private:
     }
 };
 
+// It writes no files. HDF5 brings thirty libraries, half of the time in which a program starts.
+TEST(FineComponent, IsStartedWithoutHDF5) {
+    const TemporaryFolder folder;
+    const auto libraries_of = [&](const std::string& program) {
+        const std::string list = folder / program;
+        EXPECT_EQ(std::system(("LD_TRACE_LOADED_OBJECTS=1 " + own_program(program) + " > " + list).c_str()), 0);
+        return text_of(list);
+    };
+    EXPECT_NE(libraries_of("stria-coarse").find("hdf5"), std::string::npos);
+    EXPECT_EQ(libraries_of("stria-fine").find("hdf5"), std::string::npos);
+}
+
 TEST_F(StartedByHand, EndsAsInterruptedBySIGUSR1) {
     send({"USR1"}, 130);
     EXPECT_EQ(status(), "interrupted");

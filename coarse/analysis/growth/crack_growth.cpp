@@ -9,7 +9,6 @@
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
-#include "coarse/model/crack_room.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -156,9 +155,8 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& crack
     GrownScene grown;
     grown.finer = body.finer_about_ends_of(input.cracks);
     const Mesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
-    grown.longer = std::make_unique<Scene>(make_scene(input, mesh));
     constexpr int as_fine_as_it_is = 1;
-    require_room(mesh, grown.longer->enriched, as_fine_as_it_is);
+    grown.longer = std::make_unique<Scene>(make_scene(input, mesh, as_fine_as_it_is));
     if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;
     note_("the next advance takes a crack out of the body: growth ends here");
     return {};

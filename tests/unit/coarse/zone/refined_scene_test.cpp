@@ -85,5 +85,18 @@ TEST(RefinedScene, RefusesACrackShorterThanTheElementAtItsTip) {
     EXPECT_THROW(static_cast<void>(refined_scene(input)), CaseError);
 }
 
+// A pressure that travels in 65 536 steps has as many unit loads: 2.5 GB before a sentence about the crack.
+TEST(RefinedScene, LooksForRoomBeforeItResolvesLoads) {
+    Case input = plate(2);
+    input.cracks[0].points.back() = {0.4, 10.4};
+    input.boundaries[0].on = "nowhere";
+    try {
+        static_cast<void>(refined_scene(input));
+        FAIL();
+    } catch (const CaseError& error) {
+        EXPECT_NE(std::string(error.what()).find("crack[1].points"), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -1,0 +1,97 @@
+#include "coarse/zone/work_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coarse/zone/structure_stresses.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "common/memory.hpp"
+
+namespace stria::coarse {
+namespace {
+
+// Seconds of a processor of 2026, measured on cases of which one or the other takes nearly all. A point that flows: the
+// return in parts of plane stress or of hardening that is not linear; the exact one takes a third.
+constexpr double for_unknown = 12e-6, for_unknown_of_load = 0.5e-6, for_point = 1e-6, for_flow = 4.5e-6,
+                 for_row = 0.5e-3;
+constexpr double iterations = 8.0;  // of an increment in which something flows
+
+// Each of the first half cycles is looked at half way, where what travels is, and at its end.
+constexpr std::size_t most_legs = 4;
+
+double factor_of_value(const LoadSection& load, const UnitResponse& unit) {
+    if (load.control != Control::Displacement) return target_of_unit(load, unit.K_I, 0.0);
+    return 1.0 / unit.mean_displacement;
+}
+
+Eigen::VectorXd elastic(const NominalFields& fields, double factor, const Eigen::VectorXd& of_cases) {
+    Eigen::VectorXd u = factor * fields.unit;
+    if (fields.initial.size() > 0) u += fields.initial;
+    for (Eigen::Index k = 0; k < of_cases.size(); ++k)
+        if (of_cases[k] != 0.0) u += of_cases[k] * fields.of_cases[static_cast<std::size_t>(k)];
+    return u;
+}
+
+/// Where the elastic body would yield.
+ElementSet yields(const NominalSolution& nominal) {
+    const Scene& scene = nominal.structure->scene();
+    ElementSet found(scene.mesh.elements.size());
+    const double limit = scene.materials.weakest_yield_stress();
+    if (!std::isfinite(limit)) return found;
+    const CaseHistories histories(scene.input);
+    const double of_value = factor_of_value(scene.input.load, unit_response(nominal));
+    const std::vector<Leg>& legs = histories.legs();
+    const auto look = [&](std::size_t leg, double way) {
+        const int increment = std::max(1, static_cast<int>(way * scene.input.load.first_steps() / 2));
+        const double value = std::lerp(legs[leg].from, legs[leg].to, way);
+        const Eigen::VectorXd of_cases =
+            histories.at({.leg = leg, .way = way, .increment = increment, .share = 1.0, .scale = of_value});
+        for (const int element :
+             elements_beyond(limit, *nominal.structure, elastic(nominal.fields, of_value * value, of_cases)))
+            found.insert(element);
+    };
+    for (std::size_t leg = 0; leg < std::min(legs.size(), most_legs); ++leg)
+        for (const double way : {0.5, 1.0}) look(leg, way);
+    for (const double sign : {1.0, -1.0}) {
+        const auto largest = std::ranges::max_element(legs, {}, [&](const Leg& leg) { return sign * leg.to; });
+        if (largest != legs.end()) look(static_cast<std::size_t>(largest - legs.begin()), 1.0);
+    }
+    return found;
+}
+
+}  // namespace
+
+double seconds_of_body(const Scene& scene) {
+    const double unit_loads = 2.0 + static_cast<double>(scene.loads.cases.size());
+    return scene.enriched.unknowns * (for_unknown + for_unknown_of_load * unit_loads);
+}
+
+// A unit load has its forces and its displacement.
+double bytes_of_body(const Scene& scene) {
+    return bytes_of_element * static_cast<double>(scene.mesh.elements.size()) +
+           16.0 * scene.enriched.unknowns * static_cast<double>(scene.loads.cases.size());
+}
+
+WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K_I) {
+    const Scene& scene = nominal.structure->scene();
+    const Case& input = scene.input;
+    const int per_element = 4 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
+    const ElementSet yielding = yields(nominal);
+    ElementSet zone = select_zone(scene, K_I);
+    for (int e = 0; e < zone.size(); ++e)
+        if (yielding.contains(e)) zone.insert(e);
+
+    WorkEstimate work;
+    work.points = per_element * zone.count();
+    work.yielding = per_element * yielding.count();
+    const double cycles = cycle_count(input.load);
+    work.increments = (cycles + 0.5) * input.load.first_steps();
+    work.growths = input.growth ? std::floor(cycles / input.growth->every) : 0.0;
+    const double body = seconds_of_body(scene);
+    work.seconds = (2.0 + 0.5 * work.growths) * body +
+                   work.increments * (for_row + iterations * (for_point * work.points + for_flow * work.yielding));
+    work.bytes = bytes_of_body(scene) + bytes_of_point * work.points;
+    return work;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,28 @@
+// What a case would take of a processor, said before it is taken: for who has written a load or a size ten times too
+// large.
+#pragma once
+
+#include "coarse/fracture/nominal_solution.hpp"
+
+namespace stria::coarse {
+
+/// For the elastic body alone with its unit loads: that much `stria check` takes too. s of a processor; bytes.
+[[nodiscard]] double seconds_of_body(const Scene& scene);
+[[nodiscard]] double bytes_of_body(const Scene& scene);
+
+struct WorkEstimate {
+    int points = 0;           // of the zone, and of what else the elastic body would yield in
+    int yielding = 0;         // of them, in elements that yield in the elastic body at some end of a half cycle
+    double increments = 0.0;  // without halved ones
+    double growths = 0.0;
+    double seconds = 0.0;  // of a processor
+    double bytes = 0.0;
+};
+
+/// Measured figures, to a factor of about three; increments that have to be halved come on top. Says too much rather
+/// than too little: what yields in the elastic body yields in all iterations. Of long histories the first half cycles
+/// count, and the largest one. `K_I`: the largest of the history, one per tip, MPa sqrt(mm). `nominal`: of the whole
+/// body.
+[[nodiscard]] WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K_I);
+
+}  // namespace stria::coarse

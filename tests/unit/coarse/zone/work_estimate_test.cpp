@@ -1,0 +1,60 @@
+// What `stria check` says of the work that a run will be.
+#include "coarse/zone/work_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coarse/specimen/specimen.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+class Work : public testing::Test {
+protected:
+    Work() {
+        input.mesh.width = 20.0;
+        input.mesh.size = 1.0;
+        input.material.yield_stress = 300.0;
+        input.load.steps = 10;
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    }
+    /// With half cycles to these load factors.
+    [[nodiscard]] coarse::WorkEstimate between(double max, double min, int cycles = 1) {
+        input.load.blocks = {{.cycles = cycles, .max = max, .min = min}};
+        const coarse::Scene scene =
+            coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+        const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
+        const coarse::CaseHistories histories(input);
+        return coarse::estimate_work(nominal,
+                                     coarse::largest_K_I(input.load, coarse::unit_response(nominal), 0.0, histories));
+    }
+    Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
+};
+
+TEST_F(Work, IsThatOfThePointsThatFlow) {
+    const coarse::WorkEstimate little = between(20.0, 0.0), much = between(400.0, 0.0);
+    EXPECT_GT(little.yielding, 0);
+    EXPECT_LT(little.yielding, 0.2 * little.points);
+    EXPECT_GT(much.yielding, 0.7 * much.points) << "400 MPa on a metal of 300, but beside the faces";
+    EXPECT_GT(much.seconds, 10.0 * little.seconds);
+}
+
+// At the largest load nothing is left of eq. (3), for the load closes the crack.
+TEST_F(Work, SeesWhatCompressionDoes) {
+    const coarse::WorkEstimate pulled = between(400.0, 0.0), pushed = between(0.0, -400.0);
+    EXPECT_GT(pushed.yielding, 0);
+    EXPECT_EQ(pushed.yielding, pulled.yielding);
+}
+
+TEST_F(Work, GrowsWithTheHistory) {
+    const coarse::WorkEstimate one = between(100.0, 0.0), thousand = between(100.0, 0.0, 1000);
+    EXPECT_EQ(one.increments, 15.0);
+    EXPECT_EQ(thousand.increments, 10005.0);
+    EXPECT_EQ(thousand.yielding, one.yielding);
+    EXPECT_GT(thousand.seconds, 300.0 * one.seconds);
+    input.material.yield_stress.reset();
+    EXPECT_EQ(between(400.0, 0.0).yielding, 0);
+}
+
+}  // namespace
+}  // namespace stria::test
