@@ -13,7 +13,7 @@ namespace {
 
 // Of an interval. Where a crack enters through a node its end is as long as the next interval, but for this.
 constexpr double alike = 0.01;
-// Of the next interval, what a multiplier weighs at least.
+// Of the next interval, what a multiplier weighs at least; of an opening, what it keeps.
 constexpr double least_weight = 0.2;
 // Of an element: on branches of 0.03 of one the pressure is off by some percent, on those of 0.1 it is not.
 constexpr double too_short = 0.05;
@@ -121,16 +121,23 @@ int MultiplierSpace::branch(double s) const {
     return found != branches_.end() ? static_cast<int>(found - branches_.begin()) : -1;
 }
 
-// What the second multiplier loses to the end it gets back from what follows, if anything does.
+// What the second multiplier loses to the end it gets back from what follows, if anything does: of a uniform opening,
+// and of one that grows from nothing at the other end, or faces that gape there would count as touching.
 bool MultiplierSpace::goes_straight_on(const Branch& branch, int outer, int inwards) const {
     const int second = outer + inwards, third = second + inwards;
     const bool is_last = third < branch.first_multiplier || third >= branch.first_multiplier + branch.multipliers;
     const double here = nodes_[at(outer)], interval = std::abs(nodes_[at(second)] - here),
                  end = inwards > 0 ? here - branch.first_s : branch.last_s - here,
                  other_end = inwards > 0 ? branch.last_s - nodes_[at(second)] : nodes_[at(second)] - branch.first_s,
-                 follows = is_last ? other_end : 0.5 * std::abs(nodes_[at(third)] - nodes_[at(second)]),
-                 weight = 0.5 * (interval - end * end / interval) + follows;
-    return end <= (1.0 + alike) * interval && weight >= least_weight * interval;
+                 next = is_last ? 0.0 : std::abs(nodes_[at(third)] - nodes_[at(second)]),
+                 opening = other_end + interval;
+    // Integrals of the multiplier's function over the end, the interval and what follows; those of function by opening.
+    const double loses = 0.5 * end * end / interval, has = 0.5 * interval, gets = is_last ? other_end : 0.5 * next;
+    const double loses_opening = (0.5 * opening * end * end + end * end * end / 3.0) / interval,
+                 has_opening = 0.5 * opening * interval - interval * interval / 3.0,
+                 gets_opening = is_last ? 0.5 * other_end * other_end : 0.5 * other_end * next - next * next / 6.0;
+    return end <= (1.0 + alike) * interval && has - loses + gets >= least_weight * interval &&
+           loses_opening <= (1.0 - least_weight) * (has_opening + gets_opening);
 }
 
 std::array<MultiplierSpace::Value, 2> MultiplierSpace::acting_at(double s) const {

@@ -274,6 +274,7 @@ TEST(MeshFiles, CracksKnowTheHole) {
     const double angle = 0.52;
     input.cracks[0].points = {5.0 * Vec2(std::cos(angle), std::sin(angle)), {10.0, 5.0}};
     EXPECT_NE(complaint_about(input).find("a mouth lies on or outside of it"), std::string::npos);
+    input.cracks[0].points.front() *= 0.98;
     input.boundaries[0].on = "Top";
     EXPECT_EQ(complaint_about(input),
               "boundary[1].on: \"Top\" is not a boundary of the mesh, available: bottom, hole, top, unnamed, point");

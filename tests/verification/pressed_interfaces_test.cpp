@@ -203,6 +203,28 @@ TEST(PressedInterface, BearsThePressureUpToItsTip) {
     EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.54, 0.68}, {0.546, 0.684}}), 2e-3);
 }
 
+// A plate in tension, which opens all of a bent crack. Faces that a multiplier took for closed doubled K.
+TEST(PressedInterface, OfABentCrackInTensionGapes) {
+    for (const double tip : {6.06, 6.243, 6.6, 7.1}) {
+        Case input = specimen("sent", 20.0, {{0.0, 8.53}, {4.1, 9.7}, {tip, 9.64}});
+        input.mesh.width = 10.0;
+        input.mesh.size = 1.0;
+        input.cracks[0].contact = ContactSection{};
+        for (const double side : {1.0, -1.0}) {
+            input.boundaries.emplace_back();
+            input.boundaries.back().on = side > 0.0 ? "top" : "bottom";
+            input.boundaries.back().traction = Vec2(0.0, side);
+        }
+        const Equilibrated result = equilibrate(coarse::refined_scene(input), 70.0);
+        EXPECT_TRUE(result.newton.converged) << result.newton.failure;
+        EXPECT_FALSE(result.zone.faces.empty());
+        for (const coupling::FaceSample& face : result.zone.faces) {
+            EXPECT_EQ(face.status, 0) << tip << ' ' << face.x;
+            EXPECT_GT(face.opening, 0.0) << tip << ' ' << face.x;
+        }
+    }
+}
+
 // Each was found by stria_stress. Which side of the crack an element lies on, nodes of the tip's element alone do not
 // tell where the crack bends before its tip; and a piece that comes back to the edge it came from opens no edge.
 TEST(PressedInterface, OfCracksThatBendAtTheirTips) {

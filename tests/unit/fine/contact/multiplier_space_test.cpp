@@ -39,14 +39,20 @@ std::set<int> acting_between(const MultiplierSpace& space, double from, double t
     return acting;
 }
 
-/// Of the multipliers that act between two arc lengths.
-double least_weight(const MultiplierSpace& space, double from, double to) {
+/// Of the multipliers that act between two arc lengths: the least integral of a function by an opening.
+double least_gap(const MultiplierSpace& space, double from, double to, const auto& opening) {
     constexpr int points = 6000;
-    std::map<int, double> weight;
-    for (int k = 0; k < points; ++k)
-        for (const auto& [multiplier, value] : space.acting_at(from + (to - from) * (k + 0.5) / points))
-            if (multiplier >= 0) weight[multiplier] += value * (to - from) / points;
-    return std::ranges::min(weight | std::views::values);
+    std::map<int, double> gap;
+    for (int k = 0; k < points; ++k) {
+        const double s = from + (to - from) * (k + 0.5) / points;
+        for (const auto& [multiplier, value] : space.acting_at(s))
+            if (multiplier >= 0) gap[multiplier] += opening(s) * value * (to - from) / points;
+    }
+    return std::ranges::min(gap | std::views::values);
+}
+
+double least_weight(const MultiplierSpace& space, double from, double to) {
+    return least_gap(space, from, to, [](double) { return 1.0; });
 }
 
 TEST(MultiplierSpace, HatsAddUpToOne) {
@@ -120,6 +126,21 @@ TEST(MultiplierSpace, TheLastOfTwoKeepsItsWeight) {
     ASSERT_NEAR(space.nodes()[0], 0.5 * kink, 1e-12);
     ASSERT_NEAR(space.nodes()[1], kink, 1e-12);
     EXPECT_GT(least_weight(space, 0.0, kink), 0.2 * kink);
+}
+
+// Behind a bend a crack is open, the more the farther from its tip: no multiplier may see a gap below zero.
+TEST(MultiplierSpace, FacesThatGapeFromATipAreOpenToEach) {
+    for (const double bend : {4.1, 4.5, 4.9, 6.02}) {
+        for (const double tip : {6.3, 7.05, 7.9, 8.3, 9.3, 10.6}) {
+            const Vec2 first(0.0, 1.3), second(bend, 1.35), third(tip, 1.35 + 0.4 * (tip - bend));
+            const double from = (second - first).norm(), to = from + (third - second).norm();
+            if (tip - bend < 1.0) continue;
+            const MultiplierSpace space = space_of({first, second, third});
+            EXPECT_GT(least_gap(space, from, to, [&](double s) { return to - s; }), 0.0) << bend << ' ' << tip;
+            EXPECT_GT(least_gap(space, from, to, [&](double s) { return std::sqrt(to - s); }), 0.0)
+                << bend << ' ' << tip;
+        }
+    }
 }
 
 TEST(MultiplierSpace, OneAtEachPointActsHalfWayToTheNext) {
