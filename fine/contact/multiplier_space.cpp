@@ -130,7 +130,9 @@ bool MultiplierSpace::goes_straight_on(const Branch& branch, int outer, int inwa
                  other_end = inwards > 0 ? branch.last_s - nodes_[at(second)] : nodes_[at(second)] - branch.first_s,
                  follows = is_last ? other_end : 0.5 * std::abs(nodes_[at(third)] - nodes_[at(second)]),
                  weight = 0.5 * (interval - end * end / interval) + follows;
-    return end <= (1.0 + alike) * interval && weight >= least_weight * interval;
+    // Where the faces close towards a tip there is little opening behind the second one to make up for it.
+    const bool to_tip = is_last && (inwards > 0 ? branch.tip_at_end : branch.tip_at_start);
+    return !to_tip && end <= (1.0 + alike) * interval && weight >= least_weight * interval;
 }
 
 std::array<MultiplierSpace::Value, 2> MultiplierSpace::acting_at(double s) const {

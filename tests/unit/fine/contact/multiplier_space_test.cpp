@@ -122,6 +122,23 @@ TEST(MultiplierSpace, TheLastOfTwoKeepsItsWeight) {
     EXPECT_GT(least_weight(space, 0.0, kink), 0.2 * kink);
 }
 
+// A kink of 14 degrees, then two multipliers up to the tip. Between the kink and the first of them faces are open
+// widely, behind the second hardly: were it negative there, faces that are open all along would count as closed.
+TEST(MultiplierSpace, NoneIsNegativeFarFromATip) {
+    for (const double tip : {6.05, 6.1, 6.2, 6.4, 6.8, 6.95}) {
+        const MultiplierSpace space = space_of({{0.0, 1.5}, {4.1, 2.5}, {tip, 2.5}});
+        const double to_kink = std::hypot(4.1, 1.0), length = to_kink + tip - 4.1;
+        std::map<int, double> gap;  // weighted, of faces that open like the root of the distance from the tip
+        for (int k = 0; k < 1000; ++k) {
+            const double s = to_kink + (length - to_kink) * (k + 0.5) / 1000;
+            for (const auto& [multiplier, value] : space.acting_at(s))
+                if (multiplier >= 0) gap[multiplier] += value * std::sqrt(length - s);
+        }
+        EXPECT_EQ(gap.size(), 2U);
+        for (const auto& [multiplier, value] : gap) EXPECT_GT(value, 0.0) << multiplier << " with a tip at " << tip;
+    }
+}
+
 TEST(MultiplierSpace, OneAtEachPointActsHalfWayToTheNext) {
     const MultiplierSpace space(std::vector{1.0, 2.0, 4.0});
     EXPECT_EQ(space.size(), 3);
