@@ -37,7 +37,8 @@ SAME = 1e-8
 COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], ["J"], ["CMOD"],
            ["external_work", "stored_energy", "dissipation", "released_energy"]]  # of one scale each
 # What a run may warn of, and what the scene then has.
-EXPLAINED = {r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
+EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)",  # of a plate that a crack half parts
+             r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
              r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])",
              r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
              r"turns sharply": r"\[growth\]"}
