@@ -168,7 +168,8 @@ template <int rows> void PartReturn<rows>::put_relative_stress(ReturnAt<rows>& n
     for (int step = 0; searching.any(); ++step) {
         if (step == most_steps) throw NumericalFailure("return mapping: no back stresses found");
         put_back_stresses(now);
-        const Deviators<rows> change = next_relative_stress(now, step >= newton_steps) - now.xi;
+        const bool surely = step >= newton_steps && step < most_steps - newton_steps;  // near the end Newton's are sure
+        const Deviators<rows> change = next_relative_stress(now, surely) - now.xi;
         now.xi += change * searching.template cast<double>();
         // NaN goes on, to the failure.
         searching = searching && !(equivalent<rows>(change) <= 1e-12 * (equivalent<rows>(now.xi) + now.Y));
