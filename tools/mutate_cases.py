@@ -15,9 +15,8 @@ three or so, for no one knows how often increments will be halved. A check may t
 bytes that it has announced of the body, a run as many times what a check of the same case announces of it. A run that
 is announced to take more than 30 s is asked to stop after 2 s, and has to end with 130 within 60 s of a processor:
 nothing cuts an iteration short. What took more than the limits and was announced is listed with both figures, and
-counted. So that an estimate which announces
-everything does not pass, every tenth other run is asked for its estimate too, and those that are announced above the
-limits but stay within a tenth of the announced seconds are counted.
+counted. An estimate that announces everything would not pass: every tenth other run is asked for its estimate too, and
+those that are announced above the limits but stay within a tenth of the announced seconds are counted.
 """
 
 import argparse

@@ -59,8 +59,9 @@ void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed c
     const Around around = elements_around_nodes(mesh_);
     for (const int node : on_crack_) {
         for (const int element : around[at(node)]) {
+            if (cut.contains(element)) continue;
             const int side = side_at_node(mesh_.nodes[at(node)], element);
-            if (cut.contains(element) || known_sides(element).contains(-side)) continue;  // cut, or ahead of a tip
+            if (known_sides(element).contains(-side)) continue;  // ahead of a tip
             sides[at(element)] = static_cast<signed char>(side);
         }
     }

@@ -197,7 +197,7 @@ double error_of_pressure(const std::vector<Vec2>& crack, int elements = 10,
 }
 
 // The jump goes with r^(1/2): the rule is exact for it along a straight crack, and for a bend close to the tip it is
-// better than Gauss's in r, which is 0.8 % off.
+// better than Gauss's in r, which is 0.24 % off.
 TEST(PressedInterface, BearsThePressureUpToItsTip) {
     EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.56, 0.68}}), 1e-9);
     EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.54, 0.68}, {0.546, 0.684}}), 2e-3);
@@ -247,20 +247,8 @@ TEST(PressedInterface, OfCracksThatBendAtTheirTips) {
 
 // Behind a kink at a node the crack runs along one edge more: all that jumps there jumps at the kink.
 TEST(PressedInterface, OfOneEdgeBehindAKinkBearsThePressure) {
-    for (const Vec2& end : {Vec2(0.3, 0.7), Vec2(0.2, 0.6)}) {
-        Case input = specimen("plate", 1.0, {{0.0, 0.85}, {0.2, 0.7}, end});
-        input.mesh.size = 0.1;
-        input.fine.enrichment = Enrichment::None;
-        input.cracks[0].contact = ContactSection{};
-        for (const char* on : {"top", "bottom", "left", "right"}) {
-            input.boundaries.emplace_back();
-            input.boundaries.back().on = on;
-            input.boundaries.back().pressure = 100.0;
-        }
-        const Equilibrated result = equilibrate(coarse::refined_scene(input), 1.0);
-        EXPECT_TRUE(result.newton.converged) << result.newton.failure;
-        for (const coupling::FaceSample& face : result.zone.faces) EXPECT_NEAR(face.pressure, 100.0, 1e-6);
-    }
+    for (const Vec2& end : {Vec2(0.3, 0.7), Vec2(0.2, 0.6)})
+        EXPECT_LT(error_of_pressure({{0.0, 0.85}, {0.2, 0.7}, end}, 10, Enrichment::None), 1e-8);
 }
 
 }  // namespace
