@@ -45,10 +45,14 @@ std::vector<double> ClosureMeasurement::met() const {
 }
 
 // Where it last came or went as it does now.
-std::vector<double> ClosureMeasurement::expected(const std::vector<double>& now, double unit) const {
-    std::vector<double> expected;
-    for (std::size_t k = 0; k < memory_.opened.size(); ++k)
-        expected.push_back(unit * (now[k] > 0.0 ? memory_.closed[k] : memory_.opened[k]));
+std::vector<ExpectedCrossing> ClosureMeasurement::expected(const std::vector<double>& now, double unit) const {
+    std::vector<ExpectedCrossing> expected;
+    for (std::size_t k = 0; k < memory_.opened.size(); ++k) {
+        const bool closes = is_closed(now[k]);
+        const std::vector<double>& rates = closes ? memory_.closing_rates : memory_.opening_rates;
+        expected.push_back({.target = unit * (closes ? memory_.closed : memory_.opened)[k],
+                            .rate = {rates[2 * k] / unit, rates[2 * k + 1] / unit}});
+    }
     return expected;
 }
 
@@ -57,10 +61,15 @@ std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const Newto
     std::vector<double> now = memory_.signal = meter_.signal(report, memory_.signal);
     if (step.reversal) meter_.forget_slip(memory_.signal);
     for (std::vector<double>* loads : {&memory_.opened, &memory_.closed}) loads->resize(now.size(), NAN);
+    for (std::vector<double>* rates : {&memory_.opening_rates, &memory_.closing_rates})
+        rates->resize(2 * now.size(), NAN);
     for (const OpeningChange& change : changes) {
         if (std::isnan(change.load_factor)) continue;  // nobody knows
-        std::vector<double>& loads = change.closes ? memory_.closed : memory_.opened;
-        loads[at(change.tip) * meter_.signals().all() + at(change.signal)] = change.target / unit;
+        const std::size_t k = at(change.tip) * meter_.signals().all() + at(change.signal);
+        (change.closes ? memory_.closed : memory_.opened)[k] = change.target / unit;
+        std::vector<double>& rates = change.closes ? memory_.closing_rates : memory_.opening_rates;
+        for (std::size_t side = 0; side < 2; ++side)
+            if (std::isfinite(change.rate[side])) rates[2 * k + side] = unit * change.rate[side];
     }
     return now;
 }

@@ -13,6 +13,9 @@ namespace stria::coarse {
 struct ClosureMemory {
     std::vector<double> signal;          // of the committed state; empty before the first increment
     std::vector<double> opened, closed;  // loads at which it last did, in units of the history; NaN: never
+    // What it changed by per unit of the history beside these, where it was open, then where it was closed: two numbers
+    // for each signal. NaN: nobody knows.
+    std::vector<double> opening_rates, closing_rates;
 };
 
 class ClosureMeasurement {
@@ -49,7 +52,7 @@ public:
     [[nodiscard]] std::vector<double> met() const;
 
 private:
-    [[nodiscard]] std::vector<double> expected(const std::vector<double>& now, double unit) const;
+    [[nodiscard]] std::vector<ExpectedCrossing> expected(const std::vector<double>& now, double unit) const;
 
     ClosureMeter meter_;
     ClosureMemory memory_;

@@ -12,67 +12,11 @@ namespace {
 
 constexpr double share_of_radius = 0.1;
 
-bool is_closed(double signal) { return signal > 0.0; }
-
 std::vector<std::size_t> changed_signals(const ClosureStation& before, const ClosureStation& after) {
     std::vector<std::size_t> changed;
     for (std::size_t k = 0; k < before.signal.size(); ++k)
         if (is_closed(before.signal[k]) != is_closed(after.signal[k])) changed.push_back(k);
     return changed;
-}
-
-/// Where between two stations a signal passes zero, as a share of the way, and whether that is known.
-struct Crossing {
-    double share;
-    bool known;
-};
-
-/// The share of the way from `inner` to the station `across` at which a signal that was seen at `outer` and `inner`, on
-/// one side of zero, comes to zero if it goes straight on; beyond 1, or not a number: it does not.
-double straight_on(const ClosureStation& outer, const ClosureStation& inner, const ClosureStation& across,
-                   std::size_t k) {
-    if (is_closed(outer.signal[k]) != is_closed(inner.signal[k])) return NAN;
-    const double slope = (inner.signal[k] - outer.signal[k]) / (inner.target - outer.target);
-    return -inner.signal[k] / slope / (across.target - inner.target);
-}
-
-/// Where to try what was expected of a signal, as a share of the way between two stations: there, then from there
-/// towards the station that says otherwise, as far as the answer may be off. These two tell, or lead on: stations far
-/// away do not, since signals bend. Not a number: all that has been tried.
-double as_expected(const std::vector<ClosureStation>& way, std::size_t i, double precision, double expected) {
-    const double start = way[i].target, end = way[i + 1].target, width = std::abs(end - start);
-    const double share = (expected - start) / (end - start), rounding = 1e-9, beside = 0.9 * precision / width;
-    const auto is_far = [&](std::size_t other, double from) {
-        return std::abs(way[other].target - from) > 2.0 * precision;
-    };
-    if (std::abs(share) <= rounding && (i == 0 || is_far(i - 1, start))) return beside;
-    if (std::abs(1.0 - share) <= rounding && (i + 2 == way.size() || is_far(i + 2, end))) return 1.0 - beside;
-    return share > rounding && share < 1.0 - rounding ? share : NAN;
-}
-
-/// Signals are nearly straight on either side of zero, and bend there: faces press with another stiffness than they
-/// open. So two stations on one side tell where it is, and where they are near it they know. What leads to the station
-/// across, whose signal says otherwise, leads nowhere; of two the one farther from both stations tells more.
-Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision,
-                  double expected) {
-    const ClosureStation &before = way[i], &after = way[i + 1];
-    const double width = std::abs(after.target - before.target), near = 0.5 * precision / width;
-    const double from_before = i > 0 ? straight_on(way[i - 1], before, after, k) : NAN;
-    const double from_after = i + 2 < way.size() ? 1.0 - straight_on(way[i + 2], after, before, k) : NAN;
-    if (from_before >= 0.0 && from_before <= near) return {from_before, true};
-    if (from_after <= 1.0 && from_after >= 1.0 - near) return {from_after, true};
-    if (width <= precision) return {0.5, true};
-    const auto room = [](double share) { return std::min(share, 1.0 - share); };
-    const bool before_leads = room(from_before) > near, after_leads = room(from_after) > near;
-    if (before_leads && after_leads && std::abs(from_after - from_before) <= near)
-        return {0.5 * (from_before + from_after), true};
-    constexpr std::size_t enough = 8;  // stations for each signal: whatever leads on has had its chance
-    if (way.size() > enough * before.signal.size()) return {0.5, false};
-    if (const double share = as_expected(way, i, precision, expected); std::isfinite(share)) return {share, false};
-    if (before_leads && !(after_leads && room(from_after) > room(from_before))) return {from_before, false};
-    if (after_leads) return {from_after, false};
-    const double a = std::abs(before.signal[k]), b = std::abs(after.signal[k]);
-    return {std::isfinite(a + b) && a + b > 0.0 ? std::clamp(a / (a + b), 0.1, 0.9) : 0.5, false};
 }
 
 }  // namespace
@@ -140,11 +84,12 @@ void ClosureMeter::forget_slip(std::vector<double>& signal) const {
 }
 
 std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
-                                                const Solve& solve, const std::vector<double>& expected) const {
+                                                const Solve& solve,
+                                                const std::vector<ExpectedCrossing>& expected) const {
     std::vector<OpeningChange> changes;
     std::vector<ClosureStation> way{std::move(before), std::move(after)};
     const auto crossing_of = [&](std::size_t i, std::size_t k) {
-        return crossing(way, i, k, precision, k < expected.size() ? expected[k] : NAN);
+        return crossing(way, i, k, precision, k < expected.size() ? expected[k] : ExpectedCrossing());
     };
     for (std::size_t i = 0; i + 1 < way.size();) {
         const std::vector<std::size_t> changed = changed_signals(way[i], way[i + 1]);
@@ -160,9 +105,12 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
             const auto [share, known] = crossing_of(i, k);
             const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
             const double target = std::lerp(way[i].target, way[i + 1].target, share);
-            changes.push_back({static_cast<int>(k / signals().all()), static_cast<int>(k % signals().all()),
-                               is_closed(way[i + 1].signal[k]), load_factor,
-                               (target - way.front().target) / (way.back().target - way.front().target), target});
+            OpeningChange& change = changes.emplace_back(
+                OpeningChange{static_cast<int>(k / signals().all()), static_cast<int>(k % signals().all()),
+                              is_closed(way[i + 1].signal[k]), load_factor,
+                              (target - way.front().target) / (way.back().target - way.front().target), target});
+            const bool says_whether = k % signals().all() >= signals().first_slip();
+            if (known && !says_whether) change.rate = rates_beside(way, i, k, precision, target);
         }
         ++i;
     }

@@ -2,10 +2,13 @@
 // to slide, or at which the metal ahead of it goes from compression to tension or back.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "coarse/cycle/signal_crossing.hpp"
 #include "coarse/equilibrium/newton.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
@@ -21,12 +24,8 @@ struct OpeningChange {
     double load_factor;   // to the precision asked for; NaN where no trial between two states came to equilibrium
     double way = 1.0;     // of the increment
     double target = 0.0;  // where
-};
-
-/// A state on the way of an increment.
-struct ClosureStation {
-    double target, load_factor;
-    std::vector<double> signal;  // ClosureMeter::signal()
+    // What the signal changes by per target beside it, where it is open and where it is closed; NaN: not seen.
+    std::array<double, 2> rate{NAN, NAN};
 };
 
 /// Reads signals of closure and finds where they change. Contact nearer to the tip than a fixed distance does not
@@ -80,12 +79,13 @@ public:
     using Solve = std::function<Trial(double)>;
 
     /// Tries targets between two states until it knows where each signal passes zero, to `precision` of a target. It
-    /// tries first where the signal is expected to (`expected`: targets, one per signal; NaN or no vector: nobody
-    /// knows), then where signals that it has seen on one side lead to, since they bend where contact is made or lost;
+    /// tries first where the signal is expected to (`expected`: one per signal; no vector: nobody knows), then where
+    /// signals that it has seen on one side lead to, since they bend where contact is made or lost;
     /// in proportion to both where they lead nowhere; in the middle where they only say whether. A trial that fails is
     /// made again elsewhere.
     [[nodiscard]] std::vector<OpeningChange> locate(ClosureStation before, ClosureStation after, double precision,
-                                                    const Solve& solve, const std::vector<double>& expected = {}) const;
+                                                    const Solve& solve,
+                                                    const std::vector<ExpectedCrossing>& expected = {}) const;
 
 private:
     /// Null where no trial comes to equilibrium. `share`: of the way, tried first.

@@ -191,10 +191,12 @@ void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
 }
 
 void members(auto& archive, Is<ClosureMemory> auto& m) {
-    auto& [signal, opened, closed] = m;
+    auto& [signal, opened, closed, opening_rates, closing_rates] = m;
     archive("signal", signal);
     archive("opened", opened);
     archive("closed", closed);
+    archive("opening_rates", opening_rates);
+    archive("closing_rates", closing_rates);
 }
 
 void members(auto& archive, Is<AnalysisState> auto& m) {

@@ -138,8 +138,8 @@ TEST(ClosureMeter, TriesFirstWhereItIsExpected) {
             ++tried;
             return ClosureMeter::Trial{with_reach(meter, 0.2 + of(target)), target};
         };
-        const auto changes =
-            meter.locate({30.0, 30.0, {of(30.0)}}, {40.0, 40.0, {of(40.0)}}, precision, solve, {expected});
+        const auto changes = meter.locate({30.0, 30.0, {of(30.0)}}, {40.0, 40.0, {of(40.0)}}, precision, solve,
+                                          {ExpectedCrossing{.target = expected}});
         EXPECT_EQ(changes.size(), 1U);
         EXPECT_NEAR(changes.at(0).target, root, precision);
         return tried;
@@ -151,6 +151,42 @@ TEST(ClosureMeter, TriesFirstWhereItIsExpected) {
     for (const double elsewhere : {29.0, 30.0, 31.0, 40.0, 55.0}) {
         EXPECT_LE(trials(signal, elsewhere), trials(signal, NAN) + 1) << elsewhere;
         EXPECT_LE(trials(whether, elsewhere), trials(whether, NAN) + 2) << elsewhere;
+    }
+}
+
+// What a signal changed by beside zero a cycle ago leads from where it was expected to where it is.
+TEST(ClosureMeter, FollowsTheRatesOfTheCycleBefore) {
+    Case input = loaded();
+    input.closure.distance = 0.2;
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
+    constexpr double root = 37.3, precision = 0.1;
+    const auto signal = [](double target) {
+        const double x = root - target;
+        return (x > 0.0 ? 7.0 : 1.0) * x * (1.0 + 0.01 * x);
+    };
+    int tried = 0;
+    const auto solve = [&](double target) {
+        ++tried;
+        return ClosureMeter::Trial{with_reach(meter, 0.2 + signal(target)), target};
+    };
+    const auto found = [&](const ExpectedCrossing& expected) {
+        tried = 0;
+        const auto changes =
+            meter.locate({30.0, 30.0, {signal(30.0)}}, {40.0, 40.0, {signal(40.0)}}, precision, solve, {expected});
+        EXPECT_EQ(changes.size(), 1U);
+        EXPECT_NEAR(changes.at(0).target, root, 0.5 * precision);
+        return changes.at(0);
+    };
+    for (const double off : {-0.5, -0.3, 0.3, 0.5}) {
+        const OpeningChange first = found({.target = root + off});
+        const int without = tried;
+        const std::size_t side = off < 0.0 ? 1 : 0;
+        EXPECT_NEAR(first.rate[side], side == 1 ? -7.0 : -1.0, 0.05) << off;
+        static_cast<void>(found({.target = root + off, .rate = first.rate}));
+        EXPECT_EQ(tried, 2) << off;
+        EXPECT_GT(without, 2) << off;
+        for (const double wrong : {-70.0, -20.0, -2.0, 5.0})
+            static_cast<void>(found({.target = root + off, .rate = {wrong, wrong}}));
     }
 }
 

@@ -29,7 +29,11 @@ Checkpoint some_checkpoint() {
     state.far = ElementSet::of_flags({1, 0, 0});
     state.nominal = {{.a = 7.0, .K_I = 0.1, .CMOD = -0.0}};
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
-    state.closure = {.signal = {1.5}, .opened = {2.5}, .closed = {3.5}};
+    state.closure = {.signal = {1.5},
+                     .opened = {2.5},
+                     .closed = {3.5},
+                     .opening_rates = {-4.5, -5.5},
+                     .closing_rates = {-6.5, -7.5}};
     state.counts.increments = 57;
     state.growth_ended = true;
     state.growth_increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
@@ -95,6 +99,8 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.closure.signal, in.analysis.closure.signal);
     EXPECT_EQ(out.analysis.closure.opened, in.analysis.closure.opened);
     EXPECT_EQ(out.analysis.closure.closed, in.analysis.closure.closed);
+    EXPECT_EQ(out.analysis.closure.opening_rates, in.analysis.closure.opening_rates);
+    EXPECT_EQ(out.analysis.closure.closing_rates, in.analysis.closure.closing_rates);
     EXPECT_EQ(out.analysis.counts.increments, 57);
     EXPECT_TRUE(out.analysis.growth_ended);
     EXPECT_EQ(out.analysis.growth_increment.increment, 0.07);
