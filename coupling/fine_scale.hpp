@@ -1,6 +1,8 @@
 // The port: all that the coarse component knows of the fine one. Direct object, thread, or MPI process: it cannot tell.
 #pragma once
 
+#include <utility>
+
 #include "coupling/messages.hpp"
 #include "coupling/zone_snapshot.hpp"
 
@@ -50,7 +52,7 @@ public:
     virtual ZoneSnapshot snapshot() = 0;
 
     /// A snapshot that stays where the zone is, until the next one; and the last that was kept.
-    virtual void keep() { kept_ = snapshot(); }
+    virtual void keep() { keep_snapshot(snapshot()); }
     virtual ZoneSnapshot kept() { return kept_; }
 
     /// In place of set_patch(), the same patch: goes on from a snapshot, bit for bit where as many ranks gave it.
@@ -58,6 +60,9 @@ public:
 
     /// As begin_set_patch().
     virtual void begin_restore(const Patch& /*patch*/, const ZoneSnapshot& /*snapshot*/) {}
+
+protected:
+    void keep_snapshot(ZoneSnapshot snapshot) { kept_ = std::move(snapshot); }
 
 private:
     ZoneSnapshot kept_;

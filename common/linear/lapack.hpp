@@ -22,6 +22,8 @@ void dtrsv_(const char* uplo, const char* transpose, const char* diagonal, const
             const int* lda, double* x, const int* increment);
 void dgemv_(const char* transpose, const int* m, const int* n, const double* alpha, const double* a, const int* lda,
             const double* x, const int* increment_x, const double* beta, double* y, const int* increment_y);
+void dsymv_(const char* uplo, const int* n, const double* alpha, const double* a, const int* lda, const double* x,
+            const int* increment_x, const double* beta, double* y, const int* increment_y);
 }
 // NOLINTEND(readability-identifier-naming)
 
@@ -106,6 +108,14 @@ inline void subtract_product(Op op, int m, int n, const double* a, int stride, c
     const double minus = -1.0, plus = 1.0;
     const int one = 1;
     dgemv_(&o, &m, &n, &minus, a, &stride, x, &one, &plus, y, &one);
+}
+
+/// y = A x, A symmetric by its lower triangle.
+inline void symmetric_product(int n, const double* a, int stride, const double* x, double* y) {
+    const char lower = letter(Triangle::Lower);
+    const double one = 1.0, none = 0.0;
+    const int step = 1;
+    dsymv_(&lower, &n, &one, a, &stride, x, &step, &none, y, &step);
 }
 
 }  // namespace stria::lapack

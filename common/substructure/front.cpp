@@ -136,7 +136,9 @@ int Front::eliminate_general(double tolerance) {
 
 Eigen::VectorXd Front::times_schur(const Eigen::VectorXd& x) const {
     if (!symmetric()) return schur_ * x;
-    return schur_.selfadjointView<Eigen::Lower>() * x;
+    Eigen::VectorXd product(kept_);
+    lapack::symmetric_product(kept_, schur_.data(), std::max(1, kept_), x.data(), product.data());
+    return product;
 }
 
 void Front::mirror() {

@@ -36,6 +36,7 @@ void FineModel::plant_tree() {
 void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
 
 coupling::PatchResponse FineModel::collect() {
+    begin_rest_where_due();
     if (asked_.iteration == 0) {
         if (asked_.put_aside) system_.put_aside();
         system_.predict(asked_.predictor);
@@ -82,6 +83,7 @@ void FineModel::linearise() {
 // Subtrees of elements that may rest become leaves: their points and fronts are not looked at any more, until one
 // would yield.
 void FineModel::begin_rest(bool after_patch) {
+    rest_is_due_ = false;
     const Resting may_rest = system_.may_rest();
     some_rest_ = !may_rest.elements.none();
     if (!some_rest_ && !tree_->resting().none()) tree_->rest(ElementSet(changed_.size()));
@@ -99,6 +101,11 @@ void FineModel::begin_rest(bool after_patch) {
     tree_->rest(in_tree);
     system_.rest(resting(), tree_->inside());
     tree_->carry(system_.rest_load());
+}
+
+// Not before it is asked for: a growth, which may come first, wakes all.
+void FineModel::begin_rest_where_due() {
+    if (rest_is_due_) begin_rest(false);
 }
 
 // As a snapshot has it. Where the tree is another one, what does not fill a subtree of it is awake.
@@ -266,7 +273,7 @@ coupling::StepReport FineModel::commit(const coupling::Commit& what) {
     coupling::StepReport report = system_.commit(what);
     if (what.reversal) {
         system_.wake_all();
-        begin_rest(false);
+        rest_is_due_ = true;
     }
     report.factor_s = factor_s_;
     report.work += work_;
@@ -275,10 +282,14 @@ coupling::StepReport FineModel::commit(const coupling::Commit& what) {
 
 coupling::ZoneState FineModel::state() { return system_.state(); }
 
-coupling::ZoneSnapshot FineModel::snapshot() { return system_.snapshot(); }
+coupling::ZoneSnapshot FineModel::snapshot() {
+    begin_rest_where_due();
+    return system_.snapshot();
+}
 
 void FineModel::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
     system_.restore(patch, snapshot);
+    rest_is_due_ = false;
     plant_tree();
     rest_again(snapshot);
 }

@@ -25,6 +25,8 @@ public:
     void rollback() override {}  // the next increment starts from what is committed
     coupling::ZoneState state() override;
     coupling::ZoneSnapshot snapshot() override;
+    /// A growth comes next, before which nothing rests.
+    void keep() override { keep_snapshot(system_.snapshot()); }
     void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override;
 
     [[nodiscard]] const ZoneSystem& system() const { return system_; }
@@ -32,6 +34,7 @@ public:
 private:
     void plant_tree();
     void begin_rest(bool after_patch);
+    void begin_rest_where_due();
     void rest_again(const coupling::ZoneSnapshot& snapshot);
     [[nodiscard]] Resting resting() const;
     void wake_all_but(const ElementSet& still);
@@ -61,6 +64,7 @@ private:
     bool all_changed_ = true;
     // Something rests; it was looked at: at the present trial state, in this increment.
     bool some_rest_ = false, rest_was_checked_ = false;
+    bool rest_is_due_ = false;  // a half cycle has ended, and nothing has been asked since
     ElementSet changed_;  // of the tree, whose elements are those of the bulk, then the multipliers: its matrix is
                           // not that of the last factor
     coupling::WorkCounts work_;  // of condensing
