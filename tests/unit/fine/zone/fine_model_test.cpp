@@ -320,6 +320,17 @@ TEST_F(Resting, ItsReportsAreThoseOfAnAwakeZone) {
     EXPECT_LT(largest, 1e-6);  // MPa
 }
 
+// A growth, which may come between, wakes all: who rests is looked for when the zone is asked again.
+TEST_F(Resting, ItBeginsWhenTheZoneIsAskedAgain) {
+    cycles(3, 8e-4);
+    EXPECT_TRUE(model_.system().bulk().resting().elements().none());
+    const auto still = [](const coupling::ZoneSnapshot& snapshot) { return std::ranges::count(snapshot.resting, 1); };
+    model_.keep();
+    EXPECT_EQ(still(model_.kept()), 0);
+    EXPECT_GT(still(model_.snapshot()), 0);  // as a run that goes on
+    EXPECT_EQ(model_.system().bulk().resting().elements().count(), still(model_.snapshot()));
+}
+
 /// The same with a crack, rough or not, most of whose faces are far from its tip.
 class RestingFaces : public Resting, public testing::WithParamInterface<double> {
 protected:
@@ -330,13 +341,15 @@ protected:
     }
     RestingFaces() : Resting(long_crack(), 16) {}
 
-    /// Between two strains that do not change who touches, until faces rest; how many of them.
+    /// Between two strains that do not change who touches, until faces rest; how many of them in the last half cycle.
     int cycle_between(double one, double other) {
+        int resting = 0;
         for (int half = 0; half < 6; ++half) {
             go_to(0.5 * (one + other), false);
+            resting = model_.system().contact().resting().multipliers().count();
             go_to(half % 2 == 0 ? other : one, true);
         }
-        return model_.system().contact().resting().multipliers().count();
+        return resting;
     }
     [[nodiscard]] int closed() const {
         return static_cast<int>(std::ranges::count_if(model_.system().contact().statuses(), fine::is_closed));
