@@ -34,6 +34,8 @@ struct ZoneSnapshot {
     std::vector<std::int32_t> resting;      // its points are those of `rest_displacement`
     std::vector<double> flow;               // part of the recent iterations in which it yielded; one rank: 0
 
+    double weighed_cost = 0.0;  // of an iteration, when the ranks last thought of another sharing
+
     // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has
     // flowed in this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.
     std::int32_t columns = 0;

@@ -69,6 +69,7 @@ struct AnalysisState {
     RunCounts counts;
     bool growth_ended = false;  // growth has ended the run
     GrowthIncrementMemory growth_increment;
+    double uncounted_growth = 0.0;  // behind a sharp turn, mm (LifeCount)
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

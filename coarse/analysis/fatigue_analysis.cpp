@@ -217,7 +217,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
 void FatigueAnalysis::end_cycle(Increment& increment) {
     increment.cycles = cycle_meter_.finish();
     increment.nominal = body_.nominal();
-    if (growth_) growth_->count_cycles(increment.cycles, last_cycle_);
+    if (growth_) growth_->count_cycles(increment.cycles, last_cycle_, body_.scene());
     last_cycle_ = increment.cycles;
 }
 

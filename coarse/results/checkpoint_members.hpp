@@ -201,7 +201,8 @@ void members(auto& archive, Is<ClosureMemory> auto& m) {
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, closure, cycle, last_cycle,
-           nominal, counts, growth_ended, growth_increment, due_growth, release, load, work, equilibrium, zone] = m;
+           nominal, counts, growth_ended, growth_increment, uncounted_growth, due_growth, release, load, work,
+           equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -225,6 +226,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("mesh_splits", mesh_splits);
     archive("growth_ended", growth_ended);
     archive("growth_increment", growth_increment);
+    archive("uncounted_growth", uncounted_growth);
     archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);

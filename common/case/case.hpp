@@ -192,9 +192,9 @@ enum class GrowthDirection { HoopStress, Straight };
 
 struct GrowthSection {
     GrowthLaw law = GrowthLaw::Prescribed;
-    OrAuto<double> increment = 0.0;                // mm, of the fastest tip
-    double accuracy = 0.02, zone_fraction = 0.25;  // where the program chooses it (GrowthIncrement)
-    int every = 1;                                 // cycles
+    OrAuto<double> increment = 0.0;                  // mm, of the fastest tip
+    double accuracy = 0.02, zone_fraction = 0.0625;  // where the program chooses it (GrowthIncrement)
+    int every = 1;                                   // cycles
     GrowthAt at = GrowthAt::Maximum;
     double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C (opening range)^m, mm
     GrowthDriving driving = GrowthDriving::Range;

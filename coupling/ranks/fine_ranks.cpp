@@ -10,6 +10,7 @@
 #include "common/error.hpp"
 #include "common/integration/element_operator.hpp"
 #include "common/integration/parts_of_elements.hpp"
+#include "coupling/moved_increments.hpp"
 #include "coupling/ranks/merged_reports.hpp"
 #include "coupling/ranks/zone_partition.hpp"
 
@@ -106,9 +107,8 @@ Eigen::MatrixXd FineRanks::increments() {
 }
 
 MovedIncrements FineRanks::moved_to(const EnrichedMesh& next) {
-    const std::optional<TipMoves> moves = TipMoves::between(patch_.mesh, next);
-    if (!moves || increments_.all().empty()) return {};
-    return {*moves, MovedField(patch_.mesh, next, *moves).of(increments())};
+    if (increments_.all().empty()) return {};
+    return moved_increments(patch_.mesh, next, [this] { return increments(); });
 }
 
 void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
@@ -117,6 +117,7 @@ void FineRanks::restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     owner_ = same_ranks ? owners_in(snapshot) : by_id(patch.mesh, share_out(patch.mesh, ranks, {}, {}, snapshot.flow));
     go_on_from(patch, snapshot);
     flow_ = snapshot.flow;
+    weighed_cost_ = same_ranks ? snapshot.weighed_cost : 0.0;
 }
 
 // Of the patch that all know. It changes no state, as a checkpoint would not.
@@ -260,30 +261,32 @@ void FineRanks::rollback() {
     for (const RankPart& part : parts_) scale_of(part).rollback();
 }
 
-ZoneSnapshot FineRanks::snapshot() { return together(patch_.mesh, parts_, flow_, &FineScale::snapshot); }
+ZoneSnapshot FineRanks::snapshot() {
+    return together({patch_.mesh, parts_, flow_, weighed_cost_}, &FineScale::snapshot);
+}
 
 void FineRanks::keep() {
     for (const RankPart& part : parts_) scale_of(part).keep();
-    kept_ = {patch_.mesh, parts_, flow_};
+    kept_ = {patch_.mesh, parts_, flow_, weighed_cost_};
 }
 
-ZoneSnapshot FineRanks::kept() { return together(kept_.mesh, kept_.parts, kept_.flow, &FineScale::kept); }
+ZoneSnapshot FineRanks::kept() { return together(kept_, &FineScale::kept); }
 
-ZoneSnapshot FineRanks::together(const EnrichedMesh& mesh, const std::vector<RankPart>& parts,
-                                 const std::vector<double>& flow, ZoneSnapshot (FineScale::*give)()) const {
+ZoneSnapshot FineRanks::together(const Kept& of, ZoneSnapshot (FineScale::*give)()) const {
     ZoneSnapshot whole;
     whole.ranks = static_cast<std::int32_t>(scales_.size());
-    whole.displacement = whole.rest_displacement = whole.held = Eigen::VectorXd::Zero(mesh.unknowns);
-    for (const RankPart& part : parts) {
+    whole.displacement = whole.rest_displacement = whole.held = Eigen::VectorXd::Zero(of.mesh.unknowns);
+    for (const RankPart& part : of.parts) {
         const ZoneSnapshot own = (scale_of(part).*give)();
-        whole.increments.resize(own.increments.size(), Eigen::VectorXd::Zero(mesh.unknowns));
+        whole.increments.resize(own.increments.size(), Eigen::VectorXd::Zero(of.mesh.unknowns));
         add(whole, own, part.rank, part.unknowns);
     }
     std::ranges::stable_sort(whole.multipliers, {}, &MultiplierSnapshot::crack);
-    std::vector<int> all(at(mesh.unknowns));
+    std::vector<int> all(at(of.mesh.unknowns));
     std::iota(all.begin(), all.end(), 0);
-    whole = part_of(whole, mesh, all);  // in the order of the patch, as one rank would give it
-    whole.flow = flow;
+    whole = part_of(whole, of.mesh, all);  // in the order of the patch, as one rank would give it
+    whole.flow = of.flow;
+    whole.weighed_cost = of.weighed_cost;
     return whole;
 }
 

@@ -46,9 +46,14 @@ private:
     void move_history();
     [[nodiscard]] std::vector<double> flow_in(const Patch& next) const;
     void note_flow(const Digest& digest);
+    struct Kept {  // of a state, beside what the ranks have
+        EnrichedMesh mesh;
+        std::vector<RankPart> parts;
+        std::vector<double> flow;
+        double weighed_cost = 0.0;
+    };
     /// Of all ranks; `give`: asks one.
-    [[nodiscard]] ZoneSnapshot together(const EnrichedMesh& mesh, const std::vector<RankPart>& parts,
-                                        const std::vector<double>& flow, ZoneSnapshot (FineScale::*give)()) const;
+    [[nodiscard]] ZoneSnapshot together(const Kept& of, ZoneSnapshot (FineScale::*give)()) const;
     [[nodiscard]] Eigen::VectorXd known_displacement(const Patch& next) const;
     [[nodiscard]] MovedIncrements moved_to(const EnrichedMesh& next);
     [[nodiscard]] std::vector<Patch> take(const Patch& patch, const Eigen::VectorXd& displacement,
@@ -61,14 +66,10 @@ private:
     Patch patch_;
     std::map<int, int> owner_;   // rank by id of an element
     std::vector<double> flow_;   // of each element: cost_of_sharing(); recent iterations count most
-    double weighed_cost_ = 0.0;  // of an iteration, when another sharing was last thought of: cost_of_sharing()
+    double weighed_cost_ = 0.0;  // ZoneSnapshot::weighed_cost, by cost_of_sharing()
     std::vector<RankPart> parts_;
     std::vector<Patch> given_;  // to the parts, and they may not have it yet
-    struct Kept {
-        EnrichedMesh mesh;
-        std::vector<RankPart> parts;
-        std::vector<double> flow;
-    } kept_;
+    Kept kept_;
     Seams seams_;
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm

@@ -150,10 +150,10 @@ void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {
-    auto& [ranks, element, rank, points, quiet_half_cycles, resting, flow, columns, history, half_cycle_ended,
-           displacement, rest_displacement, increments, held, multipliers, frozen_tips] = m;
-    wire(ranks, element, rank, points, quiet_half_cycles, resting, flow, columns, history, half_cycle_ended,
-         displacement, rest_displacement, increments, held, multipliers, frozen_tips);
+    auto& [ranks, element, rank, points, quiet_half_cycles, resting, flow, weighed_cost, columns, history,
+           half_cycle_ended, displacement, rest_displacement, increments, held, multipliers, frozen_tips] = m;
+    wire(ranks, element, rank, points, quiet_half_cycles, resting, flow, weighed_cost, columns, history,
+         half_cycle_ended, displacement, rest_displacement, increments, held, multipliers, frozen_tips);
 }
 
 void fields(auto& wire, Is<Restore> auto& m) {

@@ -22,8 +22,8 @@ template <class List> void as_bytes(auto& archive, const char* name, List& list)
 
 void members(auto& archive, auto& snapshot) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(snapshot)>>, ZoneSnapshot> {
-    auto& [ranks, element, rank, points, recent_flow, resting, flow, columns, history, half_cycle_ended, displacement,
-           rest_displacement, increments, held, multipliers, frozen_tips] = snapshot;
+    auto& [ranks, element, rank, points, recent_flow, resting, flow, weighed_cost, columns, history, half_cycle_ended,
+           displacement, rest_displacement, increments, held, multipliers, frozen_tips] = snapshot;
     archive("ranks", ranks);
     archive("element", element);
     archive("rank", rank);
@@ -31,6 +31,7 @@ void members(auto& archive, auto& snapshot) requires
     archive("recent_flow", recent_flow);
     archive("resting", resting);
     archive("flow", flow);
+    archive("weighed_cost", weighed_cost);
     archive("columns", columns);
     archive("history", history);
     archive("half_cycle_ended", half_cycle_ended);

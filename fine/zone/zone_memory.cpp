@@ -10,6 +10,7 @@
 #include "common/index.hpp"
 #include "common/integration/moved_field.hpp"
 #include "common/integration/parts_of_elements.hpp"
+#include "coupling/moved_increments.hpp"
 
 namespace stria::fine {
 
@@ -82,17 +83,6 @@ void move_increments(ZoneMemory& memory, const ContactInterface& old_contact, co
     for (ZoneUnknowns& increment : moved | std::views::reverse) memory.increments.push(std::move(increment));
 }
 
-coupling::MovedIncrements moved_to(const EnrichedMesh& next, const EnrichedMesh& before,
-                                   const IncrementMemory<ZoneUnknowns>& increments) {
-    const std::optional<TipMoves> moves = TipMoves::between(before, next);
-    if (!moves) return {};
-    const MovedField field(before, next, *moves);
-    coupling::MovedIncrements moved{*moves, Eigen::MatrixXd(next.unknowns, std::ssize(increments.all()))};
-    for (Eigen::Index k = 0; k < moved.displacement.cols(); ++k)
-        moved.displacement.col(k) = field.of(increments.all()[at(k)].displacement);
-    return moved;
-}
-
 }  // namespace
 
 void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
@@ -115,7 +105,15 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
     }
     memory.committed = std::move(carried);
     if (old_contact == nullptr) return;
-    const coupling::MovedIncrements moved = next.shared ? next.moved : moved_to(next.mesh, before, memory.increments);
+    const auto of_one_rank = [&] {
+        const auto& known = memory.increments.all();
+        Eigen::MatrixXd increments(before.unknowns, std::ssize(known));
+        for (std::size_t k = 0; k < known.size(); ++k)
+            increments.col(static_cast<Eigen::Index>(k)) = known[k].displacement;
+        return increments;
+    };
+    const coupling::MovedIncrements moved =
+        next.shared ? next.moved : coupling::moved_increments(before, next.mesh, of_one_rank);
     move_increments(memory, *old_contact, contact, moved);
 }
 

@@ -241,6 +241,20 @@ TEST_P(GrowingFineRanks, ShareTheFlow) {
     (void)commit_the_same(u);
 }
 
+/// A run that goes on thinks of another sharing where the undisturbed one does: not before the cost is another one.
+TEST_P(GrowingFineRanks, ThinkOfAnotherSharingWhenTheUndisturbedOnesDo) {
+    turn_to(plate_mesh(11, 9, plate_case({{0.0, 4.4}, {2.6, 4.4}})));
+    (void)commit_the_same(boundary(8e-3, 1));
+    turn_to(patch.mesh);
+    const coupling::ZoneSnapshot then = team.together->snapshot();
+    EXPECT_GT(then.weighed_cost, 0.0);
+    Team resumed(input, GetParam());
+    resumed.together->restore(patch, then);
+    EXPECT_EQ(resumed.together->snapshot().weighed_cost, then.weighed_cost);
+    team.together->keep();
+    EXPECT_EQ(team.together->kept().weighed_cost, then.weighed_cost);
+}
+
 class TwoCracksOnFineRanks : public GrowingFineRanks {
 protected:
     TwoCracksOnFineRanks() : GrowingFineRanks(two_alike()) {}

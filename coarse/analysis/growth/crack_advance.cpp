@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "common/index.hpp"
 
@@ -33,6 +35,21 @@ double turn(double angle, double stretch, double increment, double element) {
     constexpr double tolerance = 1e-4;
     const double over = 0.5 * (std::min(stretch, element) + increment);
     return std::abs(angle) * over < tolerance * element ? 0.0 : angle;
+}
+
+double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
+    const auto at_end = static_cast<std::ptrdiff_t>(crack.points.size()) - 1;
+    const auto point = [&](std::ptrdiff_t back) -> const Vec2& {
+        return crack.points[at(tip.upper > 0 ? at_end - back : back)];
+    };
+    double behind = 0.0;
+    for (std::ptrdiff_t k = 1; k < at_end; ++k) {
+        const Vec2 ahead = point(k - 1) - point(k), before = point(k) - point(k + 1);
+        behind += ahead.norm();
+        const double cross = before.x() * ahead.y() - before.y() * ahead.x();
+        if (std::abs(std::atan2(cross, before.dot(ahead))) > sharp_turn) return behind;
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {

@@ -1,6 +1,7 @@
 // Where a crack grows: the direction of an advance, and the crack's line after it.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
@@ -18,6 +19,12 @@ namespace stria::coarse {
 /// Nothing is lost: the next angle is measured from the same direction. Below 2e-4, which is no more than what K_II is
 /// good to, a crack in short steps stays straight.
 [[nodiscard]] double turn(double angle, double stretch, double increment, double element);
+
+/// K of a tip just behind a turn by more than ten degrees is not resolved.
+inline constexpr double sharp_turn = std::numbers::pi / 18.0;
+
+/// Along a crack from its last sharp turn to a tip, mm; infinite where it has none.
+[[nodiscard]] double behind_sharp_turn(const CrackSection& crack, const Tip& tip);
 
 /// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);

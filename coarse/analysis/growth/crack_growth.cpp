@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <utility>
 
 #include "coarse/analysis/growth/crack_advance.hpp"
@@ -17,8 +16,8 @@ namespace stria::coarse {
 
 namespace {
 
-constexpr double sharp_turn = std::numbers::pi / 18.0;  // ten degrees
-constexpr double small_turn = 0.01;                     // of a tip with K_II = 0.005 K_I
+constexpr double small_turn = 0.01;           // of a tip with K_II = 0.005 K_I
+constexpr double elements_behind_turn = 2.0;  // from where on K behind a sharp turn is resolved
 
 /// Of all tips, radians.
 double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
@@ -44,11 +43,13 @@ std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> 
 
 CrackGrowth::CrackGrowth(const GrowthSection& growth, const Note& note, const AnalysisState* from)
     : growth_(growth), note_(note), ended_(from != nullptr && from->growth_ended),
-      increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()) {}
+      increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
+      life_(from != nullptr ? from->uncounted_growth : 0.0) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
     state.growth_increment = increment_.memory();
+    state.uncounted_growth = life_.uncounted();
 }
 
 bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
@@ -70,7 +71,18 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
     return grown;
 }
 
-// Rings about a tip pass over a bend that is nearer to it than they are: K behind a sharp one wants two elements.
+// From one element edge to another where faces end on edges; where they end is not known about another direction.
+TipSteps CrackGrowth::steps_about_fastest(const Scene& present, const std::vector<CycleResult>& last, double turn,
+                                          const std::vector<double>& elements) const {
+    const auto rate = [&](const CycleResult& tip) { return growth_rate(growth_, tip); };
+    const auto fastest = static_cast<std::size_t>(std::ranges::max_element(last, {}, rate) - last.begin());
+    TipSteps steps{.least = elements[fastest]};
+    if (present.enriched.tip_functions > 0) return steps;
+    steps.element = elements[fastest];
+    if (turn <= sharp_turn) steps.beyond = present.enriched.tips[fastest].beyond;
+    return steps;
+}
+
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
@@ -82,10 +94,11 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    const double least = turn > sharp_turn ? 2.0 * element : element;
-    const double increment =
-        growth_.increment.is_auto() ? increment_.next(growth_, last, least) : growth_.increment.value();
-    if (turn > sharp_turn && increment < least)
+    const double increment = growth_.increment.is_auto()
+                                 ? increment_.next(growth_, last, steps_about_fastest(present, last, turn, elements))
+                                 : growth_.increment.value();
+    const double resolved = elements_behind_turn * element;
+    if (turn > sharp_turn && increment < resolved)
         note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
                           "mm: K is not resolved until it is as far behind the bend",
                           increment, element));
@@ -162,10 +175,16 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& crack
     return {};
 }
 
-void CrackGrowth::count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const {
-    double grown = 0.0;
-    for (const CycleResult& cycle : cycles) grown = std::max(grown, cycle.da);
-    const double passed = cycles_passed(growth_, grown, fastest_rate(growth_, last), fastest_rate(growth_, cycles));
+void CrackGrowth::count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last,
+                               const Scene& present) {
+    if (growth_.law == GrowthLaw::Prescribed) return;  // each stands for itself
+    const auto fastest = std::ranges::max_element(cycles, {}, &CycleResult::da);
+    if (fastest == cycles.end()) return;
+    const Tip& tip = present.enriched.tips[at(static_cast<int>(fastest - cycles.begin()))];
+    const GrownTip grown{.grown = fastest->da,
+                         .behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
+                         .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip)};
+    const double passed = life_.passed(grown, fastest_rate(growth_, last), fastest_rate(growth_, cycles));
     for (CycleResult& cycle : cycles) cycle.dN = passed;
 }
 

@@ -6,6 +6,7 @@
 
 #include "coarse/analysis/cracked_body.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
+#include "coarse/analysis/growth/life_count.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
@@ -39,8 +40,9 @@ public:
     [[nodiscard]] GrownScene next(const CrackedBody& body, const LoadFactors& factors,
                                   const std::vector<TipResult>& reached, const std::vector<CycleResult>& last);
 
-    /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before.
-    void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last) const;
+    /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before. `present`:
+    /// with the tips as long as at their end.
+    void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last, const Scene& present);
 
 private:
     void require_drive(const std::vector<CycleResult>& last) const;
@@ -51,6 +53,8 @@ private:
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
     [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
                                            const std::vector<CycleResult>& last);
+    [[nodiscard]] TipSteps steps_about_fastest(const Scene& present, const std::vector<CycleResult>& last, double turn,
+                                               const std::vector<double>& elements) const;
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const;
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
@@ -58,6 +62,7 @@ private:
     const Note& note_;
     bool ended_;
     GrowthIncrement increment_;
+    LifeCount life_;
 };
 
 }  // namespace stria::coarse

@@ -13,6 +13,12 @@ GrowthPoint point_of(double rate, const CycleResult& tip) {
     return {.a = tip.a, .per_mm = 1.0 / rate, .closure = std::isfinite(K_op) ? K_op / tip.K_max : 0.0};
 }
 
+double from_edge_to_edge(double increment, const TipSteps& steps) {
+    if (steps.element == 0.0) return increment;
+    constexpr double rounding = 1e-6;
+    return std::max(std::floor(increment / steps.element + rounding), 1.0) * steps.element - steps.beyond;
+}
+
 }  // namespace
 
 double largest_increment(const GrowthSection& growth, double forward_zone, double a) {
@@ -20,7 +26,7 @@ double largest_increment(const GrowthSection& growth, double forward_zone, doubl
     return forward_zone > 0.0 ? growth.zone_fraction * forward_zone : elastic_fraction * a;
 }
 
-double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last, double least) {
+double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last, const TipSteps& steps) {
     const auto rate = [&](const CycleResult& tip) { return growth_rate(growth, tip); };
     const CycleResult& fastest = *std::ranges::max_element(last, {}, rate);
     const GrowthPoint now = point_of(rate(fastest), fastest);
@@ -28,10 +34,10 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     if (const double error = error_at(now); error > 0.0)
         factor = std::clamp(std::sqrt(growth.accuracy / error), 0.5, 2.0);
     const double largest = largest_increment(growth, fastest.forward, fastest.a);
-    memory_.increment = std::clamp(factor * memory_.increment, least, std::max(least, largest));
+    memory_.increment = std::clamp(factor * memory_.increment, steps.least, std::max(steps.least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);
-    double increment = memory_.increment;
+    double increment = from_edge_to_edge(memory_.increment, steps);
     if (growth.until)
         for (const CycleResult& tip : last)
             if (rate(tip) > 0.0) increment = std::min(increment, (*growth.until - tip.a) * rate(fastest) / rate(tip));

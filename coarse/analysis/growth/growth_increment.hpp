@@ -24,19 +24,27 @@ struct GrowthIncrementMemory {
 /// The largest that is chosen, mm, for a forward plastic zone and a crack length, mm.
 [[nodiscard]] double largest_increment(const GrowthSection& growth, double forward_zone, double a);
 
+/// What the mesh about the fastest tip asks of an increment, mm.
+struct TipSteps {
+    double least = 0.0;
+    double element = 0.0;  // increments are whole numbers of it; 0: of any size
+    double beyond = 0.0;   // Tip::beyond, which the next one makes up for
+};
+
 /// Increments of the fastest tip: at most `zone_fraction` of the plastic zone that the tip has just loaded, so that the
 /// wake is laid down in steps that the zone is large against; at least an element at the tip, because K behind a bend
-/// that is nearer is not resolved. The first is the smallest, each at most twice the one before, and smaller where
-/// errors would pass `accuracy`: with d the distance of the last but one value from the chord between its neighbours,
-/// d / 2 of `per_mm` relative to it (the trapezoidal rule of a life is off by d / 6 where the rate is smooth, by d at a
-/// jump), and d of `closure`. Errors fall with the square of the size.
+/// that is nearer is not resolved. Where faces end on element edges, whole elements from one edge to another: else now
+/// none and now two of them open, and K_op swings. The first is the smallest, each at most twice the one before, and
+/// smaller where errors would pass `accuracy`: with d the distance of the last but one value from the chord between its
+/// neighbours, d / 2 of `per_mm` relative to it (the trapezoidal rule of a life is off by d / 6 where the rate is
+/// smooth, by d at a jump), and d of `closure`. Errors fall with the square of the size.
 class GrowthIncrement {
 public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}
 
-    /// The next one, mm; `last`: the cycle that has ended, one per tip, of which one at least is driven. `least`: mm,
-    /// as the mesh has it; only an end of growth is nearer.
-    double next(const GrowthSection& growth, const std::vector<CycleResult>& last, double least);
+    /// The next one, mm; `last`: the cycle that has ended, one per tip, of which one at least is driven. Only an end of
+    /// growth is nearer than the least.
+    double next(const GrowthSection& growth, const std::vector<CycleResult>& last, const TipSteps& steps);
 
     [[nodiscard]] const GrowthIncrementMemory& memory() const { return memory_; }
 

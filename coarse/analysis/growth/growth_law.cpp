@@ -43,8 +43,7 @@ double fastest_rate(const GrowthSection& growth, const std::vector<CycleResult>&
     return fastest;
 }
 
-double cycles_passed(const GrowthSection& growth, double grown, double rate_before, double rate_after) {
-    if (growth.law == GrowthLaw::Prescribed) return 1.0;
+double cycles_passed(double grown, double rate_before, double rate_after) {
     return grown > 0.0 ? 0.5 * grown * (1.0 / rate_before + 1.0 / rate_after) : 0.0;
 }
 

@@ -20,7 +20,7 @@ namespace stria::coarse {
                                            const std::vector<CycleResult>& last, std::size_t tips);
 
 /// Cycles that it took to grow by `grown`, mm, from one state to another with the rates da/dN, mm per cycle, of the
-/// fastest tip (trapezoidal rule). A prescribed law: 1, the cycle itself.
-[[nodiscard]] double cycles_passed(const GrowthSection& growth, double grown, double rate_before, double rate_after);
+/// fastest tip (trapezoidal rule).
+[[nodiscard]] double cycles_passed(double grown, double rate_before, double rate_after);
 
 }  // namespace stria::coarse

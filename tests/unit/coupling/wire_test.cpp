@@ -111,6 +111,23 @@ template <class M> M there_and_back(const M& message) {
     return copy;
 }
 
+/// A symmetric tangent crosses as a lower triangle; of a general one there is no half.
+TEST(Wire, HalfATangentIsTheLowerTriangle) {
+    PatchResponse response = small_response();
+    EXPECT_EQ(unpack_half(pack(response)).tangent.matrix, response.tangent.matrix);
+    response.tangent = {Eigen::Matrix3d{{1.0, 2.0, 3.0}, {2.0, 4.0, 5.0}, {3.0, 5.0, 6.0}}, Symmetry::Symmetric};
+    const std::vector<std::byte> bytes = pack(response);
+    const PatchResponse half = unpack_half(bytes), whole = unpack<PatchResponse>(bytes);
+    EXPECT_EQ(half.tangent.symmetry, Symmetry::Symmetric);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column <= row; ++column)
+            EXPECT_EQ(half.tangent.matrix(row, column), response.tangent.matrix(row, column));
+    EXPECT_EQ(whole.tangent.matrix, response.tangent.matrix);
+    EXPECT_EQ(half.force, response.force);
+    EXPECT_EQ(half.digest.slides, response.digest.slides);
+    EXPECT_THROW((void)unpack_half(std::span(bytes).first(bytes.size() - 1)), ComponentLost);
+}
+
 TEST(Wire, Patch) {
     const Patch copy = there_and_back(small_patch());
     EXPECT_EQ(copy.mesh.nodes, small_mesh().nodes);

@@ -28,6 +28,16 @@ TEST(CrackAdvance, MovesTheFirstPointOfACrackThatStartsAtATip) {
     EXPECT_EQ(crack.points.front(), Vec2(0.75, 1.0));
 }
 
+TEST(CrackAdvance, KnowsHowFarATipIsBehindASharpTurn) {
+    const CrackSection crack{.points = {{0.0, 0.0}, {3.0, 0.0}, {3.4, 0.3}, {4.4, 1.0}}, .contact = {}};
+    const Tip last{.crack = 0, .position = {4.4, 1.0}, .direction = {0.8, 0.56}, .s = 0.0, .upper = 1};
+    EXPECT_NEAR(behind_sharp_turn(crack, last), 0.5 + std::hypot(1.0, 0.7), 1e-14);  // 37 and then 2 degrees
+    const Tip first{.crack = 0, .position = {0.0, 0.0}, .direction = {-1.0, 0.0}, .s = 0.0, .upper = -1};
+    EXPECT_NEAR(behind_sharp_turn(crack, first), 3.0, 1e-14);
+    const CrackSection straight{.points = {{0.0, 0.0}, {3.0, 0.0}}, .contact = {}};
+    EXPECT_TRUE(std::isinf(behind_sharp_turn(straight, first)));
+}
+
 // docs/references.md 2.4: an inclined crack at b to the load, K_I : K_II = sin b : cos b.
 TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
     constexpr double degree = std::numbers::pi / 180.0;

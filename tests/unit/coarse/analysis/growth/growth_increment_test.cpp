@@ -19,7 +19,7 @@ const GrowthSection by_K_eff{.law = GrowthLaw::Paris,
                              .m = 3.0,
                              .driving = GrowthDriving::EffectiveRange};
 
-constexpr double element = 0.1 / 16.0;  // mm
+constexpr TipSteps steps{.least = 0.1 / 16.0};  // mm
 
 /// A tip at K = 300 sqrt(a / 10) in a zone of 0.4 mm.
 CycleResult tip_at(double a, double closure) {
@@ -44,9 +44,9 @@ Life live(GrowthSection growth, const std::function<double(double)>& closure) {
     Life life;
     std::vector<CycleResult> last{tip_at(10.0, closure(10.0))};
     while (last[0].a < 12.0 - 1e-9) {
-        const double size = life.increments.emplace_back(increment.next(growth, last, element));
+        const double size = life.increments.emplace_back(increment.next(growth, last, steps));
         const std::vector<CycleResult> now{tip_at(last[0].a + size, closure(last[0].a + size))};
-        life.cycles += cycles_passed(growth, size, fastest_rate(growth, last), fastest_rate(growth, now));
+        life.cycles += cycles_passed(size, fastest_rate(growth, last), fastest_rate(growth, now));
         last = now;
     }
     return life;
@@ -54,7 +54,7 @@ Life live(GrowthSection growth, const std::function<double(double)>& closure) {
 
 TEST(GrowthIncrement, BeginsSmallAndDoublesUpToAFractionOfTheZone) {
     const Life life = live(by_K_eff, [](double) { return 0.3; });
-    EXPECT_NEAR(life.increments[0], element, 1e-15);
+    EXPECT_NEAR(life.increments[0], steps.least, 1e-15);
     for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(life.increments[k], 2.0 * life.increments[k - 1], 1e-14);
     EXPECT_NEAR(life.increments[5], 0.1, 1e-14);
 }
@@ -97,18 +97,36 @@ TEST(GrowthIncrement, IsHalvedWhereClosureJumps) {
 
 TEST(GrowthIncrement, IsNoSmallerThanAnElement) {
     GrowthIncrement increment({.increment = 0.1, .points = {{.a = 9.9, .per_mm = 1.0, .closure = 0.9}}});
-    EXPECT_EQ(increment.next(by_K_eff, {tip_at(10.0, 0.1)}, 0.3), 0.3);  // though a quarter of the zone is less
+    EXPECT_EQ(increment.next(by_K_eff, {tip_at(10.0, 0.1)}, {.least = 0.3}),
+              0.3);  // though a quarter of the zone is less
+}
+
+// The tip begins 0.03 mm beyond the edge on which its faces end.
+TEST(GrowthIncrement, GoesFromOneElementEdgeToAnother) {
+    constexpr double edge = 0.07;
+    const auto next = [&](double last, double beyond) {
+        return GrowthIncrement({.increment = last, .points = {}})
+            .next(by_K_eff, {tip_at(10.0, 0.3)}, {.least = edge, .element = edge, .beyond = beyond});
+    };
+    GrowthSection fine = by_K_eff;
+    EXPECT_NEAR(next(0.0, 0.03), 0.04, 1e-14);
+    EXPECT_NEAR(next(0.0, 0.0), 0.07, 1e-14);
+    EXPECT_NEAR(next(0.09, 0.0), 0.07, 1e-14);  // a quarter of the zone is 0.1: no second element fits
+    fine.zone_fraction = 0.5;
+    const double two = GrowthIncrement({.increment = 0.09, .points = {}})
+                           .next(fine, {tip_at(10.0, 0.3)}, {.least = edge, .element = edge, .beyond = -0.02});
+    EXPECT_NEAR(two, 0.16, 1e-14);
 }
 
 TEST(GrowthIncrement, NoTipPassesUntil) {
     GrowthSection growth = by_K_eff;
     growth.until = 10.05;
-    constexpr double least = 0.3;
-    EXPECT_NEAR(GrowthIncrement().next(growth, {tip_at(10.0, 0.1)}, least), 0.05, 1e-14);
+    constexpr TipSteps far{.least = 0.3};
+    EXPECT_NEAR(GrowthIncrement().next(growth, {tip_at(10.0, 0.1)}, far), 0.05, 1e-14);
     const std::vector<CycleResult> both{tip_at(9.0, 0.1), tip_at(10.0, 0.4)};  // the slower one is there first
     const double ratio = growth_rate(growth, both[0]) / growth_rate(growth, both[1]);
     ASSERT_GT(ratio, 1.0);
-    EXPECT_NEAR(GrowthIncrement().next(growth, both, least), 0.05 * ratio, 1e-14);
+    EXPECT_NEAR(GrowthIncrement().next(growth, both, far), 0.05 * ratio, 1e-14);
 }
 
 TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
@@ -117,16 +135,16 @@ TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
     tip.opening.K_op = std::nan("");
     GrowthSection growth = by_K_eff;
     growth.driving = GrowthDriving::Range;
-    EXPECT_NEAR(GrowthIncrement({.increment = 1.0, .points = {}}).next(growth, {tip}, element), 0.1, 1e-15);
+    EXPECT_NEAR(GrowthIncrement({.increment = 1.0, .points = {}}).next(growth, {tip}, steps), 0.1, 1e-15);
 }
 
 TEST(GrowthIncrement, GoesOnFromItsMemory) {
     const std::vector<CycleResult> first{tip_at(10.0, 0.1)}, second{tip_at(10.01, 0.1)}, third{tip_at(10.02, 0.3)};
     GrowthIncrement whole;
-    whole.next(by_K_eff, first, element);
-    whole.next(by_K_eff, second, element);
+    whole.next(by_K_eff, first, steps);
+    whole.next(by_K_eff, second, steps);
     GrowthIncrement resumed(whole.memory());
-    EXPECT_EQ(whole.next(by_K_eff, third, element), resumed.next(by_K_eff, third, element));
+    EXPECT_EQ(whole.next(by_K_eff, third, steps), resumed.next(by_K_eff, third, steps));
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// Cycles of a growth whose rate is known at its ends, and behind sharp turns.
+#include "coarse/analysis/growth/life_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace stria::coarse {
+namespace {
+
+using Rate = std::function<double(double)>;  // mm per cycle, at a distance that the tip has grown, mm
+
+constexpr double resolved = 0.02;  // mm
+
+/// Over a millimetre in equal increments; the crack turns where it begins.
+double life(int increments, double before_turn, const Rate& seen, double behind_turn_at_start) {
+    LifeCount count;
+    double cycles = 0.0, before = before_turn;
+    for (int k = 1; k <= increments; ++k) {
+        const double size = 1.0 / increments, grown = k * size, now = seen(grown);
+        cycles += count.passed({.grown = size, .behind_turn = behind_turn_at_start + grown, .resolved = resolved},
+                               before, now);
+        before = now;
+    }
+    EXPECT_EQ(count.uncounted(), 0.0);
+    return cycles;
+}
+
+double life_behind_turn(int increments, double before_turn, const Rate& seen) {
+    return life(increments, before_turn, seen, 0.0);
+}
+
+double straight_life(int increments, const Rate& seen) {
+    return life(increments, seen(0.0), seen, std::numeric_limits<double>::infinity());
+}
+
+/// K = K_0 sqrt(a / a_0) of a_0 = 10 mm and m = 3: N = (2 / (C K_0^3)) a_0^1.5 (a_0^-.5 - a^-.5).
+double paris(double grown) { return 1e-5 * std::pow(1.0 + grown / 10.0, 1.5); }
+const double exact = 2.0 * 1e5 * 10.0 * (1.0 - std::sqrt(10.0 / 11.0));
+
+TEST(LifeCount, IsOfSecondOrderWhereTheCrackIsStraight) {
+    double last = 0.0;
+    for (const int increments : {4, 8, 16, 32}) {
+        const double error = std::abs(straight_life(increments, paris) / exact - 1.0);
+        EXPECT_TRUE(last == 0.0 || std::abs(last / error - 4.0) < 0.05) << last / error;
+        last = error;
+    }
+    EXPECT_LT(last, 3e-6);  // da^2 (f'(1) - f'(0)) / 12 of f = 1 / rate, relative to the life: 2.8e-6
+}
+
+// K leaps at the turn: with the rate before it in the sum, a tenth of that behind it, the error would be of first
+// order.
+TEST(LifeCount, IsOfSecondOrderBehindASharpTurn) {
+    double last = 0.0;
+    for (const int increments : {4, 8, 16, 32}) {
+        const double error = std::abs(life_behind_turn(increments, 0.1 * paris(0.0), paris) / exact - 1.0);
+        EXPECT_TRUE(last == 0.0 || std::abs(last / error - 4.0) < 0.3) << last / error;
+        last = error;
+    }
+    EXPECT_LT(last, 1e-4);
+}
+
+// Nearer than two elements the rate is off by a factor of ten: none of it is in the sum.
+TEST(LifeCount, DoesNotAskForARateThatIsNotResolved) {
+    const auto seen = [](double grown) { return (grown < 0.99 * resolved ? 0.1 : 1.0) * paris(grown); };
+    EXPECT_NEAR(life_behind_turn(400, 0.1 * paris(0.0), seen) / exact, 1.0, 1e-4);
+    LifeCount count;
+    EXPECT_EQ(count.passed({.grown = 0.005, .behind_turn = 0.005, .resolved = resolved}, 1e-5, 1e-6), 0.0);
+    EXPECT_EQ(count.uncounted(), 0.005);
+    LifeCount resumed(count.uncounted());
+    EXPECT_NEAR(resumed.passed({.grown = 0.015, .behind_turn = 0.02, .resolved = resolved}, 1e-6, 1e-5), 2000.0, 1e-9);
+    EXPECT_EQ(resumed.uncounted(), 0.0);
+}
+
+TEST(LifeCount, CountsOfACrackThatTurnsAgainAndAgain) {
+    LifeCount count;
+    double cycles = 0.0;
+    for (int k = 0; k < 40; ++k)
+        cycles += count.passed({.grown = 0.005, .behind_turn = 0.005, .resolved = resolved}, 1e-5, 1e-5);
+    EXPECT_NEAR(cycles, 20000.0, 1e-6);
+}
+
+TEST(LifeCount, NothingPassesWhereNothingGrows) {
+    EXPECT_EQ(LifeCount().passed({.grown = 0.0, .behind_turn = 1.0, .resolved = resolved}, 0.0, 1e-5), 0.0);
+}
+
+}  // namespace
+}  // namespace stria::coarse
