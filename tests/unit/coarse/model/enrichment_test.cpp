@@ -148,6 +148,14 @@ TEST(Enrichment, RefusesATipThatTurnsBackInItsElement) {
     EXPECT_NO_THROW(cracked(square_mesh(4), hook, 0));
 }
 
+// Its functions act one element farther, and there the crack would lie ahead of it.
+TEST(Enrichment, RefusesATipThatTurnsBackBesideItsElement) {
+    const std::vector<Vec2> hook{{0.0, 0.4}, {0.49, 0.4}, {0.51, 0.41}, {0.506, 0.42}};
+    EXPECT_THROW(cracked(square_mesh(4), hook, 1), CaseError);
+    EXPECT_NO_THROW(cracked(square_mesh(4), hook, 0));
+    EXPECT_NO_THROW(cracked(square_mesh(4), {{0.0, 0.4}, {0.49, 0.4}, {0.51, 0.41}, {0.51, 0.42}}, 1));
+}
+
 TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
     const Mesh mesh = square_mesh(8);
     const auto two = [&](double gap) {
