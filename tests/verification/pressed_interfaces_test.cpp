@@ -197,10 +197,11 @@ double error_of_pressure(const std::vector<Vec2>& crack, int elements = 10,
 }
 
 // The jump goes with r^(1/2): the rule is exact for it along a straight crack, and is repeated towards the tip on what
-// lies behind a bend. Once it was 0.1 % off.
+// lies behind a bend. Once the last was 0.07 % off.
 TEST(PressedInterface, BearsThePressureUpToItsTip) {
     EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.56, 0.68}}), 1e-9);
-    EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.54, 0.68}, {0.546, 0.684}}), 1e-5);
+    EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.54, 0.68}, {0.546, 0.684}}), 1e-6);
+    EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.536, 0.67}, {0.536, 0.677}}), 1e-6);
 }
 
 // A plate in tension, which opens all of a bent crack. Faces that a multiplier took for closed doubled K.
@@ -235,7 +236,6 @@ TEST(PressedInterface, OfCracksThatBendAtTheirTips) {
         {8, {{0.0, 3.873}, {3.0, 5.0}, {3.493, 4.927}, {3.715, 5.055}, {3.723, 5.053}}},
         {15, {{5.299, 7.449}, {11.529, 9.026}, {11.605, 9.006}, {11.608, 9.003}}},
         {7, {{0.0, 3.0}, {1.959, 4.135}, {2.000004, 4.498}, {2.0, 4.741}}},
-        {13, {{4.332, 6.956}, {9.0, 6.631}, {9.0, 6.4675}}},
         {8, {{2.252, 3.97}, {4.83, 5.344}, {4.872, 5.343}, {5.0, 5.0}, {5.017, 4.993}}},
     };
     for (const auto& [elements, crack] : scenes) {

@@ -108,6 +108,17 @@ TEST(Enrichment, SidesBesideATipTearNoElement) {
     }
 }
 
+// The crack comes to an edge through an element and ends on it: seen along the edge that element's far corner is right
+// of the crack, and yet above it.
+TEST(Enrichment, SidesBesideAnEdgeAreThoseOfTheElementThatTheCrackCameThrough) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.5, 0.4}, {0.5, 0.36}}, 1);
+    const int above = node(1, 2), below = node(1, 1);
+    for (const auto& [n, side] : {std::pair(above, 1), std::pair(below, -1)}) {
+        ASSERT_TRUE(has_tip_terms(mesh, n));
+        EXPECT_EQ(mesh.terms[at(n)].back().shift, tip_functions(mesh.tips[0], mesh.nodes[at(n)], side, 0.5).value[0]);
+    }
+}
+
 // docs/enrichment.md: r^(1/(n+1)) where the metal hardens by a power law and nothing else, and no crack grows.
 TEST(Enrichment, ThePowerOfTheFunctionsIsThatOfTheMaterial) {
     Case input;
