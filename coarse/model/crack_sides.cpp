@@ -46,8 +46,10 @@ void CrackSides::note_if_node(const CrackPiece& piece, double place) {
 int CrackSides::near_tip(const CrackPiece& piece, int node) const {
     if (on_crack_.contains(node)) return 1;
     const Vec2& x = mesh_.nodes[at(node)];
-    if (piece.neighbour >= 0) return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
-    return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+    if (piece.neighbour < 0) return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+    // Along an edge: the crack may have come to it through an element beside it.
+    if (const auto known = of_nodes_.find(node); known != of_nodes_.end()) return known->second;
+    return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
 }
 
 // At a node, left or right of the two pieces that meet there; beside a tip, like the nodes of its element (a kink may

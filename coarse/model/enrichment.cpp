@@ -157,17 +157,26 @@ private:
         // Of the crack as given: the last piece may be short, and its other end snapped onto a node.
         const Vec2& before = start ? points[1] : points[points.size() - 2];
         tip.direction = ((start ? points.front() : points.back()) - before).normalized();
-        if (tip_enrichment_.functions > 0) refuse_hook(piece, tip, start);
+        if (tip_enrichment_.functions > 0) refuse_hook(path, piece, tip, start);
         result_.tips.push_back(tip);
         without_jump.merge(tip_enrichment_.functions == 0 ? front_nodes(mesh_, path, start) : tip_nodes(mesh_, piece));
     }
 
-    // Behind the tip theta would run on to more than 3/2 pi.
-    static void refuse_hook(const CrackPiece& piece, const Tip& tip, bool start) {
+    // The crack lies behind its tip as far as the tip's functions act, or theta would run on to more than 3/2 pi.
+    void refuse_hook(const CrackPath& path, const CrackPiece& piece, const Tip& tip, bool start) const {
         const std::vector<Vec2>& points = piece.points;
         const Vec2 into = start ? Vec2(points[points.size() - 2] - points.back()) : Vec2(points[1] - points[0]);
-        if (into.dot(tip.direction) >= 0.0) return;
-        throw CaseError(fmt::format("crack {}: it turns by more than 90 degrees in the element of its tip at "
+        const std::set<int> holders = tip_nodes(mesh_, piece);
+        const auto is_ahead = [&](const Vec2& x) {
+            return (x - tip.position).dot(tip.direction) > 1e-9 * (x - tip.position).norm();
+        };
+        const auto hooks = [&](const CrackPiece& other) {
+            const auto& nodes = mesh_.elements[at(other.element)];
+            return std::ranges::any_of(nodes, [&](int node) { return holders.contains(node); }) &&
+                   std::ranges::any_of(other.points, is_ahead);
+        };
+        if (into.dot(tip.direction) >= 0.0 && std::ranges::none_of(path.pieces, hooks)) return;
+        throw CaseError(fmt::format("crack {}: it turns by more than 90 degrees within two elements of its tip at "
                                     "({:.6g}, {:.6g}); use smaller elements there",
                                     tip.crack + 1, tip.position.x(), tip.position.y()));
     }

@@ -6,6 +6,7 @@
 #include "common/enrichment/element_basis.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 #include "common/integration/cut_element.hpp"
 
@@ -59,6 +60,36 @@ std::vector<Place> places_about(double centre, double first, double last, int ga
     return places;
 }
 
+/// A straight part of a crack, between two places, with their arc lengths.
+struct Stretch {
+    Vec2 from, to;
+    double first, last;
+
+    [[nodiscard]] double length() const { return last - first; }
+    [[nodiscard]] double distance(const Vec2& x) const { return distance_to_segment(x, from, to); }
+    [[nodiscard]] bool leads_to(const Tip& tip) const {
+        const Vec2 d = to - from, to_tip = tip.position - from;
+        const double nearest = std::min(std::abs(tip.s - first), std::abs(tip.s - last));
+        return std::abs(d.x() * to_tip.y() - d.y() * to_tip.x()) <= 1e-9 * d.norm() * to_tip.norm() &&
+               std::abs(distance(tip.position) - nearest) <= 1e-9 * (length() + nearest);
+    }
+};
+
+/// Of functions of sqrt(r) on the way straight to a tip, exactly. Beside a bend r is no arc length, and the rule is
+/// repeated on parts that are no longer than their distance to the tip; nearer than `shortest` they do next to no work.
+void add_places(const Tip& tip, const Stretch& part, double shortest, int gauss, std::vector<Place>& places) {
+    if (!part.leads_to(tip) && part.length() > std::max(shortest, part.distance(tip.position))) {
+        const Vec2 middle = 0.5 * (part.from + part.to);
+        const double s = 0.5 * (part.first + part.last);
+        add_places(tip, {part.from, middle, part.first, s}, shortest, gauss, places);
+        add_places(tip, {middle, part.to, s, part.last}, shortest, gauss, places);
+        return;
+    }
+    const std::vector<Place> own = part.leads_to(tip) ? places_about(tip.s, part.first, part.last, gauss)
+                                                      : gauss_places(part.first, part.last, gauss);
+    places.insert(places.end(), own.begin(), own.end());
+}
+
 /// Of the tips whose functions act in a piece's element, that of the same crack nearest to an arc length; else null.
 const Tip* tip_with_functions_on(const EnrichedMesh& mesh, const CrackPiece& piece, double s) {
     const Tip* nearest = nullptr;
@@ -107,7 +138,8 @@ std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int su
         for (std::size_t k = 0; k + 1 < ends.points.size(); ++k) {
             const Vec2 d = ends.points[k + 1] - ends.points[k];
             const double length = ends.s[k + 1] - ends.s[k];
-            for (const auto& [s, weight] : places_between(piece, ends.s[k], ends.s[k + 1])) {
+            for (const auto& [s, weight] :
+                 places_between(piece, Stretch{ends.points[k], ends.points[k + 1], ends.s[k], ends.s[k + 1]})) {
                 const Vec2 x = ends.points[k] + (s - ends.s[k]) / length * d;
                 stations.push_back(make_station(basis, piece, x, d.normalized(), s, weight));
             }
@@ -131,15 +163,20 @@ double FaceStation::slope(const Eigen::VectorXd& u, const Vec2& direction) const
 }
 
 std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int subcells, int gauss) {
-    return stations_of(mesh, crack, subcells, [&](const CrackPiece& piece, double first, double last) {
-        const Tip* tip = tip_with_functions_on(mesh, piece, 0.5 * (first + last));
-        return tip != nullptr ? places_about(tip->s, first, last, gauss) : gauss_places(first, last, gauss);
+    constexpr double shortest = 1e-3;  // of the element: sqrt(r) does 3e-5 of its work there
+    return stations_of(mesh, crack, subcells, [&](const CrackPiece& piece, const Stretch& part) {
+        const Tip* tip = tip_with_functions_on(mesh, piece, 0.5 * (part.first + part.last));
+        if (tip == nullptr) return gauss_places(part.first, part.last, gauss);
+        const auto& nodes = mesh.elements[at(piece.element)];
+        std::vector<Place> places;
+        add_places(*tip, part, shortest * (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm(), gauss, places);
+        return places;
     });
 }
 
 std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip& tip, int subcells, int gauss) {
-    return stations_of(mesh, tip.crack, subcells, [&](const CrackPiece&, double first, double last) {
-        return places_about(tip.s, first, last, gauss);
+    return stations_of(mesh, tip.crack, subcells, [&](const CrackPiece&, const Stretch& part) {
+        return places_about(tip.s, part.first, part.last, gauss);
     });
 }
 

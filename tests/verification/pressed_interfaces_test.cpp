@@ -196,11 +196,12 @@ double error_of_pressure(const std::vector<Vec2>& crack, int elements = 10,
     return worst;
 }
 
-// The jump goes with r^(1/2): the rule is exact for it along a straight crack, and for a bend close to the tip it is
-// better than Gauss's in r, which is 0.24 % off.
+// The jump goes with r^(1/2): the rule is exact for it along a straight crack, and is repeated towards the tip on what
+// lies behind a bend. Once the last was 0.07 % off.
 TEST(PressedInterface, BearsThePressureUpToItsTip) {
     EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.56, 0.68}}), 1e-9);
-    EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.54, 0.68}, {0.546, 0.684}}), 2e-3);
+    EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.54, 0.68}, {0.546, 0.684}}), 1e-6);
+    EXPECT_LT(error_of_pressure({{0.0, 0.63}, {0.536, 0.67}, {0.536, 0.677}}), 1e-6);
 }
 
 // A plate in tension, which opens all of a bent crack. Faces that a multiplier took for closed doubled K.

@@ -108,6 +108,17 @@ TEST(Enrichment, SidesBesideATipTearNoElement) {
     }
 }
 
+// The crack comes to an edge through an element and ends on it: seen along the edge that element's far corner is right
+// of the crack, and yet above it.
+TEST(Enrichment, SidesBesideAnEdgeAreThoseOfTheElementThatTheCrackCameThrough) {
+    const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.5, 0.4}, {0.5, 0.36}}, 1);
+    const int above = node(1, 2), below = node(1, 1);
+    for (const auto& [n, side] : {std::pair(above, 1), std::pair(below, -1)}) {
+        ASSERT_TRUE(has_tip_terms(mesh, n));
+        EXPECT_EQ(mesh.terms[at(n)].back().shift, tip_functions(mesh.tips[0], mesh.nodes[at(n)], side, 0.5).value[0]);
+    }
+}
+
 // docs/enrichment.md: r^(1/(n+1)) where the metal hardens by a power law and nothing else, and no crack grows.
 TEST(Enrichment, ThePowerOfTheFunctionsIsThatOfTheMaterial) {
     Case input;
@@ -146,6 +157,14 @@ TEST(Enrichment, RefusesATipThatTurnsBackInItsElement) {
     const std::vector<Vec2> hook{{0.0, 0.4}, {0.6, 0.4}, {0.63, 0.37}, {0.61, 0.34}};
     EXPECT_THROW(cracked(square_mesh(4), hook, 1), CaseError);
     EXPECT_NO_THROW(cracked(square_mesh(4), hook, 0));
+}
+
+// Its functions act one element farther, and there the crack would lie ahead of it.
+TEST(Enrichment, RefusesATipThatTurnsBackBesideItsElement) {
+    const std::vector<Vec2> hook{{0.0, 0.4}, {0.49, 0.4}, {0.51, 0.41}, {0.506, 0.42}};
+    EXPECT_THROW(cracked(square_mesh(4), hook, 1), CaseError);
+    EXPECT_NO_THROW(cracked(square_mesh(4), hook, 0));
+    EXPECT_NO_THROW(cracked(square_mesh(4), {{0.0, 0.4}, {0.49, 0.4}, {0.51, 0.41}, {0.51, 0.42}}, 1));
 }
 
 TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
