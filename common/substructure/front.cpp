@@ -136,7 +136,7 @@ int Front::eliminate_general(double tolerance) {
 
 Eigen::VectorXd Front::times_schur(const Eigen::VectorXd& x) const {
     if (!symmetric()) return schur_ * x;
-    Eigen::VectorXd product(kept_);
+    Eigen::VectorXd product = Eigen::VectorXd::Zero(kept_);
     lapack::symmetric_product(kept_, schur_.data(), std::max(1, kept_), x.data(), product.data());
     return product;
 }

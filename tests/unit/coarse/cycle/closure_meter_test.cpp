@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "common/index.hpp"
 
@@ -120,33 +121,43 @@ TEST(ClosureMeter, GoesStraightToWhereContactIsLost) {
     }
 }
 
+/// A signal is looked for between two targets, at which it says otherwise.
+struct Search {
+    static constexpr double root = 37.3, precision = 0.1;
+    OpeningChange found;
+    int trials = 0;
+
+    Search(const std::function<double(double)>& signal, const ExpectedCrossing& expected) {
+        Case input = loaded();
+        input.closure.distance = 0.2;
+        const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
+        const auto solve = [&](double target) {
+            ++trials;
+            return ClosureMeter::Trial{with_reach(meter, 0.2 + signal(target)), target};
+        };
+        const auto changes =
+            meter.locate({30.0, 30.0, {signal(30.0)}}, {40.0, 40.0, {signal(40.0)}}, precision, solve, {expected});
+        EXPECT_EQ(changes.size(), 1U);
+        found = changes.at(0);
+        EXPECT_NEAR(found.target, root, precision);
+    }
+};
+
+/// Faces press with another stiffness than they open with.
+double bent(double target, double bend) {
+    const double x = Search::root - target;
+    return (x > 0.0 ? 7.0 : 1.0) * x * (1.0 + bend * x);
+}
+
 // A cycle opens and closes nearly where the last one did: then one trial tells, or two of a signal that only says
 // whether. What is expected elsewhere costs a trial and changes nothing.
 TEST(ClosureMeter, TriesFirstWhereItIsExpected) {
-    Case input = loaded();
-    input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
-    constexpr double root = 37.3, precision = 0.1;
-    const auto signal = [](double target) {
-        const double x = root - target;
-        return (x > 0.0 ? 7.0 : 1.0) * x * (1.0 + 0.05 * x);
-    };
-    const auto whether = [](double target) { return target < root ? 1.0 : -1.0; };
-    const auto trials = [&](const auto& of, double expected) {
-        int tried = 0;
-        const auto solve = [&](double target) {
-            ++tried;
-            return ClosureMeter::Trial{with_reach(meter, 0.2 + of(target)), target};
-        };
-        const auto changes = meter.locate({30.0, 30.0, {of(30.0)}}, {40.0, 40.0, {of(40.0)}}, precision, solve,
-                                          {ExpectedCrossing{.target = expected}});
-        EXPECT_EQ(changes.size(), 1U);
-        EXPECT_NEAR(changes.at(0).target, root, precision);
-        return tried;
-    };
+    const auto signal = [](double target) { return bent(target, 0.05); };
+    const auto whether = [](double target) { return target < Search::root ? 1.0 : -1.0; };
+    const auto trials = [](const auto& of, double expected) { return Search(of, {.target = expected}).trials; };
     for (const double off : {-0.04, 0.0, 0.04}) {
-        EXPECT_EQ(trials(signal, root + off), 1) << off;
-        EXPECT_EQ(trials(whether, root + off), 2) << off;
+        EXPECT_EQ(trials(signal, Search::root + off), 1) << off;
+        EXPECT_EQ(trials(whether, Search::root + off), 2) << off;
     }
     for (const double elsewhere : {29.0, 30.0, 31.0, 40.0, 55.0}) {
         EXPECT_LE(trials(signal, elsewhere), trials(signal, NAN) + 1) << elsewhere;
@@ -156,37 +167,19 @@ TEST(ClosureMeter, TriesFirstWhereItIsExpected) {
 
 // What a signal changed by beside zero a cycle ago leads from where it was expected to where it is.
 TEST(ClosureMeter, FollowsTheRatesOfTheCycleBefore) {
-    Case input = loaded();
-    input.closure.distance = 0.2;
-    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
-    constexpr double root = 37.3, precision = 0.1;
-    const auto signal = [](double target) {
-        const double x = root - target;
-        return (x > 0.0 ? 7.0 : 1.0) * x * (1.0 + 0.01 * x);
-    };
-    int tried = 0;
-    const auto solve = [&](double target) {
-        ++tried;
-        return ClosureMeter::Trial{with_reach(meter, 0.2 + signal(target)), target};
-    };
-    const auto found = [&](const ExpectedCrossing& expected) {
-        tried = 0;
-        const auto changes =
-            meter.locate({30.0, 30.0, {signal(30.0)}}, {40.0, 40.0, {signal(40.0)}}, precision, solve, {expected});
-        EXPECT_EQ(changes.size(), 1U);
-        EXPECT_NEAR(changes.at(0).target, root, 0.5 * precision);
-        return changes.at(0);
-    };
+    const auto signal = [](double target) { return bent(target, 0.01); };
     for (const double off : {-0.5, -0.3, 0.3, 0.5}) {
-        const OpeningChange first = found({.target = root + off});
-        const int without = tried;
+        const double expected = Search::root + off;
+        const Search first(signal, {.target = expected});
         const std::size_t side = off < 0.0 ? 1 : 0;
-        EXPECT_NEAR(first.rate[side], side == 1 ? -7.0 : -1.0, 0.05) << off;
-        static_cast<void>(found({.target = root + off, .rate = first.rate}));
-        EXPECT_EQ(tried, 2) << off;
-        EXPECT_GT(without, 2) << off;
-        for (const double wrong : {-70.0, -20.0, -2.0, 5.0})
-            static_cast<void>(found({.target = root + off, .rate = {wrong, wrong}}));
+        EXPECT_NEAR(first.found.rate[side], side == 1 ? -7.0 : -1.0, 0.05) << off;
+        EXPECT_GT(first.trials, 2) << off;
+        const Search second(signal, {.target = expected, .rate = first.found.rate});
+        EXPECT_EQ(second.trials, 2) << off;
+        for (const double wrong : {-70.0, -20.0, -2.0, 5.0}) {
+            const Search misled(signal, {.target = expected, .rate = {wrong, wrong}});
+            EXPECT_NEAR(misled.found.target, Search::root, 0.5 * Search::precision) << off << " " << wrong;
+        }
     }
 }
 
