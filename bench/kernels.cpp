@@ -150,7 +150,7 @@ void elastic_force(benchmark::State& run) {
     on_element(
         run,
         [&](const Plate& of, const auto& kernel, const ElementOperator&) {
-            benchmark::DoNotOptimize(kernel.elastic(K, of.u));
+            benchmark::DoNotOptimize(kernel.elastic_force(K, of.u));
         },
         [](double f, double) { return 8.0 * f * f + 4.0 * f; });
 }
