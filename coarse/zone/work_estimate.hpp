@@ -19,10 +19,9 @@ struct WorkEstimate {
     double bytes = 0.0;
 };
 
-/// Measured figures, to a factor of about three; increments that have to be halved come on top. Says too much rather
-/// than too little: what yields in the elastic body yields in all iterations. Of long histories the first half cycles
-/// count, and the largest one. `K_I`: the largest of the history, one per tip, MPa sqrt(mm). `nominal`: of the whole
-/// body.
+/// Measured figures, to a factor of about three; increments that have to be halved come on top. Of long histories the
+/// first half cycles count, and the largest one. `K_I`: the largest of the history, one per tip, MPa sqrt(mm).
+/// `nominal`: of the whole body.
 [[nodiscard]] WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K_I);
 
 }  // namespace stria::coarse
