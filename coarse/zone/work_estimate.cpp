@@ -14,7 +14,7 @@ namespace {
 // return in parts of plane stress or of hardening that is not linear; the exact one takes a third.
 constexpr double for_unknown = 12e-6, for_unknown_of_load = 0.5e-6, for_point = 1e-6, for_flow = 4.5e-6,
                  for_row = 0.5e-3;
-constexpr double iterations = 4.0;  // of an increment; shipped cases take 2 to 4, and 6.5 with trials for four opening loads
+constexpr double iterations = 4.0;  // of an increment; 2 to 4 in shipped cases, 6.5 with trials for four opening loads
 constexpr double evaluated = 0.4;   // of the points, in a mean iteration: others rest or are proven elastic
 
 // Each of the first half cycles is looked at half way, where what travels is, and at its end.
