@@ -77,8 +77,8 @@ public:
     /// The next state may be the last: elements at rest are to be looked at, so that it is not provisional.
     virtual void look_at_rest() {}
 
-    /// Of all that is evaluated until the next begin(), or until told otherwise: metal answers elastically, whatever its
-    /// stress.
+    /// Of all that is evaluated until the next begin(), or until told otherwise: metal answers elastically, whatever
+    /// its stress.
     virtual void set_elastic(bool elastic) = 0;
 
     /// Takes the correction.

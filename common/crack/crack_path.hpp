@@ -19,8 +19,8 @@ struct CrackPath {
 };
 
 /// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, leaves
-/// it between its ends, turns by more than a right angle, enters an element twice, or leaves an element edge between its
-/// nodes after running along it.
+/// it between its ends, turns by more than a right angle, enters an element twice, or leaves an element edge between
+/// its nodes after running along it.
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
 
 }  // namespace stria

@@ -29,8 +29,8 @@ Balance balance_of(const Case& input) {
     const coarse::WorkBalance& end = balance.end;
     std::cout << fmt::format("{:3} increments a cycle: external {:.6f} = stored {:.6f} + dissipated {:.6f} + released "
                              "{:.6f} + {:+.6f} N; largest error {:.4f} % of the largest external work\n",
-                             input.load.first_steps(), end.external, end.stored, end.dissipated, end.released, end.error(),
-                             100.0 * balance.relative_error());
+                             input.load.first_steps(), end.external, end.stored, end.dissipated, end.released,
+                             end.error(), 100.0 * balance.relative_error());
     return balance;
 }
 
