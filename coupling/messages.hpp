@@ -58,6 +58,11 @@ struct Patch {
 
 /// Displacements of the zone's boundary, each Newton iteration.
 struct PatchDisplacement {
+    /// Several ranks keep their factors together or not at all: what is out of balance in each comes first, and the
+    /// rest of the answers when it is known what they shall do.
+    enum class Wanted : std::int8_t { Whole, Residuals, Rest };
+    Wanted wanted =
+        Wanted::Whole;         // Rest: of the answer to the question before; all but keeps_factor is as it was there
     int iteration = 0;         // 0: first of an increment
     Predictor predictor = {};  // of the zone's interior, in that first iteration
     bool put_aside = false;    // in that first iteration: the trial state that it leaves is wanted as a predictor
@@ -66,7 +71,9 @@ struct PatchDisplacement {
     bool further = false;        // Gamma has moved on, or back, along the correction before ...
     double step = 1.0;           // ... by this part of it, and the interior goes with it; 1: a new correction
     double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
-    double settled_below = 0.0;  // N/mm: where the interior residual is no larger the last factor may serve once more
+    double settled_below = 0.0;  // N/mm: where residuals are no larger the last factor serves once more
+    bool keeps_factor = false;   // the same, where it has been decided
+    double last_below = 0.0;     // N/mm: where it is not much larger this state may be the last of its increment
     bool check_rest = false;     // look at the elements at rest: this state may be the last
     bool elastic = false;        // no point flows in this iterate, whatever its stress
     Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
@@ -92,6 +99,9 @@ struct PatchResponse {
     Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
     CondensedTangent tangent;          // on Gamma; empty where `same_tangent`
     bool same_tangent = false;         // the tangent is that of the last response
+    bool may_keep_factor = false;      // no multiplier has changed its status since the last one
+    bool keeps_factor = false;         // the correction takes it, whatever has changed since
+    Eigen::VectorXd due;               // of a shared zone, with its residuals: what is out of balance on Gamma, N/mm
     Eigen::VectorXd unit_load;         // the zone's own loads condensed onto Gamma: minus d force / d load factor
     double interior_residual = 0;      // largest interior force residual, N/mm
     double interior_force = 0;         // largest internal nodal force, the scale of that residual

@@ -50,6 +50,7 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
     target_ = target.value;
     request_ = {
         .predictor = predictor, .put_aside = std::exchange(put_aside_, false), .held = target.held, .boundary = {}};
+    factor_reuse_ = FactorReuse(input_.tolerance);
     near_wanted_ = false;
     if (!predictor.goes_on) trial_ = committed_;
     if (const GammaState* earlier = increments_.find(predictor)) {
@@ -87,10 +88,12 @@ Residual CondensedEquilibrium::linearise() {
     result.boundary = largest(residual_);
     add_zone(result, response_);
     add_structure_work(result);
-    // A factor serves twice, not for ever: the second correction in a row would gain less and less.
     const double tolerance = input_.tolerance, left = result.largest() / result.scale;
-    request_.settled_below = response_.same_tangent ? 0.0 : tolerance * result.scale;
-    near_wanted_ = left * left <= 0.1 * tolerance;  // Newton's method squares what is left
+    factor_reuse_.add(result);
+    request_.settled_below = factor_reuse_.below();
+    request_.last_below = result.scale * tolerance;
+    // Newton's method squares what is left.
+    near_wanted_ = result.keeps_factor || left * left <= 0.1 * tolerance;
     return result;
 }
 

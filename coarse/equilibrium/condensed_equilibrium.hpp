@@ -7,6 +7,7 @@
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/equilibrium_sections.hpp"
 #include "coarse/equilibrium/expanded_displacement.hpp"
+#include "coarse/equilibrium/factor_reuse.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/fine_scale.hpp"
 
@@ -75,6 +76,7 @@ private:
         GammaState correction;  // the last one that was applied, whole
         double work_before;     // along it, of the structure's residual where it began, N
     } taken_;
+    FactorReuse factor_reuse_{0.0};        // in the present search
     coupling::PatchDisplacement request_;  // the next one; its boundary is put in when it leaves
     coupling::PatchResponse response_;
     CondensedTangent zone_tangent_;  // of the last response that brought one

@@ -26,6 +26,7 @@ struct Residual {
     int yielding_points = 0;
     int closed = 0;                               // multipliers
     int status_changes = 0;                       // since the iteration before
+    bool keeps_factor = false;                    // its correction takes the tangent of the iterate before
     bool provisional = false;                     // elements at rest have not been looked at: no state to stay in
     bool woken = false;                           // some of them have been found to yield: they take part from here on
     std::vector<std::vector<double>> faces = {};  // per tip and distance behind it: coupling::Digest

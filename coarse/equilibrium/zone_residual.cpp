@@ -21,6 +21,7 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.along_before = response.along_before;
     residual.provisional = response.provisional;
     residual.woken = response.woken;
+    residual.keeps_factor = response.keeps_factor;
 }
 
 }  // namespace stria::coarse

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <numeric>
 #include <ranges>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "common/integration/element_operator.hpp"
 #include "common/integration/parts_of_elements.hpp"
 #include "coupling/moved_increments.hpp"
+#include "coupling/ranks/answers.hpp"
 #include "coupling/ranks/merged_reports.hpp"
 #include "coupling/ranks/zone_partition.hpp"
 
@@ -38,7 +38,7 @@ FineRanks::FineRanks(std::vector<FineScale*> ranks, std::size_t remembered)
 void FineRanks::set_patch(const Patch& patch) {
     if (given_.empty()) begin_set_patch(patch);
     const std::vector<Patch> given = std::exchange(given_, {});
-    for_each_answer([&](std::size_t k) { scale_of(parts_[k]).set_patch(given[k]); });
+    for_each_answer(asked(), [&](std::size_t k) { scale_of(parts_[k]).set_patch(given[k]); });
 }
 
 void FineRanks::begin_set_patch(const Patch& patch) {
@@ -165,7 +165,7 @@ void FineRanks::go_on_from(const Patch& patch, const ZoneSnapshot& snapshot) {
         scale_of(parts_[k]).begin_restore(patches[k], parts[k]);
     }
     tree_.emplace(patch_.mesh, parts_, seams_);
-    for_each_answer([&](std::size_t k) { scale_of(parts_[k]).restore(patches[k], parts[k]); });
+    for_each_answer(asked(), [&](std::size_t k) { scale_of(parts_[k]).restore(patches[k], parts[k]); });
 }
 
 void FineRanks::request(const PatchDisplacement& displacement) {
@@ -184,33 +184,42 @@ void FineRanks::request(const PatchDisplacement& displacement) {
     trial_(seams_.gamma) = displacement.boundary;
     load_factor_ = displacement.load_factor;
     cases_ = displacement.cases;
+    settled_below_ = displacement.settled_below;
     for (const RankPart& part : parts_) {
         PatchDisplacement of_part = displacement;
+        if (settled_below_ > 0.0) of_part.wanted = Wanted::Residuals;
         of_part.boundary = gather(trial_, part.shared);
         scale_of(part).request(of_part);
     }
 }
 
 PatchResponse FineRanks::collect() {
-    std::vector<PatchResponse> answers(parts_.size());
-    for_each_answer([&](std::size_t k) {
-        answers[k] = scale_of(parts_[k]).collect();
-        if (!answers[k].same_tangent) tree_->set_tangent(k, std::move(answers[k].tangent));
-    });
+    std::vector<PatchResponse> answers = answers_of_ranks();
     PatchResponse response;
     response.digest.yielding_points.assign(patch_.mesh.elements.size(), 0);
     Eigen::VectorXd unit_load = gather(patch_.unit_load, seams_.kept), load = load_factor_ * unit_load;
     if (patch_.case_loads.cols() > 0) load += patch_.case_loads(seams_.kept, Eigen::all) * cases_;
-    const double applied = correction_.dot(load);  // the parts know of the forces inside them
-    response.along = response.along_before = applied;
+    response.along = response.along_before = correction_.dot(load);  // the parts know of the forces inside them
+    Eigen::VectorXd due = load;
+    response.may_keep_factor = true;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         add(response, answers[k], parts_[k].elements);
-        load(parts_[k].shared) -= answers[k].force;
-        unit_load(parts_[k].shared) += answers[k].unit_load;
+        due(parts_[k].shared) += answers[k].due;
     }
     note_flow(response.digest);
     for (const int seam : seams_.between)
-        response.interior_residual = std::max(response.interior_residual, std::abs(load[seam]));
+        response.interior_residual = std::max(response.interior_residual, std::abs(due[seam]));
+    if (settled_below_ > 0.0) {
+        const double residual = std::max(response.interior_residual, response.contact_residual);
+        response.keeps_factor = response.may_keep_factor && residual <= settled_below_;
+        for (FineScale* rank : asked())
+            rank->request({.wanted = Wanted::Rest, .keeps_factor = response.keeps_factor, .boundary = {}});
+        answers = answers_of_ranks();
+    }
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        load(parts_[k].shared) -= answers[k].force;
+        unit_load(parts_[k].shared) += answers[k].unit_load;
+    }
     response.same_tangent = !tree_->factor();
     if (!response.same_tangent) response.tangent = tree_->tangent();
     tree_->reduce(load, unit_load);
@@ -219,28 +228,19 @@ PatchResponse FineRanks::collect() {
     return response;
 }
 
-/// Reads every answer, also where one is a failure: nobody is left in mid-conversation. As they come: what one rank has
-/// found is unpacked while another still computes.
-void FineRanks::for_each_answer(const std::function<void(std::size_t)>& read) const {
-    std::vector<std::exception_ptr> failures(parts_.size());
-    std::vector<std::size_t> due(parts_.size());
-    std::iota(due.begin(), due.end(), std::size_t{0});
-    const auto is_there = [&](std::size_t k) { return scale_of(parts_[k]).has_answered(); };
-    while (!due.empty()) {
-        const auto next = std::ranges::find_if(due, is_there);
-        if (next == due.end()) {
-            scale_of(parts_[due.front()]).wait_a_moment();
-            continue;
-        }
-        try {
-            read(*next);
-        } catch (const NumericalFailure&) {
-            failures[*next] = std::current_exception();
-        }
-        due.erase(next);
-    }
-    for (const std::exception_ptr& failure : failures)
-        if (failure) std::rethrow_exception(failure);
+std::vector<FineScale*> FineRanks::asked() const {
+    std::vector<FineScale*> asked;
+    for (const RankPart& part : parts_) asked.push_back(&scale_of(part));
+    return asked;
+}
+
+std::vector<PatchResponse> FineRanks::answers_of_ranks() {
+    std::vector<PatchResponse> answers(parts_.size());
+    for_each_answer(asked(), [&](std::size_t k) {
+        answers[k] = scale_of(parts_[k]).collect();
+        if (answers[k].tangent.matrix.size() > 0) tree_->set_tangent(k, std::move(answers[k].tangent));
+    });
+    return answers;
 }
 
 StepReport FineRanks::commit(const Commit& what) {

@@ -2,7 +2,6 @@
 // substructures, and the merge above them stands here (docs/method.md, section 1).
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -60,7 +59,9 @@ private:
                                           const MovedIncrements& moved = {});
     void go_on_from(const Patch& patch, const ZoneSnapshot& snapshot);
     [[nodiscard]] FineScale& scale_of(const RankPart& part) const { return *scales_[at(part.rank)]; }
-    void for_each_answer(const std::function<void(std::size_t)>& read) const;
+    [[nodiscard]] std::vector<FineScale*> asked() const;
+    [[nodiscard]] std::vector<PatchResponse> answers_of_ranks();
+    using Wanted = PatchDisplacement::Wanted;
 
     std::vector<FineScale*> scales_;
     Patch patch_;
@@ -74,7 +75,7 @@ private:
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm
     Eigen::VectorXd correction_;         // likewise, the last one, taken whole
-    double load_factor_ = 0.0;
+    double load_factor_ = 0.0, settled_below_ = 0.0;
     Eigen::VectorXd cases_;  // factors of the load cases
     IncrementMemory<Eigen::VectorXd> increments_;
     std::vector<StepReport> reports_;

@@ -76,10 +76,10 @@ void fields(auto& wire, Is<Patch> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
-    auto& [iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below, check_rest, elastic,
-           boundary] = m;
-    wire(iteration, predictor.factor, predictor.back, predictor.goes_on, put_aside, load_factor, cases, further, step,
-         held, settled_below, check_rest, elastic, boundary);
+    auto& [wanted, iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below,
+           keeps_factor, last_below, check_rest, elastic, boundary] = m;
+    wire(wanted, iteration, predictor.factor, predictor.back, predictor.goes_on, put_aside, load_factor, cases, further,
+         step, held, settled_below, keeps_factor, last_below, check_rest, elastic, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
@@ -100,10 +100,11 @@ void fields(auto& wire, Is<CondensedTangent> auto& m) {
 }
 
 void fields(auto& wire, Is<PatchResponse> auto& m) {
-    auto& [force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-           interior_correction, interior_displacement, along, along_before, provisional, woken, digest] = m;
-    wire(force, tangent, same_tangent, unit_load, interior_residual, interior_force, contact_residual,
-         interior_correction, interior_displacement, along, along_before, provisional, woken, digest);
+    auto& [force, tangent, same_tangent, may_keep_factor, keeps_factor, due, unit_load, interior_residual,
+           interior_force, contact_residual, interior_correction, interior_displacement, along, along_before,
+           provisional, woken, digest] = m;
+    wire(force, tangent, same_tangent, may_keep_factor, keeps_factor, due, unit_load, interior_residual, interior_force,
+         contact_residual, interior_correction, interior_displacement, along, along_before, provisional, woken, digest);
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {

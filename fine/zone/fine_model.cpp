@@ -5,6 +5,7 @@
 
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
+#include "fine/zone/right_hand_side.hpp"
 #include "fine/zone/tree_layout.hpp"
 
 namespace stria::fine {
@@ -33,9 +34,20 @@ void FineModel::plant_tree() {
     multiplier_matrices_.resize(in_tree_.size());
 }
 
-void FineModel::request(const coupling::PatchDisplacement& displacement) { asked_ = displacement; }
+void FineModel::request(const coupling::PatchDisplacement& displacement) {
+    if (displacement.wanted != Wanted::Rest) asked_ = displacement;
+    asked_.wanted = displacement.wanted;
+    asked_.keeps_factor = displacement.keeps_factor;
+}
 
 coupling::PatchResponse FineModel::collect() {
+    if (asked_.wanted != Wanted::Rest) evaluate();
+    if (asked_.wanted == Wanted::Residuals) return response_;
+    condense(response_);
+    return std::move(response_);
+}
+
+void FineModel::evaluate() {
     begin_rest_where_due();
     if (asked_.iteration == 0) {
         if (asked_.put_aside) system_.put_aside();
@@ -55,23 +67,23 @@ coupling::PatchResponse FineModel::collect() {
     const bool looked = some_rest_ && system_.opens_faces() && asked_.iteration > 0;
     if (looked) (void)wake_what_would_yield();
     linearise();
-    coupling::PatchResponse response = system_.measure();
+    response_ = system_.measure();
     const bool unseen = some_rest_ && !looked;
-    response.provisional = unseen && !is_time_to_check_rest(response);
-    if (unseen && !response.provisional) {
+    response_.provisional = unseen && !is_time_to_check_rest(response_);
+    if (unseen && !response_.provisional) {
         const bool woken = wake_what_would_yield();
         if (woken) {
             linearise();
-            response = system_.measure();
+            response_ = system_.measure();
         } else {
-            system_.measure_faces(response.digest);
+            system_.measure_faces(response_.digest);
         }
-        response.woken = woken;
+        response_.woken = woken;
     }
-    response.along = work_along_correction();
-    response.along_before = correction_.work_before;
-    condense(response);
-    return response;
+    response_.along = work_along_correction();
+    response_.along_before = correction_.work_before;
+    response_.may_keep_factor = may_keep_factor();
+    if (system_.patch().shared) response_.due = gather(system_.load(), system_.patch().boundary);
 }
 
 void FineModel::linearise() {
@@ -148,8 +160,7 @@ bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) c
     constexpr double roughly = 1e-2, margin = 10.0;
     const double residual = std::max(response.interior_residual, response.contact_residual);
     if (asked_.elastic) return false;
-    const bool last =
-        residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.settled_below);
+    const bool last = residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.last_below);
     const bool early = !rest_was_checked_ && asked_.iteration > 0 && response.digest.status_changes == 0 &&
                        residual <= roughly * response.interior_force;
     return asked_.check_rest || last || early;
@@ -183,12 +194,17 @@ void FineModel::find_changes() {
     }
 }
 
-// Near equilibrium the forces on Gamma do not depend on the factor, and one more correction needs no new one.
-bool FineModel::last_factor_serves(const coupling::PatchResponse& response) const {
+bool FineModel::may_keep_factor() const {
     const std::vector<char>& flags = changed_.flags();
     const auto first_multiplier = flags.end() - std::ssize(in_tree_);
-    return !all_changed_ && asked_.settled_below > 0.0 && std::find(first_multiplier, flags.end(), 1) == flags.end() &&
-           std::max(response.interior_residual, response.contact_residual) <= asked_.settled_below;
+    return !all_changed_ && std::find(first_multiplier, flags.end(), 1) == flags.end();
+}
+
+// One of several ranks does as all do, but where none of its tangents has changed.
+bool FineModel::keeps_factor() const {
+    if (asked_.wanted == Wanted::Rest) return asked_.keeps_factor || (!all_changed_ && changed_.none());
+    return response_.may_keep_factor && asked_.settled_below > 0.0 &&
+           std::max(response_.interior_residual, response_.contact_residual) <= asked_.settled_below;
 }
 
 void FineModel::factor() {
@@ -214,7 +230,7 @@ void FineModel::factor() {
 
 void FineModel::condense(coupling::PatchResponse& response) {
     const Stopwatch watch(factor_s_);
-    response.same_tangent = last_factor_serves(response);
+    response.keeps_factor = response.same_tangent = keeps_factor();
     if (response.same_tangent) {
         ++work_.factors_reused;
     } else {
@@ -222,7 +238,7 @@ void FineModel::condense(coupling::PatchResponse& response) {
         const bool half = system_.patch().shared;  // half of a symmetric one is enough for who merges ranks
         response.tangent = {half ? tree_->lower_tangent() : tree_->tangent(), tree_->symmetry()};
     }
-    reduced_ = tree_->reduce(due());
+    reduced_ = tree_->reduce(right_hand_side_of(system_));
     response.force = -reduced_.boundary;
     response.unit_load = Eigen::VectorXd::Zero(reduced_.boundary.size());
     reduced_unit_ = {Eigen::VectorXd::Zero(reduced_.interior.size()), response.unit_load};
@@ -231,21 +247,6 @@ void FineModel::condense(coupling::PatchResponse& response) {
     unit.head(system_.patch().unit_load.size()) = system_.patch().unit_load;
     reduced_unit_ = tree_->reduce(unit);
     response.unit_load = reduced_unit_.boundary;
-}
-
-// What Newton has to remove: forces, and gaps or pressures of multipliers. An open one does not push any more.
-Eigen::VectorXd FineModel::due() const {
-    const ContactInterface& contact = system_.contact();
-    Eigen::VectorXd open = contact.awake(system_.traction()), forces = system_.load();
-    for (int k = 0; k < contact.multipliers(); ++k) {
-        if (!is_closed(contact.statuses()[at(k)])) continue;
-        open[k] = 0.0;
-        if (contact.shear_of(k) >= 0) open[contact.shear_of(k)] = 0.0;
-    }
-    contact.operators().add_force(open, forces);
-    Eigen::VectorXd due(forces.size() + open.size());
-    due << forces, system_.contact_right_hand_side();
-    return due;
 }
 
 // The interior's share of Newton's correction.

@@ -38,14 +38,15 @@ private:
     void rest_again(const coupling::ZoneSnapshot& snapshot);
     [[nodiscard]] Resting resting() const;
     void wake_all_but(const ElementSet& still);
+    void evaluate();
     void linearise();
     [[nodiscard]] bool is_time_to_check_rest(const coupling::PatchResponse& response) const;
     [[nodiscard]] bool wake_what_would_yield();
     void find_changes();
-    [[nodiscard]] Eigen::VectorXd due() const;
     void correct();
     [[nodiscard]] double work_along_correction() const;
-    [[nodiscard]] bool last_factor_serves(const coupling::PatchResponse& response) const;
+    [[nodiscard]] bool may_keep_factor() const;
+    [[nodiscard]] bool keeps_factor() const;
     void factor();
     void condense(coupling::PatchResponse& response);
 
@@ -55,7 +56,9 @@ private:
     std::vector<FaceStatus> in_tree_;  // status of each multiplier in the last factor, or to be in the next one
     std::vector<Eigen::MatrixXd> multiplier_matrices_;
     ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
+    using Wanted = coupling::PatchDisplacement::Wanted;
     coupling::PatchDisplacement asked_;
+    coupling::PatchResponse response_;  // to it
     struct Correction {
         Eigen::VectorXd displacement, traction;  // taken whole
         double work_before = 0.0;                // along it, of what was out of balance where it began, N

@@ -31,14 +31,8 @@ TEST(SentInPlaneStress, ConvergesQuadraticallyOnceBranchesHaveSettled) {
     const RunHistory run = run_direct(sheet_case());
     int steps = 0;
     for (const coarse::Increment& increment : run.increments) {
-        const auto& iterations = increment.newton.iterations;
-        for (std::size_t k = 1; k < iterations.size(); ++k) {
-            const coarse::Residual &before = iterations[k - 1].residual, &after = iterations[k].residual;
-            if (before.yielding_points != after.yielding_points || before.closed != after.closed ||
-                before.status_changes != 0 || after.status_changes != 0)
-                continue;
-            const double e = before.largest() / before.scale;
-            EXPECT_LT(after.largest() / after.scale, std::max(1e3 * e * e, 1e-12)) << increment.newton.table();
+        for (const Correction& correction : settled_corrections(increment)) {
+            EXPECT_LT(correction.after, std::max(correction.bound(1e3), 1e-12)) << increment.newton.table();
             ++steps;
         }
     }

@@ -99,20 +99,31 @@ inline RunHistory run_direct(const Case& input, const coarse::Scene& scene) {
 
 inline RunHistory run_direct(const Case& input) { return run_direct(input, coarse::refined_scene(input)); }
 
-/// Relative residuals of an increment once the set of flowing points and the statuses of multipliers stay as they are.
-inline std::vector<double> settled_residuals(const coarse::Increment& increment) {
+/// A correction of Newton's method: relative residuals before and after it, and of the iterate that its tangent is of.
+struct Correction {
+    double before, after, tangent_of;
+
+    /// What consistent tangents leave at most.
+    [[nodiscard]] double bound(double C) const { return C * tangent_of * before; }
+};
+
+/// Those of an increment once the set of flowing points and the statuses of multipliers stay as they are.
+inline std::vector<Correction> settled_corrections(const coarse::Increment& increment) {
     const auto& iterations = increment.newton.iterations;
     const auto same_branches = [](const coarse::Residual& a, const coarse::Residual& b) {
         return a.yielding_points == b.yielding_points && a.closed == b.closed && b.status_changes == 0;
     };
     std::size_t first = iterations.size() - 1;
     while (first > 0 && same_branches(iterations[first - 1].residual, iterations[first].residual)) --first;
-    std::vector<double> residuals;
-    for (std::size_t k = first; k < iterations.size(); ++k) {
-        const coarse::Residual& r = iterations[k].residual;
-        residuals.push_back(r.largest() / r.scale);
+    while (first + 1 < iterations.size() && iterations[first].residual.keeps_factor) ++first;
+    std::vector<Correction> corrections;
+    double tangent_of = 0.0;
+    for (std::size_t k = first; k + 1 < iterations.size(); ++k) {
+        const coarse::Residual &r = iterations[k].residual, &next = iterations[k + 1].residual;
+        if (!r.keeps_factor) tangent_of = r.largest() / r.scale;
+        corrections.push_back({r.largest() / r.scale, next.largest() / next.scale, tangent_of});
     }
-    return residuals;
+    return corrections;
 }
 
 /// The cycles of a long run, which ends after so many of them; its increments are not kept.

@@ -7,6 +7,7 @@
 #include "app/run/monolithic/matrix.hpp"
 #include "coarse/elements/support_forces.hpp"
 #include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/factor_reuse.hpp"
 #include "coarse/equilibrium/zone_residual.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/index.hpp"
@@ -48,6 +49,7 @@ public:
         factors_.cases = target.cases;
         impose_held();
         taken_.resize(0);
+        reuse_ = coarse::FactorReuse(zone_.tolerance());
         zone_.predict(predictor);
         zone_.set_held(target.held);
         zone_.set_elastic(false);
@@ -70,6 +72,13 @@ public:
         result.scale = loads_.largest(factors_);
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         coarse::add_zone(result, response);
+        result.keeps_factor = reuse_.below() > 0.0 && std::max(result.interior, result.contact) <= reuse_.below() &&
+                              zone_.contact().statuses() == statuses_;
+        reuse_.add(result);
+        if (!result.keeps_factor) {
+            matrix_ = MonolithicMatrix{scene_, stiffness_, zone_, whole_, held_, controlled_}.assembled();
+            statuses_ = zone_.contact().statuses();
+        }
         const bool known = taken_.size() > 0 && controlled_.is_load_factor();
         result.along = known ? work_along_taken() : 0.0;
         result.along_before = known ? before_ : 0.0;
@@ -81,8 +90,7 @@ public:
         Eigen::VectorXd right(n + m + 1);
         right << residual_, zone_.contact_right_hand_side(), off_target_;
         for (int i = 0; i < n; ++i) right[i] = held_[at(i)] != 0 ? 0.0 : right[i];
-        const MonolithicMatrix matrix{scene_, stiffness_, zone_, whole_, held_, controlled_};
-        correction_ = solve_general(matrix.assembled(), right);
+        correction_ = solve_general(matrix_, right);
         const double move = correction_.head(n).cwiseAbs().maxCoeff();
         return move / std::max({trial_.cwiseAbs().maxCoeff(), move, 1e-300});
     }
@@ -219,7 +227,10 @@ private:
     fine::ZoneSystem& zone_;
     std::vector<std::int32_t> yielding_;  // points, per element of the zone
     SparseMatrix stiffness_;
-    std::vector<int> whole_;  // whole-mesh unknown of each zone unknown
+    std::vector<int> whole_;                  // whole-mesh unknown of each zone unknown
+    SparseMatrix matrix_;                     // of the last iterate that did not keep it
+    std::vector<fine::FaceStatus> statuses_;  // there
+    coarse::FactorReuse reuse_{0.0};
     coarse::LinearReading controlled_;
     double target_ = 0.0, off_target_ = 0.0;
     MonolithicLoads loads_;
