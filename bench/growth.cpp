@@ -51,8 +51,9 @@ void measure(int across, int refine) {
                 analysis.structure().unknowns(), 1e3 * analysis.effort().growth_s / steps,
                 1e3 * analysis.effort().setup_s);
     const coupling::WorkCounts made = analysis.effort().work;
-    std::printf(" %ld, %ld, %ld | %zu |", made.structure_factorisations, made.structure_factors_kept,
-                made.far_factorisations, analysis.structure().elements().near().size());
+    std::printf(" %ld, %ld, %ld, %ld | %zu, %zu |", made.structure_factorisations, made.structure_factors_kept,
+                made.middle_factorisations, made.far_factorisations, analysis.structure().elements().near().size(),
+                analysis.structure().elements().core().size());
     for (const coarse::TipResult& tip : analysis.nominal()) std::printf(" %.13g |", tip.K_I);
     std::printf("\n");
     std::fflush(stdout);
@@ -63,8 +64,8 @@ void measure(int across, int refine) {
 
 int main(int argc, char** argv) {
     stria::use_one_thread();
-    std::printf("| elements | zone | unknowns of the structure | a step, ms | set-up, ms | near factored, kept, far "
-                "factored | near elements | K_1 |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf("| elements | zone | unknowns of the structure | a step, ms | set-up, ms | core factored, kept, "
+                "middle, far factored | near elements, of the core | K_1 |\n|---|---|---|---|---|---|---|---|\n");
     for (const int n : stria::sizes_from(argc, argv, 1, {45, 141, 447}))
         for (const int refine : {4, 1}) stria::measure(n, refine);
 }

@@ -2,12 +2,19 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stria {
 
 class IndexLists {
 public:
+    IndexLists() = default;
+
+    /// `entries`: of all lists. `first`: place of the first one of each list, then their number.
+    IndexLists(std::vector<std::size_t> first, std::vector<int> entries)
+        : first_(std::move(first)), entries_(std::move(entries)) {}
+
     void append(std::span<const int> list) {
         entries_.insert(entries_.end(), list.begin(), list.end());
         first_.push_back(entries_.size());

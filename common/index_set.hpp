@@ -53,6 +53,11 @@ public:
         return *this;
     }
 
+    /// Of another set of the same size.
+    [[nodiscard]] bool is_subset_of(const IndexSet& other) const {
+        return std::ranges::equal(flags_, other.flags_, std::ranges::less_equal());
+    }
+
     [[nodiscard]] IndexSet complement() const {
         IndexSet others(size(), true);
         for (int id = 0; id < size(); ++id)

@@ -32,14 +32,16 @@ struct WorkCounts {
     std::int64_t factors_reused = 0;  // iterations that factored no front
 
     // The structure.
-    std::int64_t gamma_factored = 0;            // the condensed tangent on Gamma
-    std::int64_t gamma_factors_reused = 0;      // corrections that took the last factor
-    std::int64_t structure_solves_full = 0;     // displacement of the whole structure
-    std::int64_t structure_solves_near = 0;     // of the near elements alone
-    std::int64_t structure_factorisations = 0;  // near elements condensed onto Gamma
-    std::int64_t structure_factors_kept = 0;    // new geometries that took the factor as it was
-    std::int64_t far_factorisations = 0;        // far elements condensed onto their rim
-    std::int64_t structure_checks_full = 0;     // far elements looked at one by one for yield
+    std::int64_t gamma_factored = 0;                // the condensed tangent on Gamma
+    std::int64_t gamma_factors_reused = 0;          // corrections that took the last factor
+    std::int64_t structure_solves_full = 0;         // displacement of the whole structure
+    std::int64_t structure_solves_near = 0;         // of the near elements alone
+    std::int64_t structure_factorisations = 0;      // near elements, or the core of them, condensed onto Gamma
+    std::int64_t structure_factors_kept = 0;        // new geometries that took the factor as it was
+    std::int64_t far_factorisations = 0;            // far elements condensed onto their rim
+    std::int64_t middle_factorisations = 0;         // likewise those between them and the core
+    std::int64_t structure_elements_assembled = 0;  // in all of these, and for nominal solutions
+    std::int64_t structure_checks_full = 0;         // far elements looked at one by one for yield
     std::int64_t structure_checks_by_bound = 0;
 
     // Between the components.
@@ -81,6 +83,8 @@ inline constexpr std::array named_work_counts{
     NamedWorkCount{"structure_factorisations", &WorkCounts::structure_factorisations},
     NamedWorkCount{"structure_factors_kept", &WorkCounts::structure_factors_kept},
     NamedWorkCount{"far_factorisations", &WorkCounts::far_factorisations},
+    NamedWorkCount{"middle_factorisations", &WorkCounts::middle_factorisations},
+    NamedWorkCount{"structure_elements_assembled", &WorkCounts::structure_elements_assembled},
     NamedWorkCount{"structure_checks_full", &WorkCounts::structure_checks_full},
     NamedWorkCount{"structure_checks_by_bound", &WorkCounts::structure_checks_by_bound},
     NamedWorkCount{"fine_ranks", &WorkCounts::fine_ranks},

@@ -8,6 +8,7 @@
 #include "coarse/analysis/closure_measurement.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
+#include "coarse/elements/coarse_elements.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
@@ -58,7 +59,7 @@ struct AnalysisState {
     MeshSplits splits;             // of the mesh of the start, that it followed the tips with
     ElementSet settled;            // elements that are split no more
     ElementSet in_zone;            // elements inside the zone
-    ElementSet far;                // far elements; the choice shows in the last bits
+    StillElements still;           // of the structure; the choice shows in the last bits
     Eigen::VectorXd displacement;  // of all unknowns of the mesh, mm; zero inside the zone
     double load_factor = 0.0;      // committed
     double largest_force = 0.0;    // largest scale of a residual up to now, N/mm

@@ -35,7 +35,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
     const Stopwatch watch(effort_.setup_s);
     if (!scene.free_motions.text.empty()) note_(scene.free_motions.text);
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
-        far_ = far_elements(scene, ElementSet(scene.mesh.elements.size()));
+        still_.far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
         structure_ = take_nominal_of(scene);
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
@@ -43,7 +43,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
     in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());
     if (structure_ && !serves(in_zone_)) structure_.reset();  // two factors at once would take twice the memory
-    condense_onto(in_zone_, from != nullptr ? &from->far : nullptr);
+    condense_onto(in_zone_, from != nullptr ? &from->still : nullptr);
 }
 
 void CrackedBody::go_on_from(const AnalysisState& state) {
@@ -70,7 +70,7 @@ void CrackedBody::write(AnalysisState& state) const {
     state.splits = splits_;
     state.settled = settled_;
     state.in_zone = in_zone_;
-    state.far = far_;
+    state.still = still_;
     state.nominal = nominal_;
 }
 
@@ -83,62 +83,76 @@ double CrackedBody::load_scale() const {
     return target_of_unit(scene_->input.load, stress_intensities(nominal_), grown());
 }
 
-bool CrackedBody::knows_far_body() const { return factors_.far && factors_.far->is_of(far_); }
+bool CrackedBody::knows_far_part() const { return factors_.far && factors_.far->is_of(still_.far, nullptr); }
+
+bool CrackedBody::knows_middle_part() const {
+    return factors_.middle && factors_.middle->is_of(still_.middle, factors_.far.get()) &&
+           (knows_far_part() || still_.far.none());
+}
 
 bool CrackedBody::serves(const ElementSet& in_zone) const {
     return structure_ && &structure_->scene() == scene_ && structure_->in_zone() == in_zone;
 }
 
-// Everything that a longer crack changes is near it: the far body serves again.
-void CrackedBody::condense_onto(const ElementSet& in_zone, const ElementSet* far) {
-    const std::shared_ptr<const NearFactor> near = factors_.near;
+// Everything that a longer crack changes is in the core: the parts below serve again.
+void CrackedBody::condense_onto(const ElementSet& in_zone, const StillElements* still) {
+    const std::shared_ptr<const CoreFactor> core = factors_.core;
     in_zone_ = in_zone;
     if (!serves(in_zone)) {  // else the nominal one does
-        far_ = far != nullptr ? *far : far_elements(*scene_, in_zone, far_);
+        still_ = still != nullptr ? *still : still_elements(*scene_, in_zone, still_);
         note_if_large("condensing the structure onto the zone's boundary");
         structure_ = condense(*scene_, in_zone);
     }
     coupling::WorkCounts& work = effort_.work;
-    ++(near && factors_.near == near ? work.structure_factors_kept : work.structure_factorisations);
+    ++(core && factors_.core == core ? work.structure_factors_kept : work.structure_factorisations);
 }
 
 // Structures one after another, each with what serves of the last one's factors.
 std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const ElementSet& in_zone) {
     const Stopwatch watch(effort_.condensing_s);
-    const bool known = knows_far_body();
-    auto structure = std::make_unique<Structure>(scene, in_zone, far_, std::exchange(factors_, {}));
+    const bool knows_far = knows_far_part(), knows_middle = knows_middle_part();
+    auto structure = std::make_unique<Structure>(scene, in_zone, still_, std::exchange(factors_, {}));
     factors_ = structure->factors();
-    if (!known && factors_.far) ++effort_.work.far_factorisations;
+    coupling::WorkCounts& work = effort_.work;
+    work.structure_elements_assembled += std::ssize(structure->elements().core());
+    if (!knows_far && factors_.far) {
+        ++work.far_factorisations;
+        work.structure_elements_assembled += still_.far.count();
+    }
+    if (!knows_middle && factors_.middle) {
+        ++work.middle_factorisations;
+        work.structure_elements_assembled += still_.middle.count();
+    }
     return structure;
 }
 
 // K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
 // the structure, it condenses what is near or in the zone.
 std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
-    const bool known = knows_far_body();
-    NominalSolution nominal = nominal_serves(scene) ? with_tips_moved(scene, far_, std::move(nominal_fields_->fields))
+    const bool known = knows_far_part();
+    NominalSolution nominal = nominal_serves(scene) ? with_tips_moved(scene, still_, std::move(nominal_fields_->fields))
                                                     : nominal_solution(scene, known);
     nominal_ = nominal.tips;
     largest_K_I_ =
         stria::coarse::largest_K_I(scene.input.load, unit_response(nominal), grown(), CaseHistories(scene.input));
     nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
     nominal_fields_.reset();
-    if (known) nominal_fields_ = {std::move(nominal.fields), far_};
+    if (known) nominal_fields_ = {std::move(nominal.fields), still_};
     return std::move(nominal.structure);
 }
 
 // `far_known`: a far body that was there before: the guard knows how it answers.
 NominalSolution CrackedBody::nominal_solution(const Scene& scene, bool far_known) {
     note_if_large("elastic solution of the whole body");
-    auto near = std::exchange(factors_.near, nullptr);
+    auto core = std::exchange(factors_.core, nullptr);
     auto body = condense(scene, ElementSet(scene.mesh.elements.size()));
-    factors_.near = std::move(near);  // of the structure
+    factors_.core = std::move(core);  // of the structure
     return far_known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
 }
 
 // While a tip moves on inside its element nothing else changes: the body does what it did.
 bool CrackedBody::nominal_serves(const Scene& scene) const {
-    return has_zone() && nominal_fields_ && nominal_fields_->far == far_ &&
+    return has_zone() && nominal_fields_ && nominal_fields_->still == still_ &&
            same_but_for_tips(scene_->enriched, scene.enriched);
 }
 
@@ -184,9 +198,9 @@ void CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd& displacement) {
     Eigen::VectorXd inside = on_parts(before, displacement, now, of_zone, Eigen::VectorXd::Zero(now.unknowns));
     displacement =
         carry_over(before, displacement, now, on_parts(before, displacement, now, of_structure, std::move(inside)));
-    for (ElementSet* set : {&in_zone_, &settled_, &far_}) set->widen(now.elements.size());
+    for (ElementSet* set : {&in_zone_, &settled_, &still_.far, &still_.middle}) set->widen(now.elements.size());
     for (int e = 0; e < std::ssize(finer.part_of); ++e)
-        if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // far_elements() sees that none of them is far
+        if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // still_elements() sees that it moves
     structure_.reset();
     nominal_fields_.reset();
     splits_.insert(splits_.end(), finer.splits.begin(), finer.splits.end());
@@ -207,7 +221,7 @@ ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
 }
 
 ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet at_least) {
-    far_ = far_elements(longer, at_least, far_);
+    still_ = still_elements(longer, at_least, still_);
     std::unique_ptr<Structure> body = take_nominal_of(longer);
     if (!has_zone()) structure_ = std::move(body);
     at_least |= select_zone(longer, largest_K_I_);

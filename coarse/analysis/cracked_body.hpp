@@ -32,9 +32,9 @@ public:
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;
 
-    /// Condenses what is not in the zone onto the zone's boundary, with whatever serves of the factors before. `far`:
+    /// Condenses what is not in the zone onto the zone's boundary, with whatever serves of the factors before. `still`:
     /// null: as near_elements.hpp chooses.
-    void condense_onto(const ElementSet& in_zone, const ElementSet* far = nullptr);
+    void condense_onto(const ElementSet& in_zone, const StillElements* still = nullptr);
 
     /// The present cracks on smaller elements, where the tips of longer ones come near to large ones. Null: they do
     /// not. Elements in which metal has flowed, or tips have been, stay whole.
@@ -73,7 +73,8 @@ private:
     [[nodiscard]] ElementSet whole_elements() const;
     [[nodiscard]] std::unique_ptr<FinerScene> finer(const std::vector<RefinedDisk>& disks,
                                                     const ElementSet& whole) const;
-    [[nodiscard]] bool knows_far_body() const;
+    [[nodiscard]] bool knows_far_part() const;
+    [[nodiscard]] bool knows_middle_part() const;
     [[nodiscard]] bool serves(const ElementSet& in_zone) const;
     [[nodiscard]] double grown() const;
     [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone);
@@ -88,16 +89,16 @@ private:
     CoarseEffort& effort_;
     const Note& note_;
     ElementSet in_zone_;
-    ElementSet far_;      // near_elements.hpp
-    ElementSet settled_;  // metal has flowed there, or a tip has left its functions
-    MeshSplits splits_;   // of the mesh of the start
+    StillElements still_;  // near_elements.hpp
+    ElementSet settled_;   // metal has flowed there, or a tip has left its functions
+    MeshSplits splits_;    // of the mesh of the start
     StructureFactors factors_;
     std::unique_ptr<Structure> structure_;
     std::vector<TipResult> nominal_;
     Eigen::VectorXd nominal_displacement_;
     struct FieldsBesideFar {
         NominalFields fields;
-        ElementSet far;  // with which they were found
+        StillElements still;  // with which they were found
     };
     std::optional<FieldsBesideFar> nominal_fields_;  // of the present scene; none: not known near the tips alone
     std::vector<double> largest_K_I_;

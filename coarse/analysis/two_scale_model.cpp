@@ -157,7 +157,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const EnrichedMesh& after = grown.longer->enriched;
     const bool kept = factory_.keeps_increments() && TipMoves::between(body_.scene().enriched, after).has_value();
     std::optional<CarriedIncrements> increments;
-    if (kept && grown.finer) increments.emplace(body_.structure(), equilibrium_->state(), after, true);
+    if (kept && grown.finer) increments.emplace(body_.structure(), equilibrium_->state(), after, NextGamma::Anywhere);
     if (grown.finer) split_elements(std::move(*grown.finer));
     const ElementSet changed = body_.zone_with_changes(*grown.longer);
     if (changed != body_.in_zone()) factory_.extend_zone(patch_of(body_.scene(), changed, displacement_));
@@ -171,7 +171,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
         work_.released = std::numeric_limits<double>::quiet_NaN();
     const ElementSet in_zone = body_.zone_about(*grown.longer, changed);
     if (kept && !increments)
-        increments.emplace(body_.structure(), equilibrium_->state(), after, in_zone != body_.in_zone());
+        increments.emplace(body_.structure(), equilibrium_->state(), after, gamma_about(in_zone, body_.structure()));
     displacement_ = std::move(carried);
     body_.take(std::move(grown.longer), std::move(keeping));
     if (patch && in_zone != changed) factory_.extend_zone(*std::exchange(patch, std::nullopt));

@@ -15,10 +15,14 @@ IntegrationRule rule_for(const Scene& scene, int element, bool cut) {
 
 }  // namespace
 
-CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const ElementSet& far)
+CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const StillElements& still)
     : scene_(&scene), in_zone_(std::move(in_zone)) {
-    for (int e = 0; e < in_zone_.size(); ++e)
-        if (!in_zone_.contains(e) && !far.contains(e)) near_.push_back(e);
+    const auto is_in = [](const ElementSet& set, int element) { return set.size() > 0 && set.contains(element); };
+    for (int e = 0; e < in_zone_.size(); ++e) {
+        if (in_zone_.contains(e) || is_in(still.far, e)) continue;
+        near_.push_back(e);
+        if (!is_in(still.middle, e)) core_.push_back(e);
+    }
     make_enriched_operators();
     keep_plain_operators();
     find_supported();
@@ -28,8 +32,8 @@ CoarseElements::CoarseElements(const Scene& scene, ElementSet in_zone, const Ele
 void CoarseElements::make_enriched_operators() {
     const EnrichedMesh& mesh = scene_->enriched;
     const std::vector<int> piece = piece_of_elements(mesh);
-    for (int e = 0; e < in_zone_.size(); ++e) {
-        if (in_zone_.contains(e) || is_plain(mesh, e)) continue;
+    for (const int e : core_) {
+        if (is_plain(mesh, e)) continue;
         const CrackPiece* cut = piece[at(e)] >= 0 ? &mesh.pieces[at(piece[at(e)])] : nullptr;
         enriched_.push_back(make_operator(mesh, e, cut, rule_for(*scene_, e, cut != nullptr)));
     }
@@ -49,12 +53,18 @@ void CoarseElements::keep_plain_operators() {
 }
 
 void CoarseElements::find_supported() {
-    UnknownSet prescribed(scene_->enriched.unknowns);
+    const EnrichedMesh& mesh = scene_->enriched;
+    UnknownSet prescribed(mesh.unknowns);
     for (const PrescribedUnknown& p : scene_->prescribed) prescribed.insert(p.unknown);
-    for_each_unknowns([&](int element, std::span<const int> unknowns) {
-        if (std::ranges::any_of(unknowns, [&](int unknown) { return prescribed.contains(unknown); }))
-            supported_.push_back(element);
-    });
+    const auto is_held = [&](int unknown) { return prescribed.contains(unknown); };
+    auto enriched = enriched_.begin();
+    for (int e = 0; e < in_zone_.size(); ++e) {
+        if (in_zone_.contains(e)) continue;
+        const bool plain = enriched == enriched_.end() || enriched->element != e;
+        if (plain ? std::ranges::any_of(plain_unknowns(mesh, e), is_held)
+                  : std::ranges::any_of((enriched++)->unknowns, is_held))
+            supported_.push_back(e);
+    }
 }
 
 void CoarseElements::integrate_initial_stress() {

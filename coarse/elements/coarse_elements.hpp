@@ -18,17 +18,26 @@ namespace stria::coarse {
     return stria::plain_operator(scene.enriched, element, scene.mean_dilatation(element) != MeanDilatation::Nowhere);
 }
 
+/// Plain coarse elements that stay as they are while cracks grow (near_elements.hpp). Both sets may be of size zero.
+struct StillElements {
+    ElementSet far;     // no increment visits them
+    ElementSet middle;  // near, but of no core: away from tips and zone
+    bool operator==(const StillElements&) const = default;
+};
+
 class CoarseElements {
 public:
-    /// `in_zone`: elements that the fine component owns; all others are coarse. `far`: coarse elements that no
-    /// increment visits (near_elements.hpp). `scene` must outlive the elements.
-    CoarseElements(const Scene& scene, ElementSet in_zone, const ElementSet& far);
+    /// `in_zone`: elements that the fine component owns; all others are coarse. `scene` must outlive the elements.
+    CoarseElements(const Scene& scene, ElementSet in_zone, const StillElements& still);
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const ElementSet& in_zone() const { return in_zone_; }
 
-    /// Coarse elements that each increment visits, ascending. An element that is not plain is one of them.
+    /// Coarse elements that each increment visits, ascending.
     [[nodiscard]] const std::vector<int>& near() const { return near_; }
+
+    /// Those of them that are not in the middle, ascending. An element that is not plain is one of them.
+    [[nodiscard]] const std::vector<int>& core() const { return core_; }
 
     /// Coarse elements with a prescribed unknown, ascending.
     [[nodiscard]] const std::vector<int>& supported() const { return supported_; }
@@ -42,10 +51,11 @@ public:
         for (const int element : elements) visit_operator(element, visit);
     }
 
-    /// Calls visit(element, its unknowns) for each coarse element, ascending, and for near ones alone. `unknowns`: a
-    /// span over unknowns of the whole mesh.
+    /// Calls visit(element, its unknowns) for each coarse element, ascending, for near ones, and for those of the core
+    /// alone. `unknowns`: a span over unknowns of the whole mesh.
     template <class Visit> void for_each_unknowns(Visit&& visit) const;
-    template <class Visit> void for_each_near_unknowns(Visit&& visit) const;
+    template <class Visit> void for_each_near_unknowns(Visit&& visit) const { for_each_unknowns(near_, visit); }
+    template <class Visit> void for_each_core_unknowns(Visit&& visit) const { for_each_unknowns(core_, visit); }
 
     /// Internal force on all unknowns of the whole mesh, N/mm, at the displacement `u` of the whole mesh, mm, without
     /// that of the initial stress. It is integrated from stresses: K u would round badly where u is mostly a rigid
@@ -65,6 +75,8 @@ public:
 
 private:
     template <class Visit> void visit_operator(int element, Visit&& visit) const;
+    /// `elements`: ascending, all that are not plain among them.
+    template <class Visit> void for_each_unknowns(const std::vector<int>& elements, Visit& visit) const;
     void make_enriched_operators();
     void keep_plain_operators();
     void find_supported();
@@ -72,7 +84,7 @@ private:
 
     const Scene* scene_;
     ElementSet in_zone_;
-    std::vector<int> near_;
+    std::vector<int> near_, core_;
     std::vector<int> supported_;
     std::vector<ElementOperator> enriched_;  // of coarse elements that are not plain, ascending
     std::vector<PlainOperator> plain_;       // of near ones that are, ascending; empty: made on demand
@@ -105,9 +117,9 @@ template <class Visit> void CoarseElements::for_each_unknowns(Visit&& visit) con
     }
 }
 
-template <class Visit> void CoarseElements::for_each_near_unknowns(Visit&& visit) const {
+template <class Visit> void CoarseElements::for_each_unknowns(const std::vector<int>& elements, Visit& visit) const {
     auto enriched = enriched_.begin();
-    for (const int element : near_) {
+    for (const int element : elements) {
         if (is_plain(scene_->enriched, element))
             visit(element, std::span<const int>(plain_unknowns(scene_->enriched, element)));
         else

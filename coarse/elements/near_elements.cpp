@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coarse/model/rings.hpp"
+#include "coarse/model/tip_reach.hpp"
 #include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
 
@@ -69,6 +70,43 @@ ElementSet near_about(const EnrichedMesh& mesh, const ElementSet& in_zone, const
     return near;
 }
 
+/// About the zone, which goes with its tip, for so many steps of growth.
+Neighbourhood about_zone(const Scene& scene, int tip, const NodeSet& nodes_of_zone, int steps) {
+    const double edge = tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
+    const double room = steps * scene.input.growth->increment.value_or(edge);
+    return {reach_of_zone(scene.enriched, tip, nodes_of_zone) + room, room};
+}
+
+/// Elements that have nothing to do with far ones, the zone or these nodes, and that no crack changes.
+ElementSet plain_beside(const EnrichedMesh& mesh, const ElementSet& in_zone, const ElementSet& far,
+                        const NodeSet& nodes) {
+    ElementSet middle(in_zone.size());
+    for (int e = 0; e < in_zone.size(); ++e) {
+        if (in_zone.contains(e) || (far.size() > 0 && far.contains(e)) || !is_plain(mesh, e)) continue;
+        if (std::ranges::none_of(mesh.elements[at(e)], [&](int node) { return nodes.contains(node); }))
+            middle.insert(e);
+    }
+    return middle;
+}
+
+ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& far,
+                           const ElementSet& known) {
+    if (!scene.input.growth) return {};
+    const EnrichedMesh& mesh = scene.enriched;
+    const NodeSet nodes = nodes_of_zone(mesh, in_zone);
+    const ElementSet may = plain_beside(mesh, in_zone, far, nodes);
+    if (known.size() == in_zone.size() && !known.none() && known.is_subset_of(may)) return known;
+    for (const int steps : {10, 5, 2}) {
+        NodeSet with_room = nodes;
+        for (int t = 0; t < std::ssize(mesh.tips); ++t)
+            add_neighbourhood(mesh, t, about_zone(scene, t, nodes, steps), with_room);
+        const ElementSet middle = plain_beside(mesh, in_zone, far, with_room);
+        const int core = in_zone.size() - far.count() - in_zone.count() - middle.count();
+        if (middle.count() > 2 * core) return middle;
+    }
+    return {};
+}
+
 bool disjoint(const ElementSet& a, const ElementSet& b) {
     for (int e = 0; e < a.size(); ++e)
         if (a.contains(e) && b.contains(e)) return false;
@@ -94,6 +132,12 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
     ElementSet close = near_about(mesh, in_zone, nodes);
     if (close.none()) return ElementSet(in_zone.size());
     return (close |= in_zone).complement();
+}
+
+StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known) {
+    StillElements still{.far = far_elements(scene, in_zone, known.far), .middle = {}};
+    still.middle = middle_elements(scene, in_zone, still.far, still.far == known.far ? known.middle : ElementSet());
+    return still;
 }
 
 }  // namespace stria::coarse

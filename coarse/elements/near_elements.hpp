@@ -1,10 +1,10 @@
 // Which coarse elements are near and which are far. An increment visits near ones only. Of the far ones it needs a
-// proof that they stay elastic (far_stress_bound.hpp), so its cost does not depend on the size of the body. Far
-// elements are condensed once and serve one structure after another (far_body.hpp).
+// proof that they stay elastic (far_stress_bound.hpp), so its cost does not depend on the size of the body. Where
+// cracks grow, most of the near ones are in the middle, between the far ones and a core about the tips and the zone.
+// Far elements and those in the middle are condensed once and serve one structure after another (body_part.hpp).
 #pragma once
 
-#include "coarse/model/scene.hpp"
-#include "common/index_set.hpp"
+#include "coarse/elements/coarse_elements.hpp"
 
 namespace stria::coarse {
 
@@ -17,5 +17,10 @@ ElementSet near_elements(const Scene& scene, const ElementSet& in_zone);
 /// be near; otherwise they are chosen anew, with room ahead of the tips where cracks grow. Where no element has to be
 /// near, none is far.
 ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const ElementSet& known = {});
+
+/// The same, and which of the near elements are in the middle: none where cracks do not grow, or few would be. They
+/// stay for as long as all of them are near, the far ones stay, and none has to be in the core: where a crack changes
+/// its functions, or it touches the zone. Otherwise they are chosen anew, with room ahead of the tips.
+StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known = {});
 
 }  // namespace stria::coarse

@@ -1,23 +1,46 @@
 #include "coarse/equilibrium/carried_increments.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "common/index.hpp"
 
 namespace stria::coarse {
 
+NextGamma gamma_about(const ElementSet& next_zone, const Structure& structure) {
+    if (next_zone == structure.in_zone()) return NextGamma::Here;
+    const auto is_outside = [&](int element) { return structure.is_in_middle(element) || structure.is_far(element); };
+    return std::ranges::any_of(next_zone.members(), is_outside) ? NextGamma::Anywhere : NextGamma::InTheCore;
+}
+
 CarriedIncrements::CarriedIncrements(const Structure& structure, EquilibriumState known, const EnrichedMesh& longer,
-                                     bool gamma_moves)
+                                     NextGamma next)
     : known_(std::move(known)) {
     const EnrichedMesh& mesh = structure.scene().enriched;
-    const Eigen::VectorXd numbers = Eigen::VectorXd::LinSpaced(mesh.unknowns, 0.0, mesh.unknowns - 1.0);
-    for (const double number : carry_over(mesh, numbers, longer, Eigen::VectorXd::Constant(longer.unknowns, -1.0)))
-        unknown_before_.push_back(static_cast<int>(number));
-    for (std::size_t k = 0; k < known_.increments.size(); ++k) {
-        Eigen::VectorXd& u = displacement_.emplace_back(Eigen::VectorXd::Zero(mesh.unknowns));
-        if (gamma_moves) structure.expand_near(known_.increments[k], known_.load_increments[k], 0.0, u);
-        u(structure.gamma()) = known_.increments[k];
+    std::vector<int> wanted = structure.gamma();
+    if (next != NextGamma::Here) {
+        const std::span<const int> more =
+            next == NextGamma::InTheCore ? structure.core_unknowns() : structure.near_unknowns();
+        wanted.insert(wanted.end(), more.begin(), more.end());
     }
+    find_places(mesh, wanted, longer);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+    for (std::size_t k = 0; k < known_.increments.size(); ++k) {
+        if (next == NextGamma::InTheCore)
+            structure.expand_core(known_.increments[k], known_.load_increments[k], 0.0, u);
+        if (next == NextGamma::Anywhere) structure.expand_near(known_.increments[k], known_.load_increments[k], 0.0, u);
+        u(structure.gamma()) = known_.increments[k];
+        displacement_.push_back(gather(u, wanted));
+    }
+}
+
+void CarriedIncrements::find_places(const EnrichedMesh& mesh, const std::vector<int>& wanted,
+                                    const EnrichedMesh& longer) {
+    Eigen::VectorXd place = Eigen::VectorXd::Constant(mesh.unknowns, -1.0);
+    for (std::size_t k = 0; k < wanted.size(); ++k) place[wanted[k]] = static_cast<double>(k);
+    for (const double known : carry_over(mesh, place, longer, Eigen::VectorXd::Constant(longer.unknowns, -1.0)))
+        place_.push_back(static_cast<int>(known));
 }
 
 EquilibriumState CarriedIncrements::added_to(EquilibriumState state, const Structure& next) const {
@@ -26,8 +49,8 @@ EquilibriumState CarriedIncrements::added_to(EquilibriumState state, const Struc
     for (const Eigen::VectorXd& u : displacement_) {
         Eigen::VectorXd& on_gamma = state.increments.emplace_back(Eigen::VectorXd::Zero(std::ssize(next.gamma())));
         for (std::size_t k = 0; k < next.gamma().size(); ++k) {
-            const int before = unknown_before_[at(next.gamma()[k])];
-            if (before >= 0) on_gamma[static_cast<Eigen::Index>(k)] = u[before];
+            const int place = place_[at(next.gamma()[k])];
+            if (place >= 0) on_gamma[static_cast<Eigen::Index>(k)] = u[place];
         }
     }
     state.load_increments = known_.load_increments;

@@ -2,6 +2,7 @@
 // predictors start from.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "coarse/equilibrium/equilibrium.hpp"
@@ -9,19 +10,26 @@
 
 namespace stria::coarse {
 
+/// Where the next Gamma comes to be: it is this one, or on elements of the core, or on any.
+enum class NextGamma : std::uint8_t { Here, InTheCore, Anywhere };
+
+[[nodiscard]] NextGamma gamma_about(const ElementSet& next_zone, const Structure& structure);
+
 class CarriedIncrements {
 public:
-    /// Of `known`, an equilibrium of `structure`, for the mesh of longer cracks. `gamma_moves`: the next Gamma is
-    /// another one. It comes to be where elements were near; there the structure tells how it moved.
-    CarriedIncrements(const Structure& structure, EquilibriumState known, const EnrichedMesh& longer, bool gamma_moves);
+    /// Of `known`, an equilibrium of `structure`, for the mesh of longer cracks. Where elements were near the structure
+    /// tells how the next Gamma moved.
+    CarriedIncrements(const Structure& structure, EquilibriumState known, const EnrichedMesh& longer, NextGamma next);
 
     /// `state`, of an equilibrium of the next structure, which may be on yet another Gamma; with these increments.
     [[nodiscard]] EquilibriumState added_to(EquilibriumState state, const Structure& next) const;
 
 private:
+    void find_places(const EnrichedMesh& mesh, const std::vector<int>& wanted, const EnrichedMesh& longer);
+
     EquilibriumState known_;
-    std::vector<int> unknown_before_;            // per unknown of the longer cracks' mesh; -1: it is new
-    std::vector<Eigen::VectorXd> displacement_;  // per increment, on the mesh before, mm; where nobody knows it, zero
+    std::vector<int> place_;  // per unknown of the longer cracks' mesh, in displacement_; -1: new, or nobody knows it
+    std::vector<Eigen::VectorXd> displacement_;  // per increment, of what next Gammas may ask for, mm
 };
 
 }  // namespace stria::coarse

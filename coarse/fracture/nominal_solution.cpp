@@ -60,8 +60,8 @@ NominalSolution solve_nominal_near(std::unique_ptr<Structure> body) {
     return solution_of(std::move(body), std::move(u));
 }
 
-NominalSolution with_tips_moved(const Scene& scene, const ElementSet& far, NominalFields known) {
-    const CoarseElements elements(scene, ElementSet(scene.mesh.elements.size()), far);
+NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, NominalFields known) {
+    const CoarseElements elements(scene, ElementSet(scene.mesh.elements.size()), still);
     std::vector<TipResult> tips = tips_of(elements, known);
     return {nullptr, std::move(known), std::move(tips)};
 }

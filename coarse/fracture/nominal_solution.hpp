@@ -31,8 +31,8 @@ struct NominalSolution {
 [[nodiscard]] NominalSolution solve_nominal_near(std::unique_ptr<Structure> body);
 
 /// On a scene of which the fields are known, for it differs in nothing but the places of its tips
-/// (same_but_for_tips()). `far`: elements where they are zero.
-[[nodiscard]] NominalSolution with_tips_moved(const Scene& scene, const ElementSet& far, NominalFields known);
+/// (same_but_for_tips()). `still`: of its far elements the fields are zero.
+[[nodiscard]] NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, NominalFields known);
 
 /// Condenses the whole body for it. `scene` must outlive the solution.
 [[nodiscard]] NominalSolution solve_nominal(const Scene& scene);

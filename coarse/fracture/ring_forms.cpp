@@ -57,7 +57,9 @@ void RingForms::weigh_unknowns(const CoarseElements& elements) {
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.materials.stiffness(about.material);
     RingSums geometry = sums_about(scene, tip_, rings_, elements_);
-    interactions_ = Eigen::MatrixXd::Zero(std::ssize(unknowns_), 3 * std::ssize(rings_));
+    std::vector<int> place(at(scene.enriched.unknowns), -1);  // in unknowns_
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) place[at(unknowns_[k])] = static_cast<int>(k);
+    interactions_ = Eigen::MatrixXd::Zero(3 * std::ssize(rings_), std::ssize(unknowns_));
     elements.for_each(elements_, [&](const auto& op) {
         using Values = typename std::decay_t<decltype(op)>::Values;
         geometry.enter(op.element);
@@ -70,9 +72,9 @@ void RingForms::weigh_unknowns(const CoarseElements& elements) {
             });
         }
         for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
-            const auto row = std::ranges::lower_bound(unknowns_, op.unknowns[i]) - unknowns_.begin();
-            for (std::size_t column = 0; column < local.size(); ++column)
-                interactions_(row, static_cast<Eigen::Index>(column)) += local[column][static_cast<Eigen::Index>(i)];
+            auto sums = interactions_.col(place[at(op.unknowns[i])]);
+            for (std::size_t row = 0; row < local.size(); ++row)
+                sums[static_cast<Eigen::Index>(row)] += local[row][static_cast<Eigen::Index>(i)];
         }
     });
 }
@@ -95,7 +97,7 @@ std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, co
             for (const int ring : entered) result[at(ring)].J += own.dot(*weight++);
         }
     });
-    const Eigen::VectorXd sums = interactions_.transpose() * gather(u, unknowns_);
+    const Eigen::VectorXd sums = interactions_ * gather(u, unknowns_);
     for (std::size_t ring = 0; ring < result.size(); ++ring) {
         const auto first = static_cast<Eigen::Index>(3 * ring);
         result[ring].interaction_I = sums[first];

@@ -39,7 +39,7 @@ private:
     IndexLists entered_;            // of each: the rings in which it does
     std::vector<Vec2> weights_;     // element by element, point by point, ring by ring of these: weight times grad q
     std::vector<int> unknowns_;     // of the whole mesh, that these elements see, ascending
-    Eigen::MatrixXd interactions_;  // on these unknowns; columns I, II, T of the first ring, of the second, ...
+    Eigen::MatrixXd interactions_;  // a column for each of these; rows I, II, T of the first ring, of the second, ...
 };
 
 }  // namespace stria::coarse

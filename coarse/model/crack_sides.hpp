@@ -34,7 +34,7 @@ public:
     void put_on_elements(std::span<const Tip> tips, std::vector<signed char>& sides) const;
 
 private:
-    using Around = std::vector<std::vector<int>>;  // the elements around each node
+    using Around = IndexLists;  // the elements around each node
 
     void note_piece(const CrackPiece& piece);
     void note_if_node(const CrackPiece& piece, double place);

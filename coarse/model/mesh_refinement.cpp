@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
-#include <numeric>
 
 #include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
@@ -33,11 +32,13 @@ bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     return distance <= disk.radius && longest > disk.growth * distance;
 }
 
-/// Of each element the larger ones that share a corner with it.
+/// Of each element the larger ones that share a corner with it. One that has never been split has none.
 std::vector<std::vector<int>> larger_neighbours(const Mesh& mesh) {
-    const auto around = elements_around_nodes(mesh);
     std::vector<std::vector<int>> larger(mesh.elements.size());
+    if (std::ranges::find_if(mesh.level, [](int level) { return level > 0; }) == mesh.level.end()) return larger;
+    const IndexLists around = elements_around_nodes(mesh);
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        if (mesh.level[at(e)] == 0) continue;
         for (const int node : mesh.elements[at(e)]) {
             for (const int other : around[at(node)])
                 if (mesh.level[at(other)] < mesh.level[at(e)]) larger[at(e)].push_back(other);
@@ -50,8 +51,9 @@ std::vector<std::vector<int>> larger_neighbours(const Mesh& mesh) {
 ElementSet held_whole(const Mesh& mesh, const std::vector<std::vector<int>>& larger, ElementSet never) {
     never.widen(mesh.elements.size());
     if (never.none()) return never;
-    std::vector<int> by_size(mesh.elements.size());
-    std::iota(by_size.begin(), by_size.end(), 0);
+    std::vector<int> by_size;
+    for (int e = 0; e < std::ssize(mesh.elements); ++e)
+        if (!larger[at(e)].empty()) by_size.push_back(e);
     std::ranges::stable_sort(by_size, {}, [&](int e) { return mesh.level[at(e)]; });
     for (const int e : by_size)
         if (std::ranges::any_of(larger[at(e)], [&](int other) { return never.contains(other); })) never.insert(e);
@@ -190,7 +192,8 @@ RefinedMesh refine(Mesh mesh, const std::vector<RefinedDisk>& disks, ElementSet 
 }
 
 bool asks_for_more(const Mesh& mesh, const std::vector<RefinedDisk>& disks, const ElementSet& never) {
-    return !elements_to_split(with_levels(mesh), disks, never).none();
+    if (mesh.level.empty()) return !elements_to_split(with_levels(mesh), disks, never).none();
+    return !elements_to_split(mesh, disks, never).none();
 }
 
 Mesh split_again(Mesh mesh, const MeshSplits& splits) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <span>
 
 #include "coarse/model/tip_reach.hpp"
 #include "common/index.hpp"
@@ -15,20 +15,25 @@ constexpr std::array family{Annulus{0.5, 1.0}, Annulus{0.75, 1.0}, Annulus{0.35,
                             Annulus{0.175, 0.35}};
 constexpr double elements_across = 2.0;
 
-/// Longest element edge with an end inside a ring, mm.
-double element_size(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring) {
-    const auto inside = [&](const Vec2& x) {
-        const double r = (x - tip.position).norm();
-        return r > ring.inner && r < ring.outer;
-    };
-    double longest = 0.0;
+/// Longest element edge with an end inside each ring, mm; zero where there is none.
+std::vector<double> longest_edges(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings) {
+    const double farthest = std::ranges::max(rings, {}, &Annulus::outer).outer;
+    std::vector<double> distance;
+    distance.reserve(mesh.nodes.size());
+    for (const Vec2& x : mesh.nodes) distance.push_back((x - tip.position).norm());
+    std::vector<double> longest(rings.size(), 0.0);
     for (const std::array<int, 4>& element : mesh.elements) {
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vec2 &a = mesh.nodes[at(element[k])], &b = mesh.nodes[at(element[(k + 1) % 4])];
-            if (inside(a) || inside(b)) longest = std::max(longest, (b - a).norm());
+            const int a = element[k], b = element[(k + 1) % 4];
+            if (std::min(distance[at(a)], distance[at(b)]) >= farthest) continue;
+            const double length = (mesh.nodes[at(b)] - mesh.nodes[at(a)]).norm();
+            for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+                const auto inside = [&](double r) { return r > rings[ring].inner && r < rings[ring].outer; };
+                if (inside(distance[at(a)]) || inside(distance[at(b)])) longest[ring] = std::max(longest[ring], length);
+            }
         }
     }
-    return longest > 0.0 ? longest : std::numeric_limits<double>::infinity();
+    return longest;
 }
 
 }  // namespace
@@ -50,11 +55,13 @@ double largest_ring(const Scene& scene, int tip_index) {
 
 std::vector<Annulus> rings_about(const Scene& scene, int tip) {
     const double radius = largest_ring(scene, tip);
+    std::array<Annulus, family.size()> all = family;
+    for (auto& [inner, outer] : all) inner *= radius, outer *= radius;
+    const std::vector<double> sizes = longest_edges(scene.enriched, scene.enriched.tips[at(tip)], all);
     std::vector<Annulus> rings;
-    for (const auto& [inner, outer] : family) {
-        const Annulus ring{inner * radius, outer * radius};
-        const double size = element_size(scene.enriched, scene.enriched.tips[at(tip)], ring);
-        if (rings.empty() || ring.outer - ring.inner >= elements_across * size) rings.push_back(ring);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool is_thick = sizes[k] > 0.0 && all[k].outer - all[k].inner >= elements_across * sizes[k];
+        if (rings.empty() || is_thick) rings.push_back(all[k]);
     }
     return rings;
 }

@@ -199,17 +199,23 @@ void members(auto& archive, Is<ClosureMemory> auto& m) {
     archive("closing_rates", closing_rates);
 }
 
+void members(auto& archive, Is<StillElements> auto& m) {
+    auto& [far, middle] = m;
+    archive("far", far);
+    archive("middle", middle);
+}
+
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, splits, settled, in_zone, far, displacement, load_factor, largest_force, closure, cycle, last_cycle,
-           nominal, counts, growth_ended, growth_increment, uncounted_growth, due_growth, release, load, work,
-           equilibrium, zone] = m;
+    auto& [cracks, splits, settled, in_zone, still, displacement, load_factor, largest_force, closure, cycle,
+           last_cycle, nominal, counts, growth_ended, growth_increment, uncounted_growth, due_growth, release, load,
+           work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
     archive("splits", splits);
     archive("settled", settled);
     archive("in_zone", in_zone);
-    archive("far", far);
+    archive("still", still);
     archive("displacement", displacement);
     archive("load_factor", load_factor);
     archive("largest_force", largest_force);

@@ -9,22 +9,26 @@
 
 namespace stria::coarse {
 
-LeafNumbering::LeafNumbering(const CoarseElements& elements, const FarBody* far)
+LeafNumbering::LeafNumbering(const CoarseElements& elements, const BodyPart* far, const BodyPart* middle)
     : gamma_(gamma_of(elements.scene(), elements.in_zone())), index_(at(elements.scene().enriched.unknowns), -1) {
     const Scene& scene = elements.scene();
-    UnknownSet inner(scene.enriched.unknowns), prescribed = inner;
+    UnknownSet own(scene.enriched.unknowns), prescribed = own;
     for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
-    elements.for_each_unknowns([&](int, std::span<const int> unknowns) {
-        for (const int unknown : unknowns) inner.insert(unknown);
+    elements.for_each_core_unknowns([&](int, std::span<const int> unknowns) {
+        for (const int unknown : unknowns) own.insert(unknown);
     });
-    for (const int unknown : gamma_) inner.erase(unknown);
-    if (far != nullptr) {
-        rim_ = far->rim(scene.enriched);
-        for (const int unknown : far->inner(scene.enriched)) number(unknown);
+    for (const int unknown : gamma_) own.erase(unknown);
+    for (const BodyPart* part : {far, middle}) {
+        if (part == nullptr) continue;
+        rim_below_ = part->rim(scene.enriched);
+        if (part == far) rim_ = rim_below_;
+        for (const int unknown : part->inner(scene.enriched)) number(unknown);
+        if (part == far) far_count_ = size();
     }
-    far_count_ = size();
-    for (int i = 0; i < inner.size(); ++i)
-        if (inner.contains(i) && !prescribed.contains(i) && index_[at(i)] < 0) number(i);
+    below_count_ = size();
+    for (const int unknown : rim_below_) own.insert(unknown);
+    for (int i = 0; i < own.size(); ++i)
+        if (own.contains(i) && !prescribed.contains(i)) number(i);
     number_gamma(prescribed);
 }
 
@@ -41,39 +45,39 @@ void LeafNumbering::number_gamma(const UnknownSet& prescribed) {
     }
 }
 
-std::vector<int> LeafNumbering::places_of_rim() const {
+std::vector<int> LeafNumbering::places_of_rim_below() const {
     std::vector<int> places;
-    for (const int unknown : rim_) places.push_back(index_[at(unknown)] - far_count_);
+    for (const int unknown : rim_below_) places.push_back(index_[at(unknown)] - below_count_);
     return places;
 }
 
 IndexLists LeafNumbering::order_elimination(const CoarseElements& elements) {
     IndexLists of_elements;
     std::vector<Vec2> centres;
-    elements.for_each_near_unknowns([&](int element, std::span<const int> unknowns) {
+    elements.for_each_core_unknowns([&](int element, std::span<const int> unknowns) {
         of_elements.append(unknowns);
         centres.push_back(centre(elements.scene().enriched, element));
     });
     std::vector<char> late(centres.size(), 1);
-    of_elements.append(rim_);
+    of_elements.append(rim_below_);
     centres.push_back(Vec2::Zero());
-    late.push_back(0);  // what the far body shares with near elements is neither's own: it comes after both
-    of_elements.map([&](int unknown) { return index_[at(unknown)] < 0 ? -1 : index_[at(unknown)] - far_count_; });
-    const int near = size() - far_count_, boundary = static_cast<int>(free_places_.size());
+    late.push_back(0);  // what the part below shares with the core is neither's own: it comes after both
+    of_elements.map([&](int unknown) { return index_[at(unknown)] < 0 ? -1 : index_[at(unknown)] - below_count_; });
+    const int core = size() - below_count_, boundary = static_cast<int>(free_places_.size());
     std::vector<int> kept(at(boundary));
-    std::iota(kept.begin(), kept.end(), near - boundary);
-    take_order(nested_dissection(of_elements, centres, near, kept, late), of_elements);
+    std::iota(kept.begin(), kept.end(), core - boundary);
+    take_order(nested_dissection(of_elements, centres, core, kept, late), of_elements);
     return of_elements;
 }
 
 void LeafNumbering::take_order(const std::vector<int>& order, IndexLists& of_elements) {
-    const std::vector<int> before(near_unknowns().begin(), near_unknowns().end());
+    const std::vector<int> before(core_unknowns().begin(), core_unknowns().end());
     std::vector<int> rank(before.size());
     for (int k = 0; k < std::ssize(before); ++k) {
         const int unknown = before[at(order[at(k)])];
         rank[at(order[at(k)])] = k;
-        index_[at(unknown)] = far_count_ + k;
-        unknowns_[at(far_count_ + k)] = unknown;
+        index_[at(unknown)] = below_count_ + k;
+        unknowns_[at(below_count_ + k)] = unknown;
     }
     of_elements.map([&](int unknown) { return unknown < 0 ? -1 : rank[at(unknown)]; });
 }

@@ -12,33 +12,43 @@ template <class Make> auto timed(double& seconds, const Make& make) {
     return make();
 }
 
-// A far body of other elements is forgotten first, lest two of them take twice the memory.
-std::shared_ptr<const FarBody> far_body(const Scene& scene, const ElementSet& far, StructureFactors& known,
-                                        StructureSeconds& seconds) {
-    if (far.none()) return nullptr;
-    if (known.far && !known.far->is_of(far)) known = {};
-    return known.far ? known.far : std::make_shared<const FarBody>(scene, far, seconds);
+// A part of other elements is forgotten first, lest two of them take twice the memory.
+std::shared_ptr<const BodyPart> far_part(const Scene& scene, const ElementSet& far, StructureFactors& known,
+                                         StructureSeconds& seconds) {
+    if (known.far && !known.far->is_of(far, nullptr)) known = {};
+    if (far.none() || known.far) return known.far;
+    return std::make_shared<const BodyPart>(scene, far, nullptr, seconds);
+}
+
+std::shared_ptr<const BodyPart> middle_part(const Scene& scene, const ElementSet& middle,
+                                            std::shared_ptr<const BodyPart> far, std::shared_ptr<const BodyPart> known,
+                                            StructureSeconds& seconds) {
+    if (middle.none()) return nullptr;
+    if (known && known->is_of(middle, far.get())) return known;
+    known.reset();
+    return std::make_shared<const BodyPart>(scene, middle, std::move(far), seconds);
 }
 
 }  // namespace
 
-Structure::Structure(const Scene& scene, ElementSet in_zone, const ElementSet& far, StructureFactors known)
-    : far_(far_body(scene, far, known, seconds_)),
-      elements_(timed(seconds_.assembly, [&] { return CoarseElements(scene, std::move(in_zone), far); })),
-      numbering_(timed(seconds_.assembly, [&] { return LeafNumbering(elements_, far_.get()); })),
-      near_(factor(std::move(known.near))), leaf_(far_, numbering_.places_of_rim(), near_->leaf),
+Structure::Structure(const Scene& scene, ElementSet in_zone, const StillElements& still, StructureFactors known)
+    : far_(far_part(scene, still.far, known, seconds_)),
+      middle_(middle_part(scene, still.middle, far_, std::move(known.middle), seconds_)),
+      elements_(timed(seconds_.assembly, [&] { return CoarseElements(scene, std::move(in_zone), still); })),
+      numbering_(timed(seconds_.assembly, [&] { return LeafNumbering(elements_, far_.get(), middle_.get()); })),
+      core_(factor(std::move(known.core))), leaf_(below(), numbering_.places_of_rim_below(), core_->leaf),
       loads_(timed(seconds_.factor, [&] { return CondensedLoads(elements_, numbering_, leaf_); })) {
     find_near_supports();
 }
 
-/// Orders the elimination of the near unknowns, assembles and factors.
-std::shared_ptr<const NearFactor> Structure::factor(std::shared_ptr<const NearFactor> known) {
+/// Orders the elimination of the core, assembles and factors it.
+std::shared_ptr<const CoreFactor> Structure::factor(std::shared_ptr<const CoreFactor> known) {
     const IndexLists of_elements = timed(seconds_.ordering, [&] { return numbering_.order_elimination(elements_); });
-    const int unknowns = static_cast<int>(near_unknowns().size());
+    const int unknowns = static_cast<int>(numbering_.core_unknowns().size());
     SparseMatrix lower =
-        timed(seconds_.assembly, [&] { return near_stiffness(elements_, of_elements, unknowns, far_.get()); });
+        timed(seconds_.assembly, [&] { return core_stiffness(elements_, of_elements, unknowns, below().get()); });
     const Stopwatch watch(seconds_.factor);
-    return factor_near(std::move(lower), static_cast<int>(free_places().size()), std::move(known));
+    return factor_core(std::move(lower), static_cast<int>(free_places().size()), std::move(known));
 }
 
 void Structure::find_near_supports() {
@@ -85,20 +95,37 @@ Eigen::VectorXd Structure::expand(const Eigen::VectorXd& gamma_displacement, con
     return u;
 }
 
-void Structure::expand_near(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
-                            Eigen::VectorXd& u) const {
-    const auto near = [&](const ReducedLoad& load) {
-        return load.interior.tail(load.interior.size() - numbering_.far_count());
-    };
-    Eigen::VectorXd load = factors.main * near(loads_.unit());
+Eigen::VectorXd Structure::interior_load(const LoadFactors& factors, double initial, Eigen::Index from,
+                                         Eigen::Index count) const {
+    const auto part = [&](const ReducedLoad& load) { return load.interior.segment(from, count); };
+    Eigen::VectorXd load = factors.main * part(loads_.unit());
     for (std::size_t k = 0; k < loads_.cases().size(); ++k) {
         const double factor = factors.of_case(static_cast<Eigen::Index>(k));
-        if (factor != 0.0) load += factor * near(loads_.cases()[k]);
+        if (factor != 0.0) load += factor * part(loads_.cases()[k]);
     }
-    if (initial != 0.0) load += initial * near(loads_.initial());
+    if (initial != 0.0) load += initial * part(loads_.initial());
+    return load;
+}
+
+Eigen::VectorXd Structure::expand_core(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors,
+                                       double initial, Eigen::VectorXd& u) const {
+    const Eigen::Index below = numbering_.far_count() + numbering_.middle_count();
+    const Eigen::VectorXd load = interior_load(factors, initial, below, loads_.unit().interior.size() - below);
     const Eigen::VectorXd x = leaf_.expand_above(load, on_free_places(gamma_displacement));
     Eigen::Index k = 0;
-    for (const int unknown : near_unknowns()) u[unknown] = x[k++];
+    for (const int unknown : numbering_.core_unknowns()) u[unknown] = x[k++];
+    return leaf_.on_rim(x);
+}
+
+/// What lies inside of the middle; and supports.
+void Structure::expand_middle(const Eigen::VectorXd& on_rim, const LoadFactors& factors, double initial,
+                              Eigen::VectorXd& u) const {
+    const int inside = numbering_.middle_count();
+    if (middle_) {
+        const Eigen::VectorXd load = interior_load(factors, initial, numbering_.far_count(), inside);
+        const Eigen::VectorXd x = middle_->expand_own(load, on_rim);
+        for (int k = 0; k < inside; ++k) u[near_unknowns()[at(k)]] = x[k];
+    }
     impose(near_supports_, factors, u);
 }
 
@@ -117,7 +144,10 @@ Eigen::VectorXd Structure::expand_far(const Eigen::VectorXd& rim_displacement) c
 }
 
 double Structure::factor_entries() const {
-    return near_->leaf->factor_entries() + (far_ ? far_->factor_entries() : 0.0);
+    double entries = core_->leaf->factor_entries();
+    for (const BodyPart* part : {far_.get(), middle_.get()})
+        if (part != nullptr) entries += part->factor_entries();
+    return entries;
 }
 
 }  // namespace stria::coarse

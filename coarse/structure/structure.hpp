@@ -1,5 +1,6 @@
 // The coarse component: linear elastic elements that are never subdivided, condensed onto Gamma, the boundary of the
-// zone. The far elements are condensed first, once for many structures; the near ones come on top of them.
+// zone. Far elements are condensed first, those of the middle on top of them, each once for many structures; the core
+// comes last.
 #pragma once
 
 #include <memory>
@@ -8,30 +9,30 @@
 
 #include "coarse/elements/coarse_elements.hpp"
 #include "coarse/elements/near_elements.hpp"
+#include "coarse/structure/body_part.hpp"
 #include "coarse/structure/condensed_loads.hpp"
-#include "coarse/structure/far_body.hpp"
+#include "coarse/structure/core_factor.hpp"
 #include "coarse/structure/leaf_numbering.hpp"
-#include "coarse/structure/near_factor.hpp"
 #include "common/substructure/stacked_leaf.hpp"
 
 namespace stria::coarse {
 
 /// What one structure leaves to the next.
 struct StructureFactors {
-    std::shared_ptr<const FarBody> far;  // null: no element is far
-    std::shared_ptr<const NearFactor> near;
+    std::shared_ptr<const BodyPart> far, middle;  // null: no element is there
+    std::shared_ptr<const CoreFactor> core;
 };
 
 class Structure {
 public:
-    /// `in_zone`: elements that the fine component owns; all others are coarse. `far`: coarse elements that no
-    /// increment visits. `known`: factors that may serve again; they do where they are those of this structure to the
-    /// last bit. `scene` must outlive the structure. Throws NumericalFailure where the structure moves freely.
-    Structure(const Scene& scene, ElementSet in_zone, const ElementSet& far, StructureFactors known = {});
+    /// `in_zone`: elements that the fine component owns; all others are coarse. `known`: factors that may serve again;
+    /// they do where they are those of this structure to the last bit. `scene` must outlive the structure. Throws
+    /// NumericalFailure where the structure moves freely.
+    Structure(const Scene& scene, ElementSet in_zone, const StillElements& still, StructureFactors known = {});
 
     /// With the far elements that near_elements.hpp chooses.
     Structure(const Scene& scene, const ElementSet& in_zone)
-        : Structure(scene, in_zone, far_elements(scene, in_zone)) {}
+        : Structure(scene, in_zone, {.far = far_elements(scene, in_zone), .middle = {}}) {}
 
     /// Of a body without a zone.
     explicit Structure(const Scene& scene) : Structure(scene, ElementSet(scene.mesh.elements.size())) {}
@@ -40,7 +41,8 @@ public:
     [[nodiscard]] const CoarseElements& elements() const { return elements_; }
     [[nodiscard]] const ElementSet& in_zone() const { return elements_.in_zone(); }
     [[nodiscard]] bool is_far(int element) const { return far_ && far_->contains(element); }
-    [[nodiscard]] StructureFactors factors() const { return {far_, near_}; }
+    [[nodiscard]] bool is_in_middle(int element) const { return middle_ && middle_->contains(element); }
+    [[nodiscard]] StructureFactors factors() const { return {far_, middle_, core_}; }
 
     /// Gamma (gamma.hpp): unknowns of the whole mesh, ascending.
     [[nodiscard]] const std::vector<int>& gamma() const { return numbering_.gamma(); }
@@ -65,10 +67,18 @@ public:
 
     /// The same on near elements alone: overwrites in `u` (of the whole mesh) what they see. Visits no far element.
     void expand_near(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
-                     Eigen::VectorXd& u) const;
+                     Eigen::VectorXd& u) const {
+        expand_middle(expand_core(gamma_displacement, factors, initial, u), factors, initial, u);
+    }
 
-    /// Unknowns that near elements see, free_places() last. Prescribed ones are not among them.
+    /// The same on what elements of the core see, supports aside. Returns what lies on the rim below the core.
+    Eigen::VectorXd expand_core(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
+                                Eigen::VectorXd& u) const;
+
+    /// Unknowns that near elements see, free_places() last, and those that the core does: the last of them. Prescribed
+    /// ones are not among them.
     [[nodiscard]] std::span<const int> near_unknowns() const { return numbering_.near_unknowns(); }
+    [[nodiscard]] std::span<const int> core_unknowns() const { return numbering_.core_unknowns(); }
 
     /// Unknowns that near and far elements share, ascending. Together with the load factors their displacement
     /// determines that of all far elements.
@@ -87,15 +97,21 @@ public:
     [[nodiscard]] double factor_entries() const;
 
 private:
-    [[nodiscard]] std::shared_ptr<const NearFactor> factor(std::shared_ptr<const NearFactor> known);
+    [[nodiscard]] const std::shared_ptr<const BodyPart>& below() const { return middle_ ? middle_ : far_; }
+    [[nodiscard]] std::shared_ptr<const CoreFactor> factor(std::shared_ptr<const CoreFactor> known);
     void find_near_supports();
+    void expand_middle(const Eigen::VectorXd& on_rim, const LoadFactors& factors, double initial,
+                       Eigen::VectorXd& u) const;
+    /// Of the load on what lies inside the structure, so much from there on.
+    [[nodiscard]] Eigen::VectorXd interior_load(const LoadFactors& factors, double initial, Eigen::Index from,
+                                                Eigen::Index count) const;
     [[nodiscard]] ReducedLoad load_at(const LoadFactors& factors, double initial) const;
 
     StructureSeconds seconds_;
-    std::shared_ptr<const FarBody> far_;
+    std::shared_ptr<const BodyPart> far_, middle_;
     CoarseElements elements_;
     LeafNumbering numbering_;
-    std::shared_ptr<const NearFactor> near_;
+    std::shared_ptr<const CoreFactor> core_;
     StackedLeaf leaf_;
     CondensedLoads loads_;
     std::vector<PrescribedUnknown> near_supports_;  // that near elements see

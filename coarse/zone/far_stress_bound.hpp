@@ -61,7 +61,7 @@ private:
     [[nodiscard]] double stress_of_mode(const Eigen::VectorXd& displacement) const;
 
     const Structure* structure_;
-    std::shared_ptr<const FarBody> far_;
+    std::shared_ptr<const BodyPart> far_;
     bool affine_;      // there is an initial stress
     double response_;  // of a far point's stress to energy (structure_stresses.hpp)
     Eigen::VectorXd pivot_;

@@ -1,8 +1,8 @@
 #include "common/crack/crack_crossings.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "common/error.hpp"
 #include "common/geometry/clipping.hpp"
@@ -47,6 +47,14 @@ void snap(const Mesh& mesh, const std::array<int, 4>& element, const Vec2& x, Ve
     }
 }
 
+/// A little larger than an element.
+Eigen::AlignedBox2d box_about(const Mesh& mesh, int element) {
+    Eigen::AlignedBox2d box;
+    for (const int node : mesh.elements[at(element)]) box.extend(mesh.nodes[at(node)]);
+    const double margin = 1e-9 * box.diagonal().norm();
+    return box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
+}
+
 bool are_on(const Crossing& a, const Crossing& b, const MeshEdge& edge) {
     const auto on = [&](const Crossing& c) {
         return c.edge == &edge || (c.node >= 0 && (c.node == edge.first || c.node == edge.second));
@@ -80,9 +88,12 @@ CrackCrossings::CrackCrossings(const Mesh& mesh, const std::vector<Vec2>& points
 }
 
 void CrackCrossings::collect_edges() {
+    Eigen::AlignedBox2d crack;
+    for (const Vec2& point : points_) crack.extend(point);
     std::map<std::pair<int, int>, std::size_t> index;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-        if (!near_crack(static_cast<int>(e))) continue;
+        const Eigen::AlignedBox2d box = box_about(mesh_, static_cast<int>(e));
+        if (!box.intersects(crack) || !meets_crack(box)) continue;
         const auto add = [&](int from, int to) {
             const auto key = edge_key(from, to);
             const auto [found, added] = index.try_emplace(key, edges_.size());
@@ -104,11 +115,7 @@ int CrackCrossings::middle_of(int a, int b) const {
     return found != middle_.end() ? found->second : -1;
 }
 
-bool CrackCrossings::near_crack(int e) const {
-    Eigen::AlignedBox2d box;
-    for (const int node : mesh_.elements[at(e)]) box.extend(mesh_.nodes[at(node)]);
-    const double margin = 1e-9 * box.diagonal().norm();
-    box.extend(Vec2(box.min() - Vec2::Constant(margin))).extend(Vec2(box.max() + Vec2::Constant(margin)));
+bool CrackCrossings::meets_crack(const Eigen::AlignedBox2d& box) const {
     for (std::size_t k = 0; k + 1 < points_.size(); ++k) {
         Eigen::AlignedBox2d segment(points_[k]);
         if (box.intersects(segment.extend(points_[k + 1]))) return true;
@@ -173,7 +180,7 @@ bool CrackCrossings::has_kink_between(double s0, double s1) const {
 
 // An edge met once near the crack may have its other element farther away.
 bool CrackCrossings::is_boundary(const MeshEdge& edge) const {
-    const auto& others = around_[at(edge.second)];
+    const std::span<const int> others = around_[at(edge.second)];
     return std::ranges::count_if(around_[at(edge.first)],
                                  [&](int e) { return std::ranges::find(others, e) != others.end(); }) == 1;
 }
@@ -198,8 +205,12 @@ double CrackCrossings::place(int e, const Crossing& crossing) const {
 }
 
 std::vector<int> CrackCrossings::elements_at(const Crossing& crossing) const {
-    if (crossing.node >= 0) return around_[at(crossing.node)];
     std::vector<int> result;
+    if (crossing.node >= 0) {
+        const std::span<const int> around = around_[at(crossing.node)];
+        result.assign(around.begin(), around.end());
+        return result;
+    }
     for (const int e : crossing.edge->elements)
         if (e >= 0) result.push_back(e);
     return result;

@@ -1,6 +1,7 @@
 // Where a crack polyline meets the skeleton of a mesh: at nodes, and inside element edges.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <optional>
 #include <vector>
@@ -64,7 +65,7 @@ public:
 
 private:
     void collect_edges();
-    [[nodiscard]] bool near_crack(int element) const;
+    [[nodiscard]] bool meets_crack(const Eigen::AlignedBox2d& box) const;
     void collect();
     void add(const MeshEdge& edge, std::size_t segment, const Vec2& x);
     void merge();
@@ -76,7 +77,7 @@ private:
 
     const Mesh& mesh_;
     const std::vector<Vec2>& points_;
-    std::vector<std::vector<int>> around_;       // elements around each node
+    IndexLists around_;                          // elements around each node
     std::map<std::pair<int, int>, int> middle_;  // hanging node of an edge
     std::vector<double> arc_;
     std::vector<MeshEdge> edges_;

@@ -1,5 +1,6 @@
 #include "common/crack/crack_path.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
@@ -43,10 +44,17 @@ private:
             if (edge.elements[1] >= 0 || !skeleton_.is_boundary(edge)) continue;
             if (intersect(x, x, node(edge.first), node(edge.second))) return false;
         }
-        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-            if (side_of_polygon(polygon(static_cast<int>(e)), x) >= 0) return true;
-        }
+        for (int e = 0; e < std::ssize(mesh_.elements); ++e)
+            if (side_of(e, x) >= 0) return true;
         return false;
+    }
+
+    /// Of an element, as side_of_polygon(): most are told by a look at their corners.
+    [[nodiscard]] int side_of(int e, const Vec2& x) const {
+        const std::array<Vec2, 4> corners = polygon(e);
+        Eigen::AlignedBox2d box;
+        for (const Vec2& corner : corners) box.extend(corner);
+        return box.contains(x) ? side_of_polygon(corners, x) : -1;
     }
 
     // A tip within rounding of an edge ends on that edge.
@@ -140,9 +148,9 @@ private:
             if (a != nullptr) refuse_bend_on_edge(points[0], points[1]);
             if (b != nullptr) refuse_bend_on_edge(points.back(), points[points.size() - 2]);
         }
-        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-            const int inside = side_of_polygon(polygon(static_cast<int>(e)), middle);
-            if (inside > 0) return make_piece(static_cast<int>(e), chain, a, b);
+        for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
+            const int inside = side_of(e, middle);
+            if (inside > 0) return make_piece(e, chain, a, b);
             if (inside == 0) refuse_partial_edge(middle);  // and then leaves it, or it would be one of the above
         }
         throw CaseError(

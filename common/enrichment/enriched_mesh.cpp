@@ -31,11 +31,6 @@ void EnrichedMesh::number() {
     }
 }
 
-const TiedNode* EnrichedMesh::tie(int node) const {
-    const auto found = std::ranges::lower_bound(tied, node, {}, &TiedNode::node);
-    return found != tied.end() && found->node == node ? &*found : nullptr;
-}
-
 bool EnrichedMesh::follows(int node, int term) const {
     const TiedNode* const here = tie(node);
     return here != nullptr && (term == 0 || here->jump_tied);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -66,8 +67,12 @@ struct EnrichedMesh {
 
     [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
 
-    /// Null where the node is not tied.
-    [[nodiscard]] const TiedNode* tie(int node) const;
+    /// Null where the node is not tied. Hanging nodes come last in a mesh: most others are told at once.
+    [[nodiscard]] const TiedNode* tie(int node) const {
+        if (tied.empty() || node < tied.front().node) return nullptr;
+        const auto found = std::ranges::lower_bound(tied, node, {}, &TiedNode::node);
+        return found != tied.end() && found->node == node ? &*found : nullptr;
+    }
 
     /// True where a node's term (0: standard) has no unknowns of its own.
     [[nodiscard]] bool follows(int node, int term) const;

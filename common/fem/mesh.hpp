@@ -11,6 +11,7 @@
 
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/index_lists.hpp"
 
 namespace stria {
 
@@ -58,6 +59,6 @@ struct Mesh {
 };
 
 /// For each node the elements around it, in element order; around a hanging node then the larger one.
-std::vector<std::vector<int>> elements_around_nodes(const Mesh& mesh);
+IndexLists elements_around_nodes(const Mesh& mesh);
 
 }  // namespace stria

@@ -153,10 +153,12 @@ int element_nearest_to(const EnrichedMesh& mesh, const Vec2& x) {
 /// Whether the mesh about a tip, taken back by a move, has the nodes of the mesh before.
 bool lies_on_itself(const EnrichedMesh& from, const EnrichedMesh& to, const Vec2& tip, double size, const Vec2& move) {
     constexpr double about = 3.0, off = 0.05;  // elements
+    std::vector<Vec2> before;                  // that may lie there
+    for (const Vec2& old : from.nodes)
+        if ((old + move - tip).norm() < (about + 2.0 * off) * size) before.push_back(old);
     return std::ranges::all_of(to.nodes, [&](const Vec2& node) {
         if ((node - tip).norm() > about * size) return true;
-        return std::ranges::any_of(from.nodes,
-                                   [&](const Vec2& old) { return (node - move - old).norm() < off * size; });
+        return std::ranges::any_of(before, [&](const Vec2& old) { return (node - move - old).norm() < off * size; });
     });
 }
 

@@ -1,9 +1,12 @@
 #include "common/integration/parts_of_elements.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "common/index.hpp"
+#include "common/index_set.hpp"
 #include "common/integration/element_field.hpp"
 
 namespace stria {
@@ -12,8 +15,9 @@ namespace {
 class FieldsAtCorners {
 public:
     FieldsAtCorners(const EnrichedMesh& from, const EnrichedMesh& to, const std::vector<int>& part_of)
-        : from_(from), to_(to), piece_(piece_of_elements(from)) {
-        for (int e = 0; e < std::ssize(from.elements); ++e) element_of_id_[from.element_ids[at(e)]] = e;
+        : from_(from), to_(to), piece_(piece_of_elements(from)), known_(to.nodes.size()) {
+        element_of_id_.assign(from.element_ids.empty() ? 0 : at(std::ranges::max(from.element_ids)) + 1, -1);
+        for (int e = 0; e < std::ssize(from.elements); ++e) element_of_id_[at(from.element_ids[at(e)])] = e;
         for (int e = 0; e < std::ssize(to.elements); ++e)
             add(e, part_of[at(e)], [](const FieldAtNode*) { return true; });
         // Where a crack runs along edges, elements beyond it that were not split know the other side.
@@ -26,21 +30,23 @@ public:
 
 private:
     template <class Wanted> void add(int element, int id_before, const Wanted& wanted) {
-        const auto found = element_of_id_.find(id_before);
-        if (found == element_of_id_.end()) return;
+        if (id_before < 0 || id_before >= std::ssize(element_of_id_)) return;
+        const int before = element_of_id_[at(id_before)];
+        if (before < 0) return;
         std::optional<ElementField> field;
         for (const int node : to_.elements[at(element)]) {
-            const auto known = fields_.find(node);
-            if (!wanted(known != fields_.end() ? &known->second : nullptr)) continue;
-            const int p = piece_[at(found->second)];
-            if (!field) field.emplace(from_, found->second, p >= 0 ? &from_.pieces[at(p)] : nullptr);
+            if (!wanted(known_.contains(node) ? &fields_.at(node) : nullptr)) continue;
+            known_.insert(node);
+            const int p = piece_[at(before)];
+            if (!field) field.emplace(from_, before, p >= 0 ? &from_.pieces[at(p)] : nullptr);
             fields_.try_emplace(node, to_.nodes[at(node)], to_.terms[at(node)]).first->second.add(*field);
         }
     }
 
     const EnrichedMesh &from_, &to_;
     std::vector<int> piece_;
-    std::map<int, int> element_of_id_;
+    std::vector<int> element_of_id_;  // -1: there is none
+    NodeSet known_;                   // whose fields are there
     std::map<int, FieldAtNode> fields_;
 };
 

@@ -215,7 +215,8 @@ SparseLeaf::SparseLeaf(const SparseMatrix& stiffness, const std::vector<int>& bo
     condense(lower);
 }
 
-SparseLeaf::SparseLeaf(int boundary, SparseMatrix&& lower) : factor_(std::make_unique<Factor>()) {
+SparseLeaf::SparseLeaf(int boundary, SparseMatrix&& lower, Answers answers)
+    : factor_(std::make_unique<Factor>()), kind_(answers) {
     require(lower.rows() == lower.cols() && lower.rows() > 0, "sparse leaf: a square matrix");
     require(boundary >= 0 && boundary <= lower.rows(), "sparse leaf: no more boundary unknowns than unknowns");
     factor_->order.resize(at(static_cast<int>(lower.rows())));
@@ -240,6 +241,16 @@ SparseLeaf::~SparseLeaf() = default;
 const Eigen::MatrixXd& SparseLeaf::tangent() const { return tangent_; }
 
 ReducedLoad SparseLeaf::reduce(const Eigen::VectorXd& load) const {
+    if (kind_ == Answers::Anew) return reduce_anew(load);
+    constexpr std::size_t most = 6;  // a structure has no more of them
+    const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) { return answer.load == load; });
+    if (known != answers_.end()) return known->reduced;
+    if (answers_.size() == most) answers_.erase(answers_.begin());
+    answers_.push_back({load, reduce_anew(load)});
+    return answers_.back().reduced;
+}
+
+ReducedLoad SparseLeaf::reduce_anew(const Eigen::VectorXd& load) const {
     require(load.size() == factor_->size(), "sparse leaf: a load on all unknowns");
     const Eigen::VectorXd y = factor_->solve(CHOLMOD_L, load(factor_->order));
     // b_b - L21 y1 = L22 y2: tau has gone from what is carried over.

@@ -2,6 +2,7 @@
 // with the boundary ordered last; S is its trailing block (docs/method.md, section 10).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "common/substructure/substructure.hpp"
 
 namespace stria {
+
+/// Whether a leaf remembers its last answers, because one structure after another asks it for the same loads.
+enum class Answers : std::uint8_t { Anew, Remembered };
 
 class SparseLeaf : public Substructure {
 public:
@@ -19,7 +23,7 @@ public:
 
     /// Of a lower triangle whose unknowns are numbered in a good order of elimination, the last `boundary` ones to
     /// keep: for large structures (nested_dissection.hpp). Spoils `lower`.
-    SparseLeaf(int boundary, SparseMatrix&& lower);
+    SparseLeaf(int boundary, SparseMatrix&& lower, Answers answers = Answers::Anew);
     ~SparseLeaf() override;
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
@@ -39,10 +43,17 @@ public:
 
 private:
     void condense(SparseMatrix& lower);
+    [[nodiscard]] ReducedLoad reduce_anew(const Eigen::VectorXd& load) const;
 
     struct Factor;  // CHOLMOD stays behind this door
     std::unique_ptr<Factor> factor_;
     Eigen::MatrixXd tangent_;
+    struct Answer {
+        Eigen::VectorXd load;
+        ReducedLoad reduced;
+    };
+    Answers kind_ = Answers::Anew;
+    mutable std::vector<Answer> answers_;
 };
 
 }  // namespace stria

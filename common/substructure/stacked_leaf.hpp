@@ -25,6 +25,8 @@ public:
     /// ReducedLoad::interior that belongs to it.
     [[nodiscard]] Eigen::VectorXd expand_above(const Eigen::VectorXd& load_above,
                                                const Eigen::VectorXd& boundary) const;
+    /// Of that, what lies on the rim.
+    [[nodiscard]] Eigen::VectorXd on_rim(const Eigen::VectorXd& above) const { return above(rim_); }
 
 private:
     std::shared_ptr<const Substructure> below_;

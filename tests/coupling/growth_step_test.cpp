@@ -1,5 +1,5 @@
-// What a step of growth factors: the far body once, the structure where its zone changes; which elements it builds; and
-// that the nominal solution is that of the whole body.
+// What a step of growth factors: the far part and the middle once, the core where the zone changes; which elements it
+// condenses and builds; and that the nominal solution is that of the whole body.
 #include <gtest/gtest.h>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
@@ -15,20 +15,21 @@ struct Grown {
     coupling::WorkCounts made;
     std::vector<std::int64_t> built;  // elements of the zone, by the end of each cycle
     int changes_of_zone = 0;
+    int near = 0;                           // elements, at the end
     std::vector<double> K, K_of_the_whole;  // of each length
 };
 
 struct Growth {
     int refine = 1, cycles = 4;
-    double size = 40.0;  // mm, of the plate
+    double size = 40.0, crack = 7.3;  // mm, of the plate and the crack
 };
 
 /// Elements of 1 mm; by a factor of 4 smaller about the tip, with room for its way.
 Grown grow(const Growth& growth) {
-    const auto [refine, cycles, size] = growth;
+    const auto [refine, cycles, size, crack] = growth;
     Case input = pulled_plate(1.0, true, true);
     input.mesh.width = input.mesh.height = size;
-    input.cracks[0].points = {{0.0, 20.4}, {7.3, 20.4}};
+    input.cracks[0].points = {{0.0, size / 2.0 + 0.4}, {crack, size / 2.0 + 0.4}};
     input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
     input.load.steps = 4;
     input.load.blocks = {{.cycles = cycles, .max = 30.0, .min = 0.0}};
@@ -45,6 +46,7 @@ Grown grow(const Growth& growth) {
         if (increment.step.ends_cycle) grown.built.push_back(increment.zone.work.elements_built);
         if (structure.in_zone() != in_zone) ++grown.changes_of_zone;
         in_zone = structure.in_zone();
+        grown.near = static_cast<int>(structure.elements().near().size());
         if (!grown.K.empty() && grown.K.back() == increment.nominal_K[0]) return;
         grown.K.push_back(increment.nominal_K[0]);
         grown.K_of_the_whole.push_back(coarse::solve_nominal(structure.scene()).tips[0].K_I);
@@ -72,6 +74,29 @@ TEST_P(GrowthStepOf, FindsTheNominalKOfTheWholeBody) {
     ASSERT_EQ(grown.K.size(), at(1 + growth.cycles));
     for (std::size_t k = 0; k < grown.K.size(); ++k)
         EXPECT_NEAR(grown.K[k], grown.K_of_the_whole[k], 1e-11 * grown.K_of_the_whole[k]) << k;
+}
+
+/// In steps of growth that leave the middle as it is: coarse elements of which a stiffness was assembled, per step.
+double condensed_per_step(double size, double crack, int& near) {
+    constexpr int few = 2, more = 4;
+    const Grown before = grow({.cycles = few, .size = size, .crack = crack}),
+                after = grow({.cycles = few + more, .size = size, .crack = crack});
+    EXPECT_EQ(before.made.middle_factorisations, 1);
+    EXPECT_EQ(after.made.middle_factorisations, 1);
+    EXPECT_EQ(after.made.far_factorisations, 1);
+    near = after.near;
+    const auto condensed = [](const Grown& grown) { return grown.made.structure_elements_assembled; };
+    return static_cast<double>(condensed(after) - condensed(before)) / more;
+}
+
+// The rings grow with the crack and the body, and what is near with them: a core about the tip and the wake does not.
+TEST(GrowthStep, CondensesTheCoreAlone) {
+    int near = 0, near_in_large = 0;
+    const double condensed = condensed_per_step(80.0, 14.3, near);
+    const double in_large = condensed_per_step(120.0, 24.3, near_in_large);
+    EXPECT_GT(near_in_large, 2.5 * near);
+    EXPECT_LT(in_large, 1.4 * condensed) << "the wake is longer";
+    EXPECT_LT(in_large, near_in_large / 3.0) << "twice the core, for the nominal solution and for the new zone";
 }
 
 // However long the wake and large the body. Where small elements follow the tip they are built, too.

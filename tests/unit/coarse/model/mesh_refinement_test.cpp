@@ -20,8 +20,9 @@ void expect_sound(const Mesh& body) {
     double sum = 0.0;
     for (int e = 0; e < std::ssize(body.elements); ++e) sum += area(body, e);
     EXPECT_NEAR(sum, 1.0, 1e-12);
-    for (const auto& around : elements_around_nodes(body)) {
-        const auto [least, most] = std::ranges::minmax(around, {}, [&](int e) { return body.level[at(e)]; });
+    const IndexLists around = elements_around_nodes(body);
+    for (std::size_t node = 0; node < around.size(); ++node) {
+        const auto [least, most] = std::ranges::minmax(around[node], {}, [&](int e) { return body.level[at(e)]; });
         EXPECT_LE(body.level[at(most)] - body.level[at(least)], 1);
     }
     for (const auto& [node, ends, larger] : body.hanging)

@@ -1,4 +1,5 @@
-// What one structure leaves to the next: far elements that stay far, and factors that serve again to the last bit.
+// What one structure leaves to the next: elements that stay far or in the middle, and factors that serve again to the
+// last bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,8 @@
 #include "coarse/structure/structure.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/index.hpp"
+#include "common/integration/plain_operator.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -29,6 +32,7 @@ protected:
     const Scene scene = scene_with(7.3), longer = scene_with(7.8), far_on = scene_with(13.3);
     const ElementSet zone = zone_of(scene), next_zone = zone_of(longer);
     const ElementSet far = far_elements(scene, zone);
+    const StillElements still = still_elements(scene, zone);
 };
 
 TEST_F(Factors, FarElementsStayUntilOneHasToBeNear) {
@@ -41,34 +45,92 @@ TEST_F(Factors, FarElementsStayUntilOneHasToBeNear) {
     for (const int e : anew.members()) EXPECT_FALSE(near.contains(e) || zone_far_on.contains(e));
 }
 
-TEST_F(Factors, OfAFarBodyServeAgainToTheLastBit) {
-    const Structure before(scene, zone, far), fresh(longer, next_zone, far),
-        again(longer, next_zone, far, before.factors());
+TEST_F(Factors, ElementsInTheMiddleStayUntilOneHasToBeInTheCore) {
+    EXPECT_EQ(still.far, far);
+    const ElementSet near = near_elements(scene, zone), &middle = still.middle;
+    EXPECT_GT(2 * middle.count(), near.count());
+    EXPECT_EQ(still_elements(longer, next_zone, still), still);
+    ElementSet reaches = zone;
+    reaches.insert(middle.members().front());
+    const StillElements anew = still_elements(scene, reaches, still);
+    EXPECT_NE(anew.middle, middle);
+    EXPECT_EQ(anew, still_elements(scene, reaches, {.far = anew.far, .middle = {}}));
+    NodeSet of_zone(scene.mesh.nodes.size());
+    for (const int e : reaches.members())
+        for (const int node : scene.mesh.elements[at(e)]) of_zone.insert(node);
+    for (const int e : anew.middle.members()) {
+        EXPECT_FALSE(reaches.contains(e) || anew.far.contains(e) || !is_plain(scene.enriched, e)) << e;
+        for (const int node : scene.mesh.elements[at(e)]) EXPECT_FALSE(of_zone.contains(node)) << e;
+    }
+}
+
+TEST_F(Factors, NothingIsInTheMiddleWhereNoCrackGrows) {
+    Scene at_rest = scene;
+    at_rest.input.growth.reset();
+    EXPECT_TRUE(still_elements(at_rest, zone).middle.none());
+}
+
+void expect_same_bits(const Structure& a, const Structure& b) {
+    EXPECT_EQ(a.tangent(), b.tangent());
+    EXPECT_EQ(a.loads().unit().boundary, b.loads().unit().boundary);
+    EXPECT_EQ(a.loads().mean_displacement().weights, b.loads().mean_displacement().weights);
+    EXPECT_EQ(a.loads().mean_displacement().per_load_factor, b.loads().mean_displacement().per_load_factor);
+    const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(std::ssize(b.gamma()), -1e-3, 1e-3);
+    EXPECT_EQ(a.expand(gamma, 40.0), b.expand(gamma, 40.0));
+}
+
+TEST_F(Factors, OfAFarPartServeAgainToTheLastBit) {
+    const StillElements only_far{.far = far, .middle = {}};
+    const Structure before(scene, zone, only_far), fresh(longer, next_zone, only_far),
+        again(longer, next_zone, only_far, before.factors());
     EXPECT_EQ(again.factors().far, before.factors().far);
     EXPECT_NE(fresh.factors().far, before.factors().far);
-    EXPECT_EQ(again.tangent(), fresh.tangent());
-    EXPECT_EQ(again.loads().unit().boundary, fresh.loads().unit().boundary);
-    EXPECT_EQ(again.loads().mean_displacement().weights, fresh.loads().mean_displacement().weights);
-    EXPECT_EQ(again.loads().mean_displacement().per_load_factor, fresh.loads().mean_displacement().per_load_factor);
-    const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(std::ssize(fresh.gamma()), -1e-3, 1e-3);
-    EXPECT_EQ(again.expand(gamma, 40.0), fresh.expand(gamma, 40.0));
+    expect_same_bits(again, fresh);
+}
+
+TEST_F(Factors, OfAMiddlePartServeAgainToTheLastBit) {
+    const Structure before(scene, zone, still), fresh(longer, next_zone, still),
+        again(longer, next_zone, still, before.factors());
+    EXPECT_NE(before.factors().middle, nullptr);
+    EXPECT_EQ(again.factors().far, before.factors().far);
+    EXPECT_EQ(again.factors().middle, before.factors().middle);
+    EXPECT_NE(fresh.factors().middle, before.factors().middle);
+    expect_same_bits(again, fresh);
+}
+
+// What lies on a far part of other elements cannot serve.
+TEST_F(Factors, OfAMiddlePartServeOnItsFarPartAlone) {
+    const Structure before(scene, zone, still),
+        other(scene, zone, {.far = {}, .middle = still.middle}, before.factors());
+    EXPECT_EQ(other.factors().far, nullptr);
+    EXPECT_NE(other.factors().middle, before.factors().middle);
+    EXPECT_LT((other.tangent() - before.tangent()).norm(), 1e-12 * before.tangent().norm());
 }
 
 TEST_F(Factors, OfTheSameMatrixServeAgain) {
-    const Structure before(scene, zone, far), again(scene, zone, far, before.factors()),
-        other(longer, next_zone, far, before.factors());
-    EXPECT_EQ(again.factors().near, before.factors().near);
-    EXPECT_NE(other.factors().near, before.factors().near);
+    const Structure before(scene, zone, still), again(scene, zone, still, before.factors()),
+        other(longer, next_zone, still, before.factors());
+    EXPECT_EQ(again.factors().core, before.factors().core);
+    EXPECT_NE(other.factors().core, before.factors().core);
 }
 
-TEST_F(Factors, DoNotDependOnWhatIsFar) {
-    const Structure some(scene, zone, far), none(scene, zone, ElementSet(far.size()));
+TEST_F(Factors, DoNotDependOnWhatIsStill) {
+    const Structure none(scene, zone, StillElements{});
     EXPECT_EQ(none.factors().far, nullptr);
-    EXPECT_EQ(some.gamma(), none.gamma());
-    EXPECT_LT((some.tangent() - none.tangent()).norm(), 1e-12 * none.tangent().norm());
-    const Eigen::VectorXd gamma = Eigen::VectorXd::Zero(std::ssize(none.gamma())), u = none.expand(gamma, 1.0);
-    EXPECT_LT((some.expand(gamma, 1.0) - u).norm(), 1e-11 * u.norm());
-    EXPECT_NEAR(some.loads().mean_displacement().per_load_factor, scene.mean_displacement.dot(u), 1e-11 * u.norm());
+    for (const StillElements& of : {still, StillElements{.far = far, .middle = {}}}) {
+        const Structure some(scene, zone, of);
+        EXPECT_EQ(some.gamma(), none.gamma());
+        EXPECT_LT((some.tangent() - none.tangent()).norm(), 1e-12 * none.tangent().norm());
+        const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(std::ssize(none.gamma()), -1e-3, 1e-3),
+                              u = none.expand(gamma, 1.0);
+        EXPECT_LT((some.expand(gamma, 1.0) - u).norm(), 1e-11 * u.norm());
+        Eigen::VectorXd near = Eigen::VectorXd::Zero(u.size());
+        some.expand_near(gamma, 1.0, 0.0, near);
+        for (const int unknown : some.near_unknowns()) EXPECT_NEAR(near[unknown], u[unknown], 1e-12 * u.norm());
+        const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(gamma.size()), held = none.expand(at_rest, 1.0);
+        EXPECT_NEAR(some.loads().mean_displacement().per_load_factor, scene.mean_displacement.dot(held),
+                    1e-11 * held.norm());
+    }
 }
 
 }  // namespace

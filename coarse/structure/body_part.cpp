@@ -1,7 +1,8 @@
-#include "coarse/structure/far_body.hpp"
+#include "coarse/structure/body_part.hpp"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "coarse/elements/coarse_elements.hpp"
 #include "common/fem/centre.hpp"
@@ -13,7 +14,9 @@
 
 namespace stria::coarse {
 
-FarBody::FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds) : far_(std::move(far)) {
+BodyPart::BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<const BodyPart> below,
+                   StructureSeconds& seconds)
+    : elements_(std::move(elements)), below_(std::move(below)) {
     IndexLists of_elements;
     {
         const Stopwatch watch(seconds.ordering);
@@ -21,38 +24,38 @@ FarBody::FarBody(const Scene& scene, ElementSet far, StructureSeconds& seconds) 
     }
     SparseMatrix lower = assemble(scene, of_elements, seconds);
     const Stopwatch watch(seconds.factor);
-    leaf_ = std::make_unique<SparseLeaf>(static_cast<int>(rim_.size()), std::move(lower));
+    auto own = std::make_shared<const SparseLeaf>(static_cast<int>(rim_.size()), std::move(lower), Answers::Remembered);
+    factor_entries_ = own->factor_entries();
+    std::vector<int> places;
+    if (below_) places.assign(of_elements[of_elements.size() - 1].begin(), of_elements[of_elements.size() - 1].end());
+    leaf_ = std::make_unique<const StackedLeaf>(below_, std::move(places), std::move(own));
 }
 
-ReducedLoad FarBody::reduce(const Eigen::VectorXd& load) const {
-    constexpr std::size_t most = 6;  // a structure has no more of them
-    const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) { return answer.load == load; });
-    if (known != answers_.end()) return known->reduced;
-    if (answers_.size() == most) answers_.erase(answers_.begin());
-    answers_.push_back({load, leaf_->reduce(load)});
-    return answers_.back().reduced;
-}
-
-SparseMatrix FarBody::assemble(const Scene& scene, const IndexLists& of_elements, StructureSeconds& seconds) const {
+SparseMatrix BodyPart::assemble(const Scene& scene, const IndexLists& of_elements, StructureSeconds& seconds) const {
     const Stopwatch watch(seconds.assembly);
     SparseMatrix lower = lower_pattern(of_elements, static_cast<int>(inner_.size() + rim_.size()));
     std::size_t k = 0;
-    for (int e = 0; e < far_.size(); ++e)
-        if (far_.contains(e))
+    for (int e = 0; e < elements_.size(); ++e)
+        if (elements_.contains(e))
             add_to_lower(lower, of_elements[k++], plain_operator(scene, e).stiffness(scene.stiffness(e)));
+    if (below_) add_to_lower(lower, of_elements[k], below_->tangent());
     return lower;
 }
 
-/// Of each unknown of the mesh, ascending; -1 where far elements do not see it, or it is prescribed.
-std::vector<int> FarBody::number(const Scene& scene) {
+/// Of each unknown of the mesh, ascending; -1 where the part does not see it, or it is prescribed.
+std::vector<int> BodyPart::number(const Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
-    NodeSet by_far(mesh.nodes.size()), by_others = by_far;
+    NodeSet by_own(mesh.nodes.size()), by_others = by_own;
     UnknownSet prescribed(mesh.unknowns);
     for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
-    for (int e = 0; e < far_.size(); ++e)
-        for (const int node : mesh.elements[at(e)]) (far_.contains(e) ? by_far : by_others).insert(node);
+    for (int e = 0; e < elements_.size(); ++e) {
+        if (below_ && below_->contains(e)) continue;
+        for (const int node : mesh.elements[at(e)]) (elements_.contains(e) ? by_own : by_others).insert(node);
+    }
+    if (below_)
+        for (const auto& [node, component] : below_->rim_) by_own.insert(node);
     for (int node = 0; node < std::ssize(mesh.nodes); ++node) {
-        if (!by_far.contains(node)) continue;
+        if (!by_own.contains(node)) continue;
         for (const int component : {0, 1}) {
             if (prescribed.contains(mesh.unknown(node, 0, component))) continue;
             (by_others.contains(node) ? rim_ : inner_).push_back({node, component});
@@ -65,21 +68,29 @@ std::vector<int> FarBody::number(const Scene& scene) {
     return place;
 }
 
-/// Renumbers the inner unknowns; returns the elements' unknowns with their new numbers.
-IndexLists FarBody::order_elimination(const Scene& scene) {
+/// Renumbers the inner unknowns; returns the unknowns of the elements, and as one list more those of the rim below,
+/// with their new numbers.
+IndexLists BodyPart::order_elimination(const Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
     const std::vector<int> place = number(scene);
     IndexLists of_elements;
     std::vector<Vec2> centres;
-    for (const int e : far_.members()) {
+    for (const int e : elements_.members()) {
         of_elements.append(plain_unknowns(mesh, e));
         centres.push_back(centre(mesh, e));
+    }
+    std::vector<char> late;
+    if (below_) {  // its rim is no element's own: it comes after all of them
+        late.assign(centres.size(), 1);
+        late.push_back(0);
+        of_elements.append(below_->rim(mesh));
+        centres.emplace_back(Vec2::Zero());
     }
     of_elements.map([&](int unknown) { return place[at(unknown)]; });
     std::vector<int> kept(rim_.size());
     std::iota(kept.begin(), kept.end(), static_cast<int>(inner_.size()));
     const int unknowns = static_cast<int>(inner_.size() + rim_.size());
-    const std::vector<int> order = nested_dissection(of_elements, centres, unknowns, kept);
+    const std::vector<int> order = nested_dissection(of_elements, centres, unknowns, kept, late);
     const std::vector<Place> before = std::move(inner_);
     std::vector<int> rank(order.size());
     inner_.clear();
@@ -91,7 +102,7 @@ IndexLists FarBody::order_elimination(const Scene& scene) {
     return of_elements;
 }
 
-std::vector<int> FarBody::unknowns_of(const EnrichedMesh& mesh, const std::vector<Place>& places) {
+std::vector<int> BodyPart::unknowns_of(const EnrichedMesh& mesh, const std::vector<Place>& places) {
     std::vector<int> unknowns;
     unknowns.reserve(places.size());
     for (const auto& [node, component] : places) unknowns.push_back(mesh.unknown(node, 0, component));

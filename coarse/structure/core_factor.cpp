@@ -1,4 +1,4 @@
-#include "coarse/structure/near_factor.hpp"
+#include "coarse/structure/core_factor.hpp"
 
 #include <algorithm>
 
@@ -16,23 +16,23 @@ bool same_bits(const SparseMatrix& a, const SparseMatrix& b) {
 
 }  // namespace
 
-SparseMatrix near_stiffness(const CoarseElements& elements, const IndexLists& of_elements, int unknowns,
-                            const FarBody* far) {
+SparseMatrix core_stiffness(const CoarseElements& elements, const IndexLists& of_elements, int unknowns,
+                            const BodyPart* below) {
     const Scene& scene = elements.scene();
     SparseMatrix lower = lower_pattern(of_elements, unknowns);
     std::size_t k = 0;
-    elements.for_each(elements.near(), [&](const auto& op) {
+    elements.for_each(elements.core(), [&](const auto& op) {
         add_to_lower(lower, of_elements[k++], op.stiffness(scene.stiffness(op.element)));
     });
-    if (far != nullptr) add_to_lower(lower, of_elements[k], far->tangent());
+    if (below != nullptr) add_to_lower(lower, of_elements[k], below->tangent());
     return lower;
 }
 
-std::shared_ptr<const NearFactor> factor_near(SparseMatrix lower, int boundary,
-                                              std::shared_ptr<const NearFactor> known) {
+std::shared_ptr<const CoreFactor> factor_core(SparseMatrix lower, int boundary,
+                                              std::shared_ptr<const CoreFactor> known) {
     if (known && known->boundary == boundary && same_bits(known->matrix, lower)) return known;
     auto leaf = std::make_shared<const SparseLeaf>(boundary, SparseMatrix(lower));
-    return std::make_shared<const NearFactor>(std::move(lower), boundary, std::move(leaf));
+    return std::make_shared<const CoreFactor>(std::move(lower), boundary, std::move(leaf));
 }
 
 }  // namespace stria::coarse
