@@ -23,6 +23,20 @@ bool is_finite(const Eigen::MatrixXd& matrix, Symmetry symmetry) {
     return std::isfinite(sum);
 }
 
+// Loops, where an indexed view of Eigen would copy its indices.
+
+void read(const Eigen::VectorXd& all, const std::vector<int>& places, Eigen::Ref<Eigen::VectorXd> some) {
+    for (Eigen::Index k = 0; k < some.size(); ++k) some[k] = all[places[at(k)]];
+}
+
+void write(const Eigen::Ref<const Eigen::VectorXd>& some, const std::vector<int>& places, Eigen::VectorXd& all) {
+    for (Eigen::Index k = 0; k < some.size(); ++k) all[places[at(k)]] = some[k];
+}
+
+void subtract(const Eigen::VectorXd& some, const std::vector<int>& places, Eigen::VectorXd& all) {
+    for (Eigen::Index k = 0; k < some.size(); ++k) all[places[at(k)]] -= some[k];
+}
+
 }  // namespace
 
 struct FrontTree::Tree {
@@ -36,6 +50,9 @@ struct FrontTree::Tree {
     void forward(Eigen::VectorXd& y, bool awake) const;
     void backward(Eigen::VectorXd& x, bool awake) const;
     [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
+    /// Numbers of all unknowns, turned into those by rank and back.
+    [[nodiscard]] Eigen::VectorXd by_rank(const Eigen::VectorXd& by_unknown) const;
+    [[nodiscard]] Eigen::VectorXd by_unknown(const Eigen::VectorXd& by_rank) const;
 
     std::size_t elements;
     AssemblyTree plan;
@@ -106,15 +123,27 @@ void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
     throw NumericalFailure("the tangent of the zone is singular at its unknown " + std::to_string(unknown));
 }
 
+Eigen::VectorXd FrontTree::Tree::by_rank(const Eigen::VectorXd& by_unknown) const {
+    Eigen::VectorXd y(by_unknown.size());
+    for (std::size_t i = 0; i < plan.rank.size(); ++i) y[plan.rank[i]] = by_unknown[static_cast<Eigen::Index>(i)];
+    return y;
+}
+
+Eigen::VectorXd FrontTree::Tree::by_unknown(const Eigen::VectorXd& by_rank) const {
+    Eigen::VectorXd x(by_rank.size());
+    for (std::size_t i = 0; i < plan.rank.size(); ++i) x[static_cast<Eigen::Index>(i)] = by_rank[plan.rank[i]];
+    return x;
+}
+
 void FrontTree::Tree::forward(Eigen::VectorXd& y, bool awake) const {
     Eigen::VectorXd buffer(widest);
     for (std::size_t index = 0; index < fronts.size(); ++index) {
         if ((rest[index] == Rest::Awake) != awake) continue;
         const AssemblyTree::Node& node = plan.nodes[index];
         auto kept = buffer.head(std::ssize(node.kept));
-        kept = y(node.kept);
+        read(y, node.kept, kept);
         fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
-        y(node.kept) = kept;
+        write(kept, node.kept, y);
     }
 }
 
@@ -124,7 +153,7 @@ void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
         if ((rest[index] == Rest::Awake) != awake) continue;
         const AssemblyTree::Node& node = plan.nodes[index];
         auto kept = buffer.head(std::ssize(node.kept));
-        kept = x(node.kept);
+        read(x, node.kept, kept);
         fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
     }
 }
@@ -172,8 +201,7 @@ ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     const Tree& tree = *tree_;
     require(tree.factored, "front tree: factor() before reduce()");
     require(load.size() == std::ssize(tree.plan.rank), "front tree: a load on all unknowns");
-    Eigen::VectorXd y(load.size());
-    y(tree.plan.rank) = load;
+    Eigen::VectorXd y = tree.by_rank(load);
     tree.forward(y, true);
     return {.interior = y.head(tree.plan.interior), .boundary = y.tail(y.size() - tree.plan.interior)};
 }
@@ -186,7 +214,7 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
     Eigen::VectorXd x(std::ssize(tree.plan.rank));
     x << load.interior, boundary;
     tree.backward(x, true);
-    return x(tree.plan.rank);
+    return tree.by_unknown(x);
 }
 
 void FrontTree::rest(const ElementSet& may_rest) {
@@ -220,39 +248,36 @@ const UnknownSet& FrontTree::inside() const { return tree_->inside; }
 
 void FrontTree::carry(const Eigen::VectorXd& load) {
     Tree& tree = *tree_;
-    Eigen::VectorXd y(load.size());
-    y(tree.plan.rank) = load;
-    tree.forward(y, false);
-    tree.carried = y;
+    tree.carried = tree.by_rank(load);
+    tree.forward(tree.carried, false);
 }
 
 Eigen::VectorXd FrontTree::response(const Eigen::VectorXd& move) const {
     const Tree& tree = *tree_;
-    Eigen::VectorXd x(move.size());
-    x(tree.plan.rank) = move;
+    const Eigen::VectorXd x = tree.by_rank(move);
     Eigen::VectorXd load = tree.carried;
     for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
         if (tree.rest[index] == Tree::Rest::Awake) continue;
         const AssemblyTree::Node& node = tree.plan.nodes[index];
         load.segment(node.first_rank, node.eliminated).setZero();
         if (tree.rest[index] != Tree::Rest::Leaf) continue;
-        const Eigen::VectorXd kept = x(node.kept);
-        load(node.kept) -= tree.fronts[index].times_schur(kept);
+        Eigen::VectorXd kept(std::ssize(node.kept));
+        read(x, node.kept, kept);
+        subtract(tree.fronts[index].times_schur(kept), node.kept, load);
     }
-    return load(tree.plan.rank);
+    return tree.by_unknown(load);
 }
 
 Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
     const Tree& tree = *tree_;
-    Eigen::VectorXd x(move.size());
-    x(tree.plan.rank) = move;
+    Eigen::VectorXd x = tree.by_rank(move);
     for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
         const AssemblyTree::Node& node = tree.plan.nodes[index];
         if (tree.rest[index] != Tree::Rest::Awake)
             x.segment(node.first_rank, node.eliminated) = tree.carried.segment(node.first_rank, node.eliminated);
     }
     tree.backward(x, false);
-    return x(tree.plan.rank);
+    return tree.by_unknown(x);
 }
 
 int FrontTree::fronts() const { return static_cast<int>(tree_->fronts.size()); }
