@@ -8,8 +8,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
-#include "common/substructure/assembly_tree.hpp"
-#include "common/substructure/front.hpp"
+#include "common/substructure/front_tree_parts.hpp"
 
 namespace stria {
 
@@ -23,56 +22,15 @@ bool is_finite(const Eigen::MatrixXd& matrix, Symmetry symmetry) {
     return std::isfinite(sum);
 }
 
-// Loops, where an indexed view of Eigen would copy its indices.
-
-void read(const Eigen::VectorXd& all, const std::vector<int>& places, Eigen::Ref<Eigen::VectorXd> some) {
-    for (Eigen::Index k = 0; k < some.size(); ++k) some[k] = all[places[at(k)]];
-}
-
-void write(const Eigen::Ref<const Eigen::VectorXd>& some, const std::vector<int>& places, Eigen::VectorXd& all) {
-    for (Eigen::Index k = 0; k < some.size(); ++k) all[places[at(k)]] = some[k];
-}
-
-void subtract(const Eigen::VectorXd& some, const std::vector<int>& places, Eigen::VectorXd& all) {
-    for (Eigen::Index k = 0; k < some.size(); ++k) all[places[at(k)]] -= some[k];
-}
-
 }  // namespace
-
-struct FrontTree::Tree {
-    enum class Rest : char { Awake, Leaf, Inside };
-
-    explicit Tree(const Layout& layout);
-
-    [[nodiscard]] Symmetry symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const;
-    void refactor(std::size_t index, const MatrixOfElement& matrix_of);
-    /// Through the fronts that are awake, or those that are not; vectors by rank.
-    void forward(Eigen::VectorXd& y, bool awake) const;
-    void backward(Eigen::VectorXd& x, bool awake) const;
-    [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
-    /// Numbers of all unknowns, turned into those by rank and back.
-    [[nodiscard]] Eigen::VectorXd by_rank(const Eigen::VectorXd& by_unknown) const;
-    [[nodiscard]] Eigen::VectorXd by_unknown(const Eigen::VectorXd& by_rank) const;
-
-    std::size_t elements;
-    AssemblyTree plan;
-    std::vector<Front> fronts;
-    std::vector<char> dirty;
-    std::vector<Rest> rest;  // per node
-    ElementSet resting;
-    UnknownSet inside;
-    Eigen::VectorXd carried;  // by rank
-    bool factored = false, mirrored = false;
-    long refactored = 0, refactored_general = 0;
-    int widest = 0;  // most unknowns that a front keeps
-};
 
 FrontTree::Tree::Tree(const Layout& layout)
     : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()),
-      rest(plan.nodes.size(), Rest::Awake), resting(elements), inside(plan.rank.size()),
-      carried(Eigen::VectorXd::Zero(std::ssize(plan.rank))) {
+      rest(plan.nodes.size(), Rest::Awake), resting(elements), inside(plan.rank.size()), carried_by(plan.nodes.size()),
+      carried(Eigen::VectorXd::Zero(std::ssize(plan.rank))), due(carried), carried_inside(carried) {
     fronts.reserve(plan.nodes.size());
     for (const AssemblyTree::Node& node : plan.nodes) {
+        first_below.push_back(node.leaf() ? first_below.size() : first_below[at(node.children[0])]);
         const int kept = static_cast<int>(node.kept.size());
         fronts.emplace_back(node.eliminated, node.multipliers, kept);
         widest = std::max(widest, kept);
@@ -113,6 +71,7 @@ void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_
     }
     // What rounding leaves of a pivot that should be zero grows with the number of eliminations (see SparseLeaf).
     const double tolerance = static_cast<double>(plan.rank.size()) * std::numeric_limits<double>::epsilon();
+    carried_by[index].known = false;
     if (const int place = front.eliminate(tolerance); place >= 0) fail(node, place);
     ++refactored;
     if (front.symmetry() == Symmetry::General) ++refactored_general;
@@ -135,16 +94,12 @@ Eigen::VectorXd FrontTree::Tree::by_unknown(const Eigen::VectorXd& by_rank) cons
     return x;
 }
 
-void FrontTree::Tree::forward(Eigen::VectorXd& y, bool awake) const {
-    Eigen::VectorXd buffer(widest);
-    for (std::size_t index = 0; index < fronts.size(); ++index) {
-        if ((rest[index] == Rest::Awake) != awake) continue;
-        const AssemblyTree::Node& node = plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        read(y, node.kept, kept);
-        fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
-        write(kept, node.kept, y);
-    }
+void FrontTree::Tree::forward(std::size_t index, Eigen::VectorXd& y, Eigen::VectorXd& buffer) const {
+    const AssemblyTree::Node& node = plan.nodes[index];
+    auto kept = buffer.head(std::ssize(node.kept));
+    gather_at(y, node.kept, kept);
+    fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
+    scatter_at(kept, node.kept, y);
 }
 
 void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
@@ -153,7 +108,7 @@ void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
         if ((rest[index] == Rest::Awake) != awake) continue;
         const AssemblyTree::Node& node = plan.nodes[index];
         auto kept = buffer.head(std::ssize(node.kept));
-        read(x, node.kept, kept);
+        gather_at(x, node.kept, kept);
         fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
     }
 }
@@ -201,8 +156,9 @@ ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     const Tree& tree = *tree_;
     require(tree.factored, "front tree: factor() before reduce()");
     require(load.size() == std::ssize(tree.plan.rank), "front tree: a load on all unknowns");
-    Eigen::VectorXd y = tree.by_rank(load);
-    tree.forward(y, true);
+    Eigen::VectorXd y = tree.by_rank(load), buffer(tree.widest);
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index)
+        if (tree.rest[index] == Tree::Rest::Awake) tree.forward(index, y, buffer);
     return {.interior = y.head(tree.plan.interior), .boundary = y.tail(y.size() - tree.plan.interior)};
 }
 
@@ -217,71 +173,9 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
     return tree.by_unknown(x);
 }
 
-void FrontTree::rest(const ElementSet& may_rest) {
-    Tree& tree = *tree_;
-    require(tree.factored && at(may_rest.size()) == tree.elements,
-            "front tree: factor() before rest(), a set of its elements");
-    using Rest = Tree::Rest;
-    tree.resting = ElementSet(tree.elements);
-    tree.inside = UnknownSet(tree.plan.rank.size());
-    std::vector<char> inside(tree.plan.rank.size(), 0);  // by rank
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        const auto rests = [&](int child) { return tree.rest[at(child)] != Rest::Awake; };
-        const auto may = [&](int element) { return may_rest.contains(element); };
-        const bool all =
-            node.leaf() ? std::ranges::all_of(node.elements, may) : std::ranges::all_of(node.children, rests);
-        tree.rest[index] = all ? Rest::Leaf : Rest::Awake;
-        if (!all) continue;
-        for (const int child : node.children)
-            if (child >= 0) tree.rest[at(child)] = Rest::Inside;
-        for (const int element : node.elements) tree.resting.insert(element);
-        std::fill_n(inside.begin() + node.first_rank, node.eliminated, static_cast<char>(1));
-    }
-    for (std::size_t i = 0; i < inside.size(); ++i)
-        if (inside[at(tree.plan.rank[i])] != 0) tree.inside.insert(i);
-    tree.carried.setZero();
-}
-
-const ElementSet& FrontTree::resting() const { return tree_->resting; }
-const UnknownSet& FrontTree::inside() const { return tree_->inside; }
-
-void FrontTree::carry(const Eigen::VectorXd& load) {
-    Tree& tree = *tree_;
-    tree.carried = tree.by_rank(load);
-    tree.forward(tree.carried, false);
-}
-
-Eigen::VectorXd FrontTree::response(const Eigen::VectorXd& move) const {
-    const Tree& tree = *tree_;
-    const Eigen::VectorXd x = tree.by_rank(move);
-    Eigen::VectorXd load = tree.carried;
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        if (tree.rest[index] == Tree::Rest::Awake) continue;
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        load.segment(node.first_rank, node.eliminated).setZero();
-        if (tree.rest[index] != Tree::Rest::Leaf) continue;
-        Eigen::VectorXd kept(std::ssize(node.kept));
-        read(x, node.kept, kept);
-        subtract(tree.fronts[index].times_schur(kept), node.kept, load);
-    }
-    return tree.by_unknown(load);
-}
-
-Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
-    const Tree& tree = *tree_;
-    Eigen::VectorXd x = tree.by_rank(move);
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        if (tree.rest[index] != Tree::Rest::Awake)
-            x.segment(node.first_rank, node.eliminated) = tree.carried.segment(node.first_rank, node.eliminated);
-    }
-    tree.backward(x, false);
-    return tree.by_unknown(x);
-}
-
 int FrontTree::fronts() const { return static_cast<int>(tree_->fronts.size()); }
 long FrontTree::refactored() const { return tree_->refactored; }
 long FrontTree::refactored_general() const { return tree_->refactored_general; }
+long FrontTree::carried() const { return tree_->carried_through; }
 
 }  // namespace stria
