@@ -8,7 +8,10 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
-#include "common/substructure/front_tree_parts.hpp"
+#include "common/substructure/assembly_tree.hpp"
+#include "common/substructure/front.hpp"
+#include "common/substructure/front_passes.hpp"
+#include "common/substructure/subtrees_at_rest.hpp"
 
 namespace stria {
 
@@ -24,17 +27,27 @@ bool is_finite(const Eigen::MatrixXd& matrix, Symmetry symmetry) {
 
 }  // namespace
 
+struct FrontTree::Tree {
+    explicit Tree(const Layout& layout);
+
+    [[nodiscard]] Symmetry symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const;
+    void refactor(std::size_t index, const MatrixOfElement& matrix_of);
+    [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
+
+    std::size_t elements;
+    AssemblyTree plan;
+    std::vector<Front> fronts;
+    SubtreesAtRest at_rest;
+    std::vector<char> dirty;
+    bool factored = false, mirrored = false;
+    long refactored = 0, refactored_general = 0;
+};
+
 FrontTree::Tree::Tree(const Layout& layout)
-    : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()),
-      rest(plan.nodes.size(), Rest::Awake), resting(elements), inside(plan.rank.size()), carried_by(plan.nodes.size()),
-      carried(Eigen::VectorXd::Zero(std::ssize(plan.rank))), due(carried), carried_inside(carried) {
+    : elements(layout.element_unknowns.size()), plan(layout), at_rest(plan, elements), dirty(plan.nodes.size()) {
     fronts.reserve(plan.nodes.size());
-    for (const AssemblyTree::Node& node : plan.nodes) {
-        first_below.push_back(node.leaf() ? first_below.size() : first_below[at(node.children[0])]);
-        const int kept = static_cast<int>(node.kept.size());
-        fronts.emplace_back(node.eliminated, node.multipliers, kept);
-        widest = std::max(widest, kept);
-    }
+    for (const AssemblyTree::Node& node : plan.nodes)
+        fronts.emplace_back(node.eliminated, node.multipliers, static_cast<int>(node.kept.size()));
 }
 
 Symmetry FrontTree::Tree::symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const {
@@ -71,7 +84,7 @@ void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_
     }
     // What rounding leaves of a pivot that should be zero grows with the number of eliminations (see SparseLeaf).
     const double tolerance = static_cast<double>(plan.rank.size()) * std::numeric_limits<double>::epsilon();
-    carried_by[index].known = false;
+    at_rest.forget(index);
     if (const int place = front.eliminate(tolerance); place >= 0) fail(node, place);
     ++refactored;
     if (front.symmetry() == Symmetry::General) ++refactored_general;
@@ -80,37 +93,6 @@ void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_
 void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
     const auto unknown = std::ranges::find(plan.rank, node.first_rank + place) - plan.rank.begin();
     throw NumericalFailure("the tangent of the zone is singular at its unknown " + std::to_string(unknown));
-}
-
-Eigen::VectorXd FrontTree::Tree::by_rank(const Eigen::VectorXd& by_unknown) const {
-    Eigen::VectorXd y(by_unknown.size());
-    for (std::size_t i = 0; i < plan.rank.size(); ++i) y[plan.rank[i]] = by_unknown[static_cast<Eigen::Index>(i)];
-    return y;
-}
-
-Eigen::VectorXd FrontTree::Tree::by_unknown(const Eigen::VectorXd& by_rank) const {
-    Eigen::VectorXd x(by_rank.size());
-    for (std::size_t i = 0; i < plan.rank.size(); ++i) x[static_cast<Eigen::Index>(i)] = by_rank[plan.rank[i]];
-    return x;
-}
-
-void FrontTree::Tree::forward(std::size_t index, Eigen::VectorXd& y, Eigen::VectorXd& buffer) const {
-    const AssemblyTree::Node& node = plan.nodes[index];
-    auto kept = buffer.head(std::ssize(node.kept));
-    gather_at(y, node.kept, kept);
-    fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
-    scatter_at(kept, node.kept, y);
-}
-
-void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
-    Eigen::VectorXd buffer(widest);
-    for (std::size_t index = fronts.size(); index-- > 0;) {
-        if ((rest[index] == Rest::Awake) != awake) continue;
-        const AssemblyTree::Node& node = plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        gather_at(x, node.kept, kept);
-        fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
-    }
 }
 
 FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
@@ -156,9 +138,9 @@ ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     const Tree& tree = *tree_;
     require(tree.factored, "front tree: factor() before reduce()");
     require(load.size() == std::ssize(tree.plan.rank), "front tree: a load on all unknowns");
-    Eigen::VectorXd y = tree.by_rank(load), buffer(tree.widest);
+    Eigen::VectorXd y = tree.plan.by_rank(load), buffer(tree.plan.widest);
     for (std::size_t index = 0; index < tree.fronts.size(); ++index)
-        if (tree.rest[index] == Tree::Rest::Awake) tree.forward(index, y, buffer);
+        if (tree.at_rest.is_awake(index)) forward(tree.plan.nodes[index], tree.fronts[index], y, buffer);
     return {.interior = y.head(tree.plan.interior), .boundary = y.tail(y.size() - tree.plan.interior)};
 }
 
@@ -167,15 +149,37 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
     require(tree.factored, "front tree: factor() before expand()");
     require(load.interior.size() == tree.plan.interior && boundary.size() == load.boundary.size(),
             "front tree: expand() wants what reduce() gave");
-    Eigen::VectorXd x(std::ssize(tree.plan.rank));
+    Eigen::VectorXd x(std::ssize(tree.plan.rank)), buffer(tree.plan.widest);
     x << load.interior, boundary;
-    tree.backward(x, true);
-    return tree.by_unknown(x);
+    for (std::size_t index = tree.fronts.size(); index-- > 0;)
+        if (tree.at_rest.is_awake(index)) backward(tree.plan.nodes[index], tree.fronts[index], x, buffer);
+    return tree.plan.by_unknown(x);
+}
+
+void FrontTree::rest(const ElementSet& may_rest) {
+    require(tree_->factored && at(may_rest.size()) == tree_->elements,
+            "front tree: factor() before rest(), a set of its elements");
+    tree_->at_rest.rest(may_rest);
+}
+
+const ElementSet& FrontTree::resting() const { return tree_->at_rest.elements(); }
+const UnknownSet& FrontTree::inside() const { return tree_->at_rest.inside(); }
+
+void FrontTree::carry(const Eigen::VectorXd& load) { tree_->at_rest.carry(tree_->plan.by_rank(load), tree_->fronts); }
+
+Eigen::VectorXd FrontTree::response(const Eigen::VectorXd& move) const {
+    const AssemblyTree& plan = tree_->plan;
+    return plan.by_unknown(tree_->at_rest.response(plan.by_rank(move), tree_->fronts));
+}
+
+Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
+    const AssemblyTree& plan = tree_->plan;
+    return plan.by_unknown(tree_->at_rest.follow(plan.by_rank(move), tree_->fronts));
 }
 
 int FrontTree::fronts() const { return static_cast<int>(tree_->fronts.size()); }
 long FrontTree::refactored() const { return tree_->refactored; }
 long FrontTree::refactored_general() const { return tree_->refactored_general; }
-long FrontTree::carried() const { return tree_->carried_through; }
+long FrontTree::carried() const { return tree_->at_rest.carried(); }
 
 }  // namespace stria

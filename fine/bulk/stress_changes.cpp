@@ -1,6 +1,6 @@
 #include "fine/bulk/stress_changes.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace stria::fine {
 
@@ -25,10 +25,11 @@ template <bool since_look> double StressChanges::largest(const Record& record, c
     constexpr Eigen::Index block = 4;
     if (record.unknowns == 8 && record.points == block) return largest_of<since_look, 8, block>(record, 0, u);
     double largest = 0.0;
+    // What is not a number stays: it proves nothing.
+    const auto raise = [&](double value) { largest = std::isnan(largest) || value <= largest ? largest : value; };
     Eigen::Index q = 0;
-    for (; q + block <= record.points; q += block)
-        largest = std::max(largest, largest_of<since_look, Eigen::Dynamic, block>(record, q, u));
-    for (; q < record.points; ++q) largest = std::max(largest, largest_of<since_look, Eigen::Dynamic, 1>(record, q, u));
+    for (; q + block <= record.points; q += block) raise(largest_of<since_look, Eigen::Dynamic, block>(record, q, u));
+    for (; q < record.points; ++q) raise(largest_of<since_look, Eigen::Dynamic, 1>(record, q, u));
     return largest;
 }
 
