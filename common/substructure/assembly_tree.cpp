@@ -214,7 +214,21 @@ void AssemblyTree::rank_unknowns(const Layout& layout) {
     for (Node& node : nodes) {
         for (int& unknown : node.kept) unknown = rank[at(unknown)];
         std::ranges::sort(node.kept);
+        widest = std::max(widest, static_cast<int>(node.kept.size()));
     }
+}
+
+// In loops: an indexed view of Eigen would copy the ranks.
+Eigen::VectorXd AssemblyTree::by_rank(const Eigen::VectorXd& by_unknown) const {
+    Eigen::VectorXd y(by_unknown.size());
+    for (Eigen::Index i = 0; i < y.size(); ++i) y[rank[at(i)]] = by_unknown[i];
+    return y;
+}
+
+Eigen::VectorXd AssemblyTree::by_unknown(const Eigen::VectorXd& by_rank) const {
+    Eigen::VectorXd x(by_rank.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = by_rank[rank[at(i)]];
+    return x;
 }
 
 void AssemblyTree::place_contributions(const Layout& layout) {

@@ -2,6 +2,7 @@
 // It depends on the layout alone, so it is made once per geometry.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -27,9 +28,14 @@ struct AssemblyTree {
 
     explicit AssemblyTree(const FrontLayout& layout);
 
+    /// Numbers of all unknowns, turned into those by rank and back.
+    [[nodiscard]] Eigen::VectorXd by_rank(const Eigen::VectorXd& by_unknown) const;
+    [[nodiscard]] Eigen::VectorXd by_unknown(const Eigen::VectorXd& by_rank) const;
+
     std::vector<Node> nodes;  // children before parents, the root last
     std::vector<int> rank;    // of each unknown
     int interior = 0;         // unknowns that are not boundary
+    int widest = 0;           // most unknowns that a node keeps
 
 private:
     void rank_unknowns(const FrontLayout& layout);

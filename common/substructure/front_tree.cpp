@@ -10,6 +10,8 @@
 #include "common/index.hpp"
 #include "common/substructure/assembly_tree.hpp"
 #include "common/substructure/front.hpp"
+#include "common/substructure/front_passes.hpp"
+#include "common/substructure/subtrees_at_rest.hpp"
 
 namespace stria {
 
@@ -26,40 +28,26 @@ bool is_finite(const Eigen::MatrixXd& matrix, Symmetry symmetry) {
 }  // namespace
 
 struct FrontTree::Tree {
-    enum class Rest : char { Awake, Leaf, Inside };
-
     explicit Tree(const Layout& layout);
 
     [[nodiscard]] Symmetry symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const;
     void refactor(std::size_t index, const MatrixOfElement& matrix_of);
-    /// Through the fronts that are awake, or those that are not; vectors by rank.
-    void forward(Eigen::VectorXd& y, bool awake) const;
-    void backward(Eigen::VectorXd& x, bool awake) const;
     [[noreturn]] void fail(const AssemblyTree::Node& node, int place) const;
 
     std::size_t elements;
     AssemblyTree plan;
     std::vector<Front> fronts;
+    SubtreesAtRest at_rest;
     std::vector<char> dirty;
-    std::vector<Rest> rest;  // per node
-    ElementSet resting;
-    UnknownSet inside;
-    Eigen::VectorXd carried;  // by rank
     bool factored = false, mirrored = false;
     long refactored = 0, refactored_general = 0;
-    int widest = 0;  // most unknowns that a front keeps
 };
 
 FrontTree::Tree::Tree(const Layout& layout)
-    : elements(layout.element_unknowns.size()), plan(layout), dirty(plan.nodes.size()),
-      rest(plan.nodes.size(), Rest::Awake), resting(elements), inside(plan.rank.size()),
-      carried(Eigen::VectorXd::Zero(std::ssize(plan.rank))) {
+    : elements(layout.element_unknowns.size()), plan(layout), at_rest(plan, elements), dirty(plan.nodes.size()) {
     fronts.reserve(plan.nodes.size());
-    for (const AssemblyTree::Node& node : plan.nodes) {
-        const int kept = static_cast<int>(node.kept.size());
-        fronts.emplace_back(node.eliminated, node.multipliers, kept);
-        widest = std::max(widest, kept);
-    }
+    for (const AssemblyTree::Node& node : plan.nodes)
+        fronts.emplace_back(node.eliminated, node.multipliers, static_cast<int>(node.kept.size()));
 }
 
 Symmetry FrontTree::Tree::symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const {
@@ -96,6 +84,7 @@ void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_
     }
     // What rounding leaves of a pivot that should be zero grows with the number of eliminations (see SparseLeaf).
     const double tolerance = static_cast<double>(plan.rank.size()) * std::numeric_limits<double>::epsilon();
+    at_rest.forget(index);
     if (const int place = front.eliminate(tolerance); place >= 0) fail(node, place);
     ++refactored;
     if (front.symmetry() == Symmetry::General) ++refactored_general;
@@ -104,29 +93,6 @@ void FrontTree::Tree::refactor(std::size_t index, const MatrixOfElement& matrix_
 void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
     const auto unknown = std::ranges::find(plan.rank, node.first_rank + place) - plan.rank.begin();
     throw NumericalFailure("the tangent of the zone is singular at its unknown " + std::to_string(unknown));
-}
-
-void FrontTree::Tree::forward(Eigen::VectorXd& y, bool awake) const {
-    Eigen::VectorXd buffer(widest);
-    for (std::size_t index = 0; index < fronts.size(); ++index) {
-        if ((rest[index] == Rest::Awake) != awake) continue;
-        const AssemblyTree::Node& node = plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        kept = y(node.kept);
-        fronts[index].forward(y.segment(node.first_rank, node.eliminated), kept);
-        y(node.kept) = kept;
-    }
-}
-
-void FrontTree::Tree::backward(Eigen::VectorXd& x, bool awake) const {
-    Eigen::VectorXd buffer(widest);
-    for (std::size_t index = fronts.size(); index-- > 0;) {
-        if ((rest[index] == Rest::Awake) != awake) continue;
-        const AssemblyTree::Node& node = plan.nodes[index];
-        auto kept = buffer.head(std::ssize(node.kept));
-        kept = x(node.kept);
-        fronts[index].backward(x.segment(node.first_rank, node.eliminated), kept);
-    }
 }
 
 FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
@@ -172,9 +138,9 @@ ReducedLoad FrontTree::reduce(const Eigen::VectorXd& load) const {
     const Tree& tree = *tree_;
     require(tree.factored, "front tree: factor() before reduce()");
     require(load.size() == std::ssize(tree.plan.rank), "front tree: a load on all unknowns");
-    Eigen::VectorXd y(load.size());
-    y(tree.plan.rank) = load;
-    tree.forward(y, true);
+    Eigen::VectorXd y = tree.plan.by_rank(load), buffer(tree.plan.widest);
+    for (std::size_t index = 0; index < tree.fronts.size(); ++index)
+        if (tree.at_rest.is_awake(index)) forward(tree.plan.nodes[index], tree.fronts[index], y, buffer);
     return {.interior = y.head(tree.plan.interior), .boundary = y.tail(y.size() - tree.plan.interior)};
 }
 
@@ -183,80 +149,37 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
     require(tree.factored, "front tree: factor() before expand()");
     require(load.interior.size() == tree.plan.interior && boundary.size() == load.boundary.size(),
             "front tree: expand() wants what reduce() gave");
-    Eigen::VectorXd x(std::ssize(tree.plan.rank));
+    Eigen::VectorXd x(std::ssize(tree.plan.rank)), buffer(tree.plan.widest);
     x << load.interior, boundary;
-    tree.backward(x, true);
-    return x(tree.plan.rank);
+    for (std::size_t index = tree.fronts.size(); index-- > 0;)
+        if (tree.at_rest.is_awake(index)) backward(tree.plan.nodes[index], tree.fronts[index], x, buffer);
+    return tree.plan.by_unknown(x);
 }
 
 void FrontTree::rest(const ElementSet& may_rest) {
-    Tree& tree = *tree_;
-    require(tree.factored && at(may_rest.size()) == tree.elements,
+    require(tree_->factored && at(may_rest.size()) == tree_->elements,
             "front tree: factor() before rest(), a set of its elements");
-    using Rest = Tree::Rest;
-    tree.resting = ElementSet(tree.elements);
-    tree.inside = UnknownSet(tree.plan.rank.size());
-    std::vector<char> inside(tree.plan.rank.size(), 0);  // by rank
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        const auto rests = [&](int child) { return tree.rest[at(child)] != Rest::Awake; };
-        const auto may = [&](int element) { return may_rest.contains(element); };
-        const bool all =
-            node.leaf() ? std::ranges::all_of(node.elements, may) : std::ranges::all_of(node.children, rests);
-        tree.rest[index] = all ? Rest::Leaf : Rest::Awake;
-        if (!all) continue;
-        for (const int child : node.children)
-            if (child >= 0) tree.rest[at(child)] = Rest::Inside;
-        for (const int element : node.elements) tree.resting.insert(element);
-        std::fill_n(inside.begin() + node.first_rank, node.eliminated, static_cast<char>(1));
-    }
-    for (std::size_t i = 0; i < inside.size(); ++i)
-        if (inside[at(tree.plan.rank[i])] != 0) tree.inside.insert(i);
-    tree.carried.setZero();
+    tree_->at_rest.rest(may_rest);
 }
 
-const ElementSet& FrontTree::resting() const { return tree_->resting; }
-const UnknownSet& FrontTree::inside() const { return tree_->inside; }
+const ElementSet& FrontTree::resting() const { return tree_->at_rest.elements(); }
+const UnknownSet& FrontTree::inside() const { return tree_->at_rest.inside(); }
 
-void FrontTree::carry(const Eigen::VectorXd& load) {
-    Tree& tree = *tree_;
-    Eigen::VectorXd y(load.size());
-    y(tree.plan.rank) = load;
-    tree.forward(y, false);
-    tree.carried = y;
-}
+void FrontTree::carry(const Eigen::VectorXd& load) { tree_->at_rest.carry(tree_->plan.by_rank(load), tree_->fronts); }
 
 Eigen::VectorXd FrontTree::response(const Eigen::VectorXd& move) const {
-    const Tree& tree = *tree_;
-    Eigen::VectorXd x(move.size());
-    x(tree.plan.rank) = move;
-    Eigen::VectorXd load = tree.carried;
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        if (tree.rest[index] == Tree::Rest::Awake) continue;
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        load.segment(node.first_rank, node.eliminated).setZero();
-        if (tree.rest[index] != Tree::Rest::Leaf) continue;
-        const Eigen::VectorXd kept = x(node.kept);
-        load(node.kept) -= tree.fronts[index].times_schur(kept);
-    }
-    return load(tree.plan.rank);
+    const AssemblyTree& plan = tree_->plan;
+    return plan.by_unknown(tree_->at_rest.response(plan.by_rank(move), tree_->fronts));
 }
 
 Eigen::VectorXd FrontTree::follow(const Eigen::VectorXd& move) const {
-    const Tree& tree = *tree_;
-    Eigen::VectorXd x(move.size());
-    x(tree.plan.rank) = move;
-    for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
-        const AssemblyTree::Node& node = tree.plan.nodes[index];
-        if (tree.rest[index] != Tree::Rest::Awake)
-            x.segment(node.first_rank, node.eliminated) = tree.carried.segment(node.first_rank, node.eliminated);
-    }
-    tree.backward(x, false);
-    return x(tree.plan.rank);
+    const AssemblyTree& plan = tree_->plan;
+    return plan.by_unknown(tree_->at_rest.follow(plan.by_rank(move), tree_->fronts));
 }
 
 int FrontTree::fronts() const { return static_cast<int>(tree_->fronts.size()); }
 long FrontTree::refactored() const { return tree_->refactored; }
 long FrontTree::refactored_general() const { return tree_->refactored_general; }
+long FrontTree::carried() const { return tree_->at_rest.carried(); }
 
 }  // namespace stria

@@ -54,7 +54,8 @@ public:
     [[nodiscard]] const ElementSet& resting() const;
     [[nodiscard]] const UnknownSet& inside() const;  // of a subtree that rests
 
-    /// Carries the load that is due on the elements that rest, on all unknowns, onto what is awake. Kept.
+    /// Carries the load that is due on the elements that rest, on all unknowns, onto what is awake. Kept. Subtrees that
+    /// have carried the same load before do nothing.
     void carry(const Eigen::VectorXd& load);
     /// What those subtrees do to the unknowns awake once all have moved by `move` since: the carried load - S move.
     [[nodiscard]] Eigen::VectorXd response(const Eigen::VectorXd& move) const;
@@ -65,6 +66,8 @@ public:
     [[nodiscard]] int fronts() const;
     [[nodiscard]] long refactored() const;
     [[nodiscard]] long refactored_general() const;
+    /// Fronts at rest through which a load was carried so far.
+    [[nodiscard]] long carried() const;
 
 private:
     struct Tree;

@@ -120,8 +120,7 @@ Eigen::Matrix2d Bulk::gradient(int e, std::size_t q, const Eigen::VectorXd& elem
 void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
     trial_u_ = u;
     increment_ = u - committed_u_;
-    for (int e = 0; e < elements_.count(); ++e) {
-        if (resting_.contains(e)) continue;
+    for (const int e : resting_.awake()) {
         if (!elastic && !bound_.proves(e, increment_)) {
             proven_.erase(e);
             continue;
@@ -132,11 +131,9 @@ void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
     update_points(false);
     force_.setZero();
     force_scale_.setZero();
-    for (int e = 0; e < elements_.count(); ++e) {
-        if (resting_.contains(e)) {
-            counts_.points_at_rest += history_.points(e);
-            continue;
-        }
+    counts_.points_at_rest += history_.points();
+    for (const int e : resting_.awake()) {
+        counts_.points_at_rest -= history_.points(e);
         with_kernel(elements_.op(e), [&](const auto& kernel) {
             find_trial_force(e, kernel);
             add_trial_force(e);
@@ -154,14 +151,13 @@ template <class Kernel> void Bulk::find_elastic_force(int e, const Kernel& kerne
 
 // In as long blocks as there are.
 void Bulk::update_points(bool proven) {
-    const auto is_due = [&](int e) { return !resting_.contains(e) && proven_.contains(e) == proven; };
-    const int count = elements_.count();
-    for (int e = 0; e < count;) {
-        const int begin = e;
-        while (e < count && is_due(e)) ++e;
-        history_.update(operators(), begin, e, increment_);
-        while (e < count && !is_due(e)) ++e;
+    int begin = 0, end = 0;
+    for (const int e : resting_.awake()) {
+        if (proven_.contains(e) != proven) continue;
+        if (e != end) history_.update(operators(), std::exchange(begin, e), end, increment_);
+        end = e + 1;
     }
+    history_.update(operators(), begin, end, increment_);
 }
 
 template <class Kernel> void Bulk::find_trial_force(int e, const Kernel& kernel) {
@@ -219,8 +215,7 @@ void Bulk::settle() {
     for (const int e : proven_.members()) find_committed_force(e);
     proven_ = ElementSet(elements_.count());
     committed_force_ = trial_force_;
-    for (int e = 0; e < elements_.count(); ++e)
-        if (!resting_.contains(e)) bound_.set_margin(e, history_.elastic_margin(e));
+    for (const int e : resting_.awake()) bound_.set_margin(e, history_.elastic_margin(e));
 }
 
 void Bulk::find_committed_force(int e) {
@@ -276,8 +271,8 @@ void Bulk::wake_all_but(const ElementSet& still) {
         history_.update(operators(), begin, end, moved);
         history_.commit(begin, end);
     });
+    resting_.wake(waking);
     for (const int e : waking.members()) {
-        resting_.wake(e);
         find_committed_force(e);
         committed_force_.of(e) = trial_force_.of(e);
         bound_.set_margin(e, history_.elastic_margin(e));

@@ -22,8 +22,7 @@ BulkSummary::BulkSummary(const Bulk& bulk)
 void BulkSummary::update(const Bulk& bulk, bool half_cycle_begins) {
     if (half_cycle_begins)
         for (PlasticExtent& extent : extents_) extent.zone = extent.axis = 0.0;
-    for (int e = 0; e < bulk.elements().count(); ++e)
-        if (!bulk.resting().contains(e)) look_at(bulk, e);
+    for (const int e : bulk.resting().awake()) look_at(bulk, e);
 }
 
 void BulkSummary::look_at(const Bulk& bulk, int e) {

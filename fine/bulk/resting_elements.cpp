@@ -10,13 +10,20 @@ constexpr int all_recent = 3;  // half cycles, one a bit
 }  // namespace
 
 RestingElements::RestingElements(const BulkElements& bulk, const Eigen::VectorXd& displacement)
-    : elements_(bulk.count()), displacement_(displacement), recent_flow_(at(bulk.count()), all_recent) {}
+    : elements_(bulk.count()), awake_(elements_.complement().members()), displacement_(displacement),
+      recent_flow_(at(bulk.count()), all_recent) {}
 
 void RestingElements::rest(const ElementSet& elements, const Eigen::VectorXd& displacement, ElasticBound& bound) {
     displacement_ = displacement;
     elements_ |= elements;
+    awake_ = elements_.complement().members();
     for (int e = 0; e < elements.size(); ++e)
         if (elements.contains(e)) bound.look_at(e, displacement_);
+}
+
+void RestingElements::wake(const ElementSet& waking) {
+    for (const int e : waking.members()) elements_.erase(e);
+    awake_ = elements_.complement().members();
 }
 
 std::vector<int> RestingElements::would_yield(const Eigen::VectorXd& u, const BulkElements& bulk, PointHistory& history,

@@ -18,12 +18,14 @@ public:
 
     [[nodiscard]] bool contains(int e) const { return elements_.contains(e); }
     [[nodiscard]] const ElementSet& elements() const { return elements_; }
+    /// The others, ascending.
+    [[nodiscard]] const std::vector<int>& awake() const { return awake_; }
     /// Where they came to rest: the displacement of their points' states.
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return displacement_; }
 
     /// These rest from now on, at a displacement.
     void rest(const ElementSet& elements, const Eigen::VectorXd& displacement, ElasticBound& bound);
-    void wake(int e) { elements_.erase(e); }
+    void wake(const ElementSet& waking);
 
     /// Those that would yield at a displacement. `bound` keeps how far the others are from it. The history stays.
     [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& u, const BulkElements& bulk,
@@ -45,6 +47,7 @@ private:
                                    const BulkElements& bulk, PointHistory& history, ElasticBound& bound);
 
     ElementSet elements_;
+    std::vector<int> awake_;  // so that an evaluation does not pass over the others
     Eigen::VectorXd displacement_;
     std::vector<int> recent_flow_;
 };

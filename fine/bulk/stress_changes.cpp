@@ -1,5 +1,7 @@
 #include "fine/bulk/stress_changes.hpp"
 
+#include <cmath>
+
 namespace stria::fine {
 
 void StressChanges::add_element(const ElementOperator& op, const VonMisesForm& form) {
@@ -18,28 +20,38 @@ void StressChanges::look_at(int element, const Eigen::VectorXd& u) {
         values_[at(record.first + k)] = u[unknowns_[at(record.first_unknown + k)]];
 }
 
+// In blocks of fixed size, which lie in registers.
 template <bool since_look> double StressChanges::largest(const Record& record, const Eigen::VectorXd& u) const {
-    if (record.unknowns == 8 && record.points == 4) return largest_of<since_look, 8, 4>(record, u);
-    return largest_of<since_look, Eigen::Dynamic, Eigen::Dynamic>(record, u);
+    constexpr Eigen::Index block = 4;
+    if (record.unknowns == 8 && record.points == block) return largest_of<since_look, 8, block>(record, 0, u);
+    double largest = 0.0;
+    // What is not a number stays: it proves nothing.
+    const auto raise = [&](double value) { largest = std::isnan(largest) || value <= largest ? largest : value; };
+    Eigen::Index q = 0;
+    for (; q + block <= record.points; q += block) raise(largest_of<since_look, Eigen::Dynamic, block>(record, q, u));
+    for (; q < record.points; ++q) raise(largest_of<since_look, Eigen::Dynamic, 1>(record, q, u));
+    return largest;
 }
 
 template double StressChanges::largest<true>(const Record& record, const Eigen::VectorXd& u) const;
 template double StressChanges::largest<false>(const Record& record, const Eigen::VectorXd& u) const;
 
 template <bool since_look, int unknowns, int points>
-double StressChanges::largest_of(const Record& record, const Eigen::VectorXd& u) const {
+double StressChanges::largest_of(const Record& record, Eigen::Index first, const Eigen::VectorXd& u) const {
+    const Eigen::Index count = unknowns == Eigen::Dynamic ? record.unknowns : unknowns;
     const double* const start = &values_[at(record.first)];
-    const Eigen::Map<const Eigen::Array<double, points, unknowns>> gradients(start + record.unknowns, record.points,
-                                                                             record.unknowns);
     const int* const place = &unknowns_[at(record.first_unknown)];
     const auto moved = [&](Eigen::Index k) { return since_look ? u[place[k]] - start[k] : u[place[k]]; };
     using Values = Eigen::Array<double, points, 1>;
-    Values xx = Values::Zero(record.points), yy = xx, xy = xx;
-    for (Eigen::Index k = 0; k < record.unknowns; k += 2) {
+    const auto gradients = [&](Eigen::Index k) {
+        return Eigen::Map<const Values>(start + count + k * record.points + first);
+    };
+    Values xx = Values::Zero(), yy = xx, xy = xx;
+    for (Eigen::Index k = 0; k < count; k += 2) {
         const double x = moved(k), y = moved(k + 1);
-        xx += x * gradients.col(k);
-        yy += y * gradients.col(k + 1);
-        xy += x * gradients.col(k + 1) + y * gradients.col(k);
+        xx += x * gradients(k);
+        yy += y * gradients(k + 1);
+        xy += x * gradients(k + 1) + y * gradients(k);
     }
     const VonMisesForm& form = record.form;
     return (form.normal * (xx * xx + yy * yy) + form.mixed * xx * yy + form.shear * xy * xy).maxCoeff();

@@ -52,8 +52,9 @@ private:
         VonMisesForm form;
     };
     template <bool since_look> [[nodiscard]] double largest(const Record& record, const Eigen::VectorXd& u) const;
+    /// Of the points from `first` on, `points` of them.
     template <bool since_look, int unknowns, int points>
-    [[nodiscard]] double largest_of(const Record& record, const Eigen::VectorXd& u) const;
+    [[nodiscard]] double largest_of(const Record& record, Eigen::Index first, const Eigen::VectorXd& u) const;
 
     std::vector<Record> records_;
     std::vector<int> unknowns_;

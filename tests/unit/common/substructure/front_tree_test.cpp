@@ -325,6 +325,50 @@ TEST_P(FrontTreeOfEither, SubtreesAtRestRespondAsTheirElementsDo) {
     }
 }
 
+// Where some wake, the others carry their loads on as they did: same bits as a tree whose rest begins so, less work.
+TEST_P(FrontTreeOfEither, WhatStaysAtRestHasCarriedItsLoad) {
+    Grid grid(9, 7, GetParam());
+    grid.ground();
+    grid.keep_outline();
+    FrontTree tree(grid.layout), fresh(grid.layout);
+    for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, grid.changed, grid.symmetry);
+    ElementSet may_rest(grid.matrices.size(), true);
+    may_rest.erase(0);
+    Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0);
+    const Eigen::VectorXd move = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.5, -0.3);
+    tree.rest(may_rest);
+    tree.carry(load);
+    const long all = tree.carried();
+    const auto expect_as_fresh = [&] {
+        tree.rest(may_rest);
+        tree.carry(load);
+        const long before = fresh.carried();
+        fresh.rest(ElementSet(grid.matrices.size()));
+        fresh.rest(may_rest);
+        fresh.carry(load);
+        EXPECT_EQ(tree.response(move), fresh.response(move));
+        EXPECT_EQ(tree.follow(move), fresh.follow(move));
+        return fresh.carried() - before;
+    };
+    may_rest.erase(30);
+    expect_as_fresh();
+    EXPECT_LT(tree.carried() - all, all / 2);
+    const long woken = tree.carried();
+    expect_as_fresh();
+    EXPECT_EQ(tree.carried(), woken);
+    load *= 1.5;
+    const long by_fresh = expect_as_fresh();
+    EXPECT_EQ(tree.carried() - woken, by_fresh);
+    // Another matrix, of an element that rests again.
+    const long changed = tree.carried();
+    grid.matrices[50] *= 1.1;
+    std::vector<char> flags(grid.matrices.size(), 0);
+    flags[50] = 1;
+    for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, flags, grid.symmetry);
+    expect_as_fresh();
+    EXPECT_GT(tree.carried(), changed);
+}
+
 TEST_P(FrontTreeOfEither, LoadsPassAroundWhatRests) {
     Grid grid(9, 7, GetParam());
     grid.ground();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "fine/bulk/bulk_report.hpp"
 #include "tests/support/material_point.hpp"
 #include "tests/support/plate_bulk.hpp"
@@ -22,6 +24,18 @@ protected:
     Case scene = plate_case({{0.0, 2.4}, {2.3, 2.6}});  // cut, tip and plain elements
     EnrichedMesh plate;
 };
+
+TEST_P(ElasticBound, ProvesNothingOfWhatIsNoNumber) {
+    const Bulk bulk = make_bulk(plate, scene);
+    const Eigen::VectorXd u = Eigen::VectorXd::Constant(plate.unknowns, std::numeric_limits<double>::quiet_NaN());
+    for (const ElementOperator& op : bulk.operators()) {
+        fine::ElasticBound bound;
+        bound.add_element(op, fine::VonMisesForm(elasticity_of(scene.material, scene.model.plane).stiffness()));
+        bound.set_margin(0, 1e3);
+        EXPECT_FALSE(bound.proves(0, u)) << op.element;
+        EXPECT_FALSE(bound.proves_at(0, u)) << op.element;
+    }
+}
 
 // Down to the largest von Mises stress of a point, and no further.
 TEST_P(ElasticBound, IsThatOfThePointThatChangesMost) {

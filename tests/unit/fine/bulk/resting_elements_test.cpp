@@ -62,7 +62,10 @@ TEST_F(Rest, EndsWhereTheStateMeetsTheYieldCriterion) {
     const double first_yield = 300.0 / (2.0 * plate.elastic.shear_modulus());
     EXPECT_TRUE(would_yield(0.99 * first_yield).empty());
     EXPECT_EQ(would_yield(1.01 * first_yield), (std::vector<int>{2, 20}));
-    resting.wake(2);
+    ElementSet one(some.size());
+    one.insert(2);
+    resting.wake(one);
+    EXPECT_EQ(std::ssize(resting.awake()), some.size() - 1);
     EXPECT_EQ(would_yield(-1.01 * first_yield), std::vector<int>{20});
     EXPECT_EQ(history.trial_stress(20, 0), Mandel(Mandel::Zero()));
     EXPECT_FALSE(history.yields(20));
