@@ -43,11 +43,12 @@ std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
 
 }  // namespace
 
-coarse::Scene scene_of(const RunOptions& options, const Case& input) {
+coarse::Scene scene_of(const RunOptions& options, const Case& input,
+                       const std::function<void(const coarse::Scene&)>& before_solving) {
     try {
         // OpenBLAS tries without end to get its buffer of 128 MB.
         require_memory("linear algebra", 2e8);
-        coarse::Scene scene = coarse::refined_scene(input);
+        coarse::Scene scene = coarse::refined_scene(input, before_solving);
         coarse::require_tips(scene.enriched, static_cast<int>(input.cracks.size()));
         return scene;
     } catch (const CaseError& error) {
