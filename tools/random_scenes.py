@@ -41,6 +41,7 @@ EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)", 
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
              r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])",
              r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
+             r"nothing yields there": r"contact(.|\n)*\[growth\]",
              r"turns sharply": r"\[growth\]"}
 
 

@@ -278,6 +278,8 @@ TipEnrichment choose_enrichment(const Case& input) {
     }
     if (may_yield(input)) return input.growth ? growing : single;
     if (has_friction(input.cracks)) return near_sliding;
+    const auto may_touch = [](const CrackSection& crack) { return crack.contact.has_value(); };
+    if (input.growth && std::ranges::any_of(input.cracks, may_touch)) return growing;
     return needs_fine(input) ? topological : geometrical;
 }
 
