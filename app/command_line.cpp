@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace stria {
@@ -39,6 +40,9 @@ void add_run_options(CLI::App& app, RunOptions& options) {
         ->type_name("N")
         ->check(CLI::Range(1, max_ranks));
     app.add_flag("--resume", options.resume, "Go on from the checkpoint in the folder of results");
+    app.add_option("--max-seconds", options.max_seconds,
+                   "End after so many seconds by the clock as if interrupted, with a checkpoint to go on from")
+        ->type_name("S");
     add_manners(app, options);
 }
 
@@ -114,7 +118,9 @@ void check_command(CLI::App& app, int argc, const char* const* argv) {
     throw CaseError(fmt::format("{} is not a command; stria --help lists them", argv[1]));
 }
 
-void check_ranks(const RunOptions& options) {
+void check_run(const RunOptions& options) {
+    if (options.max_seconds && !(*options.max_seconds > 0.0 && std::isfinite(*options.max_seconds)))
+        throw CaseError(fmt::format("--max-seconds {}: must be a number > 0", *options.max_seconds));
     if (options.fine_ranks > 1 && options.mode == "monolithic")
         throw CaseError(fmt::format("--fine {}: mode monolithic has no fine ranks", options.fine_ranks));
 }
@@ -143,7 +149,7 @@ std::optional<Command> parse_stria(int argc, const char* const* argv) {
     check_command(app, argc, argv);
     if (!parse(app, argc, argv)) return std::nullopt;
     command.name = app.get_subcommands().front()->get_name();
-    check_ranks(command.run);
+    check_run(command.run);
     return command;
 }
 
@@ -153,7 +159,7 @@ std::optional<Command> parse_component(const std::string& program, int argc, con
     CLI::App app("One of the two components of stria run, for batch systems", program);
     add_run_options(app, command.run);
     if (!parse(app, argc, argv)) return std::nullopt;
-    check_ranks(command.run);
+    check_run(command.run);
     return command;
 }
 

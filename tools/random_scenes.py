@@ -41,6 +41,7 @@ EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)", 
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
              r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])",
              r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
+             r"nothing yields there": r"contact(.|\n)*\[growth\]",
              r"turns sharply": r"\[growth\]"}
 
 
@@ -149,13 +150,13 @@ def increments_of(folder):
 
 def out_of_balance(rows):
     """Errors of the work, of its largest size: those between steps of growth, added up, and by which the error at a step
-    of growth exceeds what this releases. Where nobody knows what is released there is neither."""
+    of growth, or at a part of one, exceeds what this releases. Where nobody knows what is released there is neither."""
     size = max(abs(float(row["external_work"])) for row in rows)
     steady, beyond = 0.0, 0.0
     for before, now in zip([None] + rows, rows):
         of = lambda name: float(now[name] or "nan") - (float(before[name] or "nan") if before else 0.0)
         error, released = abs(of("balance_error")) / size, of("released_energy") / size
-        if before is None or now["a"] == before["a"]:
+        if before is None or all(now[name] == before[name] for name in ("a", "released_energy")):
             steady += error if error == error else 0.0
         elif error == error:
             beyond = max(beyond, error - released)

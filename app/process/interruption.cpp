@@ -1,9 +1,11 @@
 #include "app/process/interruption.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <initializer_list>
+#include <limits>
 
 #include "app/process/exit_code.hpp"
 
@@ -12,12 +14,17 @@ namespace stria {
 namespace {
 
 volatile std::sig_atomic_t asked = 0;
-timespec asked_at{};  // of the monotonic clock; whole once `asked` is set
+timespec asked_at{};                                             // of the monotonic clock; whole once `asked` is set
+double time_is_up_at = std::numeric_limits<double>::infinity();  // of the same, s
 
 timespec now() {
     timespec time{};
     clock_gettime(CLOCK_MONOTONIC, &time);  // as signal handlers may
     return time;
+}
+
+double seconds(const timespec& time) {
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 void set_action(void (*handler)(int)) {
@@ -37,13 +44,15 @@ void heed_interruption() {
     });
 }
 
-bool interrupted() { return asked != 0; }
+void interrupt_after(double limit) { time_is_up_at = seconds(now()) + limit; }
+
+bool time_is_up() { return seconds(now()) >= time_is_up_at; }
+
+bool interrupted() { return asked != 0 || time_is_up(); }
 
 double seconds_since_interruption() {
-    if (!interrupted()) return 0.0;
-    const timespec time = now();
-    return static_cast<double>(time.tv_sec - asked_at.tv_sec) +
-           1e-9 * static_cast<double>(time.tv_nsec - asked_at.tv_nsec);
+    const double time = seconds(now());
+    return std::max({0.0, time - time_is_up_at, asked != 0 ? time - seconds(asked_at) : 0.0});
 }
 
 void ignore_interruption() { set_action(SIG_IGN); }

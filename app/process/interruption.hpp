@@ -1,4 +1,4 @@
-// Signals that ask a run to end: SIGINT and SIGTERM, and SIGUSR1, which mpirun passes on to its programs.
+// What asks a run to end: SIGINT and SIGTERM, SIGUSR1, which mpirun passes on to its programs, and a time that is up.
 #pragma once
 
 namespace stria {
@@ -6,10 +6,14 @@ namespace stria {
 /// From this call on the signals are noted.
 void heed_interruption();
 
-/// True once a signal has come.
-bool interrupted();
+/// So many seconds from this call on the run is asked to end as by a signal.
+void interrupt_after(double seconds);
 
-/// Since the first one, s; 0 before.
+/// True once a signal has come or the time is up.
+bool interrupted();
+bool time_is_up();
+
+/// Since the first of them, s; 0 before.
 double seconds_since_interruption();
 
 /// From this call on the signals are ignored. The fine component ends when the coarse one tells it to.

@@ -107,6 +107,13 @@ void print_way(const coarse::Scene& scene, const coarse::NominalSolution& nomina
                1e-6 * (after.all * bytes_of_element + points * bytes_of_point));
 }
 
+/// Before it is solved: who waits for it knows for what.
+void print_estimate_of_body(const char* which, const coarse::Scene& scene) {
+    fmt::print("# estimate of the elastic body{}: about {:.2g} s of a processor and {:.2g} MB\n", which,
+               coarse::seconds_of_body(scene), 1e-6 * coarse::bytes_of_body(scene));
+    std::fflush(stdout);
+}
+
 void print_warnings(const coarse::Scene& scene, const std::vector<double>& K_I) {
     for (const std::string& warning : coarse::mesh_warnings(scene, K_I)) fmt::print("# warning: {}\n", warning);
 }
@@ -115,15 +122,16 @@ void print_warnings(const coarse::Scene& scene, const std::vector<double>& K_I) 
 
 int check(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
-    const coarse::Scene scene = scene_of(options, input);
+    const auto before_solving = [](const coarse::Scene& scene) {
+        print_estimate_of_body(" before it is refined", scene);
+    };
+    const coarse::Scene scene = scene_of(options, input, before_solving);
     fmt::print("{}\n", resolved_toml(input));
     if (input.mesh.file)
         for (const std::string& line : coarse::describe_mesh_file(*input.mesh.file)) fmt::print("# {}\n", line);
     fmt::print("# mesh: {} nodes, {} elements, {} unknowns with enrichment; {} tips\n", scene.mesh.nodes.size(),
                scene.mesh.elements.size(), scene.enriched.unknowns, scene.enriched.tips.size());
-    fmt::print("# estimate of the elastic body: about {:.2g} s of a processor and {:.2g} MB\n",
-               coarse::seconds_of_body(scene), 1e-6 * coarse::bytes_of_body(scene));
-    std::fflush(stdout);  // before it is solved
+    print_estimate_of_body("", scene);
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
     const std::vector<double> K_I =

@@ -29,8 +29,8 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
     summary.work.history_moves = fine.history_moves();
 }
 
-/// For the end of an increment, once a signal has come, s: what ends in time is resumed to the last bit. An iteration
-/// that is given up has perhaps woken elements at rest, which changes rounding.
+/// For the end of an increment, once the run is asked to end, s: what ends in time is resumed to the last bit. An
+/// iteration that is given up has perhaps woken elements at rest, which changes rounding.
 constexpr double patience = 0.5;
 
 /// "life N = 264000 cycles, a = 13 mm"; empty before the first cycle has ended, and where the crack does not grow.
@@ -43,11 +43,12 @@ std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
 
 }  // namespace
 
-coarse::Scene scene_of(const RunOptions& options, const Case& input) {
+coarse::Scene scene_of(const RunOptions& options, const Case& input,
+                       const std::function<void(const coarse::Scene&)>& before_solving) {
     try {
         // OpenBLAS tries without end to get its buffer of 128 MB.
         require_memory("linear algebra", 2e8);
-        coarse::Scene scene = coarse::refined_scene(input);
+        coarse::Scene scene = coarse::refined_scene(input, before_solving);
         coarse::require_tips(scene.enriched, static_cast<int>(input.cracks.size()));
         return scene;
     } catch (const CaseError& error) {
@@ -148,8 +149,8 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     if (done)
         progress_.finished(directory_.string(), seconds(), cycles_passed(analysis, recorder->N()));
     else
-        progress_.note(fmt::format("interrupted: {}; --resume {}", last_checkpoint(),
-                                   saved_ ? "goes on from there" : "begins anew"));
+        progress_.note(fmt::format("{}: {}; --resume {}", time_is_up() ? "its time is up" : "interrupted",
+                                   last_checkpoint(), saved_ ? "goes on from there" : "begins anew"));
     return done ? Done : Interrupted;
 }
 

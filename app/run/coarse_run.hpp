@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -16,8 +17,10 @@
 
 namespace stria {
 
-/// Makes the scene of a case. Some errors show only once there is a mesh: their CaseError names the case file, too.
-coarse::Scene scene_of(const RunOptions& options, const Case& input);
+/// Makes the scene of a case (refined_scene.hpp). Some errors show only once there is a mesh: their CaseError names the
+/// case file, too.
+coarse::Scene scene_of(const RunOptions& options, const Case& input,
+                       const std::function<void(const coarse::Scene&)>& before_solving = {});
 
 class CoarseRun {
 public:

@@ -45,6 +45,7 @@ void append_common_options(const RunOptions& options, std::vector<std::string>& 
         command.emplace_back("--resume");
     else if (options.force)
         command.emplace_back("--force");
+    if (options.max_seconds) command.insert(command.end(), {"--max-seconds", fmt::format("{}", *options.max_seconds)});
     if (options.quiet) command.emplace_back("--quiet");
     if (options.verbose) command.emplace_back("--verbose");
 }

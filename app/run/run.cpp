@@ -20,10 +20,15 @@ namespace {
 /// mpirun puts a pipe or a terminal of its own between us and the user: the launcher knows what the user has.
 bool users_terminal() { return std::getenv("STRIA_TERMINAL") != nullptr; }
 
+void heed_interruption_of(const RunOptions& options) {
+    heed_interruption();
+    if (options.max_seconds) interrupt_after(*options.max_seconds);
+}
+
 }  // namespace
 
 int run_coarse_with_mpi(const RunOptions& options) {
-    heed_interruption();
+    heed_interruption_of(options);
     use_one_thread();
     keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);
@@ -47,7 +52,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
 }
 
 int run_in_process(const RunOptions& options) {
-    heed_interruption();
+    heed_interruption_of(options);
     use_one_thread();
     keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);

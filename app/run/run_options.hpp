@@ -1,6 +1,7 @@
 // What the user asked for where a case is run or checked; the same for all three programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct RunOptions {
     bool quiet = false;
     bool verbose = false;
     bool report = true;                  // report.html at the end
+    std::optional<double> max_seconds;   // then the run ends as if interrupted
     std::vector<std::string> overrides;  // key=value
 };
 

@@ -260,7 +260,11 @@ TipEnrichment choose_enrichment(const Case& input) {
     const FineSection& fine = input.fine;
     const double exponent = 1.0 / (singular_n(input) + 1.0);
     const TipEnrichment none{0, 0.5}, single{1, exponent}, topological{6, exponent};
-    const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = 0.02};
+    constexpr double small = 0.02;
+    const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = small};
+    const auto may_touch = [](const CrackSection& crack) { return crack.contact.has_value(); };
+    const bool leaves_faces = input.growth && std::ranges::any_of(input.cracks, may_touch);
+    const TipEnrichment linear{.functions = 6, .exponent = exponent, .none_below = leaves_faces ? small : 0.0};
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, fine.enrichment_radius};
     const TipEnrichment near_sliding{4, 0.5, TipSupport::Nodal, {}, 1.6};
@@ -278,7 +282,7 @@ TipEnrichment choose_enrichment(const Case& input) {
     }
     if (may_yield(input)) return input.growth ? growing : single;
     if (has_friction(input.cracks)) return near_sliding;
-    return needs_fine(input) ? topological : geometrical;
+    return needs_fine(input) ? linear : geometrical;
 }
 
 EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "coarse/model/crack_front.hpp"
+#include "coarse/model/enrichment.hpp"
 #include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/regions.hpp"
@@ -25,11 +27,26 @@ bool asks_for_opening_loads(const Case& input) {
     return input.growth || std::ranges::any_of(input.cracks, touches);
 }
 
+bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
+    const Tip& tip = scene.enriched.tips[t];
+    return scene.input.growth && scene.input.growth->retain == Retain::Frozen && scene.enriched.tip_functions > 0 &&
+           scene.input.cracks[at(tip.crack)].contact;
+}
+
 std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
     const double finer = std::exp2(std::ceil(std::log2(across_zone * element / zone)));
     return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm, spans {:.2g} elements of {:.3g} mm; opening "
                        "loads want {:g} or more: fine.refine = {:g}",
                        tip, zone, zone / element, element, across_zone, refine * finer);
+}
+
+/// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.
+std::string linear_warning(std::size_t tip, double small) {
+    const std::string elements = small > 0.0 ? fmt::format(", and so do elements below {:.3g} mm", small) : "";
+    return fmt::format("tip {}: nothing yields there, but what its functions leave behind as it grows holds the faces "
+                       "open and closes them too soon; opening loads are some hundredths of K_max too high: "
+                       "fine.enrichment = \"none\" leaves nothing behind{}",
+                       tip, elements);
 }
 
 std::string growth_warning(std::size_t tip, double increment, double element) {
@@ -80,7 +97,12 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     if (!asks_for_opening_loads(input)) return warnings;
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
-        if (!std::isfinite(yield_stress[t])) continue;
+        if (!std::isfinite(yield_stress[t])) {
+            if (leaves_functions_in_contact(scene, t))
+                warnings.push_back(linear_warning(t, choose_enrichment(input).none_below *
+                                                         length_in_body(scene.enriched, scene.enriched.tips[t].crack)));
+            continue;
+        }
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
         const double zone = forward_zone(largest_K_I[t], yield_stress[t], input.model.plane);
         if (zone > 0.0 && zone < across_zone * element)

@@ -257,7 +257,6 @@ void check_extremes(const LoadSection& load, const Value& root, const Place& pla
 
 /// All turns of the load are kept in memory, and increments are counted in int.
 void check_length(const LoadSection& load, const Value& root, const Place& place) {
-    constexpr double bytes_of_cycle = 200.0;
     double cycles = 0.0;
     for (const LoadBlock& block : load.blocks) cycles += static_cast<double>(load.repeat) * block.cycles;
     if (cycles == 0.0) return;

@@ -15,6 +15,51 @@ bool is_smooth(const ContactSection& contact, double s) {
 
 }  // namespace
 
+/// Each node's share of the cracks, branch by branch.
+class FaceOperators::Shares {
+public:
+    Shares(const FaceOperators& faces, const EnrichedMesh& mesh) : faces_(faces) {
+        for (const FaceStation& station : faces.stations_) {
+            for (int k = 0; k < 4; ++k) {
+                const int node = mesh.elements[at(station.element)][at(k)];
+                for (const auto& [holder, part] : mesh.holders_of_jump(node)) {
+                    Share& share = shares_[key(station, holder)];
+                    share.length += part * station.weight * station.shape[k];
+                    share.moment += part * station.weight * station.shape[k] * station.s;
+                }
+            }
+        }
+    }
+
+    /// Adds the length of each node to the multipliers that act at its place.
+    void weigh(Eigen::VectorXd& weight) const {
+        for (const auto& [key, share] : shares_) {
+            if (share.length <= 0.0) continue;
+            for (const auto& [multiplier, value] : faces_.functions_at(std::get<0>(key), share.moment / share.length))
+                if (multiplier >= 0) weight[multiplier] += value * share.length;
+        }
+    }
+
+    /// Arc length at which the jump counts that a node makes at a station: the centroid of its share. Where the zone
+    /// has the node no longer it is the station's.
+    [[nodiscard]] double place(const FaceStation& station, int node) const {
+        const auto share = shares_.find(key(station, node));
+        return share != shares_.end() ? share->second.moment / share->second.length : station.s;
+    }
+
+private:
+    struct Share {
+        double length = 0.0, moment = 0.0;  // integrals of N_i and of N_i s
+    };
+    using Key = std::tuple<int, int, int>;  // crack, branch, node
+    [[nodiscard]] Key key(const FaceStation& station, int node) const {
+        return {station.crack, faces_.space_of(station.crack).space.branch(station.s), node};
+    }
+
+    const FaceOperators& faces_;
+    std::map<Key, Share> shares_;
+};
+
 FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& boundary,
                              const std::vector<CrackSection>& cracks, int subcells, const FrozenTips& frozen) {
     int count = 0;
@@ -35,7 +80,11 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
     T_.resize(count, mesh.unknowns);
     weight_ = friction_ = fixed_gap_ = fixed_slip_ = Eigen::VectorXd::Zero(count);
     number_shears(cracks);
-    assemble(mesh);
+    const Shares shares(*this, mesh);
+    shares.weigh(weight_);
+    assemble(mesh, shares);
+    add_frozen(mesh, shares, frozen);
+    keep_open_without_faces();
 }
 
 MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
@@ -73,36 +122,14 @@ Eigen::VectorXd FaceOperators::rough_shares(const std::vector<CrackSection>& cra
     return 1.0 - (all.array() > 0.0).select(smooth.cwiseQuotient(all), 0.0).array().max(0.0).min(1.0);
 }
 
-void FaceOperators::assemble(const EnrichedMesh& mesh) {
-    // A node's share of the crack, branch by branch: integral of N_i and its centroid.
-    struct Share {
-        double length = 0.0, moment = 0.0;
-    };
-    std::map<std::tuple<int, int, int>, Share> shares;  // (crack, branch, node)
-    const auto branch_of = [&](const FaceStation& station) { return space_of(station.crack).space.branch(station.s); };
-    for (const FaceStation& station : stations_) {
-        for (int k = 0; k < 4; ++k) {
-            const int node = mesh.elements[at(station.element)][at(k)];
-            for (const auto& [holder, part] : mesh.holders_of_jump(node)) {
-                Share& share = shares[{station.crack, branch_of(station), holder}];
-                share.length += part * station.weight * station.shape[k];
-                share.moment += part * station.weight * station.shape[k] * station.s;
-            }
-        }
-    }
-    for (const auto& [key, share] : shares) {
-        if (share.length <= 0.0) continue;
-        for (const auto& [multiplier, value] : functions_at(std::get<0>(key), share.moment / share.length)) {
-            if (multiplier >= 0) weight_[multiplier] += value * share.length;
-        }
-    }
+void FaceOperators::assemble(const EnrichedMesh& mesh, const Shares& shares) {
     std::vector<int> node_of(at(mesh.unknowns));
     for (const auto& [node, term, unknown] : mesh.own_unknowns()) node_of[at(unknown)] = node;
     std::vector<Triplet> entries, entries_T;
     for (const FaceStation& station : stations_) {
         for (const FaceStation::Term& term : station.terms) {
-            const Share& share = shares.at({station.crack, branch_of(station), node_of[at(term.unknown)]});
-            for (const auto& [multiplier, value] : functions_at(station.crack, share.moment / share.length)) {
+            const double place = shares.place(station, node_of[at(term.unknown)]);
+            for (const auto& [multiplier, value] : functions_at(station.crack, place)) {
                 if (multiplier < 0) continue;
                 for (int c = 0; c < 2; ++c) {
                     const double push = station.weight * value * term.value * station.normal[c];
@@ -116,14 +143,24 @@ void FaceOperators::assemble(const EnrichedMesh& mesh) {
     }
     B_.setFromTriplets(entries.begin(), entries.end());
     T_.setFromTriplets(entries_T.begin(), entries_T.end());
+}
+
+void FaceOperators::add_frozen(const EnrichedMesh& mesh, const Shares& shares, const FrozenTips& frozen) {
+    const auto index_of = [&](int node_id) {
+        const auto found = std::ranges::lower_bound(mesh.node_ids, node_id);
+        const bool is_there = found != mesh.node_ids.end() && *found == node_id;
+        return is_there ? static_cast<int>(found - mesh.node_ids.begin()) : -1;
+    };
     for (const FaceStation& station : stations_) {
-        for (const auto& [multiplier, value] : functions_at(station.crack, station.s)) {
-            if (multiplier < 0) continue;
-            fixed_gap_[multiplier] += station.weight * value * station.fixed_jump.dot(station.normal);
-            fixed_slip_[multiplier] += station.weight * value * station.fixed_jump.dot(station.tangent);
+        for (const auto& [node_id, jump] : frozen.shares_of_jump(station.crack, station.x)) {
+            for (const auto& [multiplier, value] :
+                 functions_at(station.crack, shares.place(station, index_of(node_id)))) {
+                if (multiplier < 0) continue;
+                fixed_gap_[multiplier] += station.weight * value * jump.dot(station.normal);
+                fixed_slip_[multiplier] += station.weight * value * jump.dot(station.tangent);
+            }
         }
     }
-    keep_open_without_faces();
 }
 
 // Between a notch or a bend and the tip there may be less of the crack than from one point of integration to the next.

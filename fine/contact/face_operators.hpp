@@ -33,7 +33,7 @@ public:
     /// B, one row per multiplier, one column per unknown of the mesh: B_k = integral of Phi_k n . N, lumped: Phi_k is
     /// taken at the centroid s_i of each node's share of the crack, which is exact for linear pressures. Where the
     /// crack follows the rows of the mesh each multiplier then holds the jump at its own node alone, and closed faces
-    /// do not overlap between nodes.
+    /// do not overlap between nodes. What is frozen counts as it did when it was of unknowns.
     [[nodiscard]] const SparseRows& operator_B() const { return B_; }
     /// The same of the slip, with the tangent in place of n; rows of multipliers without shear are empty.
     [[nodiscard]] const SparseRows& operator_T() const { return T_; }
@@ -93,7 +93,9 @@ private:
     void number_shears(const std::vector<CrackSection>& cracks);
     /// Per multiplier: of the faces that it acts on the part that is not smooth.
     [[nodiscard]] Eigen::VectorXd rough_shares(const std::vector<CrackSection>& cracks) const;
-    void assemble(const EnrichedMesh& mesh);
+    class Shares;
+    void assemble(const EnrichedMesh& mesh, const Shares& shares);
+    void add_frozen(const EnrichedMesh& mesh, const Shares& shares, const FrozenTips& frozen);
     void keep_open_without_faces();
 
     std::vector<CrackSpace> spaces_;

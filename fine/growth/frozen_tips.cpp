@@ -68,6 +68,9 @@ void FrozenTips::keep(coupling::FrozenTip tip) {
     Eigen::AlignedBox2d box;
     for (const Vec2& node : tip.mesh.nodes) box.extend(node);
     boxes_.push_back(box);
+    std::vector<int> ids(at(tip.mesh.unknowns));
+    for (const auto& [node, term, unknown] : tip.mesh.own_unknowns()) ids[at(unknown)] = tip.mesh.node_ids[at(node)];
+    node_ids_.push_back(std::move(ids));
     tips_.push_back(std::move(tip));
 }
 
@@ -109,15 +112,24 @@ void FrozenTips::keep_closed(const EnrichedMesh& before, const EnrichedMesh& nex
     }
 }
 
-Vec2 FrozenTips::jump(int crack, const Vec2& x) const {
-    Vec2 sum = Vec2::Zero();
+std::vector<FrozenTips::Share> FrozenTips::shares_of_jump(int crack, const Vec2& x) const {
+    std::vector<Share> shares;
     for (std::size_t t = 0; t < tips_.size(); ++t) {
         const coupling::FrozenTip& frozen = tips_[t];
         if (frozen.crack != crack || boxes_[t].squaredExteriorDistance(x) > 1e-6 * boxes_[t].sizes().squaredNorm())
             continue;
-        if (const auto s = arc_length_at(frozen.mesh, crack, x))
-            sum += face_station_at(frozen.mesh, crack, *s).jump(frozen.displacement);
+        const auto s = arc_length_at(frozen.mesh, crack, x);
+        if (!s) continue;
+        for (const FaceStation::Term& term : face_station_at(frozen.mesh, crack, *s).terms)
+            shares.push_back(
+                {node_ids_[t][at(term.unknown)], term.value * frozen.displacement.segment<2>(term.unknown)});
     }
+    return shares;
+}
+
+Vec2 FrozenTips::jump(int crack, const Vec2& x) const {
+    Vec2 sum = Vec2::Zero();
+    for (const Share& share : shares_of_jump(crack, x)) sum += share.jump;
     return sum;
 }
 

@@ -25,6 +25,13 @@ public:
     /// change where a crack grows at its first point.
     [[nodiscard]] Vec2 jump(int crack, const Vec2& x) const;
 
+    /// The same as what the functions of each node make of it, by its id.
+    struct Share {
+        int node_id;
+        Vec2 jump;
+    };
+    [[nodiscard]] std::vector<Share> shares_of_jump(int crack, const Vec2& x) const;
+
     [[nodiscard]] const std::vector<coupling::FrozenTip>& tips() const { return tips_; }
 
 private:
@@ -32,6 +39,7 @@ private:
 
     std::vector<coupling::FrozenTip> tips_;
     std::vector<Eigen::AlignedBox2d> boxes_;  // about the elements of each: a long way leaves many behind
+    std::vector<std::vector<int>> node_ids_;  // of each unknown of each
 };
 
 }  // namespace stria::fine

@@ -114,6 +114,29 @@ TEST_F(Resumed, AfterItWasAskedToStopWithinAnIncrement) {
     expect_same_tables(output, undisturbed);
 }
 
+// As a batch system wants it: each job takes the time that it is given and leaves the rest to the next one.
+TEST_F(Resumed, AfterItsTimeWasUp) {
+    const Words endless{"--force", "--set", "solver.tolerance=1e-18", "--set", "solver.max_iterations=10000"};
+    for (const std::string mode : {"inprocess", "mpi"}) {
+        Words words = command(output, endless);
+        words.insert(words.end(), {"--mode", mode, "--max-seconds", "0.7"});
+        Program run("stria", words, folder / mode);
+        EXPECT_EQ(run.wait(std::chrono::seconds(20)), 130) << run.said();
+        EXPECT_NE(run.said().find("its time is up: no checkpoint has been written yet"), std::string::npos)
+            << run.said();
+        EXPECT_EQ(read_json(output + "/summary.json").words["status"], "interrupted");
+    }
+    double seconds = 0.2;
+    int code = 130;
+    for (; code == 130 && seconds < 60.0; seconds *= 1.5)
+        code = run_to_the_end({"--resume", "--mode", "inprocess", "--max-seconds", std::to_string(seconds)});
+    EXPECT_EQ(code, 0) << text_of(folder / "log");
+    expect_same_tables(output, undisturbed);
+    EXPECT_EQ(run_to_the_end({"--resume", "--max-seconds", "0"}), 2);
+    EXPECT_EQ(run_to_the_end({"--resume", "--max-seconds", "nan"}), 2);
+    EXPECT_NE(text_of(folder / "log").find("--max-seconds nan: must be a number > 0"), std::string::npos);
+}
+
 TEST_F(Resumed, InAnotherMode) {
     EXPECT_EQ(run_and_ask(SIGTERM, 55, {"--mode", "inprocess"}), 130);
     EXPECT_EQ(run_to_the_end({"--resume", "--mode", "monolithic"}), 0) << text_of(folder / "log");

@@ -32,6 +32,28 @@ TEST(CrackGrowth, AnElasticBodyForgetsHowTheCrackCameThere) {
     EXPECT_NEAR(tip.CMOD, longer.tips[0].CMOD, 1e-9 * tip.CMOD);
 }
 
+// So its faces part as soon as the load comes back, and bear none of it when it is gone.
+TEST(CrackGrowth, AnElasticBodyWhoseFacesTouchForgetsItToo) {
+    Case input = edge_crack(0.3, 3.0, End::Pulled);
+    input.mesh.size = 1.0 / 41.0;
+    input.mesh.grading = {{.at = {{0.3, 1.5}}, .size = 0.005, .outer_size = 0.005, .radius = 0.05}};
+    input.cracks[0].contact = ContactSection{};
+    input.load = {.steps = 4, .blocks = {{.cycles = 4, .max = 1.0, .min = 0.0}}};
+    input.growth.emplace().increment = 0.005;
+    const RunHistory run = run_direct(input);
+    int cycles = 0;
+    for (const coarse::Increment& step : run.increments) {
+        if (step.load_factor == 0.0) {
+            EXPECT_LT(std::abs(step.tips[0].K_I), 1e-6 * step.nominal_K[0]);
+        }
+        for (const coarse::CycleResult& cycle : step.cycles) {
+            ++cycles;
+            EXPECT_LT(std::abs(cycle.opening.K_op), 0.002 * cycle.K_max) << "to what loads are looked for";
+        }
+    }
+    EXPECT_EQ(cycles, 4);
+}
+
 /// An edge crack from a/W = .3 to .5 by Paris' law.
 struct ParisLife {
     static constexpr double C = 1e-13, m = 3.0, stress = 80.0;

@@ -98,5 +98,23 @@ TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {
     EXPECT_NE(warnings[0].find("crosses 2.5 elements"), std::string::npos) << warnings[0];
 }
 
+TEST_F(Advice, NamesWhatALinearBodyLeavesBehind) {
+    input.material.yield_stress.reset();
+    input.growth = GrowthSection{.increment = 0.5};
+    const auto warnings = at(600.0);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("\"none\" leaves nothing behind, and so do elements below 0.166 mm"), std::string::npos)
+        << warnings[0];
+    input.fine.enrichment = Enrichment::None;
+    EXPECT_TRUE(at(600.0).empty());
+    input.fine.enrichment = Enrichment::Auto;
+    input.mesh.size = 0.15;
+    EXPECT_TRUE(at(600.0).empty()) << "they bear no function";
+    input.cracks[0].contact->friction = 0.3;
+    EXPECT_EQ(at(600.0).size(), 1U);
+    input.cracks[0].contact.reset();
+    EXPECT_TRUE(at(600.0).empty());
+}
+
 }  // namespace
 }  // namespace stria::test

@@ -79,6 +79,25 @@ TEST(RefinedScene, HasRoomToGrowWhateverTheLengthOfTheRun) {
     EXPECT_EQ(refined_scene(input).mesh.elements, room.mesh.elements);
 }
 
+TEST(RefinedScene, SaysWhichBodyItSolvesBeforeItDoes) {
+    const auto elements_heard_of = [](const Case& input) {
+        std::vector<std::size_t> elements;
+        static_cast<void>(
+            refined_scene(input, [&](const Scene& scene) { elements.push_back(scene.mesh.elements.size()); }));
+        return elements;
+    };
+    Case input = plate(2);
+    EXPECT_EQ(elements_heard_of(input), std::vector{make_mesh(input.mesh, input.cracks).elements.size()});
+    input.load.control = Control::StressIntensity;
+    for (BoundarySection& boundary : input.boundaries) *boundary.traction *= -1.0;
+    int heard = 0;  // though the body has no tip with K_I > 0, as shows once it is solved
+    EXPECT_THROW(static_cast<void>(refined_scene(input, [&](const Scene&) { ++heard; })), CaseError);
+    EXPECT_EQ(heard, 1);
+    input.fine.radius = 4.0;
+    EXPECT_TRUE(elements_heard_of(input).empty());
+    EXPECT_TRUE(elements_heard_of(plate(1)).empty());
+}
+
 TEST(RefinedScene, RefusesACrackShorterThanTheElementAtItsTip) {
     Case input = plate(2);
     input.cracks[0].points.back() = {0.4, 10.4};

@@ -56,5 +56,30 @@ TEST_F(Work, GrowsWithTheHistory) {
     EXPECT_EQ(between(400.0, 0.0).yielding, 0);
 }
 
+// The crack runs along the body, and what is far of it lies on its whole way: the tangents there are full matrices.
+TEST_F(Work, OfALongCrackIsThatOfItsRim) {
+    input.mesh.width = 10.0;
+    input.mesh.height = 2000.0;
+    const auto body_with = [&](double length) {
+        input.cracks[0].points = {{5.3, 2000.0}, {5.3, 2000.0 - length}};
+        return coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+    };
+    const coarse::Scene brief = body_with(10.0), along = body_with(1900.0);
+    EXPECT_LT(along.enriched.unknowns, 1.3 * brief.enriched.unknowns);
+    EXPECT_GT(coarse::seconds_of_body(along), 3.0 * coarse::seconds_of_body(brief));
+    EXPECT_GT(coarse::bytes_of_body(along), 3.0 * coarse::bytes_of_body(brief));
+}
+
+TEST_F(Work, KeepsTheTurnsOfAllCycles) {
+    input.load.blocks = {{.cycles = 1, .max = 1.0, .min = 0.0}};
+    const auto bytes = [&] {
+        return coarse::bytes_of_body(
+            coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions)));
+    };
+    const double of_one = bytes();
+    input.load.blocks[0].cycles = 10'000'000;
+    EXPECT_GT(bytes(), of_one + 1e9);
+}
+
 }  // namespace
 }  // namespace stria::test

@@ -71,6 +71,28 @@ TEST(ContactInterface, ConstantTractionsDoTheWorkOfTheJumps) {
     }
 }
 
+// As a tip leaves its functions behind nothing opens or closes.
+TEST(ContactInterface, WhatIsFrozenWeighsAsItsUnknownsDid) {
+    for (const auto& [from, to] : {std::pair{Vec2(0.0, 2.4), Vec2(5.3, 2.4)}, {Vec2(0.0, 1.3), Vec2(5.6, 3.2)}}) {
+        Case input = plate_case({from, to});
+        input.cracks[0].contact->friction = 0.5;
+        input.fine.enrichment = Enrichment::Topological;
+        const EnrichedMesh mesh = plate_mesh(8, 5, input);
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.unknowns);
+        for (const auto& [node, term, unknown] : mesh.own_unknowns())
+            if (term > 0 && mesh.terms[at(node)][at(term - 1)].kind == Term::Kind::Tip)
+                u.segment<2>(unknown) = Vec2(0.01 * std::sin(unknown), 0.01 * std::cos(unknown));
+        fine::FrozenTips frozen;
+        frozen.freeze(mesh, 0, u);
+        const ContactInterface own(mesh, {}, input.cracks, 2, stiffness),
+            fixed(mesh, {}, input.cracks, 2, stiffness, frozen);
+        const Eigen::VectorXd gaps = own.operators().gaps(u), slips = own.operators().slips(u), none = 0.0 * u;
+        EXPECT_GT(gaps.norm(), 1e-4);
+        EXPECT_LT((fixed.operators().gaps(none) - gaps).norm(), 1e-12 * gaps.norm());
+        EXPECT_LT((fixed.operators().slips(none) - slips).norm(), 1e-12 * slips.norm());
+    }
+}
+
 // The paper's plain space: the jump of each Gauss point is its own condition, and closed ones give way to a step or the
 // matrix would be singular.
 TEST(ContactInterface, OneMultiplierAtEachGaussPointSeesTheJumpThere) {
