@@ -13,6 +13,7 @@
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/load/load_controller.hpp"
+#include "coarse/load/load_scale.hpp"
 #include "coarse/model/mesh_refinement.hpp"
 #include "coarse/structure/coarse_effort.hpp"
 #include "common/index_set.hpp"
@@ -67,6 +68,7 @@ struct AnalysisState {
     CycleMemory cycle;                    // of the present cycle
     std::vector<CycleResult> last_cycle;  // one per tip, of the last cycle that ended
     std::vector<TipResult> nominal;       // one per tip, of the present crack lengths
+    UnitDisplacement unit_displacement;   // of the same body
     RunCounts counts;
     bool growth_ended = false;  // growth has ended the run
     GrowthIncrementMemory growth_increment;

@@ -39,6 +39,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
         structure_ = take_nominal_of(scene);
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
+    largest_K_I_at_start_ = largest_K_I_;
     if (from != nullptr) go_on_from(*from);
     in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());
@@ -63,6 +64,8 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
                 state.in_zone.size() == std::ssize(scene_->mesh.elements),
             "a state is of the mesh of its scene");
     nominal_ = state.nominal;
+    unit_displacement_ = state.unit_displacement;
+    if (!nominal_.empty()) find_largest_K_I();
 }
 
 void CrackedBody::write(AnalysisState& state) const {
@@ -72,6 +75,7 @@ void CrackedBody::write(AnalysisState& state) const {
     state.in_zone = in_zone_;
     state.still = still_;
     state.nominal = nominal_;
+    state.unit_displacement = unit_displacement_;
 }
 
 bool CrackedBody::has_zone() const { return !in_zone_.none(); }
@@ -133,12 +137,19 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     NominalSolution nominal = nominal_serves(scene) ? with_tips_moved(scene, still_, std::move(nominal_fields_->fields))
                                                     : nominal_solution(scene, known);
     nominal_ = nominal.tips;
-    largest_K_I_ =
-        stria::coarse::largest_K_I(scene.input.load, unit_response(nominal), grown(), CaseHistories(scene.input));
+    unit_displacement_ = unit_displacement(nominal.fields);
+    find_largest_K_I();
     nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
     nominal_fields_.reset();
     if (known) nominal_fields_ = {std::move(nominal.fields), still_};
     return std::move(nominal.structure);
+}
+
+// Of what is ahead as well, which a run that goes on may know better.
+void CrackedBody::find_largest_K_I() {
+    const Case& input = scene_->input;
+    largest_K_I_ = stria::coarse::largest_K_I(input.load, unit_response(nominal_, unit_displacement_), grown(),
+                                              CaseHistories(input));
 }
 
 // `far_known`: a far body that was there before: the guard knows how it answers.

@@ -74,18 +74,25 @@ std::vector<double> stress_intensities(const std::vector<TipResult>& tips) {
     return K_I;
 }
 
-UnitResponse unit_response(const NominalSolution& nominal) {
+UnitResponse unit_response(const std::vector<TipResult>& tips, const UnitDisplacement& displacement) {
     std::vector<double> K_initial;
     std::vector<std::vector<double>> K_of_cases;
-    for (const TipResult& tip : nominal.tips) {
+    for (const TipResult& tip : tips) {
         K_initial.push_back(tip.K_initial);
         K_of_cases.push_back(tip.K_I_of_cases);
     }
-    return {.K_I = stress_intensities(nominal.tips),
+    return {.K_I = stress_intensities(tips),
             .K_initial = std::move(K_initial),
             .K_of_cases = std::move(K_of_cases),
-            .mean_displacement = nominal.fields.mean_displacement,
-            .largest_displacement = nominal.fields.unit.lpNorm<Eigen::Infinity>()};
+            .displacement = displacement};
+}
+
+UnitDisplacement unit_displacement(const NominalFields& fields) {
+    return {fields.mean_displacement, fields.unit.lpNorm<Eigen::Infinity>()};
+}
+
+UnitResponse unit_response(const NominalSolution& nominal) {
+    return unit_response(nominal.tips, unit_displacement(nominal.fields));
 }
 
 }  // namespace stria::coarse

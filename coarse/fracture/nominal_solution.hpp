@@ -39,7 +39,9 @@ struct NominalSolution {
 
 [[nodiscard]] std::vector<double> stress_intensities(const std::vector<TipResult>& tips);  // K_I, one per tip
 
-/// What scales a load history.
+/// What scales a load history. `displacement`: of the same body as K.
+[[nodiscard]] UnitDisplacement unit_displacement(const NominalFields& fields);
+[[nodiscard]] UnitResponse unit_response(const std::vector<TipResult>& tips, const UnitDisplacement& displacement);
 [[nodiscard]] UnitResponse unit_response(const NominalSolution& nominal);
 
 }  // namespace stria::coarse

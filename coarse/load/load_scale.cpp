@@ -17,8 +17,8 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
 double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown) {
     double per_load_factor = 1.0 / target_of_unit(load, nominal.K_I, grown);
     if (load.control == Control::Displacement) {
-        per_load_factor = nominal.mean_displacement;
-        if (std::abs(per_load_factor) <= 1e-9 * nominal.largest_displacement)
+        per_load_factor = nominal.displacement.mean;
+        if (std::abs(per_load_factor) <= 1e-9 * nominal.displacement.largest)
             throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
     }
     return largest_value(load) / per_load_factor;

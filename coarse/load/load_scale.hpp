@@ -8,13 +8,18 @@
 
 namespace stria::coarse {
 
-/// What a load history asks of the nominal body (nominal_solution.hpp), at the load factor 1.
+/// Of the nominal body (nominal_solution.hpp) at the load factor 1, mm.
+struct UnitDisplacement {
+    double mean = 0.0;     // of the loaded boundary along its direction
+    double largest = 0.0;  // largest magnitude of a component
+};
+
+/// What a load history asks of the nominal body, at the load factor 1.
 struct UnitResponse {
     std::vector<double> K_I = {};        // MPa sqrt(mm), one per tip
     std::vector<double> K_initial = {};  // likewise, of the initial stress without load; empty: there is none
     std::vector<std::vector<double>> K_of_cases = {};  // likewise of each load case at its factor 1; or empty
-    double mean_displacement = 0.0;                    // of the loaded boundary along its direction, mm
-    double largest_displacement = 0.0;                 // largest magnitude of a component, mm
+    UnitDisplacement displacement = {};
 };
 
 /// The target that a unit of the load history stands for. It is 1 unless K is controlled. Then it is a load factor:

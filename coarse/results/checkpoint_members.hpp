@@ -199,6 +199,12 @@ void members(auto& archive, Is<ClosureMemory> auto& m) {
     archive("closing_rates", closing_rates);
 }
 
+void members(auto& archive, Is<UnitDisplacement> auto& m) {
+    auto& [mean, largest] = m;
+    archive("mean", mean);
+    archive("largest", largest);
+}
+
 void members(auto& archive, Is<StillElements> auto& m) {
     auto& [far, middle] = m;
     archive("far", far);
@@ -207,8 +213,8 @@ void members(auto& archive, Is<StillElements> auto& m) {
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, displacement, load_factor, largest_force, closure, cycle,
-           last_cycle, nominal, counts, growth_ended, growth_increment, uncounted_growth, due_growth, release, load,
-           work, equilibrium, zone] = m;
+           last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, uncounted_growth, due_growth,
+           release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -223,6 +229,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("cycle", cycle);
     archive("last_cycle", last_cycle);
     archive("nominal", nominal);
+    archive("unit_displacement", unit_displacement);
     archive("increment", increments);
     archive("newton_iterations", newton_iterations);
     archive("extensions", zone_extensions);

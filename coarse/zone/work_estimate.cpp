@@ -28,7 +28,7 @@ constexpr std::size_t most_legs = 4;
 
 double factor_of_value(const LoadSection& load, const UnitResponse& unit) {
     if (load.control != Control::Displacement) return target_of_unit(load, unit.K_I, 0.0);
-    return 1.0 / unit.mean_displacement;
+    return 1.0 / unit.displacement.mean;
 }
 
 Eigen::VectorXd elastic(const NominalFields& fields, double factor, const Eigen::VectorXd& of_cases) {

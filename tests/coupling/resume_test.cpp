@@ -131,6 +131,7 @@ const StoppedRun elastic{"Elastic",
 
 /// A part of an analysis; where it was stopped, what it left.
 struct Part {
+    std::vector<double> K_at_start, K_at_end;  // largest K_I of the history, for the cracks there are
     std::vector<Followed> increments;
     std::optional<coarse::AnalysisState> left;
 };
@@ -146,7 +147,9 @@ Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coar
     };
     listener.reached = [&](const coarse::LoadStep&) { return part.increments.back().number < stop; };
     coarse::FatigueAnalysis analysis(scene, factory, listener, from);
+    part.K_at_start = analysis.largest_K_I();
     analysis.run();
+    part.K_at_end = analysis.largest_K_I();
     if (!analysis.finished()) part.left = analysis.state();
     return part;
 }
@@ -286,6 +289,16 @@ TEST_P(Resume, StopsWhereItMatters) {
 }
 
 TEST_P(Resume, ChangesNoBit) { expect_same_bits(1); }
+
+// Eq. (3), and with it what is split at the next growth.
+TEST(ResumedCrack, HasTheLargestKOfItsLength) {
+    const Case input = sent_case(followed.settings);
+    const Part first = run_by(1, input, nullptr, followed.stop);
+    const coarse::AnalysisState state = through_a_file(input, first.left.value());
+    const Part rest = run_by(1, input, &state, followed.stop + 1);
+    EXPECT_GT(first.K_at_end.at(0), 1.01 * first.K_at_start.at(0));
+    EXPECT_EQ(rest.K_at_start, first.K_at_end);
+}
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,

@@ -10,7 +10,7 @@
 namespace stria::coarse {
 namespace {
 
-const UnitResponse nominal{.K_I = {20.0, 30.0}, .mean_displacement = 0.5, .largest_displacement = 0.6};
+const UnitResponse nominal{.K_I = {20.0, 30.0}, .displacement = {0.5, 0.6}};
 
 LoadSection history(Control control) {
     return {.blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}, .scale = 2.0, .control = control};
@@ -27,7 +27,7 @@ TEST(LoadScale, OfDisplacementsIsThatOfTheNominalBody) {
     const LoadSection load = history(Control::Displacement);
     EXPECT_EQ(target_of_unit(load, nominal.K_I, 1.0), 1.0);  // a target is a displacement
     EXPECT_EQ(largest_load_factor(load, nominal), 400.0);
-    EXPECT_THROW(static_cast<void>(largest_load_factor(load, {.largest_displacement = 0.6})), CaseError);
+    EXPECT_THROW(static_cast<void>(largest_load_factor(load, {.displacement = {0.0, 0.6}})), CaseError);
 }
 
 TEST(LoadScale, OfStressIntensitiesFollowsTheFirstTipAndTheGradient) {
