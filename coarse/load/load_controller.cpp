@@ -35,6 +35,9 @@ LoadPosition LoadController::position() const {
 void LoadController::resume(const LoadPosition& position) {
     position_ = position;
     schedule_.resume(position.schedule);
+    // A history that had ended knew of no next leg.
+    if (position_.leg < legs_.size() && position_.increments == 0 && position_.way == 0.0)
+        schedule_.meet_at(meetings(position_.met));
 }
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
@@ -184,6 +187,7 @@ void LoadController::accepted(std::vector<double> openings, const std::vector<do
         position_.increments = 0;
         position_.leg_start = position_.reached;
         position_.way = 0.0;
+        position_.met = met;
         schedule_.meet_at(meetings(met));
     }
     if (position_.consecutive_cuts > 0) {

@@ -45,6 +45,7 @@ struct LoadPosition {
     int consecutive_cuts = 0, cuts = 0;
     std::vector<Taken> taken;  // increments to predict from, the last one first
     int misled = 0;            // in a row, of those that were predicted from
+    std::vector<double> met;   // loads at which faces had met where the leg begins, in units of the history; NaN: never
     IncrementSchedule::State schedule = {};
 };
 

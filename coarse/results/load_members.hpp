@@ -60,8 +60,8 @@ void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {
-    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, misled, schedule] =
-        m;
+    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, misled, met,
+           schedule] = m;
     archive("leg", leg);
     archive("increments", increments);
     archive("leg_start", leg_start);
@@ -73,6 +73,7 @@ void members(auto& archive, Is<LoadPosition> auto& m) {
     archive("cuts", cuts);
     archive("taken", taken);
     archive("misled", misled);
+    archive("met", met);
     archive("schedule", schedule);
 }
 

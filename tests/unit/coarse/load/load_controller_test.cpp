@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace stria::coarse {
@@ -118,6 +120,25 @@ TEST(LoadController, EndsAnIncrementWhereFacesMetLast) {
         if (step->reversal) ends_there.push_back(false);
     }
     EXPECT_EQ(ends_there, (std::vector<bool>{false, true, false, true, false, false}));  // the last one does not come
+}
+
+TEST(LoadController, KnowsWhereFacesMetWhenItsHistoryIsMadeLonger) {
+    const auto stops = [](LoadController& loads) {
+        std::vector<double> targets;
+        while (const auto step = loads.next()) {
+            targets.push_back(step->target.value);
+            loads.accepted({}, {10.0});
+        }
+        return targets;
+    };
+    const auto cycles = [](int count) {
+        return LoadController({.blocks = {{.cycles = count, .max = 40.0, .min = -40.0}}}, SolverSection());
+    };
+    LoadController shorter = cycles(1), whole = cycles(2), longer = cycles(2);
+    std::vector<double> found = stops(shorter);
+    longer.resume(shorter.position());
+    std::ranges::copy(stops(longer), std::back_inserter(found));
+    EXPECT_EQ(found, stops(whole));
 }
 
 TEST(LoadController, FollowsTheCrackWhereKIsControlled) {
