@@ -1,6 +1,6 @@
 // Elements of a structure that are condensed onto their rim, which is what they share with others. Neither a growing
 // crack nor a moving zone changes them, so the part serves one structure after another. The far elements are such a
-// part. Nearer ones lie on top of it and hold its rim (still_elements.hpp).
+// part. Nearer ones lie on top of it and hold its rim (near_elements.hpp).
 #pragma once
 
 #include <memory>
