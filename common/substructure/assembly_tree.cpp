@@ -3,77 +3,16 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <span>
-#include <tuple>
 
 #include "common/error.hpp"
-#include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/substructure/bisection.hpp"
 
 namespace stria {
 namespace {
 
 using Layout = FrontLayout;
 using Node = AssemblyTree::Node;
-
-/// Median halves along the longer direction; ties are broken by the other coordinate and the number, so that the tree
-/// is the same on every machine.
-class Bisection {
-public:
-    Bisection(const Layout& layout, std::vector<Node>& nodes) : layout_(layout), nodes_(nodes) {}
-
-    /// What lies about the busy places comes first, so that the way from there to the root is short however many the
-    /// others are.
-    int split_about_busy_places(std::span<int> elements) {
-        constexpr std::size_t about_each = 128;  // elements: docs/performance.md
-        const std::size_t near = about_each * layout_.busy.size();
-        if (near == 0 || elements.size() < 2 * near) return split(elements);
-        const auto distance = [&](int element) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const Vec2& place : layout_.busy)
-                least = std::min(least, (layout_.centres[at(element)] - place).squaredNorm());
-            return std::tuple(least, element);
-        };
-        const auto end = elements.begin() + static_cast<std::ptrdiff_t>(near);
-        std::ranges::nth_element(elements, end, {}, distance);
-        Node node;
-        const int others = split({end, elements.end()});
-        node.children = {others, split({elements.begin(), end})};
-        nodes_.push_back(std::move(node));
-        return static_cast<int>(nodes_.size()) - 1;
-    }
-
-    int split(std::span<int> elements) {
-        Node node;
-        if (static_cast<int>(elements.size()) <= layout_.leaf_elements) {
-            node.elements.assign(elements.begin(), elements.end());
-            std::ranges::sort(node.elements);
-        } else {
-            const int axis = longer_direction(elements);
-            const auto half = elements.begin() + static_cast<std::ptrdiff_t>(elements.size() / 2);
-            std::ranges::nth_element(elements, half, {}, [&](int element) {
-                const Vec2& centre = layout_.centres[at(element)];
-                return std::tuple(centre[axis], centre[1 - axis], element);
-            });
-            node.children = {split({elements.begin(), half}), split({half, elements.end()})};
-        }
-        nodes_.push_back(std::move(node));
-        return static_cast<int>(nodes_.size()) - 1;
-    }
-
-private:
-    [[nodiscard]] int longer_direction(std::span<const int> elements) const {
-        Eigen::Array2d low = layout_.centres[at(elements.front())], high = low;
-        for (const int element : elements) {
-            low = low.min(layout_.centres[at(element)].array());
-            high = high.max(layout_.centres[at(element)].array());
-        }
-        return high.y() - low.y() > high.x() - low.x() ? 1 : 0;
-    }
-
-    const Layout& layout_;
-    std::vector<Node>& nodes_;
-};
 
 void sort_unique(std::vector<int>& values) {
     std::ranges::sort(values);
@@ -175,7 +114,7 @@ AssemblyTree::AssemblyTree(const Layout& layout) {
     check(layout);
     std::vector<int> elements(layout.element_unknowns.size());
     std::iota(elements.begin(), elements.end(), 0);
-    Bisection(layout, nodes).split_about_busy_places(elements);
+    bisect(layout, elements, nodes);
     rank_unknowns(layout);
     place_contributions(layout);
 }
@@ -216,6 +155,39 @@ void AssemblyTree::rank_unknowns(const Layout& layout) {
         std::ranges::sort(node.kept);
         widest = std::max(widest, static_cast<int>(node.kept.size()));
     }
+}
+
+bool AssemblyTree::Node::sums_up_like(const Node& other) const {
+    return eliminated == other.eliminated && multipliers == other.multipliers && kept.size() == other.kept.size() &&
+           from_elements == other.from_elements && from_children == other.from_children;
+}
+
+// Where unknowns stand in the fronts decides, not their numbers.
+std::vector<int> AssemblyTree::counterparts(const AssemblyTree& other, std::span<const int> same) const {
+    std::vector<int> parent(other.nodes.size(), -1), found(nodes.size(), -1), leaf_of;
+    for (int index = 0; index < std::ssize(other.nodes); ++index) {
+        for (const int element : other.nodes[at(index)].elements) {
+            leaf_of.resize(std::max(leaf_of.size(), at(element) + 1), -1);
+            leaf_of[at(element)] = index;
+        }
+        for (const int child : other.nodes[at(index)].children)
+            if (child >= 0) parent[at(child)] = index;
+    }
+    const auto in_other = [&](int element) { return same[at(element)]; };
+    for (std::size_t index = 0; index < nodes.size(); ++index) {
+        const Node& node = nodes[index];
+        const int below = node.leaf() ? in_other(node.elements.front()) : found[at(node.children[0])];
+        if (below < 0) continue;
+        const int candidate = node.leaf() ? leaf_of[at(below)] : parent[at(below)];
+        if (candidate < 0) continue;
+        const Node& counterpart = other.nodes[at(candidate)];
+        const bool same_parts =
+            node.leaf() ? std::ranges::equal(node.elements, counterpart.elements, {}, in_other)
+                        : !counterpart.leaf() && std::ranges::equal(node.children, counterpart.children, {},
+                                                                    [&](int child) { return found[at(child)]; });
+        if (same_parts && node.sums_up_like(counterpart)) found[index] = candidate;
+    }
+    return found;
 }
 
 // In loops: an indexed view of Eigen would copy the ranks.

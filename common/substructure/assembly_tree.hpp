@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "common/substructure/front.hpp"
@@ -15,6 +16,8 @@ namespace stria {
 struct AssemblyTree {
     struct Node {
         [[nodiscard]] bool leaf() const { return children[0] < 0; }
+        /// The same contributions make the same front of both.
+        [[nodiscard]] bool sums_up_like(const Node& other) const;
 
         std::array<int, 2> children{-1, -1};  // both, or none in a leaf
         std::array<Placement, 2> from_children;
@@ -27,6 +30,10 @@ struct AssemblyTree {
     };
 
     explicit AssemblyTree(const FrontLayout& layout);
+
+    /// Of each node: that of another tree which sums up the same matrices in the same way, -1: none. `same`: per
+    /// element, the one of the other tree whose matrix it has, -1: none.
+    [[nodiscard]] std::vector<int> counterparts(const AssemblyTree& other, std::span<const int> same) const;
 
     /// Numbers of all unknowns, turned into those by rank and back.
     [[nodiscard]] Eigen::VectorXd by_rank(const Eigen::VectorXd& by_unknown) const;

@@ -18,9 +18,11 @@ struct Placement {
         int source;
         int target;
         int length;
+        bool operator==(const Run&) const = default;
     };
     int order = 0;  // rows of the contribution
     std::vector<Run> runs;
+    bool operator==(const Placement&) const = default;
 };
 
 class Front {

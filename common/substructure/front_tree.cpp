@@ -29,6 +29,7 @@ bool is_finite(const Eigen::MatrixXd& matrix, Symmetry symmetry) {
 
 struct FrontTree::Tree {
     explicit Tree(const Layout& layout);
+    void take_over(Tree& old, std::span<const int> same);
 
     [[nodiscard]] Symmetry symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const;
     void refactor(std::size_t index, const MatrixOfElement& matrix_of);
@@ -39,15 +40,27 @@ struct FrontTree::Tree {
     std::vector<Front> fronts;
     SubtreesAtRest at_rest;
     std::vector<char> dirty;
+    std::vector<char> known;  // per front: it has been factored
     bool factored = false, mirrored = false;
     long refactored = 0, refactored_general = 0;
 };
 
 FrontTree::Tree::Tree(const Layout& layout)
-    : elements(layout.element_unknowns.size()), plan(layout), at_rest(plan, elements), dirty(plan.nodes.size()) {
+    : elements(layout.element_unknowns.size()), plan(layout), at_rest(plan, elements), dirty(plan.nodes.size()),
+      known(plan.nodes.size()) {
     fronts.reserve(plan.nodes.size());
     for (const AssemblyTree::Node& node : plan.nodes)
         fronts.emplace_back(node.eliminated, node.multipliers, static_cast<int>(node.kept.size()));
+}
+
+void FrontTree::Tree::take_over(Tree& old, std::span<const int> same) {
+    if (!old.factored) return;
+    const std::vector<int> counterparts = plan.counterparts(old.plan, same);
+    for (std::size_t index = 0; index < fronts.size(); ++index) {
+        if (counterparts[index] < 0) continue;
+        fronts[index] = std::move(old.fronts[at(counterparts[index])]);
+        known[index] = 1;
+    }
 }
 
 Symmetry FrontTree::Tree::symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const {
@@ -96,6 +109,10 @@ void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
 }
 
 FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
+FrontTree::FrontTree(Layout layout, FrontTree& old, std::span<const int> same) : FrontTree(std::move(layout)) {
+    require(same.size() == tree_->elements, "front tree: a counterpart, or none, for each element");
+    tree_->take_over(*old.tree_, same);
+}
 FrontTree::~FrontTree() = default;
 
 void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed, Symmetry symmetry) {
@@ -107,17 +124,19 @@ void FrontTree::factor(const MatrixOfElement& matrix_of, std::span<const char> c
     Tree& tree = *tree_;
     require(changed.size() == tree.elements, "front tree: one flag an element");
     // Until this call ends well nothing in the tree can be trusted: a throw leaves everything to be refactored.
-    const bool everything = !std::exchange(tree.factored, false);
+    tree.factored = false;
+    const std::vector<char> known = std::exchange(tree.known, std::vector<char>(tree.fronts.size(), 0));
     for (std::size_t index = 0; index < tree.fronts.size(); ++index) {
         const AssemblyTree::Node& node = tree.plan.nodes[index];
         const auto is_changed = [&](int element) { return changed[at(element)] != 0; };
         const auto is_dirty = [&](int child) { return child >= 0 && tree.dirty[at(child)] != 0; };
-        const bool dirty = everything || std::ranges::any_of(node.elements, is_changed) ||
+        const bool dirty = known[index] == 0 || std::ranges::any_of(node.elements, is_changed) ||
                            std::ranges::any_of(node.children, is_dirty);
         tree.dirty[index] = dirty ? 1 : 0;
         if (dirty) tree.refactor(index, matrix_of);
     }
     if (tree.dirty.back() != 0) tree.mirrored = false;
+    std::ranges::fill(tree.known, char{1});
     tree.factored = true;
 }
 

@@ -30,11 +30,14 @@ public:
     using Layout = FrontLayout;
 
     explicit FrontTree(Layout layout);
+    /// With the fronts of another tree where they would be the same. `same`: per element, the one of `old` with the
+    /// matrix of its last factoring, -1: none. `old` is of no more use afterwards.
+    FrontTree(Layout layout, FrontTree& old, std::span<const int> same);
     ~FrontTree() override;
 
-    /// Refactors the paths from changed elements to the root (all, at the first call). `matrix_of(e)`: element matrix;
-    /// `changed[e]`: its matrix differs from that of the last call. Throws NumericalFailure on a singular pivot block.
-    /// Same inputs give the same bits, whatever was factored before.
+    /// Refactors the paths from changed elements to the root, and what has not been factored yet. `matrix_of(e)`:
+    /// element matrix; `changed[e]`: its matrix differs from that of the last call. Throws NumericalFailure on a
+    /// singular pivot block. Same inputs give the same bits, whatever was factored before.
     void factor(const MatrixOfElement& matrix_of, std::span<const char> changed);
     void factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed,
                 Symmetry symmetry = Symmetry::Symmetric);

@@ -58,6 +58,8 @@ public:
     [[nodiscard]] const Eigen::VectorXd& force_scale() const { return force_scale_; }
     /// Per element, 2f x 2f where it has f functions.
     [[nodiscard]] std::span<const Eigen::MatrixXd> tangents() const { return tangents_; }
+    /// Elements whose tangent is not their elastic matrix.
+    [[nodiscard]] const ElementSet& yielded() const { return yielded_; }
     /// Elements whose tangent differs from that of the evaluation before.
     [[nodiscard]] const ElementSet& changed() const { return changed_; }
 

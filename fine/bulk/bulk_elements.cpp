@@ -49,7 +49,7 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
 
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                            const KnownPoints& known, BulkElements* old)
-    : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)), stayed_(mesh_.elements.size()) {
+    : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)), was_(mesh_.elements.size(), -1) {
     operators_.reserve(mesh_.elements.size());
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
         element_of_id_[mesh_.element_ids[at(e)]] = e;
@@ -78,7 +78,7 @@ void BulkElements::take_over(BulkElements& old, int own, int element) {
     op.unknowns = ElementBasis(mesh_, element, cut_of(element) != nullptr).unknowns();
     operators_.push_back(std::move(op));
     stiffness_.push_back(std::move(old.stiffness_[at(own)]));
-    stayed_.insert(element);
+    was_[at(element)] = own;
 }
 
 const CrackPiece* BulkElements::cut_of(int element) const {

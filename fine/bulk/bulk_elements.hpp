@@ -1,6 +1,7 @@
 // The elements of the zone: their points and functions, their elastic matrices, and which of them an earlier zone had.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -54,8 +55,10 @@ public:
 
     /// Whether an element is as it was in an earlier zone, which has given it up: it has the same functions, none of
     /// them a tip's, tied in the same way, and is cut in the same way.
-    [[nodiscard]] bool has_stayed(int element) const { return stayed_.contains(element); }
-    [[nodiscard]] int built() const { return count() - stayed_.count(); }  // all others
+    [[nodiscard]] bool has_stayed(int element) const { return was(element) >= 0; }
+    /// Its number there, -1: it has not stayed.
+    [[nodiscard]] int was(int element) const { return was_[at(element)]; }
+    [[nodiscard]] int built() const { return static_cast<int>(std::ranges::count(was_, -1)); }
 
     /// The points that an element of a later mesh has here already, if it is here: with weights fitted anew where the
     /// crack, `cut`, has newly cut it (docs/equations.md, growth).
@@ -76,7 +79,7 @@ private:
     std::vector<ElementOperator> operators_;
     std::vector<Eigen::MatrixXd> stiffness_;
     std::map<int, int> element_of_id_;
-    ElementSet stayed_;
+    std::vector<int> was_;
 };
 
 }  // namespace stria::fine

@@ -12,9 +12,8 @@ namespace stria::fine {
 FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
 void FineModel::set_patch(const coupling::Patch& patch) {
-    const std::vector<Vec2> busy = tree_ ? busy_places(system_.patch().mesh) : std::vector<Vec2>();
-    const bool stays = system_.set_patch(patch);
-    if (!stays || busy != busy_places(patch.mesh)) plant_tree();
+    const TakenOver taken_over = system_.set_patch(patch);
+    if (!taken_over.all || !tree_.is_about(busy_places(patch.mesh))) tree_.plant(taken_over);
     begin_rest(true);
 }
 
@@ -23,15 +22,6 @@ Eigen::MatrixXd FineModel::increments() {
     Eigen::MatrixXd increments(system_.patch().mesh.unknowns, std::ssize(known));
     for (std::size_t k = 0; k < known.size(); ++k) increments.col(static_cast<Eigen::Index>(k)) = known[k].displacement;
     return increments;
-}
-
-void FineModel::plant_tree() {
-    const ContactInterface& contact = system_.contact();
-    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_));
-    changed_ = ElementSet(system_.bulk().elements().count() + contact.multipliers(), true);
-    all_changed_ = true;
-    in_tree_.assign(at(contact.multipliers()), none);
-    multiplier_matrices_.resize(in_tree_.size());
 }
 
 void FineModel::request(const coupling::PatchDisplacement& displacement) {
@@ -88,8 +78,8 @@ void FineModel::evaluate() {
 
 void FineModel::linearise() {
     system_.linearise();
-    if (some_rest_) system_.add_response(tree_->response(system_.moved_since_rest()));
-    find_changes();
+    if (some_rest_) system_.add_response(tree_.fronts().response(system_.moved_since_rest()));
+    tree_.find_changes();
 }
 
 // Subtrees of elements that may rest become leaves: their points and fronts are not looked at any more, until one
@@ -98,21 +88,18 @@ void FineModel::begin_rest(bool after_patch) {
     rest_is_due_ = false;
     const Resting may_rest = system_.may_rest();
     some_rest_ = !may_rest.elements.none();
-    if (!some_rest_ && !tree_->resting().none()) tree_->rest(ElementSet(changed_.size()));
+    FrontTree& fronts = tree_.fronts();
+    if (!some_rest_ && !fronts.resting().none()) fronts.rest(ElementSet(tree_.changed().size()));
     if (!some_rest_) return;
-    if (all_changed_ || after_patch) {
-        find_changes();
-        factor();
+    if (tree_.is_new() || after_patch) {
+        tree_.find_changes();
+        tree_.factor();
     }
-    ElementSet in_tree(changed_.size());
-    const auto add = [&](int element) {
-        if (!changed_.contains(element)) in_tree.insert(element);
-    };
-    for (const int e : may_rest.elements.members()) add(e);
-    for (const int k : may_rest.multipliers.members()) add(may_rest.elements.size() + k);
-    tree_->rest(in_tree);
-    system_.rest(resting(), tree_->inside());
-    tree_->carry(system_.rest_load());
+    ElementSet still = tree_.ids_of(may_rest);
+    for (const int id : tree_.changed().members()) still.erase(id);
+    fronts.rest(still);
+    system_.rest(tree_.resting(), fronts.inside());
+    fronts.carry(system_.rest_load());
 }
 
 // Not before it is asked for: a growth, which may come first, wakes all.
@@ -122,35 +109,23 @@ void FineModel::begin_rest_where_due() {
 
 // As a snapshot has it. Where the tree is another one, what does not fill a subtree of it is awake.
 void FineModel::rest_again(const coupling::ZoneSnapshot& snapshot) {
-    ElementSet in_tree(changed_.size());
-    for (std::size_t e = 0; e < snapshot.resting.size(); ++e)
-        if (snapshot.resting[e] != 0) in_tree.insert(e);
+    Resting still{ElementSet::of_flags({snapshot.resting.begin(), snapshot.resting.end()}),
+                  MultiplierSet(snapshot.multipliers.size())};
     for (std::size_t k = 0; k < snapshot.multipliers.size(); ++k)
-        if (snapshot.multipliers[k].resting != 0) in_tree.insert(snapshot.resting.size() + k);
-    some_rest_ = !in_tree.none();
+        if (snapshot.multipliers[k].resting != 0) still.multipliers.insert(k);
+    const ElementSet ids = tree_.ids_of(still);
+    some_rest_ = !ids.none();
     if (!some_rest_) return;
-    find_changes();
-    factor();
-    wake_all_but(in_tree);
-}
-
-// The tree's elements are those of the bulk, then the multipliers.
-Resting FineModel::resting() const {
-    const int elements = system_.bulk().elements().count();
-    Resting resting{ElementSet(elements), MultiplierSet(system_.contact().multipliers())};
-    for (const int id : tree_->resting().members()) {
-        if (id < elements)
-            resting.elements.insert(id);
-        else
-            resting.multipliers.insert(id - elements);
-    }
-    return resting;
+    tree_.find_changes();
+    tree_.factor();
+    wake_all_but(ids);
 }
 
 void FineModel::wake_all_but(const ElementSet& still) {
-    tree_->rest(still);
-    system_.wake_all_but(resting(), tree_->inside());
-    tree_->carry(system_.rest_load());
+    FrontTree& fronts = tree_.fronts();
+    fronts.rest(still);
+    system_.wake_all_but(tree_.resting(), fronts.inside());
+    fronts.carry(system_.rest_load());
 }
 
 // Once as soon as the state is roughly known, so that what is woken has iterations to come; and where this may be the
@@ -169,83 +144,45 @@ bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) c
 // True where something has been woken: then the trial state is to be evaluated again.
 bool FineModel::wake_what_would_yield() {
     rest_was_checked_ = true;
-    const Restless restless = system_.follow(tree_->follow(system_.moved_since_rest()));
+    const Restless restless = system_.follow(tree_.fronts().follow(system_.moved_since_rest()));
     if (restless.elements.empty() && restless.multipliers.empty()) return false;
-    const int before = resting().elements.count();
-    ElementSet still = tree_->resting();
-    for (const int e : restless.elements) still.erase(e);
-    for (const int k : restless.multipliers) still.erase(system_.bulk().elements().count() + k);
-    wake_all_but(still);
-    work_.elements_woken += before - resting().elements.count();
+    Resting still = tree_.resting();
+    const int before = still.elements.count();
+    for (const int e : restless.elements) still.elements.erase(e);
+    for (const int k : restless.multipliers) still.multipliers.erase(k);
+    wake_all_but(tree_.ids_of(still));
+    work_.elements_woken += before - tree_.resting().elements.count();
     return true;
 }
 
-// What differs from the last factor: tangents of elements, and multipliers whose status has changed.
-void FineModel::find_changes() {
-    const ElementSet& changed = system_.bulk().changed();
-    for (int e = 0; e < changed.size(); ++e)
-        if (changed.contains(e)) changed_.insert(e);
-    const std::vector<FaceStatus>& statuses = system_.contact().statuses();
-    for (std::size_t k = 0; k < statuses.size(); ++k) {
-        if (in_tree_[k] == statuses[k]) continue;
-        in_tree_[k] = statuses[k];
-        multiplier_matrices_[k] = system_.contact().matrix_of(static_cast<int>(k));
-        changed_.insert(at(changed.size()) + k);
-    }
-}
-
-bool FineModel::may_keep_factor() const {
-    const std::vector<char>& flags = changed_.flags();
-    const auto first_multiplier = flags.end() - std::ssize(in_tree_);
-    return !all_changed_ && std::find(first_multiplier, flags.end(), 1) == flags.end();
-}
+bool FineModel::may_keep_factor() const { return !tree_.is_new() && !tree_.some_status_changed(); }
 
 // One of several ranks does as all do, but where none of its tangents has changed.
 bool FineModel::keeps_factor() const {
-    if (asked_.wanted == Wanted::Rest) return asked_.keeps_factor || (!all_changed_ && changed_.none());
+    if (asked_.wanted == Wanted::Rest) return asked_.keeps_factor || (!tree_.is_new() && tree_.changed().none());
     return response_.may_keep_factor && asked_.settled_below > 0.0 &&
            std::max(response_.interior_residual, response_.contact_residual) <= asked_.settled_below;
 }
 
-void FineModel::factor() {
-    if (all_changed_) changed_ = ElementSet(changed_.size(), true);
-    const std::span<const Eigen::MatrixXd> tangents = system_.bulk().tangents();
-    const long before = tree_->refactored(), general_before = tree_->refactored_general();
-    tree_->factor(
-        [&](int element) {
-            const auto e = at(element);
-            if (e < tangents.size()) return FrontTree::ElementMatrix{tangents[e]};
-            const std::size_t k = e - tangents.size();
-            return FrontTree::ElementMatrix{multiplier_matrices_[k],
-                                            slides(in_tree_[k]) ? Symmetry::General : Symmetry::Symmetric};
-        },
-        changed_.flags());
-    const long refactored = tree_->refactored() - before;
-    work_.fronts_refactored += refactored;
-    work_.fronts_general += tree_->refactored_general() - general_before;
-    work_.fronts_kept += tree_->fronts() - refactored;
-    changed_ = ElementSet(changed_.size());
-    all_changed_ = false;
-}
-
 void FineModel::condense(coupling::PatchResponse& response) {
     const Stopwatch watch(factor_s_);
+    const FrontTree& fronts = tree_.fronts();
     response.keeps_factor = response.same_tangent = keeps_factor();
     if (response.same_tangent) {
         ++work_.factors_reused;
     } else {
-        factor();
+        tree_.factor();
         const bool half = system_.patch().shared;  // half of a symmetric one is enough for who merges ranks
-        response.tangent = {half ? tree_->lower_tangent() : tree_->tangent(), tree_->symmetry()};
+        response.tangent = {half ? fronts.lower_tangent() : fronts.tangent(), fronts.symmetry()};
     }
-    reduced_ = tree_->reduce(right_hand_side_of(system_));
+    reduced_ = fronts.reduce(right_hand_side_of(system_));
     response.force = -reduced_.boundary;
     response.unit_load = Eigen::VectorXd::Zero(reduced_.boundary.size());
     reduced_unit_ = {Eigen::VectorXd::Zero(reduced_.interior.size()), response.unit_load};
     if (system_.patch().unit_load.isZero(0.0)) return;
     Eigen::VectorXd unit = Eigen::VectorXd::Zero(reduced_.interior.size() + reduced_.boundary.size());
     unit.head(system_.patch().unit_load.size()) = system_.patch().unit_load;
-    reduced_unit_ = tree_->reduce(unit);
+    reduced_unit_ = fronts.reduce(unit);
     response.unit_load = reduced_unit_.boundary;
 }
 
@@ -254,7 +191,7 @@ void FineModel::correct() {
     const Eigen::VectorXd step = asked_.boundary - gather(system_.displacement(), system_.patch().boundary);
     const double load_step = asked_.load_factor - system_.load_factor();
     const ReducedLoad moving{reduced_.interior + load_step * reduced_unit_.interior, reduced_.boundary};
-    const Eigen::VectorXd whole = tree_->expand(moving, step);
+    const Eigen::VectorXd whole = tree_.fronts().expand(moving, step);
     correction_.displacement = whole.head(system_.displacement().size());
     correction_.traction = whole.tail(system_.traction().size());
     correction_.work_before = work_along_correction();
@@ -263,7 +200,7 @@ void FineModel::correct() {
 // What rests follows the others: nothing is out of balance inside it.
 double FineModel::work_along_correction() const {
     const Eigen::VectorXd& move = correction_.displacement;
-    const UnknownSet& resting = tree_->inside();
+    const UnknownSet& resting = tree_.fronts().inside();
     double work = 0.0;
     for (Eigen::Index i = 0; i < move.size(); ++i)
         if (!resting.contains(i)) work += system_.load()[i] * move[i];
@@ -278,6 +215,7 @@ coupling::StepReport FineModel::commit(const coupling::Commit& what) {
     }
     report.factor_s = factor_s_;
     report.work += work_;
+    report.work += tree_.work();
     return report;
 }
 
@@ -291,7 +229,7 @@ coupling::ZoneSnapshot FineModel::snapshot() {
 void FineModel::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
     system_.restore(patch, snapshot);
     rest_is_due_ = false;
-    plant_tree();
+    tree_.plant();
     rest_again(snapshot);
 }
 

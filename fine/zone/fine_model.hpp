@@ -1,12 +1,9 @@
 // The zone as a nonlinear superelement: displacement of its boundary in, condensed force and tangent out.
 #pragma once
 
-#include <memory>
-#include <vector>
-
-#include "common/substructure/front_tree.hpp"
 #include "coupling/fine_scale.hpp"
 #include "fine/zone/zone_system.hpp"
+#include "fine/zone/zone_tree.hpp"
 
 namespace stria::fine {
 
@@ -32,29 +29,22 @@ public:
     [[nodiscard]] const ZoneSystem& system() const { return system_; }
 
 private:
-    void plant_tree();
     void begin_rest(bool after_patch);
     void begin_rest_where_due();
     void rest_again(const coupling::ZoneSnapshot& snapshot);
-    [[nodiscard]] Resting resting() const;
     void wake_all_but(const ElementSet& still);
     void evaluate();
     void linearise();
     [[nodiscard]] bool is_time_to_check_rest(const coupling::PatchResponse& response) const;
     [[nodiscard]] bool wake_what_would_yield();
-    void find_changes();
     void correct();
     [[nodiscard]] double work_along_correction() const;
     [[nodiscard]] bool may_keep_factor() const;
     [[nodiscard]] bool keeps_factor() const;
-    void factor();
     void condense(coupling::PatchResponse& response);
 
     ZoneSystem system_;
-    std::unique_ptr<FrontTree> tree_;
-    static constexpr FaceStatus none{-1};
-    std::vector<FaceStatus> in_tree_;  // status of each multiplier in the last factor, or to be in the next one
-    std::vector<Eigen::MatrixXd> multiplier_matrices_;
+    ZoneTree tree_{system_};
     ReducedLoad reduced_, reduced_unit_;  // of what is to be removed, and of the zone's own loads
     using Wanted = coupling::PatchDisplacement::Wanted;
     coupling::PatchDisplacement asked_;
@@ -64,13 +54,10 @@ private:
         double work_before = 0.0;                // along it, of what was out of balance where it began, N
     } correction_;
     double factor_s_ = 0.0;
-    bool all_changed_ = true;
     // Something rests; it was looked at: at the present trial state, in this increment.
     bool some_rest_ = false, rest_was_checked_ = false;
     bool rest_is_due_ = false;  // a half cycle has ended, and nothing has been asked since
-    ElementSet changed_;  // of the tree, whose elements are those of the bulk, then the multipliers: its matrix is
-                          // not that of the last factor
-    coupling::WorkCounts work_;  // of condensing
+    coupling::WorkCounts work_;
 };
 
 }  // namespace stria::fine

@@ -16,7 +16,7 @@ ZoneSystem::ZoneSystem(const ZoneSections& input)
     : input_(input), memory_{.increments =
                                  IncrementMemory<ZoneUnknowns>(remembered_increments(input.steps_per_cycle))} {}
 
-bool ZoneSystem::set_patch(const coupling::Patch& patch) {
+TakenOver ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
     const bool stays = bulk_ && patch.part_of.empty() && patch_.boundary == patch.boundary &&
                        same_but_for_tips(patch_.mesh, patch.mesh);
@@ -37,7 +37,14 @@ bool ZoneSystem::set_patch(const coupling::Patch& patch) {
         memory_.opening.follow(before, patch_.mesh);
     else if (old)
         open_new_faces(before);
-    return stays;
+    return taken_over(stays, old_contact.get());
+}
+
+TakenOver ZoneSystem::taken_over(bool all, const ContactInterface* old_contact) const {
+    TakenOver same{.all = all, .elements = {}, .multipliers = std::vector<int>(at(contact_->multipliers()), -1)};
+    for (int e = 0; e < bulk_->elements().count(); ++e) same.elements.push_back(all ? e : bulk_->elements().was(e));
+    if (old_contact != nullptr) same.multipliers = contact_->operators().places_in(old_contact->operators());
+    return same;
 }
 
 MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }

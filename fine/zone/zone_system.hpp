@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
@@ -14,13 +15,19 @@
 
 namespace stria::fine {
 
+/// What a new zone has of the one before.
+struct TakenOver {
+    bool all = false;  // nothing is new but the places of the tips
+    /// Of each, its number there, -1: it is new. Such elements have the same elastic matrix. Faces may have changed.
+    std::vector<int> elements, multipliers;
+};
+
 class ZoneSystem {
 public:
     explicit ZoneSystem(const ZoneSections& input);
 
-    /// A new zone; elements and multipliers that the old one had keep their history. True where nothing is new but the
-    /// places of the tips: then all matrices are the old ones, elastic as in any new zone.
-    bool set_patch(const coupling::Patch& patch);
+    /// A new zone; elements and multipliers that the old one had keep their history. All tangents are elastic.
+    TakenOver set_patch(const coupling::Patch& patch);
 
     /// The first iterate of an increment.
     void predict(const Predictor& predictor);
@@ -102,6 +109,7 @@ private:
     [[nodiscard]] IntegrationRule rule() const;
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
+    [[nodiscard]] TakenOver taken_over(bool all, const ContactInterface* old_contact) const;
     [[nodiscard]] double smallest_slip() const;
     void open_new_faces(const EnrichedMesh& before);
     void report_on(coupling::StepReport& report, bool brief);

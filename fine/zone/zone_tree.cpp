@@ -1,0 +1,113 @@
+#include "fine/zone/zone_tree.hpp"
+
+#include <utility>
+
+#include "common/index.hpp"
+#include "fine/zone/tree_layout.hpp"
+
+namespace stria::fine {
+
+void ZoneTree::plant() {
+    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_));
+    read_multipliers();
+    begin(std::vector<int>(at(elements() + system_.contact().multipliers()), -1));
+}
+
+void ZoneTree::plant(const TakenOver& taken_over) {
+    if (!tree_) return plant();
+    const std::vector<FaceStatus> statuses = std::move(statuses_);
+    const std::vector<Eigen::MatrixXd> matrices = std::move(multiplier_matrices_);
+    read_multipliers();
+    const int elements_before = flows_.size();
+    std::vector<int> same;
+    for (const int e : taken_over.elements) same.push_back(e >= 0 && !flows_.contains(e) ? e : -1);
+    for (std::size_t k = 0; k < statuses_.size(); ++k) {
+        const int before = taken_over.multipliers[k];
+        const bool stays =
+            before >= 0 && statuses[at(before)] == statuses_[k] && matrices[at(before)] == multiplier_matrices_[k];
+        same.push_back(stays ? elements_before + before : -1);
+    }
+    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_), *tree_, same);
+    begin(same);
+}
+
+void ZoneTree::begin(const std::vector<int>& same) {
+    busy_ = busy_places(system_.patch().mesh);
+    flows_ = ElementSet(elements());
+    changed_ = ElementSet(same.size());
+    for (std::size_t id = 0; id < same.size(); ++id)
+        if (same[id] < 0) changed_.insert(id);
+    new_ = true;
+}
+
+void ZoneTree::read_multipliers() {
+    statuses_ = system_.contact().statuses();
+    multiplier_matrices_.clear();
+    for (int k = 0; k < system_.contact().multipliers(); ++k)
+        multiplier_matrices_.push_back(system_.contact().matrix_of(k));
+}
+
+void ZoneTree::find_changes() {
+    const ElementSet& changed = system_.bulk().changed();
+    for (int e = 0; e < changed.size(); ++e)
+        if (changed.contains(e)) changed_.insert(e);
+    const std::vector<FaceStatus>& statuses = system_.contact().statuses();
+    for (std::size_t k = 0; k < statuses.size(); ++k) {
+        if (statuses_[k] == statuses[k]) continue;
+        statuses_[k] = statuses[k];
+        multiplier_matrices_[k] = system_.contact().matrix_of(static_cast<int>(k));
+        changed_.insert(at(elements()) + k);
+    }
+}
+
+bool ZoneTree::some_status_changed() const {
+    const auto& flags = changed_.flags();
+    return std::find(flags.begin() + elements(), flags.end(), 1) != flags.end();
+}
+
+void ZoneTree::factor() {
+    const std::span<const Eigen::MatrixXd> tangents = system_.bulk().tangents();
+    const long before = tree_->refactored(), general_before = tree_->refactored_general();
+    tree_->factor(
+        [&](int id) {
+            const auto e = at(id);
+            if (e < tangents.size()) return FrontTree::ElementMatrix{tangents[e]};
+            const std::size_t k = e - tangents.size();
+            return FrontTree::ElementMatrix{multiplier_matrices_[k],
+                                            slides(statuses_[k]) ? Symmetry::General : Symmetry::Symmetric};
+        },
+        changed_.flags());
+    const long refactored = tree_->refactored() - before;
+    work_.fronts_refactored += refactored;
+    work_.fronts_general += tree_->refactored_general() - general_before;
+    work_.fronts_kept += tree_->fronts() - refactored;
+    for (int e = 0; e < elements(); ++e) {
+        if (!changed_.contains(e)) continue;
+        if (system_.bulk().yielded().contains(e))
+            flows_.insert(e);
+        else
+            flows_.erase(e);
+    }
+    changed_ = ElementSet(changed_.size());
+    new_ = false;
+}
+
+ElementSet ZoneTree::ids_of(const Resting& some) const {
+    ElementSet ids(changed_.size());
+    for (const int e : some.elements.members()) ids.insert(e);
+    for (const int k : some.multipliers.members()) ids.insert(elements() + k);
+    return ids;
+}
+
+Resting ZoneTree::resting() const {
+    Resting resting{ElementSet(elements()), MultiplierSet(system_.contact().multipliers())};
+    for (const int id : tree_->resting().members()) {
+        if (id < elements())
+            resting.elements.insert(id);
+        else
+            resting.multipliers.insert(id - elements());
+    }
+    return resting;
+}
+
+}  // namespace stria::fine
