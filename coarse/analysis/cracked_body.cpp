@@ -231,6 +231,16 @@ ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
     return has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer.enriched) : in_zone_;
 }
 
+// K grows with the cracks.
+ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_least) const {
+    constexpr double growth_of_K = 1.02;
+    if (!has_zone()) return at_least;
+    std::vector<double> K_I = largest_K_I_;
+    for (double& K : K_I) K *= growth_of_K;
+    at_least |= select_zone(longer, K_I);
+    return at_least;
+}
+
 ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet at_least) {
     still_ = still_elements(longer, at_least, still_);
     std::unique_ptr<Structure> body = take_nominal_of(longer);

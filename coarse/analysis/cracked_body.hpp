@@ -55,6 +55,9 @@ public:
     /// What the zone holds now, and the elements whose functions longer cracks change.
     [[nodiscard]] ElementSet zone_with_changes(const Scene& longer) const;
 
+    /// At least these, and what eq. (3) is expected to want about the tips of longer cracks.
+    [[nodiscard]] ElementSet zone_expected_about(const Scene& longer, ElementSet at_least) const;
+
     /// At least these, and what eq. (3) wants about the tips, whose nominal solution is that of the longer cracks from
     /// here on.
     [[nodiscard]] ElementSet zone_about(const Scene& longer, ElementSet at_least);

@@ -148,9 +148,9 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
     turn_to(with_ring(body_.scene(), body_.in_zone(), joining));
 }
 
-// What becomes fine because of the longer cracks is fine before the functions change. The nominal solution, which tells
-// how far the zone reaches, is found while the zone turns to them: it takes the elements beyond that afterwards.
-// Without a zone nobody sees what the growth releases.
+// What becomes fine because of its functions is so before they change. What else eq. (3) is expected to want joins with
+// the longer cracks. The nominal solution, which tells what it does want, is found while the zone turns to them: it
+// takes the elements beyond that afterwards. Without a zone nobody sees what the growth releases.
 bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
     refresh_displacement();
@@ -164,17 +164,18 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     std::unique_ptr<Scene> keeping = body_.keeping_functions(*grown.longer);
     const Scene& next = keeping ? *keeping : *grown.longer;
     Eigen::VectorXd carried = body_.carried_to(next, displacement_);
+    const ElementSet expected = body_.zone_expected_about(*grown.longer, changed);
     std::optional<coupling::Patch> patch;
     if (body_.has_zone())
-        factory_.begin_zone(patch.emplace(patch_of(next, changed, carried)));
+        factory_.begin_zone(patch.emplace(patch_of(next, expected, carried)));
     else
         work_.released = std::numeric_limits<double>::quiet_NaN();
-    const ElementSet in_zone = body_.zone_about(*grown.longer, changed);
+    const ElementSet in_zone = body_.zone_about(*grown.longer, expected);
     if (kept && !increments)
         increments.emplace(body_.structure(), equilibrium_->state(), after, gamma_about(in_zone, body_.structure()));
     displacement_ = std::move(carried);
     body_.take(std::move(grown.longer), std::move(keeping));
-    if (patch && in_zone != changed) factory_.extend_zone(*std::exchange(patch, std::nullopt));
+    if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
     turn_to(in_zone, std::move(patch));
     if (increments) equilibrium_->restore(increments->added_to(equilibrium_->state(), body_.structure()));
     return kept;
