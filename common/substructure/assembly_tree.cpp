@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -112,9 +113,11 @@ std::vector<int> unknowns_at(const Node& node, const Layout& layout, const std::
 
 AssemblyTree::AssemblyTree(const Layout& layout) {
     check(layout);
-    std::vector<int> elements(layout.element_unknowns.size());
-    std::iota(elements.begin(), elements.end(), 0);
-    bisect(layout, elements, nodes);
+    for (PartOfElements& part : bisect(layout)) {
+        Node& node = nodes.emplace_back();
+        node.children = part.children;
+        node.elements = std::move(part.elements);
+    }
     rank_unknowns(layout);
     place_contributions(layout);
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
@@ -11,11 +14,9 @@
 namespace stria {
 namespace {
 
-using Node = AssemblyTree::Node;
-
 class Bisection {
 public:
-    Bisection(const FrontLayout& layout, std::vector<Node>& nodes) : layout_(layout), nodes_(nodes) {}
+    explicit Bisection(const FrontLayout& layout) : layout_(layout) {}
 
     /// What lies about the busy places comes first, so that the way from there to the root is short however many the
     /// others are.
@@ -31,15 +32,18 @@ public:
         };
         const auto end = elements.begin() + static_cast<std::ptrdiff_t>(near);
         std::ranges::nth_element(elements, end, {}, distance);
-        Node node;
+        PartOfElements node;
         const int others = split({end, elements.end()});
         node.children = {others, split({elements.begin(), end})};
         nodes_.push_back(std::move(node));
         return static_cast<int>(nodes_.size()) - 1;
     }
 
+    [[nodiscard]] std::vector<PartOfElements> nodes() && { return std::move(nodes_); }
+
+private:
     int split(std::span<int> elements) {
-        Node node;
+        PartOfElements node;
         if (static_cast<int>(elements.size()) <= layout_.leaf_elements) {
             node.elements.assign(elements.begin(), elements.end());
             std::ranges::sort(node.elements);
@@ -51,7 +55,6 @@ public:
         return static_cast<int>(nodes_.size()) - 1;
     }
 
-private:
     /// Puts one part before the other: at a round number near the middle of the longer direction, which stays where it
     /// is when elements come and go. Returns how many come first, a third at least and two at most. Where too many lie
     /// at one coordinate, it is half of them.
@@ -84,13 +87,17 @@ private:
     }
 
     const FrontLayout& layout_;
-    std::vector<Node>& nodes_;
+    std::vector<PartOfElements> nodes_;
 };
 
 }  // namespace
 
-void bisect(const FrontLayout& layout, std::span<int> elements, std::vector<Node>& nodes) {
-    Bisection(layout, nodes).split_about_busy_places(elements);
+std::vector<PartOfElements> bisect(const FrontLayout& layout) {
+    std::vector<int> elements(layout.element_unknowns.size());
+    std::iota(elements.begin(), elements.end(), 0);
+    Bisection bisection(layout);
+    bisection.split_about_busy_places(elements);
+    return std::move(bisection).nodes();
 }
 
 double roundest_between(double low, double high) {

@@ -1,17 +1,22 @@
 // Which elements of a tree of fronts stand together: by where they lie.
 #pragma once
 
-#include <span>
+#include <array>
 #include <vector>
 
-#include "common/substructure/assembly_tree.hpp"
 #include "common/substructure/front_layout.hpp"
 
 namespace stria {
 
-/// Appends a tree of these elements, the root last, with its children and the elements of its leaves and nothing else.
-/// It depends on where elements lie, not on their numbers. Where some come or go, most parts of the others stay.
-void bisect(const FrontLayout& layout, std::span<int> elements, std::vector<AssemblyTree::Node>& nodes);
+/// A node of the tree.
+struct PartOfElements {
+    std::array<int, 2> children{-1, -1};  // both, or none in a leaf
+    std::vector<int> elements;            // of a leaf, ascending
+};
+
+/// A tree of all elements, children before parents, the root last. It depends on where elements lie, not on their
+/// numbers. Where some come or go, most parts of the others stay.
+[[nodiscard]] std::vector<PartOfElements> bisect(const FrontLayout& layout);
 
 /// The number above `low` and not above `high` with the fewest binary digits; low < high.
 [[nodiscard]] double roundest_between(double low, double high);

@@ -11,10 +11,11 @@
 namespace stria::fine {
 FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
+// After elements were split another zone follows.
 void FineModel::set_patch(const coupling::Patch& patch) {
-    const TakenOver taken_over = system_.set_patch(patch);
-    if (!taken_over.all || !tree_.is_about(busy_places(patch.mesh))) tree_.plant(taken_over);
-    begin_rest(true);
+    tree_.turn_to(system_.set_patch(patch));
+    rest_is_due_ = true;
+    if (patch.part_of.empty()) begin_rest(true);
 }
 
 Eigen::MatrixXd FineModel::increments() {
@@ -42,7 +43,6 @@ void FineModel::evaluate() {
     if (asked_.iteration == 0) {
         if (asked_.put_aside) system_.put_aside();
         system_.predict(asked_.predictor);
-        rest_was_checked_ = false;
         correction_ = {};
     } else {
         if (!asked_.further) correct();
@@ -86,6 +86,7 @@ void FineModel::linearise() {
 // would yield.
 void FineModel::begin_rest(bool after_patch) {
     rest_is_due_ = false;
+    tree_.plant_where_due();
     const Resting may_rest = system_.may_rest();
     some_rest_ = !may_rest.elements.none();
     FrontTree& fronts = tree_.fronts();
@@ -128,22 +129,18 @@ void FineModel::wake_all_but(const ElementSet& still) {
     fronts.carry(system_.rest_load());
 }
 
-// Once as soon as the state is roughly known, so that what is woken has iterations to come; and where this may be the
-// last one: generously, for the structure, which decides, knows larger forces too. It asks where it is taken by
-// surprise.
+// Where this may be the last iterate: generously, for the structure, which decides, knows larger forces too. It asks
+// where it is taken by surprise.
 bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) const {
-    constexpr double roughly = 1e-2, margin = 10.0;
-    const double residual = std::max(response.interior_residual, response.contact_residual);
+    constexpr double margin = 10.0;
     if (asked_.elastic) return false;
-    const bool last = residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.last_below);
-    const bool early = !rest_was_checked_ && asked_.iteration > 0 && response.digest.status_changes == 0 &&
-                       residual <= roughly * response.interior_force;
-    return asked_.check_rest || last || early;
+    const double residual = std::max(response.interior_residual, response.contact_residual);
+    return asked_.check_rest ||
+           residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.last_below);
 }
 
 // True where something has been woken: then the trial state is to be evaluated again.
 bool FineModel::wake_what_would_yield() {
-    rest_was_checked_ = true;
     const Restless restless = system_.follow(tree_.fronts().follow(system_.moved_since_rest()));
     if (restless.elements.empty() && restless.multipliers.empty()) return false;
     Resting still = tree_.resting();

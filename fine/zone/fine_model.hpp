@@ -54,8 +54,7 @@ private:
         double work_before = 0.0;                // along it, of what was out of balance where it began, N
     } correction_;
     double factor_s_ = 0.0;
-    // Something rests; it was looked at: at the present trial state, in this increment.
-    bool some_rest_ = false, rest_was_checked_ = false;
+    bool some_rest_ = false;
     bool rest_is_due_ = false;  // a half cycle has ended, and nothing has been asked since
     coupling::WorkCounts work_;
 };

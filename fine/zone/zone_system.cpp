@@ -37,14 +37,7 @@ TakenOver ZoneSystem::set_patch(const coupling::Patch& patch) {
         memory_.opening.follow(before, patch_.mesh);
     else if (old)
         open_new_faces(before);
-    return taken_over(stays, old_contact.get());
-}
-
-TakenOver ZoneSystem::taken_over(bool all, const ContactInterface* old_contact) const {
-    TakenOver same{.all = all, .elements = {}, .multipliers = std::vector<int>(at(contact_->multipliers()), -1)};
-    for (int e = 0; e < bulk_->elements().count(); ++e) same.elements.push_back(all ? e : bulk_->elements().was(e));
-    if (old_contact != nullptr) same.multipliers = contact_->operators().places_in(old_contact->operators());
-    return same;
+    return taken_over(bulk_->elements(), stays, *contact_, old_contact.get());
 }
 
 MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }

@@ -3,24 +3,17 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
+#include "fine/zone/taken_over.hpp"
 #include "fine/zone/zone_at_rest.hpp"
 #include "fine/zone/zone_memory.hpp"
 #include "fine/zone/zone_report.hpp"
 #include "fine/zone/zone_sections.hpp"
 
 namespace stria::fine {
-
-/// What a new zone has of the one before.
-struct TakenOver {
-    bool all = false;  // nothing is new but the places of the tips
-    /// Of each, its number there, -1: it is new. Such elements have the same elastic matrix. Faces may have changed.
-    std::vector<int> elements, multipliers;
-};
 
 class ZoneSystem {
 public:
@@ -109,7 +102,6 @@ private:
     [[nodiscard]] IntegrationRule rule() const;
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
-    [[nodiscard]] TakenOver taken_over(bool all, const ContactInterface* old_contact) const;
     [[nodiscard]] double smallest_slip() const;
     void open_new_faces(const EnrichedMesh& before);
     void report_on(coupling::StepReport& report, bool brief);

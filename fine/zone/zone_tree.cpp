@@ -7,28 +7,40 @@
 
 namespace stria::fine {
 
-void ZoneTree::plant() {
-    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_));
+void ZoneTree::turn_to(const TakenOver& taken_over) {
+    // While tips stay in their elements the tree stays as it is.
+    if (!due_ && tree_ && taken_over.all && busy_ == busy_places(system_.patch().mesh)) return;
+    due_ = due_ ? compose(*due_, taken_over) : taken_over;
+}
+
+void ZoneTree::plant_where_due() {
+    if (!due_) return;
+    const TakenOver taken_over = *std::exchange(due_, std::nullopt);
+    if (!tree_) return plant();
+    const std::vector<int> same = unchanged(taken_over);
     read_multipliers();
+    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_), *tree_, same);
+    begin(same);
+}
+
+void ZoneTree::plant() {
+    due_.reset();
+    read_multipliers();
+    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_));
     begin(std::vector<int>(at(elements() + system_.contact().multipliers()), -1));
 }
 
-void ZoneTree::plant(const TakenOver& taken_over) {
-    if (!tree_) return plant();
-    const std::vector<FaceStatus> statuses = std::move(statuses_);
-    const std::vector<Eigen::MatrixXd> matrices = std::move(multiplier_matrices_);
-    read_multipliers();
-    const int elements_before = flows_.size();
+// Of each id, the one of the last tree with the same matrix in it, -1: none. The tangents of a new zone are elastic.
+std::vector<int> ZoneTree::unchanged(const TakenOver& taken_over) const {
     std::vector<int> same;
     for (const int e : taken_over.elements) same.push_back(e >= 0 && !flows_.contains(e) ? e : -1);
-    for (std::size_t k = 0; k < statuses_.size(); ++k) {
-        const int before = taken_over.multipliers[k];
-        const bool stays =
-            before >= 0 && statuses[at(before)] == statuses_[k] && matrices[at(before)] == multiplier_matrices_[k];
-        same.push_back(stays ? elements_before + before : -1);
+    for (int k = 0; k < system_.contact().multipliers(); ++k) {
+        const int before = taken_over.multipliers[at(k)];
+        const bool stays = before >= 0 && statuses_[at(before)] == system_.contact().statuses()[at(k)] &&
+                           multiplier_matrices_[at(before)] == system_.contact().matrix_of(k);
+        same.push_back(stays ? flows_.size() + before : -1);
     }
-    tree_ = std::make_unique<FrontTree>(layout_of_tree(system_), *tree_, same);
-    begin(same);
+    return same;
 }
 
 void ZoneTree::begin(const std::vector<int>& same) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "common/substructure/front_tree.hpp"
@@ -16,12 +17,12 @@ public:
     /// `system`: must outlive it.
     explicit ZoneTree(const ZoneSystem& system) : system_(system) {}
 
-    /// For the zone as it is now. Fronts of the one before that are what theirs would be are taken over.
-    void plant(const TakenOver& taken_over);
-    /// Without any.
+    /// The zone is another one. Its tree is planted when it is wanted, for another zone may come first. It takes over
+    /// those fronts of the last one that would be the same.
+    void turn_to(const TakenOver& taken_over);
+    void plant_where_due();
+    /// A tree that has nothing of the last one.
     void plant();
-    /// Where a zone has taken over all, the tree may stay as well: while its busy places are the same.
-    [[nodiscard]] bool is_about(const std::vector<Vec2>& busy) const { return tree_ && busy == busy_; }
 
     /// Tangents of the last evaluation and statuses of the faces: what differs from the last factor is out of date.
     void find_changes();
@@ -46,10 +47,12 @@ private:
     [[nodiscard]] int elements() const { return system_.bulk().elements().count(); }
     void read_multipliers();
     void begin(const std::vector<int>& same);
+    [[nodiscard]] std::vector<int> unchanged(const TakenOver& taken_over) const;
 
     const ZoneSystem& system_;
     std::unique_ptr<FrontTree> tree_;
     std::vector<Vec2> busy_;
+    std::optional<TakenOver> due_;                      // of the zone whose tree this is
     std::vector<FaceStatus> statuses_;                  // of each multiplier in the last factor, or in the next one
     std::vector<Eigen::MatrixXd> multiplier_matrices_;  // with these
     ElementSet flows_;    // of the bulk: its matrix in the last factor is not the elastic one

@@ -14,29 +14,22 @@ namespace stria {
 namespace {
 
 /// Squares of one millimetre, in rows along x.
-FrontLayout strip(int columns, int rows, double x0 = 0.0) {
+FrontLayout strip(int columns, int rows) {
     FrontLayout layout;
     for (int i = 0; i < columns; ++i)
-        for (int j = 0; j < rows; ++j) layout.centres.emplace_back(x0 + i + 0.5, j + 0.5);
+        for (int j = 0; j < rows; ++j) layout.centres.emplace_back(i + 0.5, j + 0.5);
+    layout.element_unknowns.resize(layout.centres.size());
     return layout;
-}
-
-std::vector<AssemblyTree::Node> tree_of(const FrontLayout& layout) {
-    std::vector<int> elements(layout.centres.size());
-    std::iota(elements.begin(), elements.end(), 0);
-    std::vector<AssemblyTree::Node> nodes;
-    bisect(layout, elements, nodes);
-    return nodes;
 }
 
 /// The places of each leaf's elements.
 using Leaf = std::set<std::pair<double, double>>;
 std::set<Leaf> leaves(const FrontLayout& layout) {
     std::set<Leaf> found;
-    for (const AssemblyTree::Node& node : tree_of(layout)) {
+    for (const PartOfElements& node : bisect(layout)) {
         Leaf leaf;
         for (const int e : node.elements) leaf.emplace(layout.centres[at(e)].x(), layout.centres[at(e)].y());
-        if (node.leaf()) found.insert(leaf);
+        if (!node.elements.empty()) found.insert(leaf);
     }
     return found;
 }
@@ -55,8 +48,8 @@ TEST(Bisection, HoldsEachElementOnceInLeavesThatAreNeitherTooLargeNorNearlyEmpty
     for (const int columns : {1, 13, 90}) {
         const FrontLayout layout = strip(columns, 7);
         std::vector<int> elements;
-        for (const AssemblyTree::Node& node : tree_of(layout)) {
-            if (!node.leaf()) continue;
+        for (const PartOfElements& node : bisect(layout)) {
+            if (node.elements.empty()) continue;
             EXPECT_LE(std::ssize(node.elements), layout.leaf_elements);
             EXPECT_GE(std::ssize(node.elements), 4);
             EXPECT_TRUE(std::ranges::is_sorted(node.elements));
@@ -72,7 +65,8 @@ TEST(Bisection, HoldsEachElementOnceInLeavesThatAreNeitherTooLargeNorNearlyEmpty
 TEST(Bisection, CopesWithElementsAtOnePlace) {
     FrontLayout layout;
     layout.centres.assign(100, Vec2(1.0, 2.0));
-    for (const AssemblyTree::Node& node : tree_of(layout)) EXPECT_LE(std::ssize(node.elements), layout.leaf_elements);
+    layout.element_unknowns.resize(100);
+    for (const PartOfElements& node : bisect(layout)) EXPECT_LE(std::ssize(node.elements), layout.leaf_elements);
 }
 
 // Median halves would move all borders with each column that joins.
