@@ -1,6 +1,7 @@
 #include "common/substructure/assembly_tree.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -24,21 +25,19 @@ void check(const Layout& layout) {
     require(!layout.element_unknowns.empty(), "front tree: no elements");
     require(layout.centres.size() == layout.element_unknowns.size(), "front tree: one centre an element");
     require(layout.leaf_elements > 0, "front tree: leaves hold elements");
-    std::vector<char> touched(at(layout.unknowns), 0);
-    for (std::vector<int> unknowns : layout.element_unknowns) {
-        const std::size_t listed = unknowns.size();
-        sort_unique(unknowns);
-        require(unknowns.size() == listed, "front tree: an element names an unknown twice");
-        require(unknowns.empty() || (unknowns.front() >= 0 && unknowns.back() < layout.unknowns),
-                "front tree: unknown out of range");
-        for (const int unknown : unknowns) touched[at(unknown)] = 1;
+    const auto in_range = [&](int unknown) { return unknown >= 0 && unknown < layout.unknowns; };
+    std::vector<int> last(at(layout.unknowns), -1);  // element that names an unknown
+    for (int e = 0; e < std::ssize(layout.element_unknowns); ++e) {
+        for (const int unknown : layout.element_unknowns[at(e)]) {
+            require(in_range(unknown), "front tree: unknown out of range");
+            require(std::exchange(last[at(unknown)], e) != e, "front tree: an element names an unknown twice");
+        }
     }
-    require(std::ranges::count(touched, 0) == 0, "front tree: an unknown that no element touches");
+    require(std::ranges::count(last, -1) == 0, "front tree: an unknown that no element touches");
     std::vector<int> boundary = layout.boundary;
     sort_unique(boundary);
     require(boundary.size() == layout.boundary.size(), "front tree: a boundary unknown named twice");
-    require(boundary.empty() || (boundary.front() >= 0 && boundary.back() < layout.unknowns),
-            "front tree: boundary unknown out of range");
+    require(std::ranges::all_of(boundary, in_range), "front tree: boundary unknown out of range");
 }
 
 /// Lengthens the last run by one row, or begins a new one.
@@ -58,7 +57,7 @@ void append(std::vector<Placement::Run>& runs, int source, int target, int elimi
 Placement place_rows(const std::vector<int>& ranks, const std::vector<int>& place, int eliminated) {
     std::vector<int> rows(ranks.size());
     std::iota(rows.begin(), rows.end(), 0);
-    std::ranges::sort(rows, {}, [&](int row) { return ranks[at(row)]; });
+    if (!std::ranges::is_sorted(ranks)) std::ranges::sort(rows, {}, [&](int row) { return ranks[at(row)]; });
     Placement result{.order = static_cast<int>(ranks.size()), .runs = {}};
     for (const int row : rows) append(result.runs, row, place[at(ranks[at(row)])], eliminated);
     return result;
@@ -97,15 +96,19 @@ std::vector<std::vector<int>> acted_on(const Layout& layout) {
     return result;
 }
 
-/// All that meets in a node: what its children keep, or what its elements hold.
+/// All that meets in a node, ascending: what its children keep, or what its elements hold.
 std::vector<int> unknowns_at(const Node& node, const Layout& layout, const std::vector<Node>& nodes) {
     std::vector<int> unknowns;
-    const auto take = [&](const std::vector<int>& more) { unknowns.insert(unknowns.end(), more.begin(), more.end()); };
-    for (const int element : node.elements) take(layout.element_unknowns[at(element)]);
-    if (!node.leaf()) {
-        for (const int child : node.children) take(nodes[at(child)].kept);
+    if (node.leaf()) {
+        for (const int element : node.elements) {
+            const std::vector<int>& more = layout.element_unknowns[at(element)];
+            unknowns.insert(unknowns.end(), more.begin(), more.end());
+        }
+        sort_unique(unknowns);
+    } else {
+        const auto& [first, second] = node.children;
+        std::ranges::set_union(nodes[at(first)].kept, nodes[at(second)].kept, std::back_inserter(unknowns));
     }
-    sort_unique(unknowns);
     return unknowns;
 }
 

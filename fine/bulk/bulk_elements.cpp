@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/integration/moment_fit.hpp"
 
@@ -50,9 +51,9 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
 BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials, const IntegrationRule& rule,
                            const KnownPoints& known, BulkElements* old)
     : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)), was_(mesh_.elements.size(), -1) {
+    require(std::ranges::is_sorted(mesh_.element_ids), "the elements of a zone are in the order of their ids");
     operators_.reserve(mesh_.elements.size());
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
-        element_of_id_[mesh_.element_ids[at(e)]] = e;
         if (const auto same = old != nullptr ? old->find(mesh_, e) : std::nullopt;
             same && old->stays(*this, e, *same)) {
             take_over(*old, *same, e);
@@ -97,13 +98,15 @@ bool BulkElements::stays(const BulkElements& later, int element, int own) const 
 }
 
 std::optional<int> BulkElements::find(const EnrichedMesh& later, int element) const {
-    const auto found = element_of_id_.find(later.element_ids[at(element)]);
-    if (found == element_of_id_.end()) return std::nullopt;
+    const int id = later.element_ids[at(element)];
+    const auto found = std::ranges::lower_bound(mesh_.element_ids, id);
+    if (found == mesh_.element_ids.end() || *found != id) return std::nullopt;
+    const auto own = static_cast<int>(found - mesh_.element_ids.begin());
     for (std::size_t k = 0; k < 4; ++k) {
-        const int node = mesh_.elements[at(found->second)][k], later_node = later.elements[at(element)][k];
+        const int node = mesh_.elements[at(own)][k], later_node = later.elements[at(element)][k];
         if (mesh_.node_ids[at(node)] != later.node_ids[at(later_node)]) return std::nullopt;
     }
-    return found->second;
+    return own;
 }
 
 // While a tip stands in the element nothing jumps there yet, and the weights stay.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -78,7 +77,6 @@ private:
     std::vector<int> piece_;  // per element: the piece of a crack inside it, -1: none
     std::vector<ElementOperator> operators_;
     std::vector<Eigen::MatrixXd> stiffness_;
-    std::map<int, int> element_of_id_;
     std::vector<int> was_;
 };
 
