@@ -40,6 +40,7 @@ struct WorkCounts {
     std::int64_t structure_factors_kept = 0;        // new geometries that took the factor as it was
     std::int64_t far_factorisations = 0;            // far elements condensed onto their rim
     std::int64_t middle_factorisations = 0;         // likewise those between them and the core
+    std::int64_t behind_factorisations = 0;         // likewise those behind the tips, for nominal solutions
     std::int64_t structure_elements_assembled = 0;  // in all of these, and for nominal solutions
     std::int64_t structure_checks_full = 0;         // far elements looked at one by one for yield
     std::int64_t structure_checks_by_bound = 0;
@@ -84,6 +85,7 @@ inline constexpr std::array named_work_counts{
     NamedWorkCount{"structure_factors_kept", &WorkCounts::structure_factors_kept},
     NamedWorkCount{"far_factorisations", &WorkCounts::far_factorisations},
     NamedWorkCount{"middle_factorisations", &WorkCounts::middle_factorisations},
+    NamedWorkCount{"behind_factorisations", &WorkCounts::behind_factorisations},
     NamedWorkCount{"structure_elements_assembled", &WorkCounts::structure_elements_assembled},
     NamedWorkCount{"structure_checks_full", &WorkCounts::structure_checks_full},
     NamedWorkCount{"structure_checks_by_bound", &WorkCounts::structure_checks_by_bound},

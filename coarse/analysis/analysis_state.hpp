@@ -56,14 +56,15 @@ struct AnalysisState {
     struct Polyline {
         std::vector<double> x, y;  // mm, one value per point
     };
-    std::vector<Polyline> cracks;  // one per crack of the case
-    MeshSplits splits;             // of the mesh of the start, that it followed the tips with
-    ElementSet settled;            // elements that are split no more
-    ElementSet in_zone;            // elements inside the zone
-    StillElements still;           // of the structure; the choice shows in the last bits
-    Eigen::VectorXd displacement;  // of all unknowns of the mesh, mm; zero inside the zone
-    double load_factor = 0.0;      // committed
-    double largest_force = 0.0;    // largest scale of a residual up to now, N/mm
+    std::vector<Polyline> cracks;    // one per crack of the case
+    MeshSplits splits;               // of the mesh of the start, that it followed the tips with
+    ElementSet settled;              // elements that are split no more
+    ElementSet in_zone;              // elements inside the zone
+    StillElements still;             // of the structure; the choice shows in the last bits
+    StillElements still_of_nominal;  // likewise of the nominal solution's body
+    Eigen::VectorXd displacement;    // of all unknowns of the mesh, mm; zero inside the zone
+    double load_factor = 0.0;        // committed
+    double largest_force = 0.0;      // largest scale of a residual up to now, N/mm
     ClosureMemory closure;
     CycleMemory cycle;                    // of the present cycle
     std::vector<CycleResult> last_cycle;  // one per tip, of the last cycle that ended

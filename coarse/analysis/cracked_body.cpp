@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "coarse/load/load_scale.hpp"
+#include "coarse/structure/structure_chain.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/enrichment/same_functions.hpp"
 #include "common/error.hpp"
 #include "common/integration/parts_of_elements.hpp"
 #include "common/stopwatch.hpp"
@@ -36,6 +38,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
     if (!scene.free_motions.text.empty()) note_(scene.free_motions.text);
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
         still_.far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
+        still_of_nominal_ = still_;
         structure_ = take_nominal_of(scene);
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
@@ -63,6 +66,7 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
     require(std::ssize(state.displacement) == scene_->enriched.unknowns &&
                 state.in_zone.size() == std::ssize(scene_->mesh.elements),
             "a state is of the mesh of its scene");
+    still_of_nominal_ = state.still_of_nominal;
     nominal_ = state.nominal;
     unit_displacement_ = state.unit_displacement;
     if (!nominal_.empty()) find_largest_K_I();
@@ -74,6 +78,7 @@ void CrackedBody::write(AnalysisState& state) const {
     state.settled = settled_;
     state.in_zone = in_zone_;
     state.still = still_;
+    state.still_of_nominal = still_of_nominal_;
     state.nominal = nominal_;
     state.unit_displacement = unit_displacement_;
 }
@@ -89,11 +94,6 @@ double CrackedBody::load_scale() const {
 
 bool CrackedBody::knows_far_part() const { return factors_.far && factors_.far->is_of(still_.far, nullptr); }
 
-bool CrackedBody::knows_middle_part() const {
-    return factors_.middle && factors_.middle->is_of(still_.middle, factors_.far.get()) &&
-           (knows_far_part() || still_.far.none());
-}
-
 bool CrackedBody::serves(const ElementSet& in_zone) const {
     return structure_ && &structure_->scene() == scene_ && structure_->in_zone() == in_zone;
 }
@@ -105,43 +105,34 @@ void CrackedBody::condense_onto(const ElementSet& in_zone, const StillElements* 
     if (!serves(in_zone)) {  // else the nominal one does
         still_ = still != nullptr ? *still : still_elements(*scene_, in_zone, still_);
         note_if_large("condensing the structure onto the zone's boundary");
-        structure_ = condense(*scene_, in_zone);
+        auto behind = std::exchange(factors_.behind, nullptr);  // of the nominal body
+        if (!lies_behind_middle()) behind.reset();              // it holds the parts that it lies on
+        structure_ = condense(*scene_, in_zone, still_);
+        factors_.behind = std::move(behind);
     }
     coupling::WorkCounts& work = effort_.work;
     ++(core && factors_.core == core ? work.structure_factors_kept : work.structure_factorisations);
 }
 
-// Structures one after another, each with what serves of the last one's factors.
-std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const ElementSet& in_zone) {
+std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const ElementSet& in_zone,
+                                                 const StillElements& still) {
     const Stopwatch watch(effort_.condensing_s);
-    const bool knows_far = knows_far_part(), knows_middle = knows_middle_part();
-    auto structure = std::make_unique<Structure>(scene, in_zone, still_, std::exchange(factors_, {}));
-    factors_ = structure->factors();
-    coupling::WorkCounts& work = effort_.work;
-    work.structure_elements_assembled += std::ssize(structure->elements().core());
-    if (!knows_far && factors_.far) {
-        ++work.far_factorisations;
-        work.structure_elements_assembled += still_.far.count();
-    }
-    if (!knows_middle && factors_.middle) {
-        ++work.middle_factorisations;
-        work.structure_elements_assembled += still_.middle.count();
-    }
-    return structure;
+    return stria::coarse::condense(scene, in_zone, still, factors_, effort_.work);
 }
 
 // K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
 // the structure, it condenses what is near or in the zone.
 std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     const bool known = knows_far_part();
-    NominalSolution nominal = nominal_serves(scene) ? with_tips_moved(scene, still_, std::move(nominal_fields_->fields))
-                                                    : nominal_solution(scene, known);
+    NominalSolution nominal = nominal_serves(scene)
+                                  ? with_tips_moved(scene, still_of_nominal_, std::move(nominal_fields_->fields))
+                                  : nominal_solution(scene, known);
     nominal_ = nominal.tips;
     unit_displacement_ = unit_displacement(nominal.fields);
     find_largest_K_I();
     nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
     nominal_fields_.reset();
-    if (known) nominal_fields_ = {std::move(nominal.fields), still_};
+    if (known) nominal_fields_ = {std::move(nominal.fields), still_of_nominal_};
     return std::move(nominal.structure);
 }
 
@@ -156,14 +147,14 @@ void CrackedBody::find_largest_K_I() {
 NominalSolution CrackedBody::nominal_solution(const Scene& scene, bool far_known) {
     note_if_large("elastic solution of the whole body");
     auto core = std::exchange(factors_.core, nullptr);
-    auto body = condense(scene, ElementSet(scene.mesh.elements.size()));
+    auto body = condense(scene, ElementSet(scene.mesh.elements.size()), still_of_nominal_);
     factors_.core = std::move(core);  // of the structure
     return far_known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
 }
 
 // While a tip moves on inside its element nothing else changes: the body does what it did.
 bool CrackedBody::nominal_serves(const Scene& scene) const {
-    return has_zone() && nominal_fields_ && nominal_fields_->still == still_ &&
+    return has_zone() && nominal_fields_ && nominal_fields_->still == still_of_nominal_ &&
            same_but_for_tips(scene_->enriched, scene.enriched);
 }
 
@@ -199,24 +190,28 @@ std::unique_ptr<FinerScene> CrackedBody::finer(const std::vector<RefinedDisk>& d
 }
 
 // At nodes that structure and zone share it is the structure that knows the displacement.
-void CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd& displacement) {
+CrackedBody::Outgrown CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd& displacement) {
     const EnrichedMesh &before = scene_->enriched, &now = finer.scene.enriched;
     std::vector<int> of_zone = finer.part_of, of_structure = finer.part_of;
     for (int e = 0; e < std::ssize(finer.part_of); ++e) {
         const int whole = finer.part_of[at(e)];
         if (whole >= 0) (in_zone_.contains(whole) ? of_structure : of_zone)[at(e)] = -1;
     }
+    keep_behind(now);
     Eigen::VectorXd inside = on_parts(before, displacement, now, of_zone, Eigen::VectorXd::Zero(now.unknowns));
     displacement =
         carry_over(before, displacement, now, on_parts(before, displacement, now, of_structure, std::move(inside)));
-    for (ElementSet* set : {&in_zone_, &settled_, &still_.far, &still_.middle}) set->widen(now.elements.size());
+    for (ElementSet* set : {&in_zone_, &settled_}) set->widen(now.elements.size());
+    for (StillElements* still : {&still_, &still_of_nominal_})
+        for (ElementSet* set : {&still->far, &still->middle, &still->behind})
+            if (set->size() > 0) set->widen(now.elements.size());
     for (int e = 0; e < std::ssize(finer.part_of); ++e)
         if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // still_elements() sees that it moves
-    structure_.reset();
     nominal_fields_.reset();
     splits_.insert(splits_.end(), finer.splits.begin(), finer.splits.end());
-    grown_ = std::make_unique<Scene>(std::move(finer.scene));
+    Outgrown outgrown{std::exchange(grown_, std::make_unique<Scene>(std::move(finer.scene))), std::move(structure_)};
     scene_ = grown_.get();
+    return outgrown;
 }
 
 void CrackedBody::note_flow(const std::vector<std::int32_t>& yielding_points) {
@@ -243,10 +238,36 @@ ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_l
 
 ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet at_least) {
     still_ = still_elements(longer, at_least, still_);
+    choose_behind(longer);
     std::unique_ptr<Structure> body = take_nominal_of(longer);
     if (!has_zone()) structure_ = std::move(body);
     at_least |= select_zone(longer, largest_K_I_);
     return at_least;
+}
+
+// Without a zone the nominal body is the structure, which has none.
+void CrackedBody::choose_behind(const Scene& longer) {
+    keep_behind(longer.enriched);
+    if (!has_zone() || !lies_behind_middle()) still_of_nominal_ = still_;
+    // To look for what of so few elements may serve for longer costs as much as to factor them.
+    const int few = longer.input.fine.refine > 1 ? 700 : 300;
+    const auto others = std::ssize(longer.mesh.elements) - still_.far.count() - still_.middle.count();
+    if (!has_zone() || !still_of_nominal_.behind.none() || others < few) return;
+    const ElementSet soon = elements_to_split_soon(longer, largest_K_I_, whole_elements());
+    still_of_nominal_.behind = elements_behind(longer, still_, soon);
+}
+
+// As long as none of its functions changes.
+void CrackedBody::keep_behind(const EnrichedMesh& on) {
+    ElementSet& behind = still_of_nominal_.behind;
+    if (!behind.none() && same_functions(scene_->enriched, on, behind)) return;
+    behind = {};
+    factors_.behind.reset();
+}
+
+// What is behind lies on the parts that the structure lies on.
+bool CrackedBody::lies_behind_middle() const {
+    return still_of_nominal_.far == still_.far && still_of_nominal_.middle == still_.middle;
 }
 
 std::unique_ptr<Scene> CrackedBody::keeping_functions(const Scene& longer) const {

@@ -45,9 +45,14 @@ public:
     /// The same where elements that would flow are larger than a small share of their distance from the tips.
     [[nodiscard]] std::unique_ptr<FinerScene> finer_about_flow(const std::vector<int>& flowing) const;
 
+    /// What take_finer() has turned from.
+    struct Outgrown {
+        std::unique_ptr<Scene> scene;  // null: that of the start
+        std::unique_ptr<Structure> structure;
+    };
     /// Turns to it. The displacement of the present mesh, mm, becomes that of the new one, the same field. What has
     /// been split joins the zone. There is no structure until take() or condense_onto().
-    void take_finer(FinerScene finer, Eigen::VectorXd& displacement);
+    Outgrown take_finer(FinerScene finer, Eigen::VectorXd& displacement);
 
     /// Metal has flowed in an increment: points per element of the zone, ascending.
     void note_flow(const std::vector<std::int32_t>& yielding_points);
@@ -79,10 +84,13 @@ private:
     [[nodiscard]] std::unique_ptr<FinerScene> finer(const std::vector<RefinedDisk>& disks,
                                                     const ElementSet& whole) const;
     [[nodiscard]] bool knows_far_part() const;
-    [[nodiscard]] bool knows_middle_part() const;
     [[nodiscard]] bool serves(const ElementSet& in_zone) const;
     [[nodiscard]] double grown() const;
-    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone);
+    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone,
+                                                      const StillElements& still);
+    void choose_behind(const Scene& longer);
+    [[nodiscard]] bool lies_behind_middle() const;
+    void keep_behind(const EnrichedMesh& on);
     [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene);
     [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known);
     [[nodiscard]] bool nominal_serves(const Scene& scene) const;
@@ -95,9 +103,9 @@ private:
     CoarseEffort& effort_;
     const Note& note_;
     ElementSet in_zone_;
-    StillElements still_;  // near_elements.hpp
-    ElementSet settled_;   // metal has flowed there, or a tip has left its functions
-    MeshSplits splits_;    // of the mesh of the start
+    StillElements still_, still_of_nominal_;  // near_elements.hpp
+    ElementSet settled_;                      // metal has flowed there, or a tip has left its functions
+    MeshSplits splits_;                       // of the mesh of the start
     StructureFactors factors_;
     std::unique_ptr<Structure> structure_;
     std::vector<TipResult> nominal_;

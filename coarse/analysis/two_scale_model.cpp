@@ -156,9 +156,9 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     refresh_displacement();
     const EnrichedMesh& after = grown.longer->enriched;
     const bool kept = factory_.keeps_increments() && TipMoves::between(body_.scene().enriched, after).has_value();
-    std::optional<CarriedIncrements> increments;
-    if (kept && grown.finer) increments.emplace(body_.structure(), equilibrium_->state(), after, NextGamma::Anywhere);
-    if (grown.finer) split_elements(std::move(*grown.finer));
+    const EquilibriumState known = kept ? equilibrium_->state() : EquilibriumState();
+    CrackedBody::Outgrown outgrown;
+    if (grown.finer) outgrown = split_elements(std::move(*grown.finer));
     const ElementSet changed = body_.zone_with_changes(*grown.longer);
     if (changed != body_.in_zone()) factory_.extend_zone(patch_of(body_.scene(), changed, displacement_));
     std::unique_ptr<Scene> keeping = body_.keeping_functions(*grown.longer);
@@ -171,8 +171,10 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     else
         work_.released = std::numeric_limits<double>::quiet_NaN();
     const ElementSet in_zone = body_.zone_about(*grown.longer, expected);
-    if (kept && !increments)
-        increments.emplace(body_.structure(), equilibrium_->state(), after, gamma_about(in_zone, body_.structure()));
+    const Structure& before = outgrown.structure ? *outgrown.structure : body_.structure();
+    std::optional<CarriedIncrements> increments;
+    if (kept) increments.emplace(before, known, after, gamma_about(in_zone, before));
+    outgrown = {};
     displacement_ = std::move(carried);
     body_.take(std::move(grown.longer), std::move(keeping));
     if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
@@ -182,13 +184,14 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
 }
 
 // Each field goes on as it is; what the smaller elements do to equilibrium shows with the release of the new faces.
-void TwoScaleModel::split_elements(FinerScene finer) {
+CrackedBody::Outgrown TwoScaleModel::split_elements(FinerScene finer) {
     const std::vector<int> part_of = finer.part_of;
-    body_.take_finer(std::move(finer), displacement_);
+    CrackedBody::Outgrown outgrown = body_.take_finer(std::move(finer), displacement_);
     coupling::Patch patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
     for (const int e : patch.mesh.element_ids) patch.part_of.push_back(part_of[at(e)]);
     factory_.extend_zone(patch);
     ++effort_.counts.mesh_splits;
+    return outgrown;
 }
 
 // Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.

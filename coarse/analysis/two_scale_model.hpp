@@ -57,7 +57,7 @@ private:
     [[nodiscard]] static bool is_read(const OutputSection& output, const LoadStep& step);
     void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
-    void split_elements(FinerScene finer);
+    CrackedBody::Outgrown split_elements(FinerScene finer);
     void refresh_displacement();
     [[nodiscard]] coupling::Patch patch_of(const Scene& scene, const ElementSet& in_zone,
                                            const Eigen::VectorXd& displacement) const;

@@ -11,9 +11,9 @@
 namespace stria::coarse {
 namespace {
 
-NodeSet nodes_of_zone(const EnrichedMesh& mesh, const ElementSet& in_zone) {
+NodeSet nodes_of(const EnrichedMesh& mesh, const ElementSet& elements) {
     NodeSet nodes(mesh.nodes.size());
-    for (const int element : in_zone.members())
+    for (const int element : elements.members())
         for (const int node : mesh.elements[at(element)]) nodes.insert(node);
     return nodes;
 }
@@ -93,7 +93,7 @@ ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const 
                            const ElementSet& known) {
     if (!scene.input.growth) return {};
     const EnrichedMesh& mesh = scene.enriched;
-    const NodeSet nodes = nodes_of_zone(mesh, in_zone);
+    const NodeSet nodes = nodes_of(mesh, in_zone);
     const ElementSet may = plain_beside(mesh, in_zone, far, nodes);
     if (known.size() == in_zone.size() && !known.none() && known.is_subset_of(may)) return known;
     for (const int steps : {10, 5, 2}) {
@@ -107,6 +107,43 @@ ElementSet middle_elements(const Scene& scene, const ElementSet& in_zone, const 
     return {};
 }
 
+/// Where functions change in so many steps of growth, and what is next to that.
+Neighbourhood about_way(const Scene& scene, int tip, int steps) {
+    constexpr double elements_beside = 4.0;
+    const double edge = tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
+    return {elements_beside * edge, steps * scene.input.growth->increment.value_or(edge)};
+}
+
+bool is_of_a_tip(const Term& term) { return term.kind != Term::Kind::Heaviside; }
+
+/// Nodes of elements that a split of these changes, and of those beside them: what hangs on an edge may become free.
+NodeSet nodes_about_splits(const EnrichedMesh& mesh, const ElementSet& split) {
+    const NodeSet corners = nodes_of(mesh, split);
+    NodeSet changing = corners;
+    for (const TiedNode& tie : mesh.tied)
+        if (std::ranges::any_of(tie.ends, [&](int end) { return corners.contains(end); })) changing.insert(tie.node);
+    NodeSet about(mesh.nodes.size());
+    if (changing.none()) return about;
+    for (const auto& nodes : mesh.elements)
+        if (std::ranges::any_of(nodes, [&](int node) { return changing.contains(node); }))
+            for (const int node : nodes) about.insert(node);
+    return about;
+}
+
+bool is_in(const ElementSet& set, int element) { return set.size() > 0 && set.contains(element); }
+
+/// Elements that are not still otherwise, have nothing to do with these nodes, and see no tip's functions.
+ElementSet others_without_tips(const EnrichedMesh& mesh, const StillElements& still, const NodeSet& nodes) {
+    ElementSet others(mesh.elements.size());
+    const auto changes = [&](int node) {
+        return nodes.contains(node) || std::ranges::any_of(mesh.terms[at(node)], is_of_a_tip);
+    };
+    for (int e = 0; e < others.size(); ++e)
+        if (!is_in(still.far, e) && !is_in(still.middle, e) && std::ranges::none_of(mesh.elements[at(e)], changes))
+            others.insert(e);
+    return others;
+}
+
 bool disjoint(const ElementSet& a, const ElementSet& b) {
     for (int e = 0; e < a.size(); ++e)
         if (a.contains(e) && b.contains(e)) return false;
@@ -117,7 +154,7 @@ bool disjoint(const ElementSet& a, const ElementSet& b) {
 
 ElementSet near_elements(const Scene& scene, const ElementSet& in_zone) {
     const EnrichedMesh& mesh = scene.enriched;
-    NodeSet nodes = nodes_of_zone(mesh, in_zone);
+    NodeSet nodes = nodes_of(mesh, in_zone);
     for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, {largest_ring(scene, t), 0.0}, nodes);
     return near_about(mesh, in_zone, nodes);
 }
@@ -126,7 +163,7 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
     const EnrichedMesh& mesh = scene.enriched;
     if (known.size() == in_zone.size() && disjoint(known, in_zone) && disjoint(known, near_elements(scene, in_zone)))
         return known;
-    const NodeSet of_zone = nodes_of_zone(mesh, in_zone);
+    const NodeSet of_zone = nodes_of(mesh, in_zone);
     NodeSet nodes = of_zone;
     for (int t = 0; t < std::ssize(mesh.tips); ++t) add_neighbourhood(mesh, t, with_room(scene, t, of_zone), nodes);
     ElementSet close = near_about(mesh, in_zone, nodes);
@@ -138,6 +175,21 @@ StillElements still_elements(const Scene& scene, const ElementSet& in_zone, cons
     StillElements still{.far = far_elements(scene, in_zone, known.far), .middle = {}};
     still.middle = middle_elements(scene, in_zone, still.far, still.far == known.far ? known.middle : ElementSet());
     return still;
+}
+
+ElementSet elements_behind(const Scene& scene, const StillElements& still, const ElementSet& soon) {
+    const EnrichedMesh& mesh = scene.enriched;
+    if (!scene.input.growth || !mesh.left_tips.empty()) return {};
+    const NodeSet of_splits = nodes_about_splits(mesh, soon);
+    for (const int steps : {10, 5, 2}) {
+        NodeSet changing = of_splits;
+        for (int t = 0; t < std::ssize(mesh.tips); ++t)
+            add_neighbourhood(mesh, t, about_way(scene, t, steps), changing);
+        const ElementSet behind = others_without_tips(mesh, still, changing);
+        const int core = behind.size() - still.far.count() - still.middle.count() - behind.count();
+        if (behind.count() > 2 * core) return behind;
+    }
+    return {};
 }
 
 }  // namespace stria::coarse

@@ -23,4 +23,9 @@ ElementSet far_elements(const Scene& scene, const ElementSet& in_zone, const Ele
 /// its functions, or it touches the zone. Otherwise they are chosen anew, with room ahead of the tips.
 StillElements still_elements(const Scene& scene, const ElementSet& in_zone, const StillElements& known = {});
 
+/// Which elements are behind, of the whole body without a zone: where cracks grow, all that is neither far nor in the
+/// middle and lies away from the tips, the wakes with their jumps included. They serve until one of their functions
+/// changes. `soon`: elements that the next steps of growth will split.
+ElementSet elements_behind(const Scene& scene, const StillElements& still, const ElementSet& soon);
+
 }  // namespace stria::coarse

@@ -1,7 +1,5 @@
 #include "coarse/fracture/ring_forms.hpp"
 
-#include <algorithm>
-
 #include "coarse/model/rings.hpp"
 #include "common/index.hpp"
 
@@ -14,7 +12,8 @@ void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic,
                  Values& local) {
     op.add_force(elastic * weights.stress, q, local);
     const auto& gradients = op.gradients[q];
-    local.reshaped(2, gradients.rows()) += op.points[q].weight * weights.gradient * gradients.transpose();
+    const Eigen::Matrix2d weighted = op.points[q].weight * weights.gradient;
+    local.reshaped(2, gradients.rows()) += weighted * gradients.transpose();
 }
 
 RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings, const std::vector<int>& among,
@@ -27,56 +26,62 @@ RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rin
 
 RingForms::RingForms(const CoarseElements& elements, int tip, Asked asked)
     : tip_(tip), asked_(asked), rings_(rings_about(elements.scene(), tip)) {
-    if (asked_ == Asked::Once) return;
-    weigh_points(elements);
-    weigh_unknowns(elements);
+    if (asked_ == Asked::InEachIncrement) weigh(elements);
 }
 
-void RingForms::weigh_points(const CoarseElements& elements) {
+void RingForms::weigh(const CoarseElements& elements) {
     RingSums geometry = sums_about(elements.scene(), tip_, rings_, elements.near());
     elements_ = geometry.elements();
-    elements.for_each(elements_, [&](const auto& op) {
-        geometry.enter(op.element);
-        unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
-        std::vector<int> entered;
-        for (const IntegrationPoint& point : op.points) {
-            entered.clear();
-            geometry.for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
-                entered.push_back(static_cast<int>(ring));
-                weights_.emplace_back(point.weight * dq);
-            });
-        }
-        entered_.append(entered);
-    });
-    std::ranges::sort(unknowns_);
-    unknowns_.erase(std::ranges::unique(unknowns_).begin(), unknowns_.end());
-}
-
-void RingForms::weigh_unknowns(const CoarseElements& elements) {
-    const Scene& scene = elements.scene();
-    const Tip& about = scene.enriched.tips[at(tip_)];
-    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
-    RingSums geometry = sums_about(scene, tip_, rings_, elements_);
-    std::vector<int> place(at(scene.enriched.unknowns), -1);  // in unknowns_
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) place[at(unknowns_[k])] = static_cast<int>(k);
+    const std::vector<int> place = number_unknowns(elements);
     interactions_ = Eigen::MatrixXd::Zero(3 * std::ssize(rings_), std::ssize(unknowns_));
     elements.for_each(elements_, [&](const auto& op) {
-        using Values = typename std::decay_t<decltype(op)>::Values;
         geometry.enter(op.element);
-        std::vector<Values> local(3 * rings_.size(), Values::Zero(std::ssize(op.unknowns)));
-        for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const std::array<TipField, 3> fields = geometry.auxiliary(op.points[q]);
-            geometry.for_each_ring(op.points[q], [&](std::size_t ring, const Vec2& dq) {
-                for (std::size_t mode = 0; mode < 3; ++mode)
-                    add_adjoint(op, q, elastic, mutual_weights(about, fields[mode], dq), local[3 * ring + mode]);
-            });
-        }
-        for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
-            auto sums = interactions_.col(place[at(op.unknowns[i])]);
-            for (std::size_t row = 0; row < local.size(); ++row)
-                sums[static_cast<Eigen::Index>(row)] += local[row][static_cast<Eigen::Index>(i)];
-        }
+        add_element(op, geometry, elements.scene(), place);
     });
+}
+
+/// Of each unknown of the whole mesh its place in unknowns_, -1: none.
+std::vector<int> RingForms::number_unknowns(const CoarseElements& elements) {
+    UnknownSet seen(elements.scene().enriched.unknowns);
+    elements.for_each_unknowns(elements_, [&](int, std::span<const int> unknowns) {
+        for (const int unknown : unknowns) seen.insert(unknown);
+    });
+    unknowns_ = seen.members();
+    std::vector<int> place(at(seen.size()), -1);
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) place[at(unknowns_[k])] = static_cast<int>(k);
+    return place;
+}
+
+/// `geometry` has entered the element.
+template <class Operator>
+void RingForms::add_element(const Operator& op, const RingSums& geometry, const Scene& scene,
+                            const std::vector<int>& place) {
+    const Tip& about = scene.enriched.tips[at(tip_)];
+    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
+    std::vector<int> entered;
+    std::array<std::array<typename Operator::Values, 3>, most_rings> local;
+    for (const IntegrationPoint& point : op.points) {
+        const std::size_t q = at(&point - op.points.data());
+        const std::array<TipField, 3> fields = geometry.auxiliary(point);
+        std::size_t k = 0;
+        geometry.for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
+            weights_.emplace_back(point.weight * dq);
+            if (q == 0) {
+                entered.push_back(static_cast<int>(ring));
+                local[k].fill(Operator::Values::Zero(std::ssize(op.unknowns)));
+            }
+            for (std::size_t mode = 0; mode < 3; ++mode)
+                add_adjoint(op, q, elastic, mutual_weights(about, fields[mode], dq), local[k][mode]);
+            ++k;
+        });
+    }
+    entered_.append(entered);
+    for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
+        auto sums = interactions_.col(place[at(op.unknowns[i])]);
+        for (std::size_t k = 0; k < entered.size(); ++k)
+            for (std::size_t mode = 0; mode < 3; ++mode)
+                sums[3 * entered[k] + static_cast<Eigen::Index>(mode)] += local[k][mode][static_cast<Eigen::Index>(i)];
+    }
 }
 
 std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
@@ -130,6 +135,7 @@ std::vector<DomainIntegral> RingForms::summed_up(const CoarseElements& elements,
                 sums.add_initial(op.points[q], stress,
                                  scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
         }
+        sums.forget_points();
     });
     return {sums.values().begin(), sums.values().end()};
 }

@@ -27,8 +27,10 @@ public:
                                                                          const Eigen::VectorXd& u) const;
 
 private:
-    void weigh_points(const CoarseElements& elements);
-    void weigh_unknowns(const CoarseElements& elements);
+    void weigh(const CoarseElements& elements);
+    [[nodiscard]] std::vector<int> number_unknowns(const CoarseElements& elements);
+    template <class Operator>
+    void add_element(const Operator& op, const RingSums& geometry, const Scene& scene, const std::vector<int>& place);
     [[nodiscard]] std::vector<DomainIntegral> summed_up(const CoarseElements& elements, const Eigen::VectorXd& u,
                                                         bool with_initial_stress) const;
 

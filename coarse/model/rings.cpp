@@ -11,8 +11,8 @@ namespace stria::coarse {
 namespace {
 
 /// Over the outer radius of the largest ring. The second is there for plastic zones that reach into the first.
-constexpr std::array family{Annulus{0.5, 1.0}, Annulus{0.75, 1.0}, Annulus{0.35, 0.7}, Annulus{0.25, 0.5},
-                            Annulus{0.175, 0.35}};
+constexpr std::array<Annulus, most_rings> family{Annulus{0.5, 1.0}, Annulus{0.75, 1.0}, Annulus{0.35, 0.7},
+                                                 Annulus{0.25, 0.5}, Annulus{0.175, 0.35}};
 constexpr double elements_across = 2.0;
 
 /// Longest element edge with an end inside each ring, mm; zero where there is none.

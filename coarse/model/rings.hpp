@@ -8,6 +8,8 @@
 
 namespace stria::coarse {
 
+inline constexpr std::size_t most_rings = 5;
+
 /// Outer radius of the largest ring around a tip: within its reach, off forces, and inside the tip's material.
 double largest_ring(const Scene& scene, int tip);
 

@@ -206,15 +206,16 @@ void members(auto& archive, Is<UnitDisplacement> auto& m) {
 }
 
 void members(auto& archive, Is<StillElements> auto& m) {
-    auto& [far, middle] = m;
+    auto& [far, middle, behind] = m;
     archive("far", far);
     archive("middle", middle);
+    archive("behind", behind);
 }
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
-    auto& [cracks, splits, settled, in_zone, still, displacement, load_factor, largest_force, closure, cycle,
-           last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, uncounted_growth, due_growth,
-           release, load, work, equilibrium, zone] = m;
+    auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
+           cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, uncounted_growth,
+           due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -222,6 +223,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("settled", settled);
     archive("in_zone", in_zone);
     archive("still", still);
+    archive("still_of_nominal", still_of_nominal);
     archive("displacement", displacement);
     archive("load_factor", load_factor);
     archive("largest_force", largest_force);

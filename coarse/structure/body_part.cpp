@@ -4,10 +4,8 @@
 #include <numeric>
 #include <utility>
 
-#include "coarse/elements/coarse_elements.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
-#include "common/integration/plain_operator.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 #include "common/stopwatch.hpp"
 #include "common/substructure/nested_dissection.hpp"
@@ -17,12 +15,13 @@ namespace stria::coarse {
 BodyPart::BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<const BodyPart> below,
                    StructureSeconds& seconds)
     : elements_(std::move(elements)), below_(std::move(below)) {
+    const SceneElements all(scene);
     IndexLists of_elements;
     {
         const Stopwatch watch(seconds.ordering);
-        of_elements = order_elimination(scene);
+        of_elements = order_elimination(all);
     }
-    SparseMatrix lower = assemble(scene, of_elements, seconds);
+    SparseMatrix lower = assemble(all, of_elements, seconds);
     const Stopwatch watch(seconds.factor);
     auto own = std::make_shared<const SparseLeaf>(static_cast<int>(rim_.size()), std::move(lower), Answers::Remembered);
     factor_entries_ = own->factor_entries();
@@ -31,52 +30,52 @@ BodyPart::BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<cons
     leaf_ = std::make_unique<const StackedLeaf>(below_, std::move(places), std::move(own));
 }
 
-SparseMatrix BodyPart::assemble(const Scene& scene, const IndexLists& of_elements, StructureSeconds& seconds) const {
+SparseMatrix BodyPart::assemble(const SceneElements& all, const IndexLists& of_elements,
+                                StructureSeconds& seconds) const {
     const Stopwatch watch(seconds.assembly);
     SparseMatrix lower = lower_pattern(of_elements, static_cast<int>(inner_.size() + rim_.size()));
     std::size_t k = 0;
-    for (int e = 0; e < elements_.size(); ++e)
-        if (elements_.contains(e))
-            add_to_lower(lower, of_elements[k++], plain_operator(scene, e).stiffness(scene.stiffness(e)));
+    for (const int e : elements_.members())
+        all.visit_operator(
+            e, [&](const auto& op) { add_to_lower(lower, of_elements[k++], op.stiffness(all.scene().stiffness(e))); });
     if (below_) add_to_lower(lower, of_elements[k], below_->tangent());
     return lower;
 }
 
 /// Of each unknown of the mesh, ascending; -1 where the part does not see it, or it is prescribed.
-std::vector<int> BodyPart::number(const Scene& scene) {
-    const EnrichedMesh& mesh = scene.enriched;
-    NodeSet by_own(mesh.nodes.size()), by_others = by_own;
-    UnknownSet prescribed(mesh.unknowns);
-    for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
+std::vector<int> BodyPart::number(const SceneElements& all) {
+    const EnrichedMesh& mesh = all.scene().enriched;
+    UnknownSet own(mesh.unknowns), by_others = own;
     for (int e = 0; e < elements_.size(); ++e) {
-        if (below_ && below_->contains(e)) continue;
-        for (const int node : mesh.elements[at(e)]) (elements_.contains(e) ? by_own : by_others).insert(node);
+        if (below_ && below_->holds(e)) continue;
+        UnknownSet& seen = elements_.contains(e) ? own : by_others;
+        all.visit_unknowns(e, [&](std::span<const int> unknowns) {
+            for (const int unknown : unknowns) seen.insert(unknown);
+        });
     }
     if (below_)
-        for (const auto& [node, component] : below_->rim_) by_own.insert(node);
-    for (int node = 0; node < std::ssize(mesh.nodes); ++node) {
-        if (!by_own.contains(node)) continue;
-        for (const int component : {0, 1}) {
-            if (prescribed.contains(mesh.unknown(node, 0, component))) continue;
-            (by_others.contains(node) ? rim_ : inner_).push_back({node, component});
-        }
-    }
+        for (const int unknown : below_->rim(mesh)) own.insert(unknown);
+    for (const PrescribedUnknown& p : all.scene().prescribed) own.erase(p.unknown);
+    for (const auto& [node, term, first] : mesh.own_unknowns())
+        for (const int component : {0, 1})
+            if (own.contains(first + component))
+                (by_others.contains(first + component) ? rim_ : inner_).push_back({node, term, component});
     std::vector<int> place(at(mesh.unknowns), -1);
     int next = 0;
     for (const std::vector<Place>* part : {&inner_, &rim_})
-        for (const auto& [node, component] : *part) place[at(mesh.unknown(node, 0, component))] = next++;
+        for (const int unknown : unknowns_of(mesh, *part)) place[at(unknown)] = next++;
     return place;
 }
 
 /// Renumbers the inner unknowns; returns the unknowns of the elements, and as one list more those of the rim below,
 /// with their new numbers.
-IndexLists BodyPart::order_elimination(const Scene& scene) {
-    const EnrichedMesh& mesh = scene.enriched;
-    const std::vector<int> place = number(scene);
+IndexLists BodyPart::order_elimination(const SceneElements& all) {
+    const EnrichedMesh& mesh = all.scene().enriched;
+    const std::vector<int> place = number(all);
     IndexLists of_elements;
     std::vector<Vec2> centres;
     for (const int e : elements_.members()) {
-        of_elements.append(plain_unknowns(mesh, e));
+        all.visit_unknowns(e, [&](std::span<const int> unknowns) { of_elements.append(unknowns); });
         centres.push_back(centre(mesh, e));
     }
     std::vector<char> late;
@@ -105,7 +104,7 @@ IndexLists BodyPart::order_elimination(const Scene& scene) {
 std::vector<int> BodyPart::unknowns_of(const EnrichedMesh& mesh, const std::vector<Place>& places) {
     std::vector<int> unknowns;
     unknowns.reserve(places.size());
-    for (const auto& [node, component] : places) unknowns.push_back(mesh.unknown(node, 0, component));
+    for (const auto& [node, term, component] : places) unknowns.push_back(mesh.unknown(node, term, component));
     return unknowns;
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "coarse/model/scene.hpp"
+#include "coarse/elements/scene_elements.hpp"
 #include "common/index_lists.hpp"
 #include "common/index_set.hpp"
 #include "common/substructure/stacked_leaf.hpp"
@@ -24,18 +24,20 @@ struct StructureSeconds {
 /// same bits.
 class BodyPart : public Substructure {
 public:
-    /// `elements`: all of them are plain. `below`: the part that it lies on, which has other elements; may be null.
+    /// `elements`: of no tip's functions. `below`: the part that it lies on, which has other elements; may be null.
     BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<const BodyPart> below, StructureSeconds& seconds);
 
     /// Its own elements are those, on its mesh or on one with others of its elements split, and it lies on that part.
     [[nodiscard]] bool is_of(const ElementSet& elements, const BodyPart* below) const {
         return below_.get() == below && elements_.members() == elements.members();
     }
-    /// Of its own elements.
+    /// Of its own elements, and of these or those of the parts below.
     [[nodiscard]] bool contains(int element) const { return element < elements_.size() && elements_.contains(element); }
 
+    [[nodiscard]] bool holds(int element) const { return contains(element) || (below_ && below_->holds(element)); }
+
     /// Unknowns of the mesh in the order of elimination: those that only its own elements and the part below see, and
-    /// those of the rim, which ascend. All are standard unknowns, and none is prescribed.
+    /// those of the rim, which ascend. None is prescribed. On a mesh on which the elements have the same functions.
     [[nodiscard]] std::vector<int> inner(const EnrichedMesh& mesh) const { return unknowns_of(mesh, inner_); }
     [[nodiscard]] std::vector<int> rim(const EnrichedMesh& mesh) const { return unknowns_of(mesh, rim_); }
     /// How many unknowns inner() has.
@@ -51,18 +53,20 @@ public:
     [[nodiscard]] Eigen::VectorXd expand_own(const Eigen::VectorXd& load, const Eigen::VectorXd& rim) const {
         return leaf_->expand_above(load, rim);
     }
+    /// Of that answer, what lies on the rim of the part below.
+    [[nodiscard]] Eigen::VectorXd on_rim_below(const Eigen::VectorXd& own) const { return leaf_->on_rim(own); }
     /// Of its own factor.
     [[nodiscard]] double factor_entries() const { return factor_entries_; }
 
 private:
     struct Place {
-        int node, component;
+        int node, term, component;  // EnrichedMesh::unknown()
         bool operator==(const Place&) const = default;
     };
     [[nodiscard]] static std::vector<int> unknowns_of(const EnrichedMesh& mesh, const std::vector<Place>& places);
-    [[nodiscard]] std::vector<int> number(const Scene& scene);
-    [[nodiscard]] IndexLists order_elimination(const Scene& scene);
-    [[nodiscard]] SparseMatrix assemble(const Scene& scene, const IndexLists& of_elements,
+    [[nodiscard]] std::vector<int> number(const SceneElements& all);
+    [[nodiscard]] IndexLists order_elimination(const SceneElements& all);
+    [[nodiscard]] SparseMatrix assemble(const SceneElements& all, const IndexLists& of_elements,
                                         StructureSeconds& seconds) const;
 
     ElementSet elements_;

@@ -26,6 +26,7 @@ NodeSet nodes_that_may_share(const EnrichedMesh& mesh, const ElementSet& in_zone
 }  // namespace
 
 std::vector<int> gamma_of(const Scene& scene, const ElementSet& in_zone) {
+    if (in_zone.none()) return {};
     const EnrichedMesh& mesh = scene.enriched;
     UnknownSet coarse(mesh.unknowns), fine = coarse, prescribed = coarse;
     for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);

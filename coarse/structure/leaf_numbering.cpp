@@ -9,21 +9,21 @@
 
 namespace stria::coarse {
 
-LeafNumbering::LeafNumbering(const CoarseElements& elements, const BodyPart* far, const BodyPart* middle)
+LeafNumbering::LeafNumbering(const CoarseElements& elements, const Parts& parts)
     : gamma_(gamma_of(elements.scene(), elements.in_zone())), index_(at(elements.scene().enriched.unknowns), -1) {
     const Scene& scene = elements.scene();
     UnknownSet own(scene.enriched.unknowns), prescribed = own;
     for (const PrescribedUnknown& p : scene.prescribed) prescribed.insert(p.unknown);
-    elements.for_each_core_unknowns([&](int, std::span<const int> unknowns) {
+    elements.for_each_unknowns(elements.core(), [&](int, std::span<const int> unknowns) {
         for (const int unknown : unknowns) own.insert(unknown);
     });
     for (const int unknown : gamma_) own.erase(unknown);
-    for (const BodyPart* part : {far, middle}) {
+    for (const BodyPart* part : {parts.far, parts.middle, parts.behind}) {
         if (part == nullptr) continue;
         rim_below_ = part->rim(scene.enriched);
-        if (part == far) rim_ = rim_below_;
         for (const int unknown : part->inner(scene.enriched)) number(unknown);
-        if (part == far) far_count_ = size();
+        if (part == parts.far) rim_ = rim_below_, far_count_ = size();
+        if (part == parts.middle) middle_count_ = size() - far_count_;
     }
     below_count_ = size();
     for (const int unknown : rim_below_) own.insert(unknown);
@@ -54,7 +54,7 @@ std::vector<int> LeafNumbering::places_of_rim_below() const {
 IndexLists LeafNumbering::order_elimination(const CoarseElements& elements) {
     IndexLists of_elements;
     std::vector<Vec2> centres;
-    elements.for_each_core_unknowns([&](int element, std::span<const int> unknowns) {
+    elements.for_each_unknowns(elements.core(), [&](int element, std::span<const int> unknowns) {
         of_elements.append(unknowns);
         centres.push_back(centre(elements.scene().enriched, element));
     });

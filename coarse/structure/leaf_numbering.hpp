@@ -13,17 +13,21 @@ namespace stria::coarse {
 
 class LeafNumbering {
 public:
-    /// `far`, `middle`: null where no element is far, or in the middle. Unknowns inside them come in their order, the
-    /// others ascending.
-    LeafNumbering(const CoarseElements& elements, const BodyPart* far, const BodyPart* middle);
+    /// The parts that lie one on another: null where no element is far, in the middle, or behind. Unknowns inside them
+    /// come in their order, the others ascending.
+    struct Parts {
+        const BodyPart *far, *middle, *behind;
+    };
+    LeafNumbering(const CoarseElements& elements, const Parts& parts);
 
     /// Unknowns of the whole mesh in the structure's order. Prescribed ones are not among them.
     [[nodiscard]] const std::vector<int>& unknowns() const { return unknowns_; }
     [[nodiscard]] int size() const { return static_cast<int>(unknowns_.size()); }
     /// How many of them only far elements see: the first ones.
     [[nodiscard]] int far_count() const { return far_count_; }
-    /// How many lie inside of the middle: those that follow.
-    [[nodiscard]] int middle_count() const { return below_count_ - far_count_; }
+    /// How many lie inside of the middle, and inside of what is behind: those that follow.
+    [[nodiscard]] int middle_count() const { return middle_count_; }
+    [[nodiscard]] int behind_count() const { return below_count_ - far_count_ - middle_count_; }
     [[nodiscard]] std::span<const int> near_unknowns() const { return std::span(unknowns_).subspan(at(far_count_)); }
     [[nodiscard]] std::span<const int> core_unknowns() const { return std::span(unknowns_).subspan(at(below_count_)); }
 
@@ -49,7 +53,7 @@ private:
     std::vector<int> gamma_, free_places_;
     std::vector<int> unknowns_;
     std::vector<int> index_;  // of each unknown of the mesh in unknowns_; -1: prescribed or inside the zone
-    int far_count_ = 0, below_count_ = 0;
+    int far_count_ = 0, middle_count_ = 0, below_count_ = 0;
     std::vector<int> rim_, rim_below_;  // of the far part; of that on which the core lies
 };
 

@@ -1,5 +1,7 @@
 #include "coarse/structure/structure.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/stopwatch.hpp"
@@ -20,22 +22,26 @@ std::shared_ptr<const BodyPart> far_part(const Scene& scene, const ElementSet& f
     return std::make_shared<const BodyPart>(scene, far, nullptr, seconds);
 }
 
-std::shared_ptr<const BodyPart> middle_part(const Scene& scene, const ElementSet& middle,
-                                            std::shared_ptr<const BodyPart> far, std::shared_ptr<const BodyPart> known,
-                                            StructureSeconds& seconds) {
-    if (middle.none()) return nullptr;
-    if (known && known->is_of(middle, far.get())) return known;
+std::shared_ptr<const BodyPart> part_on(std::shared_ptr<const BodyPart> below, const Scene& scene,
+                                        const ElementSet& elements, std::shared_ptr<const BodyPart> known,
+                                        StructureSeconds& seconds) {
+    if (elements.none()) return nullptr;
+    if (known && known->is_of(elements, below.get())) return known;
     known.reset();
-    return std::make_shared<const BodyPart>(scene, middle, std::move(far), seconds);
+    return std::make_shared<const BodyPart>(scene, elements, std::move(below), seconds);
 }
 
 }  // namespace
 
 Structure::Structure(const Scene& scene, ElementSet in_zone, const StillElements& still, StructureFactors known)
     : far_(far_part(scene, still.far, known, seconds_)),
-      middle_(middle_part(scene, still.middle, far_, std::move(known.middle), seconds_)),
+      middle_(part_on(far_, scene, still.middle, std::move(known.middle), seconds_)),
+      behind_(part_on(below_behind(), scene, still.behind, std::move(known.behind), seconds_)),
       elements_(timed(seconds_.assembly, [&] { return CoarseElements(scene, std::move(in_zone), still); })),
-      numbering_(timed(seconds_.assembly, [&] { return LeafNumbering(elements_, far_.get(), middle_.get()); })),
+      numbering_(timed(seconds_.assembly,
+                       [&] {
+                           return LeafNumbering(elements_, {far_.get(), middle_.get(), behind_.get()});
+                       })),
       core_(factor(std::move(known.core))), leaf_(below(), numbering_.places_of_rim_below(), core_->leaf),
       loads_(timed(seconds_.factor, [&] { return CondensedLoads(elements_, numbering_, leaf_); })) {
     find_near_supports();
@@ -53,7 +59,9 @@ std::shared_ptr<const CoreFactor> Structure::factor(std::shared_ptr<const CoreFa
 
 void Structure::find_near_supports() {
     UnknownSet seen(scene().enriched.unknowns);
-    elements_.for_each_near_unknowns([&](int, std::span<const int> unknowns) {
+    std::vector<int> near;  // and supported
+    std::ranges::set_intersection(elements_.near(), elements_.supported(), std::back_inserter(near));
+    elements_.for_each_unknowns(near, [&](int, std::span<const int> unknowns) {
         for (const int unknown : unknowns) seen.insert(unknown);
     });
     for (const PrescribedUnknown& p : scene().prescribed)
@@ -109,7 +117,7 @@ Eigen::VectorXd Structure::interior_load(const LoadFactors& factors, double init
 
 Eigen::VectorXd Structure::expand_core(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors,
                                        double initial, Eigen::VectorXd& u) const {
-    const Eigen::Index below = numbering_.far_count() + numbering_.middle_count();
+    const Eigen::Index below = unknowns() - std::ssize(core_unknowns());
     const Eigen::VectorXd load = interior_load(factors, initial, below, loads_.unit().interior.size() - below);
     const Eigen::VectorXd x = leaf_.expand_above(load, on_free_places(gamma_displacement));
     Eigen::Index k = 0;
@@ -117,14 +125,17 @@ Eigen::VectorXd Structure::expand_core(const Eigen::VectorXd& gamma_displacement
     return leaf_.on_rim(x);
 }
 
-/// What lies inside of the middle; and supports.
-void Structure::expand_middle(const Eigen::VectorXd& on_rim, const LoadFactors& factors, double initial,
-                              Eigen::VectorXd& u) const {
-    const int inside = numbering_.middle_count();
-    if (middle_) {
-        const Eigen::VectorXd load = interior_load(factors, initial, numbering_.far_count(), inside);
-        const Eigen::VectorXd x = middle_->expand_own(load, on_rim);
-        for (int k = 0; k < inside; ++k) u[near_unknowns()[at(k)]] = x[k];
+/// What lies inside of the parts on the far one, from the top down; and supports.
+void Structure::expand_below(Eigen::VectorXd on_rim, const LoadFactors& factors, double initial,
+                             Eigen::VectorXd& u) const {
+    int end = unknowns() - static_cast<int>(std::ssize(core_unknowns()));
+    for (const BodyPart* part : {behind_.get(), middle_.get()}) {
+        if (part == nullptr) continue;
+        const int inside = part->inner_count(), first = end - inside;
+        const Eigen::VectorXd x = part->expand_own(interior_load(factors, initial, first, inside), on_rim);
+        for (int k = 0; k < inside; ++k) u[numbering_.unknowns()[at(first + k)]] = x[k];
+        on_rim = part->on_rim_below(x);
+        end = first;
     }
     impose(near_supports_, factors, u);
 }
@@ -145,7 +156,7 @@ Eigen::VectorXd Structure::expand_far(const Eigen::VectorXd& rim_displacement) c
 
 double Structure::factor_entries() const {
     double entries = core_->leaf->factor_entries();
-    for (const BodyPart* part : {far_.get(), middle_.get()})
+    for (const BodyPart* part : {far_.get(), middle_.get(), behind_.get()})
         if (part != nullptr) entries += part->factor_entries();
     return entries;
 }

@@ -19,7 +19,7 @@ namespace stria::coarse {
 
 /// What one structure leaves to the next.
 struct StructureFactors {
-    std::shared_ptr<const BodyPart> far, middle;  // null: no element is there
+    std::shared_ptr<const BodyPart> far, middle, behind;  // null: no element is there
     std::shared_ptr<const CoreFactor> core;
 };
 
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const ElementSet& in_zone() const { return elements_.in_zone(); }
     [[nodiscard]] bool is_far(int element) const { return far_ && far_->contains(element); }
     [[nodiscard]] bool is_in_middle(int element) const { return middle_ && middle_->contains(element); }
-    [[nodiscard]] StructureFactors factors() const { return {far_, middle_, core_}; }
+    [[nodiscard]] StructureFactors factors() const { return {far_, middle_, behind_, core_}; }
 
     /// Gamma (gamma.hpp): unknowns of the whole mesh, ascending.
     [[nodiscard]] const std::vector<int>& gamma() const { return numbering_.gamma(); }
@@ -68,7 +68,7 @@ public:
     /// The same on near elements alone: overwrites in `u` (of the whole mesh) what they see. Visits no far element.
     void expand_near(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
                      Eigen::VectorXd& u) const {
-        expand_middle(expand_core(gamma_displacement, factors, initial, u), factors, initial, u);
+        expand_below(expand_core(gamma_displacement, factors, initial, u), factors, initial, u);
     }
 
     /// The same on what elements of the core see, supports aside. Returns what lies on the rim below the core.
@@ -97,18 +97,18 @@ public:
     [[nodiscard]] double factor_entries() const;
 
 private:
-    [[nodiscard]] const std::shared_ptr<const BodyPart>& below() const { return middle_ ? middle_ : far_; }
+    [[nodiscard]] const std::shared_ptr<const BodyPart>& below_behind() const { return middle_ ? middle_ : far_; }
+    [[nodiscard]] const std::shared_ptr<const BodyPart>& below() const { return behind_ ? behind_ : below_behind(); }
     [[nodiscard]] std::shared_ptr<const CoreFactor> factor(std::shared_ptr<const CoreFactor> known);
     void find_near_supports();
-    void expand_middle(const Eigen::VectorXd& on_rim, const LoadFactors& factors, double initial,
-                       Eigen::VectorXd& u) const;
+    void expand_below(Eigen::VectorXd on_rim, const LoadFactors& factors, double initial, Eigen::VectorXd& u) const;
     /// Of the load on what lies inside the structure, so much from there on.
     [[nodiscard]] Eigen::VectorXd interior_load(const LoadFactors& factors, double initial, Eigen::Index from,
                                                 Eigen::Index count) const;
     [[nodiscard]] ReducedLoad load_at(const LoadFactors& factors, double initial) const;
 
     StructureSeconds seconds_;
-    std::shared_ptr<const BodyPart> far_, middle_;
+    std::shared_ptr<const BodyPart> far_, middle_, behind_;
     CoarseElements elements_;
     LeafNumbering numbering_;
     std::shared_ptr<const CoreFactor> core_;

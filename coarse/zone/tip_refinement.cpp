@@ -60,6 +60,22 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
     return disks;
 }
 
+ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K_I, const ElementSet& whole) {
+    constexpr int steps = 10;
+    ElementSet soon(scene.mesh.elements.size());
+    if (scene.input.fine.refine == 1 || !scene.input.growth) return soon;
+    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K_I, Room::ToGrow);
+    for (std::size_t t = 0; t < disks.size(); ++t) {
+        const Tip& tip = scene.enriched.tips[t];
+        const double step = scene.input.growth->increment.value_or(tip_element_edge(scene.enriched, tip));
+        disks[t].to += steps * step * tip.direction;
+    }
+    const std::vector<int> part_of = refine(scene.mesh, disks, whole).part_of;
+    for (int e = 0; e < soon.size(); ++e)
+        if (part_of[at(e)] >= 0) soon.insert(e);
+    return soon;
+}
+
 ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way) {
     std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K_I, Room::ToGrow);
     for (std::size_t t = 0; t < disks.size(); ++t) disks[t].to += way * scene.enriched.tips[t].direction;

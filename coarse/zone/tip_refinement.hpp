@@ -21,6 +21,10 @@ enum class Room {
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
                                           const std::vector<double>& K_I, Room room);
 
+/// Elements that may be split as the cracks take their next steps straight ahead. `whole`: that never are.
+[[nodiscard]] ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K_I,
+                                                const ElementSet& whole);
+
 /// How many elements small ones make of a scene's mesh once each tip has gone straight on by `way`, mm, and how many of
 /// them are split.
 struct ElementsOfAWay {

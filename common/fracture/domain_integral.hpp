@@ -74,6 +74,13 @@ public:
         visited_ = next_weighted_ = 0;
     }
 
+    /// Points so far do not come again: what their places say is forgotten. The sums go on.
+    void forget_points() {
+        fields_.clear();
+        weighted_.clear();
+        visited_ = next_weighted_ = 0;
+    }
+
     /// Turns to an element: false where it has nothing to add, as q is constant on it in every ring.
     bool enter(int element);
 

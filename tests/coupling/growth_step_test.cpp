@@ -76,6 +76,17 @@ TEST_P(GrowthStepOf, FindsTheNominalKOfTheWholeBody) {
         EXPECT_NEAR(grown.K[k], grown.K_of_the_whole[k], 1e-11 * grown.K_of_the_whole[k]) << k;
 }
 
+// Where small elements follow the tip, too: it lies behind them until they reach it.
+TEST(GrowthStep, CondensesTheWakeForManyNominalSolutions) {
+    const Growth growth{.refine = 16, .cycles = 12};
+    const Grown grown = grow(growth);
+    EXPECT_GT(grown.made.behind_factorisations, 0);
+    EXPECT_LT(grown.made.behind_factorisations, growth.cycles / 3);
+    ASSERT_EQ(grown.K.size(), at(1 + growth.cycles));
+    for (std::size_t k = 0; k < grown.K.size(); ++k)
+        EXPECT_NEAR(grown.K[k], grown.K_of_the_whole[k], 1e-11 * grown.K_of_the_whole[k]) << k;
+}
+
 /// In steps of growth that leave the middle as it is: coarse elements of which a stiffness was assembled, per step.
 double condensed_per_step(double size, double crack, int& near) {
     constexpr int few = 2, more = 4;

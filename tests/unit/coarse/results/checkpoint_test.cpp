@@ -27,6 +27,9 @@ Checkpoint some_checkpoint() {
     state.cracks = {{{0.0, 20.25}, {100.0, 1.0 / 3.0}}};
     state.in_zone = ElementSet::of_flags({0, 1, 1});
     state.still = {.far = ElementSet::of_flags({1, 0, 0}), .middle = ElementSet::of_flags({0, 1, 0})};
+    state.still_of_nominal = {.far = ElementSet::of_flags({1, 0, 0}),
+                              .middle = ElementSet::of_flags({0, 0, 0}),
+                              .behind = ElementSet::of_flags({0, 0, 1})};
     state.nominal = {{.a = 7.0, .K_I = 0.1, .CMOD = -0.0}};
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
     state.closure = {.signal = {1.5},
@@ -94,6 +97,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.cracks.at(0).y, in.analysis.cracks[0].y);
     EXPECT_EQ(out.analysis.in_zone, in.analysis.in_zone);
     EXPECT_EQ(out.analysis.still, in.analysis.still);
+    EXPECT_EQ(out.analysis.still_of_nominal, in.analysis.still_of_nominal);
     EXPECT_EQ(out.analysis.nominal.at(0).K_I, in.analysis.nominal[0].K_I);
     EXPECT_TRUE(std::signbit(out.analysis.nominal[0].CMOD));
     EXPECT_EQ(out.analysis.displacement, in.analysis.displacement);

@@ -7,6 +7,7 @@
 #include "coarse/structure/structure.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/enrichment/same_functions.hpp"
 #include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
 #include "tests/support/pulled_plate.hpp"
@@ -96,6 +97,59 @@ TEST_F(Factors, OfAMiddlePartServeAgainToTheLastBit) {
     EXPECT_EQ(again.factors().middle, before.factors().middle);
     EXPECT_NE(fresh.factors().middle, before.factors().middle);
     expect_same_bits(again, fresh);
+}
+
+ElementSet cut_elements(const EnrichedMesh& mesh) {
+    ElementSet cut(mesh.elements.size());
+    for (const CrackPiece& piece : mesh.pieces) cut.insert(piece.element);
+    return cut;
+}
+
+// Of the whole body: the wake is condensed with its jumps.
+TEST_F(Factors, OfWhatIsBehindServeAgainToTheLastBit) {
+    const ElementSet no_zone(zone.size());
+    StillElements whole = still;
+    whole.behind = elements_behind(scene, still, no_zone);
+    ElementSet wake = cut_elements(scene.enriched);
+    for (const int e : wake.members())
+        if (!whole.behind.contains(e)) wake.erase(e);
+    EXPECT_GT(wake.count(), cut_elements(scene.enriched).count() / 2);
+    EXPECT_TRUE(same_functions(scene.enriched, longer.enriched, whole.behind));
+    EXPECT_FALSE(same_functions(scene.enriched, far_on.enriched, whole.behind)) << "the tip has been there";
+    const Structure before(scene, no_zone, whole), fresh(longer, no_zone, whole),
+        again(longer, no_zone, whole, before.factors());
+    EXPECT_NE(before.factors().behind, nullptr);
+    EXPECT_EQ(again.factors().behind, before.factors().behind);
+    EXPECT_NE(fresh.factors().behind, before.factors().behind);
+    expect_same_bits(again, fresh);
+}
+
+TEST_F(Factors, OfWhatIsBehindGiveTheDisplacementOfTheWholeBody) {
+    const ElementSet no_zone(zone.size());
+    StillElements whole = still;
+    whole.behind = elements_behind(scene, still, no_zone);
+    const Structure none(scene, no_zone, StillElements{}), some(scene, no_zone, whole);
+    const Eigen::VectorXd u = none.expand({}, 1.0);
+    EXPECT_LT((some.expand({}, 1.0) - u).norm(), 1e-11 * u.norm());
+    Eigen::VectorXd near = Eigen::VectorXd::Zero(u.size());
+    some.expand_near({}, 1.0, 0.0, near);
+    for (const int unknown : some.near_unknowns()) EXPECT_NEAR(near[unknown], u[unknown], 1e-11 * u.norm());
+}
+
+// Of elements that are to be split it takes none, nor what hangs on them.
+TEST_F(Factors, WhatIsBehindIsNotAboutASplit) {
+    const ElementSet all = elements_behind(scene, still, ElementSet(zone.size()));
+    ElementSet soon(zone.size());
+    soon.insert(all.members().front());
+    const NodeSet corners = [&] {
+        NodeSet nodes(scene.mesh.nodes.size());
+        for (const int node : scene.mesh.elements[at(soon.members().front())]) nodes.insert(node);
+        return nodes;
+    }();
+    const ElementSet behind = elements_behind(scene, still, soon);
+    EXPECT_FALSE(behind.none());
+    for (const int e : behind.members())
+        for (const int node : scene.mesh.elements[at(e)]) EXPECT_FALSE(corners.contains(node)) << e;
 }
 
 // What lies on a far part of other elements cannot serve.

@@ -1,0 +1,53 @@
+#include "common/enrichment/same_functions.hpp"
+
+#include <algorithm>
+
+namespace stria {
+namespace {
+
+bool same_term(const Term& a, const Term& b) { return a.same_function(b) && a.shift == b.shift; }
+
+bool same_terms(const std::vector<Term>& a, const std::vector<Term>& b) { return std::ranges::equal(a, b, same_term); }
+
+bool same_tie(const TiedNode& a, const TiedNode& b) {
+    return a.node == b.node && a.ends == b.ends && a.side == b.side && a.jump_tied == b.jump_tied;
+}
+
+bool same_piece(const CrackPiece& a, const CrackPiece& b) {
+    return a.crack == b.crack && a.element == b.element && a.neighbour == b.neighbour && a.points == b.points &&
+           a.s == b.s && a.entry == b.entry && a.exit == b.exit;
+}
+
+}  // namespace
+
+bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const ElementSet& elements) {
+    NodeSet nodes(mesh.nodes.size());
+    for (const int e : elements.members()) {
+        for (const int node : mesh.elements[at(e)]) {
+            nodes.insert(node);
+            if (const TiedNode* const tie = mesh.tie(node))
+                for (const int end : tie->ends) nodes.insert(end);
+        }
+    }
+    const auto same_node = [&](int node) {
+        const TiedNode *const tie = mesh.tie(node), *const other_tie = other.tie(node);
+        const bool as_tied = tie == nullptr ? other_tie == nullptr : other_tie != nullptr && same_tie(*tie, *other_tie);
+        return as_tied && same_terms(mesh.terms[at(node)], other.terms[at(node)]);
+    };
+    const std::vector<int> piece = piece_of_elements(mesh), other_piece = piece_of_elements(other);
+    const auto same_cut = [&](int e) {
+        const int a = piece[at(e)], b = other_piece[at(e)];
+        return a < 0 || b < 0 ? a == b : same_piece(mesh.pieces[at(a)], other.pieces[at(b)]);
+    };
+    const auto inside = [&](int node) { return nodes.contains(node); };
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const auto& corners = mesh.elements[at(e)];
+        if (std::ranges::none_of(corners, inside)) continue;
+        if (corners != other.elements[at(e)] || !std::ranges::all_of(corners, same_node) || !same_cut(e) ||
+            mesh.element_side[at(e)] != other.element_side[at(e)])
+            return false;
+    }
+    return true;
+}
+
+}  // namespace stria
