@@ -229,10 +229,9 @@ ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
 // K grows with the cracks.
 ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_least) const {
     constexpr double growth_of_K = 1.02;
-    if (!has_zone()) return at_least;
     std::vector<double> K_I = largest_K_I_;
     for (double& K : K_I) K *= growth_of_K;
-    at_least |= select_zone(longer, K_I);
+    if (has_zone()) at_least |= select_zone(longer, K_I);
     return at_least;
 }
 
