@@ -2,12 +2,17 @@
 
 namespace stria::coarse {
 
-void BorderedSystem::factor(Eigen::MatrixXd tangent, Symmetry symmetry, const LinearReading& controlled) {
-    const Eigen::VectorXd& w = controlled.weights;
-    sigma_ = controlled.is_load_factor() ? 0.0 : tangent.diagonal().mean() / w.squaredNorm();
-    if (sigma_ != 0.0) tangent.noalias() += sigma_ * w * w.transpose();
-    definite_ = symmetry == Symmetry::Symmetric && factor_.factor(tangent);
-    if (!definite_) general_factor_.compute(tangent);
+void BorderedSystem::factor(const std::function<Eigen::MatrixXd()>& tangent, Symmetry symmetry,
+                            const LinearReading& controlled) {
+    const auto make = [&] {
+        Eigen::MatrixXd A = tangent();
+        const Eigen::VectorXd& w = controlled.weights;
+        sigma_ = controlled.is_load_factor() ? 0.0 : A.diagonal().mean() / w.squaredNorm();
+        if (sigma_ != 0.0) A.noalias() += sigma_ * w * w.transpose();
+        return A;
+    };
+    definite_ = symmetry == Symmetry::Symmetric && factor_.factor(make());
+    if (!definite_) general_factor_.compute(make());
 }
 
 GammaState BorderedSystem::solve(const Eigen::VectorXd& residual, double off_target,

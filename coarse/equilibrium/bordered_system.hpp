@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <functional>
 
 #include "coarse/structure/condensed_loads.hpp"
 #include "common/linear/dense_cholesky.hpp"
@@ -23,8 +24,9 @@ struct GammaState {
 /// 0, k = 1.)
 class BorderedSystem {
 public:
-    /// `tangent`: A on the free places, MPa.
-    void factor(Eigen::MatrixXd tangent, Symmetry symmetry, const LinearReading& controlled);
+    /// `tangent`: makes A on the free places, MPa. Cholesky's method works in its place, without a copy: where A turns
+    /// out not to be definite it is made again.
+    void factor(const std::function<Eigen::MatrixXd()>& tangent, Symmetry symmetry, const LinearReading& controlled);
 
     /// With the factor last made. `residual`: R, N/mm; `off_target`: r; `load_derivative`: b.
     [[nodiscard]] GammaState solve(const Eigen::VectorXd& residual, double off_target,

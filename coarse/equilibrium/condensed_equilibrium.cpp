@@ -123,12 +123,8 @@ Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
 /// Of structure and zone, on the free places.
 Eigen::MatrixXd CondensedEquilibrium::tangent() const {
     const std::vector<int>& free = structure_.free_places();
-    Eigen::MatrixXd sum = structure_.tangent();
-    if (held_.empty())
-        sum += zone_tangent_.matrix;
-    else
-        sum += zone_tangent_.matrix(free, free);
-    return sum;
+    if (held_.empty()) return structure_.tangent() + zone_tangent_.matrix;
+    return structure_.tangent() + zone_tangent_.matrix(free, free);
 }
 
 double CondensedEquilibrium::solve() {
@@ -137,7 +133,7 @@ double CondensedEquilibrium::solve() {
         ++effort_.work.gamma_factors_reused;
     } else {
         ++effort_.work.gamma_factored;
-        system_.factor(tangent(), zone_tangent_.symmetry, controlled_);
+        system_.factor([this] { return tangent(); }, zone_tangent_.symmetry, controlled_);
     }
     correction_ = system_.solve(residual_, off_target_, load_derivative(), controlled_);
     const Eigen::VectorXd& du = correction_.displacement;

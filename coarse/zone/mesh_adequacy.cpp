@@ -12,6 +12,7 @@
 #include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/regions.hpp"
+#include "common/case/method_schema.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -35,9 +36,11 @@ bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
 
 std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
     const double finer = std::exp2(std::ceil(std::log2(across_zone * element / zone)));
+    const std::string advice = refine * finer <= most_refined ? fmt::format(": fine.refine = {:g}", refine * finer)
+                                                              : ", which no fine.refine gives: hardly anything yields";
     return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm, spans {:.2g} elements of {:.3g} mm; opening "
-                       "loads want {:g} or more: fine.refine = {:g}",
-                       tip, zone, zone / element, element, across_zone, refine * finer);
+                       "loads want {:g} or more{}",
+                       tip, zone, zone / element, element, across_zone, advice);
 }
 
 /// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.

@@ -30,7 +30,7 @@ Section<FineSection> fine_section() {
     s.value("radius", &FineSection::radius).in("mm").positive().says("A fixed zone radius instead of eq. (3).");
     s.value("refine", &FineSection::refine)
         .power_of_two()
-        .at_most(4096)
+        .at_most(most_refined)
         .says("Mesh size over element size at the tip.");
     s.value("growth", &FineSection::growth)
         .at_least(0.0)

@@ -6,6 +6,8 @@
 
 namespace stria {
 
+inline constexpr int most_refined = 4096;  // fine.refine
+
 schema::Section<SolverSection> solver_section();
 schema::Section<CouplingSection> coupling_section();
 schema::Section<FineSection> fine_section();

@@ -74,7 +74,8 @@ std::string nearest_key(const std::string& path, const std::vector<Key>& keys) {
     for (const std::string& known : all_paths(keys)) {
         const auto [known_parent, known_leaf] = parent_and_leaf(known);
         // A slip of the pen within the table is likelier than the right word in a wrong table.
-        const std::size_t distance = known_parent == parent ? edit_distance(leaf, known_leaf)
+        const bool begins = leaf.size() >= 3 && known_leaf.starts_with(leaf);
+        const std::size_t distance = known_parent == parent ? (begins ? 1 : edit_distance(leaf, known_leaf))
                                      : known_leaf == leaf   ? 2
                                                             : std::numeric_limits<std::size_t>::max();
         if (distance >= least) continue;

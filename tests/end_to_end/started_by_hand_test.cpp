@@ -110,5 +110,10 @@ TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGTERMTwice) {
     expect_to_go_on();
 }
 
+TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGINTTwice) {
+    send({"INT", "INT"}, 1);
+    expect_to_go_on();
+}
+
 }  // namespace
 }  // namespace stria::test

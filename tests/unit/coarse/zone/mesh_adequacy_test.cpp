@@ -68,6 +68,13 @@ TEST_F(Advice, NamesTheRefinementThatWouldDo) {
     EXPECT_TRUE(at(2100.0).empty());  // 7.7 mm
 }
 
+TEST_F(Advice, NamesNoRefinementThatIsNotAllowed) {
+    const auto warnings = at(5.0);  // 0.000044 mm: 2^17 would do
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("5 or more, which no fine.refine gives: hardly anything yields"), std::string::npos)
+        << warnings[0];
+}
+
 TEST_F(Advice, IsNotGivenToWhoAsksForNoOpeningLoads) {
     input.cracks[0].contact.reset();
     EXPECT_TRUE(at(600.0).empty());

@@ -39,6 +39,26 @@ TEST_F(Work, IsThatOfThePointsThatFlow) {
     EXPECT_GT(much.seconds, 10.0 * little.seconds);
 }
 
+// Where little flows two of five points are looked at in an iteration; what flows does not rest.
+TEST_F(Work, LooksAtAllThatFlows) {
+    const auto of_a_point = [&](double max) {
+        const coarse::WorkEstimate work = between(max, 0.0);
+        return work.seconds / (work.points + 4.5 * work.yielding);  // a point that flows takes as much more
+    };
+    EXPECT_GT(of_a_point(400.0), 1.2 * of_a_point(100.0));
+}
+
+// Seven iterations for each, beside half a set-up.
+TEST_F(Work, OfGrowthIsAlsoThatOfTheFacesItOpens) {
+    const auto of_growth = [&](double max) {
+        input.growth.reset();
+        const double still = between(max, 0.0, 10).seconds;
+        input.growth = GrowthSection{.increment = 0.1};
+        return between(max, 0.0, 10).seconds - still;
+    };
+    EXPECT_GT(of_growth(400.0), 1.5 * of_growth(1.0)) << "what flows has more to do";
+}
+
 // At the largest load nothing is left of eq. (3), for the load closes the crack.
 TEST_F(Work, SeesWhatCompressionDoes) {
     const coarse::WorkEstimate pulled = between(400.0, 0.0), pushed = between(0.0, -400.0);

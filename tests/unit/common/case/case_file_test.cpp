@@ -459,6 +459,8 @@ TEST_F(CaseFile, TakesOverrides) {
 TEST_F(CaseFile, PointsAtOverridesThatAreWrong) {
     EXPECT_EQ(complaint(complete, {"fine.beta=-4"}), "--set: fine.beta = -4 must be > 0");
     EXPECT_EQ(complaint(complete, {"fine.beat=4"}), "--set: fine.beat is not a known key; did you mean fine.beta?");
+    EXPECT_EQ(complaint(complete, {"material.yield=300"}),
+              "--set: material.yield is not a known key; did you mean material.yield_stress?");
     EXPECT_EQ(complaint(complete, {"fine.beta"}), "--set fine.beta: must be key=value");
     EXPECT_EQ(complaint(complete, {"crack.1.notch=1"}),
               "--set crack.1.notch=1: \"1\" is no entry of a list of 1, counted from 0");

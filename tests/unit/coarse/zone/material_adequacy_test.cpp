@@ -1,0 +1,47 @@
+// Materials that are no metals: who has typed GPa, or Pa, learns it before the run.
+#include "coarse/zone/material_adequacy.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stria::test {
+namespace {
+
+Case metal(double young, double yield_stress) {
+    Case input;
+    input.material.young = young;
+    input.material.yield_stress = yield_stress;
+    return input;
+}
+
+/// The one sentence that is said.
+std::string warning_of(const Case& input) {
+    const std::vector<std::string> warnings = coarse::material_warnings(input);
+    return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
+}
+
+TEST(MaterialAdequacy, TakesEveryMetalAsItIs) {
+    EXPECT_TRUE(coarse::material_warnings(metal(16e3, 5.0)).empty()) << "lead";
+    EXPECT_TRUE(coarse::material_warnings(metal(200e3, 300.0)).empty());
+    EXPECT_TRUE(coarse::material_warnings(metal(95e3, 1900.0)).empty()) << "a metallic glass";
+    Case elastic = metal(200.0, 300.0);
+    elastic.material.yield_stress.reset();
+    EXPECT_TRUE(coarse::material_warnings(elastic).empty());
+}
+
+TEST(MaterialAdequacy, AsksForTheUnitsOfOthers) {
+    EXPECT_EQ(warning_of(metal(200.0, 300.0)),
+              "material: yield_stress / young = 1.5 is a strain at which no metal yields (1e-4 to 0.02): are both in "
+              "MPa?");
+    EXPECT_TRUE(warning_of(metal(200e9, 300.0)).ends_with("Increments of many times that strain take long"));
+}
+
+TEST(MaterialAdequacy, NamesTheRegion) {
+    Case input = metal(200e3, 300.0);
+    input.regions.resize(2);
+    input.regions[0].material = input.regions[1].material = input.material;
+    input.regions[1].material.young = 1e9;
+    EXPECT_TRUE(warning_of(input).starts_with("region[2].material: ")) << warning_of(input);
+}
+
+}  // namespace
+}  // namespace stria::test
