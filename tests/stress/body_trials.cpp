@@ -80,8 +80,9 @@ Case case_in_units(Case input, double length, double stress) {
 
 /// J of each tip at the end, N/mm.
 std::vector<double> J_of(const Case& input) {
+    const RunHistory history = run_direct(input);
     std::vector<double> found;
-    for (const coarse::TipResult& tip : run_direct(input).increments.back().tips) found.push_back(tip.J);
+    for (const coarse::TipResult& tip : history.increments.back().tips) found.push_back(tip.J);
     return found;
 }
 
