@@ -226,22 +226,21 @@ ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
     return has_zone() ? with_changed_functions(in_zone_, scene_->enriched, longer.enriched) : in_zone_;
 }
 
-// K grows with the cracks.
 ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_least) const {
-    constexpr double growth_of_K = 1.02;
-    std::vector<double> K_I = largest_K_I_;
-    for (double& K : K_I) K *= growth_of_K;
-    if (has_zone()) at_least |= select_zone(longer, K_I);
+    if (has_zone()) at_least |= select_zone(longer, expected_K_I(largest_K_I_));
     return at_least;
 }
 
-ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet at_least) {
-    still_ = still_elements(longer, at_least, still_);
+// What was expected holds the disk of any smaller K.
+ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet expected) {
+    const std::vector<double> expected_K = expected_K_I(largest_K_I_);
+    still_ = still_elements(longer, expected, still_);
     choose_behind(longer);
     std::unique_ptr<Structure> body = take_nominal_of(longer);
     if (!has_zone()) structure_ = std::move(body);
-    at_least |= select_zone(longer, largest_K_I_);
-    return at_least;
+    if (!has_zone() || !std::ranges::equal(largest_K_I_, expected_K, std::ranges::less_equal()))
+        expected |= select_zone(longer, largest_K_I_);
+    return expected;
 }
 
 // Without a zone the nominal body is the structure, which has none.

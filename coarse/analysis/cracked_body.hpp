@@ -63,9 +63,9 @@ public:
     /// At least these, and what eq. (3) is expected to want about the tips of longer cracks.
     [[nodiscard]] ElementSet zone_expected_about(const Scene& longer, ElementSet at_least) const;
 
-    /// At least these, and what eq. (3) wants about the tips, whose nominal solution is that of the longer cracks from
-    /// here on.
-    [[nodiscard]] ElementSet zone_about(const Scene& longer, ElementSet at_least);
+    /// `expected`: zone_expected_about() the same cracks. These, and what eq. (3) wants about the tips, whose nominal
+    /// solution is that of the longer cracks from here on.
+    [[nodiscard]] ElementSet zone_about(const Scene& longer, ElementSet expected);
 
     /// Longer cracks beside the functions of the tips that they leave (growth.retain = "all"); else null.
     [[nodiscard]] std::unique_ptr<Scene> keeping_functions(const Scene& longer) const;

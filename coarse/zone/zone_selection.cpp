@@ -97,6 +97,11 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     return zone;
 }
 
+std::vector<double> expected_K_I(std::vector<double> K_I) {
+    for (double& K : K_I) K *= 1.02;
+    return K_I;
+}
+
 ElementSet with_ring(const Scene& scene, ElementSet in_zone, const std::vector<int>& joining) {
     const auto around = elements_around_nodes(scene.mesh);
     for (const int element : joining) {

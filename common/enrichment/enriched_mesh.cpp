@@ -93,27 +93,6 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
     return initial;
 }
 
-bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {
-    const auto plain = [](const EnrichedMesh& m) { return m.tip_functions == 0 && m.left_tips.empty(); };
-    const auto same_end = [](const Tip& a, const Tip& b) { return a.crack == b.crack && a.upper == b.upper; };
-    const auto same_term = [](const Term& a, const Term& b) { return a.same_function(b) && a.shift == b.shift; };
-    const auto same_terms = [&](const auto& a, const auto& b) { return std::ranges::equal(a, b, same_term); };
-    const auto same_tie = [](const TiedNode& a, const TiedNode& b) {
-        return a.node == b.node && a.ends == b.ends && a.side == b.side && a.jump_tied == b.jump_tied;
-    };
-    const auto same_piece = [](const CrackPiece& a, const CrackPiece& b) {
-        return a.crack == b.crack && a.element == b.element && a.neighbour == b.neighbour && a.points == b.points &&
-               a.s == b.s && a.entry == b.entry && a.exit == b.exit;
-    };
-    return plain(mesh) && plain(other) && mesh.unknowns == other.unknowns &&
-           std::ranges::equal(mesh.tips, other.tips, same_end) &&
-           std::ranges::equal(mesh.pieces, other.pieces, same_piece) && mesh.element_ids == other.element_ids &&
-           mesh.node_ids == other.node_ids && mesh.elements == other.elements && mesh.nodes == other.nodes &&
-           mesh.material == other.material && mesh.element_side == other.element_side &&
-           std::ranges::equal(mesh.tied, other.tied, same_tie) &&
-           std::ranges::equal(mesh.terms, other.terms, same_terms);
-}
-
 bool has_mouth(const EnrichedMesh& mesh, int crack) {
     return std::ranges::none_of(mesh.tips, [&](const Tip& tip) { return tip.crack == crack && tip.upper < 0; });
 }

@@ -111,9 +111,6 @@ struct EnrichedMesh {
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial);
 
-/// The same elements with the same functions, whatever the places of the tips: none of the functions is a tip's.
-bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other);
-
 /// Whether a crack begins at the boundary, and not at a tip.
 bool has_mouth(const EnrichedMesh& mesh, int crack);
 

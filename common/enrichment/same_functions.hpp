@@ -6,6 +6,9 @@
 
 namespace stria {
 
+/// The same elements with the same functions, whatever the places of the tips: none of the functions is a tip's.
+[[nodiscard]] bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other);
+
 /// Whether elements of one mesh have the same corners and functions on the other, where they have the same numbers; and
 /// so do those beside them, which see some of their unknowns. None of their functions is a tip's.
 [[nodiscard]] bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const ElementSet& elements);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/enrichment/same_functions.hpp"
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
 #include "fine/bulk/bulk_report.hpp"

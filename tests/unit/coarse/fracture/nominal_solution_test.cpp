@@ -1,5 +1,6 @@
 // The nominal solution: near elements tell its K; only the displacement of far ones is missing.
 #include "coarse/fracture/nominal_solution.hpp"
+#include "common/enrichment/same_functions.hpp"
 
 #include <gtest/gtest.h>
 

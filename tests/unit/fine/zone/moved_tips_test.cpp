@@ -1,6 +1,7 @@
 // A tip that moves on inside its element changes nothing else: the zone stays, and answers as a new one would.
 #include <gtest/gtest.h>
 
+#include "common/enrichment/same_functions.hpp"
 #include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/plates.hpp"
