@@ -158,6 +158,8 @@ std::optional<Command> parse_component(const std::string& program, int argc, con
     command.name = "run";
     CLI::App app("One of the two components of stria run, for batch systems", program);
     add_run_options(app, command.run);
+    if (program == "stria-coarse")
+        app.add_flag("--own-rank", command.run.own_rank, "Be one fine rank more, beside those of stria-fine");
     if (!parse(app, argc, argv)) return std::nullopt;
     check_run(command.run);
     return command;

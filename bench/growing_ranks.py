@@ -7,9 +7,10 @@ The plate of bench/growing_cycle, 90 MPa, refine = 32, for beta from 0.5 to 8; t
 beta = 8 (58 000 points); and four cracks (bench/growing_ranks, 69 000 points). Each on one rank and on two, in mode
 mpi; numbers of ranks take turns. Prints a Markdown table: seconds per cycle by the clock from the third cycle on (ranks
 share the zone out anew when the first has shown where it flows), the fastest run of each; processor seconds per such
-cycle of the coarse process and of the fine ones; Newton iterations, moves of history and kB per iteration of all the
-run. The gain by processors is that of ranks that wait for the coarse process, and it for the one with most to do, but
-not from iteration to iteration: other work on the machine spoils it less.
+cycle of the coarse process, in which one of two ranks lives, and of the fine ones; Newton iterations, moves of history
+and kB per iteration of all the run. The gain by processors compares the seconds that both processes of one rank take,
+for they wait for each other, with those of the process that takes most of two: other work on the machine spoils it
+less.
 """
 
 import argparse
@@ -95,12 +96,15 @@ def fastest(program, case, settings, cycles, stress, repeat):
     return best
 
 
-def longest(result):
-    return result["coarse"] + result["fine"][-1]
+def longest(of):
+    """One rank and the structure take turns; two ranks work at a time, one of them in the structure's process."""
+    one, two = of[1], of[2]
+    return one["coarse"] + one["fine"][0], max(two["coarse"], two["fine"][0])
 
 
 def print_row(name, of):
     both = [of[ranks] for ranks in (1, 2)]
+    with_one, with_two = longest(of)
 
     def pair(value):
         return ", ".join(value(result, result["summary"]) for result in both)
@@ -112,7 +116,7 @@ def print_row(name, of):
         f"{both[0]['wall'] / both[1]['wall']:.2f}",
         pair(lambda r, _: f"{r['coarse']:.2f}"),
         pair(lambda r, _: " + ".join(f"{s:.2f}" for s in r["fine"])),
-        f"{longest(both[0]) / longest(both[1]):.2f}",
+        f"{with_one / with_two:.2f}",
         pair(lambda _, s: str(s["newton_iterations"])),
         str(both[1]["summary"]["history_moves"]),
         pair(lambda _, s: f"{s['bytes'] / s['newton_iterations'] / 1e3:.0f}"),

@@ -14,7 +14,7 @@ FineSide::FineSide(const Case& input, int ranks) {
 }
 
 // Every peer is greeted before anything is refused: nobody is left waiting.
-FineSide::FineSide(const Case& input, const coupling::MpiSession& session) {
+FineSide::FineSide(const Case& input, const coupling::MpiSession& session, bool own_rank) {
     std::exception_ptr refusal;
     for (int peer = 0; peer < session.peers(); ++peer) {
         transports_.push_back(session.transport(peer));
@@ -27,6 +27,7 @@ FineSide::FineSide(const Case& input, const coupling::MpiSession& session) {
         }
     }
     if (refusal) std::rethrow_exception(refusal);
+    if (own_rank) scales_.push_back(std::make_unique<fine::FineModel>(input));
     put_together(input);
 }
 

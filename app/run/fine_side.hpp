@@ -16,8 +16,9 @@ public:
     /// All ranks live in this process.
     FineSide(const Case& input, int ranks);
 
-    /// Each peer of the session is one rank.
-    FineSide(const Case& input, const coupling::MpiSession& session);
+    /// Each peer of the session is one rank. `own_rank`: one more lives in this process, which would otherwise sleep
+    /// while the others work. It is the last one: the others are asked first.
+    FineSide(const Case& input, const coupling::MpiSession& session, bool own_rank);
 
     /// The port. Several ranks look like one.
     [[nodiscard]] coupling::FineScale& scale() { return together_ ? *together_ : *scales_.front(); }

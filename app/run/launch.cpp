@@ -84,9 +84,12 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
     std::vector<std::string> coarse = component_command(options, programs + "/stria-coarse");
     if (!with_fine) return coarse;
     const std::vector<std::string> fine = component_command(options, programs + "/stria-fine");
+    // The structure waits while the zone works: of several ranks one lives with it, and no core is asked for in vain.
+    const bool own_rank = options.fine_ranks > 1;
+    if (own_rank) coarse.emplace_back("--own-rank");
     std::vector<std::string> command = {"mpirun", "--quiet", "-n", "1"};
     command.insert(command.end(), coarse.begin(), coarse.end());
-    command.insert(command.end(), {":", "-n", std::to_string(options.fine_ranks)});
+    command.insert(command.end(), {":", "-n", std::to_string(options.fine_ranks - (own_rank ? 1 : 0))});
     command.insert(command.end(), fine.begin(), fine.end());
     return command;
 }

@@ -39,7 +39,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
     }
     const coupling::MpiSession session(coupling::Role::Coarse);
     try {
-        FineSide fine(input, session);
+        FineSide fine(input, session, options.own_rank);
         coarse::CondensedFactory factory(&fine.scale(), input);
         return CoarseRun(options, input, {"mpi", 1 + session.peers(), users_terminal()}).perform(factory, &fine);
     } catch (const CaseError&) {

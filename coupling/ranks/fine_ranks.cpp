@@ -248,7 +248,7 @@ StepReport FineRanks::commit(const Commit& what) {
     increments_.push(increment);
     committed_ = trial_;
     for (const RankPart& part : parts_) scale_of(part).begin_commit(what);
-    for (const RankPart& part : parts_) reports_[at(part.rank)] = scale_of(part).commit(what);
+    for_each_answer(asked(), [&](std::size_t k) { reports_[at(parts_[k].rank)] = scale_of(parts_[k]).commit(what); });
     StepReport report = sum_of(reports_, patch_.rings);
     report.unknowns = patch_.mesh.unknowns + report.multipliers;  // seams once
     report.energy.load_path += gather(patch_.unit_load, seams_.kept).dot(increment);

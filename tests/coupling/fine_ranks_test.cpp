@@ -298,6 +298,66 @@ TEST_P(FineRanks, WorkOnAfterAFailure) {
     EXPECT_LT(difference(b.tangent.matrix, a.tangent.matrix), 1e-9);
 }
 
+/// In this process: it works while it is asked.
+struct RankHere : fine::FineModel {
+    using FineModel::FineModel;
+    void set_patch(const coupling::Patch& patch) override {
+        FineModel::set_patch(patch);
+        ++worked;
+    }
+    coupling::PatchResponse collect() override {
+        ++worked;
+        return FineModel::collect();
+    }
+    coupling::StepReport commit(const coupling::Commit& what) override {
+        ++worked;
+        return FineModel::commit(what);
+    }
+    int worked = 0;
+};
+
+/// In another one: it has answered when the one here has done its part, which it should not have to wait for.
+struct RankElsewhere : fine::FineModel {
+    RankElsewhere(const Case& input, const RankHere& here) : FineModel(input), here_(here) {}
+    void begin_set_patch(const coupling::Patch& /*patch*/) override { asked_at_ = here_.worked; }
+    void request(const coupling::PatchDisplacement& displacement) override {
+        asked_at_ = here_.worked;
+        FineModel::request(displacement);
+    }
+    void begin_commit(const coupling::Commit& /*what*/) override { asked_at_ = here_.worked; }
+    bool has_answered() override { return here_.worked > asked_at_; }
+    void wait_a_moment() override { FAIL() << "the rank here sleeps while it has work to do"; }
+    void set_patch(const coupling::Patch& patch) override {
+        EXPECT_TRUE(has_answered());
+        FineModel::set_patch(patch);
+    }
+    coupling::PatchResponse collect() override {
+        EXPECT_TRUE(has_answered());
+        return FineModel::collect();
+    }
+    coupling::StepReport commit(const coupling::Commit& what) override {
+        EXPECT_TRUE(has_answered());
+        return FineModel::commit(what);
+    }
+
+private:
+    const RankHere& here_;
+    int asked_at_ = 0;
+};
+
+TEST(FineRanksInTwoPlaces, WorkSideBySide) {
+    const Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
+    const coupling::Patch patch = plate_patch(plate_mesh(11, 9, input));
+    RankHere here(input);
+    RankElsewhere elsewhere(input, here);
+    coupling::FineRanks together({&elsewhere, &here}, 10);
+    together.set_patch(patch);
+    const Eigen::VectorXd u = random_vector(std::ssize(patch.boundary), 4e-3, 1);
+    for (const int iteration : {0, 1, 2}) (void)answer(together, iteration, u);
+    (void)together.commit({});
+    EXPECT_EQ(here.worked, 5);
+}
+
 TEST(IdleFineRanks, AreAskedForNothing) {
     const Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
     const coupling::Patch patch = plate_patch(extract(plate_mesh(11, 9, input), {9, 10}));

@@ -382,13 +382,13 @@ protected:
 
 TEST_F(Programs, TwoProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi"), run("inprocess")); }
 
-TEST_F(Programs, ThreeProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi", "2"), run("inprocess", "2")); }
+TEST_F(Programs, ThreeProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi", "3"), run("inprocess", "3")); }
 
-TEST_F(Programs, ThreeProgramsGrowACrackAsOneDoes) {
+TEST_F(Programs, TwoRanksGrowACrackAsInOneProgram) {
     expect_same_tables(run("mpi", "2", growing_scene), run("inprocess", "2", growing_scene));
 }
 
-TEST_F(Programs, ThreeProgramsSlideAsOneDoes) {
+TEST_F(Programs, TwoRanksSlideAsInOneProgram) {
     expect_same_tables(run("mpi", "2", sliding_scene), run("inprocess", "2", sliding_scene));
 }
 

@@ -258,7 +258,7 @@ TEST_F(Resumed, IsRefusedWithAnotherCase) {
     EXPECT_NE(text_of(folder / "log").find("cannot go on from this checkpoint"), std::string::npos);
 }
 
-// With faces that close and two fine ranks.
+// With faces that close and three fine ranks, one of them with the structure.
 TEST(ResumedSharedZone, AfterAFineRankWasKilled) {
     const TemporaryFolder folder;
     const Words scene{mesh_at_tip(0.4),
@@ -269,9 +269,9 @@ TEST(ResumedSharedZone, AfterAFineRankWasKilled) {
                       "output.fields=none",
                       "output.checkpoint_every=1"};
     const std::string whole = folder / "whole", output = folder / "out";
-    ASSERT_EQ(run_program("stria", command(whole, {"--mode", "inprocess", "--fine", "2"}, scene), folder / "log"), 0);
+    ASSERT_EQ(run_program("stria", command(whole, {"--mode", "inprocess", "--fine", "3"}, scene), folder / "log"), 0);
     {
-        Program run("stria", command(output, {"--fine", "2"}, scene), folder / "log");
+        Program run("stria", command(output, {"--fine", "3"}, scene), folder / "log");
         ASSERT_TRUE(wait_for_rows(run, output, 30)) << run.said();
         const std::vector<pid_t> fine = descendants(run.pid(), "stria-fine");
         ASSERT_EQ(fine.size(), 2U);
@@ -279,7 +279,7 @@ TEST(ResumedSharedZone, AfterAFineRankWasKilled) {
         EXPECT_EQ(run.wait(std::chrono::seconds(60)), 4);
     }
     std::filesystem::copy(output, folder / "one", std::filesystem::copy_options::recursive);
-    ASSERT_EQ(run_program("stria", command(output, {"--resume", "--fine", "2"}, scene), folder / "log"), 0);
+    ASSERT_EQ(run_program("stria", command(output, {"--resume", "--fine", "3"}, scene), folder / "log"), 0);
     expect_same_tables(output, whole);
     ASSERT_EQ(run_program("stria", command(folder / "one", {"--resume", "--mode", "inprocess"}, scene), folder / "log"),
               0);

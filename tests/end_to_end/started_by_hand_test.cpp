@@ -11,12 +11,16 @@
 namespace stria::test {
 namespace {
 
+void allow_mpirun() {
+    for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle",
+                             "OMPI_MCA_rmaps_base_oversubscribe"})
+        setenv(name, "1", 0);
+}
+
 class StartedByHand : public testing::Test {
 protected:
     void SetUp() override {
-        for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
-                                 "OMPI_MCA_mpi_yield_when_idle", "OMPI_MCA_rmaps_base_oversubscribe"})
-            setenv(name, "1", 0);
+        allow_mpirun();
         const std::string undisturbed = folder / "undisturbed";
         Words words{"run", shipped_sent, "-o", undisturbed, "--mode", "inprocess"};
         append_settings(words);
@@ -73,6 +77,31 @@ private:
         return words;
     }
 };
+
+/// A second fine rank is a program of its own, or lives with the structure.
+TEST(RanksStartedByHand, LeaveWhatThoseOfOneProgramDo) {
+    allow_mpirun();
+    const TemporaryFolder folder;
+    const auto component = [&](const char* count, const char* program, const std::string& output, Words more) {
+        Words words{"-n", count, own_program(program), shipped_sent, "-o", output};
+        for (const char* value : {"mesh.size=12.5", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]", "load.steps=16",
+                                  "output.fields=none"})
+            more.insert(more.end(), {"--set", value});
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    const auto run = [&](const std::string& output, const Words& own, const char* others) {
+        Words words = component("1", "stria-coarse", output, own);
+        words.emplace_back(":");
+        for (const std::string& word : component(others, "stria-fine", output, {})) words.push_back(word);
+        EXPECT_EQ(run_program("mpirun", words, folder / "log"), 0) << text_of(folder / "log");
+        return output;
+    };
+    const std::string apart = run(folder / "apart", {}, "2"), with = run(folder / "with", {"--own-rank"}, "1");
+    expect_same_tables(apart, with);
+    for (const std::string& output : {apart, with})
+        EXPECT_EQ(read_json(output + "/summary.json").number("fine_ranks"), 2.0);
+}
 
 // It writes no files. HDF5 brings thirty libraries, half of the time in which a program starts.
 TEST(FineComponent, IsStartedWithoutHDF5) {

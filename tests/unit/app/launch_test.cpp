@@ -1,0 +1,43 @@
+// The command that starts the components.
+#include "app/run/launch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace stria {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Two programs, each with its number: that of the structure alone where the case needs no zone.
+Words started(int fine_ranks, bool with_fine = true) {
+    RunOptions options;
+    options.case_path = "case.toml";
+    options.output_directory = "out";
+    options.fine_ranks = fine_ranks;
+    return launch_command(options, "bin", with_fine);
+}
+
+TEST(LaunchCommand, StartsTheStructureAloneWhereNoZoneIsNeeded) {
+    EXPECT_EQ(started(3, false), (Words{"bin/stria-coarse", "case.toml", "-o", "out", "--no-report"}));
+}
+
+TEST(LaunchCommand, StartsTwoProgramsForOneFineRank) {
+    EXPECT_EQ(started(1),
+              (Words{"mpirun", "--quiet", "-n", "1", "bin/stria-coarse", "case.toml", "-o", "out", "--no-report", ":",
+                     "-n", "1", "bin/stria-fine", "case.toml", "-o", "out", "--no-report"}));
+}
+
+// One of several lives with the structure: as many programs as ranks.
+TEST(LaunchCommand, StartsAsManyProgramsAsFineRanks) {
+    const Words three = started(3);
+    const auto colon = std::ranges::find(three, ":");
+    ASSERT_NE(colon, three.end());
+    EXPECT_EQ(Words(colon - 2, colon), (Words{"--no-report", "--own-rank"}));
+    EXPECT_EQ(Words(colon + 1, colon + 4), (Words{"-n", "2", "bin/stria-fine"}));
+    EXPECT_EQ(std::ranges::count(three, "--own-rank"), 1);
+}
+
+}  // namespace
+}  // namespace stria
