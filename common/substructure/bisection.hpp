@@ -14,11 +14,9 @@ struct PartOfElements {
     std::vector<int> elements;            // of a leaf, ascending
 };
 
-/// A tree of all elements, children before parents, the root last. It depends on where elements lie, not on their
-/// numbers. Where some come or go, most parts of the others stay.
+/// A tree of all elements, children before parents, the root last. Halves share few unknowns: fronts are as wide as
+/// what their elements share with others. It depends on where elements lie, not on their numbers. Where some come or
+/// go, most parts of the others stay.
 [[nodiscard]] std::vector<PartOfElements> bisect(const FrontLayout& layout);
-
-/// The number above `low` and not above `high` with the fewest binary digits; low < high.
-[[nodiscard]] double roundest_between(double low, double high);
 
 }  // namespace stria

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -34,14 +36,58 @@ std::set<Leaf> leaves(const FrontLayout& layout) {
     return found;
 }
 
-TEST(Bisection, CutsAtTheRoundestNumberAboveOneAndNotAboveTheOther) {
-    EXPECT_EQ(roundest_between(3.3, 4.9), 4.0);
-    EXPECT_EQ(roundest_between(3.0, 4.0), 4.0);
-    EXPECT_EQ(roundest_between(4.0, 4.3), 4.25);
-    EXPECT_EQ(roundest_between(5.1, 7.9), 6.0);
-    EXPECT_EQ(roundest_between(-0.3, 0.7), 0.0);
-    EXPECT_EQ(roundest_between(-7.9, -5.1), -6.0);
-    EXPECT_EQ(roundest_between(0.0, 3e-20), std::ldexp(1.0, -65));
+/// Of the part of the tree under a node.
+std::vector<int> elements_under(const std::vector<PartOfElements>& nodes, int node) {
+    std::vector<int> found = nodes[at(node)].elements;
+    for (const int child : nodes[at(node)].children) {
+        if (child < 0) continue;
+        const std::vector<int> more = elements_under(nodes, child);
+        found.insert(found.end(), more.begin(), more.end());
+    }
+    return found;
+}
+
+/// Adds squares of one millimetre with an unknown at each corner.
+void add_block(FrontLayout& layout, std::map<std::pair<int, int>, int>& corners, int x, int y, int columns, int rows) {
+    for (int i = x; i < x + columns; ++i) {
+        for (int j = y; j < y + rows; ++j) {
+            std::vector<int>& unknowns = layout.element_unknowns.emplace_back();
+            for (const auto& corner : {std::pair(i, j), {i + 1, j}, {i + 1, j + 1}, {i, j + 1}})
+                unknowns.push_back(corners.try_emplace(corner, static_cast<int>(std::ssize(corners))).first->second);
+            layout.centres.emplace_back(i + 0.5, j + 0.5);
+        }
+    }
+    layout.unknowns = static_cast<int>(std::ssize(corners));
+}
+
+// Halves of as many elements would share a row of the larger block.
+TEST(Bisection, CutsWherePartsShareFewUnknowns) {
+    FrontLayout layout;
+    std::map<std::pair<int, int>, int> corners;
+    add_block(layout, corners, 0, 0, 9, 8);
+    add_block(layout, corners, 9, 3, 2, 1);
+    add_block(layout, corners, 11, 0, 15, 8);
+    const std::vector<PartOfElements> nodes = bisect(layout);
+    std::vector<std::set<int>> unknowns;
+    for (const int child : nodes.back().children) {
+        std::set<int>& of_child = unknowns.emplace_back();
+        for (const int e : elements_under(nodes, child))
+            of_child.insert(layout.element_unknowns[at(e)].begin(), layout.element_unknowns[at(e)].end());
+    }
+    const auto shared = [&](int unknown) { return unknowns[1].contains(unknown); };
+    EXPECT_EQ(std::ranges::count_if(unknowns[0], shared), 2);
+}
+
+// Its rim is the shortest about so many.
+TEST(Bisection, PartsASquareAboutABusyPlace) {
+    FrontLayout layout;
+    std::map<std::pair<int, int>, int> corners;
+    add_block(layout, corners, 0, 0, 40, 40);
+    layout.busy = {Vec2(17.5, 20.5)};
+    const std::vector<PartOfElements> nodes = bisect(layout);
+    const std::vector<int> near = elements_under(nodes, nodes.back().children[1]);
+    EXPECT_EQ(near.size(), 121U);
+    for (const int e : near) EXPECT_LE((layout.centres[at(e)] - layout.busy[0]).lpNorm<Eigen::Infinity>(), 5.0);
 }
 
 TEST(Bisection, HoldsEachElementOnceInLeavesThatAreNeitherTooLargeNorNearlyEmpty) {
@@ -66,6 +112,8 @@ TEST(Bisection, CopesWithElementsAtOnePlace) {
     FrontLayout layout;
     layout.centres.assign(100, Vec2(1.0, 2.0));
     layout.element_unknowns.resize(100);
+    for (const PartOfElements& node : bisect(layout)) EXPECT_LE(std::ssize(node.elements), layout.leaf_elements);
+    for (int k = 0; k < 100; k += 2) layout.centres[at(k)].x() = std::nextafter(1.0, 2.0);
     for (const PartOfElements& node : bisect(layout)) EXPECT_LE(std::ssize(node.elements), layout.leaf_elements);
 }
 
