@@ -2,8 +2,9 @@
 """Wall time and processor time of one coarse and one fine rank beside those of one process.
 
     bench/one_process_or_two.py build/release/bin/stria [ANOTHER/stria ...] [--cases overload ...] [--repeat 5]
+                                [--full]
 
-The shipped closure cases, shortened. The runs take turns, and the best and the median of each count. Under other work
+The shipped closure cases, shortened unless --full. The runs take turns, and the best and the median of each count. Under other work
 `chrt -f 10` before the command gives the runs the cores that they would find on a quiet machine.
 """
 
@@ -31,11 +32,13 @@ def processor_time():
     return used.ru_utime + used.ru_stime
 
 
-def seconds(program, mode, case):
+def seconds(program, mode, case, full):
     """By the clock and of a processor."""
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "run", str(ROOT / "cases" / case / "case.toml"), "-o", folder + "/out", "--mode", mode,
-                   "--quiet", "--no-report", "--set", "load.blocks=" + CASES[case]]
+                   "--quiet", "--no-report", "--set", "output.fields=none"]
+        if not full:
+            command += ["--set", "load.blocks=" + CASES[case]]
         wall, used = time.monotonic(), processor_time()
         subprocess.run(command, check=True)
         return time.monotonic() - wall, processor_time() - used
@@ -46,6 +49,7 @@ def main():
     parser.add_argument("programs", nargs="+")
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES))
     parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--full", action="store_true")
     options = parser.parse_args()
     sides = [(options.programs[0], "inprocess")] + [(program, "mpi") for program in options.programs]
     print("| case | program | mode | wall, best | median | ratio | CPU, best | median | ratio |\n|" + "---|" * 9)
@@ -53,7 +57,7 @@ def main():
         found = {side: [] for side in sides}
         for turn in range(options.repeat):
             for side in sides if turn % 2 == 0 else reversed(sides):
-                found[side].append(seconds(*side, case))
+                found[side].append(seconds(*side, case, options.full))
         one = [min(column) for column in zip(*found[sides[0]])]
         for side in sides:
             cells = [case, os.path.dirname(side[0]), side[1]]
