@@ -7,6 +7,7 @@
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -78,6 +79,16 @@ void claim_output_directory(RunOptions& options) {
     std::filesystem::create_directories(folder, problem);
     if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
         throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
+}
+
+int fine_ranks_of(const RunOptions& options) {
+    const bool with_fine = options.mode != "monolithic" && needs_fine(read_case(options.case_path, options.overrides));
+    return with_fine ? options.fine_ranks : 0;
+}
+
+int processes_of(const RunOptions& options) {
+    const int ranks = options.mode == "mpi" ? fine_ranks_of(options) : 0;
+    return ranks == 1 ? 2 : std::max(1, ranks);
 }
 
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine) {

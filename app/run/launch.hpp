@@ -12,6 +12,13 @@ namespace stria {
 /// already holds results and the run is neither forced nor resumed.
 void claim_output_directory(RunOptions& options);
 
+/// Fine ranks of a run: none where its case or its mode has none.
+int fine_ranks_of(const RunOptions& options);
+
+/// Processes of a run beside those of mpirun. In mode mpi the structure has one to itself beside a single fine rank;
+/// of several ranks one lives with it.
+int processes_of(const RunOptions& options);
+
 /// The words of the command that runs the case in mode mpi. `programs`: the folder of the two components.
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine);
 

@@ -36,11 +36,6 @@ std::string line_of(const RunOptions& run, const std::string& start) {
                        quoted((std::filesystem::path(folder) / log_name).string()));
 }
 
-int processes_of(const RunOptions& run) {
-    const bool with_fine = run.mode == "mpi" && needs_fine(read_case(run.case_path, run.overrides));
-    return with_fine ? 1 + run.fine_ranks : 1;
-}
-
 /// sbatch takes fewer letters in its lines than a shell does.
 std::string job_name(const StudyOptions& options) {
     std::string name = std::filesystem::path(options.run.output_directory).filename().string();

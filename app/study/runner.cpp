@@ -68,8 +68,8 @@ Found found_in(const RunOptions& options) {
         const auto found = summary.words.find(name);
         return found != summary.words.end() && found->second == word;
     };
-    const int ranks = options.mode == "mpi" && needs_fine(input) ? 1 + options.fine_ranks : 1;
-    if (!is("version", version_text()) || !is("mode", options.mode) || summary.number("ranks") != ranks)
+    if (!is("version", version_text()) || !is("mode", options.mode) ||
+        summary.number("ranks") != processes_of(options) || summary.number("fine_ranks") != fine_ranks_of(options))
         return Found::Nothing;
     return is("status", "done") ? Found::Done : Found::Begun;
 }

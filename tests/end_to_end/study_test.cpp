@@ -115,6 +115,22 @@ TEST_F(Study, ResumeKeepsWhatIsDone) {
     EXPECT_NE(said().find("mesh.size=2  done in"), std::string::npos) << said();
 }
 
+// In one process, and in as many as there are fine ranks.
+TEST_F(Study, ResumeTellsNumbersOfFineRanksApart) {
+    for (const std::string mode : {"inprocess", "mpi"}) {
+        const auto with = [&](const char* ranks, const char* how) {
+            EXPECT_EQ(run({"--set", "material.yield_stress=1e4", "--over", "mesh.size=4", "--mode", mode, "--fine",
+                           ranks, how}),
+                      0)
+                << said();
+            return said();
+        };
+        (void)with("1", "--force");
+        EXPECT_NE(with("2", "--resume").find("done in"), std::string::npos) << said();
+        EXPECT_NE(with("2", "--resume").find("done before"), std::string::npos) << said();
+    }
+}
+
 /// A table without what two runs of one case differ in: times.
 std::string without_times(const NumberTable& table) {
     std::string text;
