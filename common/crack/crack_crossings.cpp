@@ -137,9 +137,12 @@ void CrackCrossings::collect() {
     merge();
 }
 
-void CrackCrossings::add(const MeshEdge& edge, std::size_t segment, const Vec2& x) {
+// Along the crack an intersection moves by rounding with the crack's other end; on the edge it does not where the crack
+// runs along an axis. A crack that grows straight on so leaves what it has cut the same to the bit.
+void CrackCrossings::add(const MeshEdge& edge, std::size_t segment, const Vec2& found) {
     const Vec2 &a = node(edge.first), &b = node(edge.second);
-    const double t = (x - a).dot(b - a) / (b - a).squaredNorm();
+    const double t = (found - a).dot(b - a) / (b - a).squaredNorm();
+    const Vec2 x = a + t * (b - a);
     const double s = arc_[segment] + (x - points_[segment]).norm();
     if (t < snap_fraction)
         crossings_.push_back({s, a, edge.first, nullptr, 0.0});

@@ -70,6 +70,30 @@ TEST(CrackPath, EveryStraightCrackIsResolved) {
     }
 }
 
+// What has not changed is told by that when a crack has grown.
+TEST(CrackPath, KeepsItsPiecesToTheBitWhereItGoesStraightOnAlongAnAxis) {
+    const std::vector<double> wide = equal_cells(413, 50.0);
+    std::vector<double> high;
+    for (int k = 0; k <= 30; ++k) high.push_back(98.3 + 0.121 * k);
+    for (const bool along_x : {true, false}) {
+        // Nodes are off by rounding, as those of split elements are.
+        const Mesh mesh = distorted(along_x ? coarse::grid_mesh(wide, high) : coarse::grid_mesh(high, wide), 4e-15);
+        const auto crack_to = [&](double end) {
+            const Points points = along_x ? Points{{0.0, 100.03}, {end, 100.03}} : Points{{100.03, 0.0}, {100.03, end}};
+            return resolve_crack(mesh, 0, points).pieces;
+        };
+        const std::vector<CrackPiece> before = crack_to(29.56);
+        for (int growth = 1; growth < 20; ++growth) {
+            const std::vector<CrackPiece> after = crack_to(29.56 + 0.02 * growth);
+            ASSERT_GE(after.size(), before.size());
+            for (std::size_t k = 0; k + 1 < before.size(); ++k) {  // the last one ends at the tip
+                EXPECT_EQ(after[k].points, before[k].points) << growth << ", piece " << k;
+                EXPECT_EQ(after[k].s, before[k].s);
+            }
+        }
+    }
+}
+
 TEST(CrackPath, MouthOutsideTheBodyIsCutOff) {
     const CrackPath path = resolve_crack(square_mesh(5), 0, {{-0.3, 0.47}, {0.52, 0.47}});
     EXPECT_FALSE(path.tip_at_start);
