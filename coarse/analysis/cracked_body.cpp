@@ -62,6 +62,7 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
         grown_ = std::make_unique<Scene>(make_scene(input, split_again(scene_->mesh, splits_)));
         scene_ = grown_.get();
         nominal_displacement_ = {};
+        rings_.clear();
     }
     require(std::ssize(state.displacement) == scene_->enriched.unknowns &&
                 state.in_zone.size() == std::ssize(scene_->mesh.elements),
@@ -128,6 +129,7 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
                                   ? with_tips_moved(scene, still_of_nominal_, std::move(nominal_fields_->fields))
                                   : nominal_solution(scene, known);
     nominal_ = nominal.tips;
+    rings_ = std::move(nominal.rings);
     unit_displacement_ = unit_displacement(nominal.fields);
     find_largest_K_I();
     nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
@@ -208,6 +210,7 @@ CrackedBody::Outgrown CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd&
     for (int e = 0; e < std::ssize(finer.part_of); ++e)
         if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // still_elements() sees that it moves
     nominal_fields_.reset();
+    rings_.clear();
     splits_.insert(splits_.end(), finer.splits.begin(), finer.splits.end());
     Outgrown outgrown{std::exchange(grown_, std::make_unique<Scene>(std::move(finer.scene))), std::move(structure_)};
     scene_ = grown_.get();
@@ -263,11 +266,6 @@ void CrackedBody::keep_behind(const EnrichedMesh& on) {
     factors_.behind.reset();
 }
 
-// What is behind lies on the parts that the structure lies on.
-bool CrackedBody::lies_behind_middle() const {
-    return still_of_nominal_.far == still_.far && still_of_nominal_.middle == still_.middle;
-}
-
 std::unique_ptr<Scene> CrackedBody::keeping_functions(const Scene& longer) const {
     if (longer.input.growth->retain != Retain::All || !needs_fine(longer.input)) return nullptr;
     return std::make_unique<Scene>(with_functions_left(longer, scene_->enriched));
@@ -284,6 +282,7 @@ void CrackedBody::take(std::unique_ptr<Scene> longer, std::unique_ptr<Scene> kee
                                                Eigen::VectorXd::Zero(keeping->enriched.unknowns));
         longer = std::move(keeping);
         nominal_fields_.reset();
+        rings_.clear();
     }
     if (scene_->input.fine.refine > 1) settled_ |= elements_with_more_than_jumps(*scene_);
     grown_ = std::move(longer);

@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/analysis/listener.hpp"
 #include "coarse/fracture/nominal_solution.hpp"
+#include "coarse/fracture/structure_rings.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 
 namespace stria::coarse {
@@ -22,6 +24,13 @@ public:
     [[nodiscard]] const Structure& structure() const { return *structure_; }
     [[nodiscard]] const ElementSet& in_zone() const { return in_zone_; }
     [[nodiscard]] bool has_zone() const;
+
+    /// Of the structure; those of the nominal solution serve.
+    [[nodiscard]] StructureRings take_rings() {
+        std::vector<RingForms> known = std::exchange(rings_, {});
+        return {structure_->elements(),
+                known.empty() ? StructureRings::forms_of(structure_->elements()) : std::move(known)};
+    }
 
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip.
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_; }
@@ -89,7 +98,10 @@ private:
     [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone,
                                                       const StillElements& still);
     void choose_behind(const Scene& longer);
-    [[nodiscard]] bool lies_behind_middle() const;
+    /// What is behind lies on the parts that the structure lies on.
+    [[nodiscard]] bool lies_behind_middle() const {
+        return still_of_nominal_.far == still_.far && still_of_nominal_.middle == still_.middle;
+    }
     void keep_behind(const EnrichedMesh& on);
     [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene);
     [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known);
@@ -109,6 +121,7 @@ private:
     StructureFactors factors_;
     std::unique_ptr<Structure> structure_;
     std::vector<TipResult> nominal_;
+    std::vector<RingForms> rings_;  // of the present scene, until they are taken
     Eigen::VectorXd nominal_displacement_;
     struct FieldsBesideFar {
         NominalFields fields;

@@ -73,7 +73,7 @@ void TwoScaleModel::turn_to(const ElementSet& in_zone, std::optional<coupling::P
 void TwoScaleModel::couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from) {
     const Structure& structure = body_.structure();
     guard_.turn_to(structure, body_.nominal_displacement());
-    rings_.emplace(structure.elements());
+    rings_.emplace(body_.take_rings());
     const coupling::Patch* zone_patch = patch ? &*patch : nullptr;
     if (equilibrium_) effort_ += equilibrium_->effort();
     equilibrium_ = from != nullptr ? factory_.resume(structure, zone_patch, displacement_, from->zone)

@@ -7,20 +7,22 @@
 namespace stria::coarse {
 namespace {
 
-/// Some of the unknowns of an element's corners and of what they hang on: all that the element sees are among them.
-template <class Is> bool any_about(const EnrichedMesh& mesh, int element, const Is& is) {
-    const auto any_of_node = [&](int node) {
+/// Nodes that have some of these unknowns, and those that hang on them: an element that sees one has such a corner.
+NodeSet nodes_about(const EnrichedMesh& mesh, const UnknownSet& unknowns) {
+    const auto has_some = [&](int node) {
         for (int term = 0; term <= std::ssize(mesh.terms[at(node)]); ++term) {
             if (mesh.follows(node, term)) continue;
             const int first = mesh.unknown(node, term, 0);
-            if (is(first) || is(first + 1)) return true;
+            if (unknowns.contains(first) || unknowns.contains(first + 1)) return true;
         }
         return false;
     };
-    return std::ranges::any_of(mesh.elements[at(element)], [&](int node) {
-        const TiedNode* const tie = mesh.tie(node);
-        return any_of_node(node) || (tie != nullptr && std::ranges::any_of(tie->ends, any_of_node));
-    });
+    NodeSet nodes(mesh.nodes.size());
+    for (int node = 0; node < nodes.size(); ++node)
+        if (has_some(node)) nodes.insert(node);
+    for (const TiedNode& tie : mesh.tied)  // their ends are not tied
+        if (nodes.contains(tie.ends[0]) || nodes.contains(tie.ends[1])) nodes.insert(tie.node);
+    return nodes;
 }
 
 }  // namespace
@@ -61,8 +63,10 @@ void CoarseElements::find_supported() {
     UnknownSet prescribed(scene().enriched.unknowns);
     for (const PrescribedUnknown& p : scene().prescribed) prescribed.insert(p.unknown);
     const auto is_held = [&](int unknown) { return prescribed.contains(unknown); };
+    const NodeSet nodes = nodes_about(scene().enriched, prescribed);
+    const auto is_about = [&](int node) { return nodes.contains(node); };
     for (int e = 0; e < in_zone_.size(); ++e) {
-        if (in_zone_.contains(e) || !any_about(scene().enriched, e, is_held)) continue;
+        if (in_zone_.contains(e) || std::ranges::none_of(scene().enriched.elements[at(e)], is_about)) continue;
         visit_unknowns(e, [&](int, std::span<const int> unknowns) {
             if (std::ranges::any_of(unknowns, is_held)) supported_.push_back(e);
         });

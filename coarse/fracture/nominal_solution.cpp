@@ -23,8 +23,7 @@ NominalFields fields_of(const Structure& body, Eigen::VectorXd unit) {
     return fields;
 }
 
-std::vector<TipResult> tips_of(const CoarseElements& elements, const NominalFields& fields) {
-    const StructureRings rings(elements, Asked::Once);
+std::vector<TipResult> tips_of(const StructureRings& rings, const NominalFields& fields) {
     std::vector<TipResult> tips =
         fracture_parameters(rings, fields.unit, rings.integrals_of_displacement(fields.unit), {});
     for (const Eigen::VectorXd& alone : fields.of_cases) {
@@ -44,8 +43,9 @@ std::vector<TipResult> tips_of(const CoarseElements& elements, const NominalFiel
 
 NominalSolution solution_of(std::unique_ptr<Structure> body, Eigen::VectorXd unit) {
     NominalFields fields = fields_of(*body, std::move(unit));
-    std::vector<TipResult> tips = tips_of(body->elements(), fields);
-    return {std::move(body), std::move(fields), std::move(tips)};
+    StructureRings rings(body->elements());
+    std::vector<TipResult> tips = tips_of(rings, fields);
+    return {std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
 }
 
 }  // namespace
@@ -62,8 +62,9 @@ NominalSolution solve_nominal_near(std::unique_ptr<Structure> body) {
 
 NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, NominalFields known) {
     const CoarseElements elements(scene, ElementSet(scene.mesh.elements.size()), still);
-    std::vector<TipResult> tips = tips_of(elements, known);
-    return {nullptr, std::move(known), std::move(tips)};
+    StructureRings rings(elements);
+    std::vector<TipResult> tips = tips_of(rings, known);
+    return {nullptr, std::move(known), std::move(tips), std::move(rings).take_forms()};
 }
 
 NominalSolution solve_nominal(const Scene& scene) { return solve_nominal(std::make_unique<Structure>(scene)); }

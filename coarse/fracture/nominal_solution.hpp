@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/fracture/ring_forms.hpp"
 #include "coarse/load/load_scale.hpp"
 #include "coarse/structure/structure.hpp"
 
@@ -22,6 +23,8 @@ struct NominalSolution {
     std::unique_ptr<Structure> structure;  // of the whole body: no element is in a zone; null: it was not condensed
     NominalFields fields;
     std::vector<TipResult> tips;  // one per tip
+    std::vector<RingForms>
+        rings;  // likewise, of all near elements: a structure beside a zone on this scene has them too
 };
 
 /// `body`: without a zone.

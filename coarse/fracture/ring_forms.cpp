@@ -1,139 +1,187 @@
 #include "coarse/fracture/ring_forms.hpp"
 
+#include <array>
+
 #include "coarse/model/rings.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
 
-/// Adds the adjoint of sigma = C eps(u), grad u at point q: what the weights of both make of each element value.
-template <class Operator, class Values>
-void add_adjoint(const Operator& op, std::size_t q, const MandelMatrix& elastic, const MutualWeights& weights,
-                 Values& local) {
-    op.add_force(elastic * weights.stress, q, local);
-    const auto& gradients = op.gradients[q];
-    const Eigen::Matrix2d weighted = op.points[q].weight * weights.gradient;
-    local.reshaped(2, gradients.rows()) += weighted * gradients.transpose();
+using CornerGradients = Eigen::Matrix<double, 4, 2>;  // of the functions that interpolate q
+
+const CornerGradients& corner_gradients(const PlainOperator& op, const EnrichedMesh&, std::size_t q) {
+    return op.gradients[q];
 }
 
-RingSums sums_about(const Scene& scene, int tip, const std::vector<Annulus>& rings, const std::vector<int>& among,
-                    bool with_inside = false) {
-    const Tip& about = scene.enriched.tips[at(tip)];
-    return {scene.enriched, about, scene.elastic(about), rings, among, with_inside};
+CornerGradients corner_gradients(const ElementOperator& op, const EnrichedMesh& mesh, std::size_t q) {
+    QuadNodes corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(op.element)][k])];
+    return shape_q4(corners, op.points[q].xi).gradient;
 }
+
+bool is_mean(const PlainOperator& op) { return op.mean_dilatation; }
+bool is_mean(const ElementOperator& op) { return !op.mean.empty(); }
+const PlainOperator::Gradient& mean_of(const PlainOperator& op, int) { return op.mean; }
+auto mean_of(const ElementOperator& op, int region) { return op.mean[at(region)]; }
+
+constexpr int most_regions = 2;  // of mean dilatation
+int regions_of(const PlainOperator& op) { return is_mean(op) ? 1 : 0; }
+int regions_of(const ElementOperator& op) { return static_cast<int>(op.mean.size()); }
+
+/// What a linear form of the stress and of u_,1 makes of each value of an element: point by point.
+template <class Operator> class ElementForm {
+public:
+    explicit ElementForm(const Operator& op) : values_(Operator::Values::Zero(std::ssize(op.unknowns))) {}
+
+    /// The adjoint of sigma = C eps(u), u_,1 at point q, of which op.strain() and op.displacement_gradient() are.
+    void add(const Operator& op, std::size_t q, const MandelMatrix& elastic, const MutualWeights& weights,
+             const Vec2& along) {
+        const double xx = elastic(0, 0) * weights.xx + elastic(0, 1) * weights.yy;
+        const double yy = elastic(1, 0) * weights.xx + elastic(1, 1) * weights.yy;
+        const double zz = elastic(2, 0) * weights.xx + elastic(2, 1) * weights.yy;
+        const double xy = 0.5 * elastic(3, 3) * weights.xy;
+        const double weight = op.points[q].weight, pressure = is_mean(op) ? (xx + yy + zz) / 3.0 : 0.0;
+        const Vec2 slope = weight * weights.slope;
+        const Vec2 by_x = weight * Vec2(xx - pressure, xy) + along.x() * slope;
+        const Vec2 by_y = weight * Vec2(xy, yy - pressure) + along.y() * slope;
+        const auto& gradients = op.gradients[q];
+        for (Eigen::Index f = 0; f < gradients.rows(); ++f)
+            values_.template segment<2>(2 * f) += gradients(f, 0) * by_x + gradients(f, 1) * by_y;
+        pressure_[at(op.points[q].region)] += weight * pressure;
+    }
+
+    /// Once all points are there.
+    [[nodiscard]] typename Operator::Values values(const Operator& op) const {
+        typename Operator::Values values = values_;
+        for (int region = 0; region < regions_of(op); ++region) {
+            const auto& mean = mean_of(op, region);
+            values.reshaped(2, mean.rows()) += pressure_[at(region)] * mean.transpose();
+        }
+        return values;
+    }
+
+private:
+    typename Operator::Values values_;
+    std::array<double, most_regions> pressure_{};
+};
+
+/// Strains and displacement gradients at the points of an element, with what they share worked out once.
+template <class Operator> class ElementStrains {
+public:
+    using Values = typename Operator::Values;
+
+    ElementStrains(const Operator& op, const Values& values) : op_(op), values_(values) {
+        for (int region = 0; region < regions_of(op); ++region) {
+            const auto& mean = mean_of(op, region);
+            dilatation_[at(region)] = values_.reshaped(2, mean.rows()).cwiseProduct(mean.transpose()).sum();
+        }
+    }
+
+    [[nodiscard]] Eigen::Matrix2d gradient(std::size_t q) const {
+        return values_.reshaped(2, op_.gradients[q].rows()) * op_.gradients[q];
+    }
+    /// op.strain(), from the gradient.
+    [[nodiscard]] Mandel strain(std::size_t q, const Eigen::Matrix2d& gradient) const {
+        if (!is_mean(op_)) return strain_of(gradient);
+        const double missing = dilatation_[at(op_.points[q].region)] - gradient.trace();
+        return strain_of(gradient) + missing / 3.0 * mandel_identity;
+    }
+
+private:
+    const Operator& op_;
+    const Values& values_;
+    std::array<double, most_regions> dilatation_{};
+};
 
 }  // namespace
 
-RingForms::RingForms(const CoarseElements& elements, int tip, Asked asked)
-    : tip_(tip), asked_(asked), rings_(rings_about(elements.scene(), tip)) {
-    if (asked_ == Asked::InEachIncrement) weigh(elements);
+RingForms::RingForms(const CoarseElements& elements, int tip)
+    : tip_(tip), rings_(rings_about(elements.scene(), tip)),
+      weights_(elements.scene().enriched, elements.scene().enriched.tips[at(tip)], rings_, elements.near()) {
+    const Scene& scene = elements.scene();
+    const Tip& about = scene.enriched.tips[at(tip)];
+    const AuxiliaryFields auxiliary(about, scene.elastic(about));
+    constexpr std::size_t most_values = 3 * 8;  // of most elements in a ring
+    forms_.reserve(most_values * weights_.entries());
+    elements.for_each(weights_.elements(),
+                      [&](const auto& op) { append_forms(op, weights_.of(first_.size()), auxiliary, scene); });
 }
 
-void RingForms::weigh(const CoarseElements& elements) {
-    RingSums geometry = sums_about(elements.scene(), tip_, rings_, elements.near());
-    elements_ = geometry.elements();
-    const std::vector<int> place = number_unknowns(elements);
-    interactions_ = Eigen::MatrixXd::Zero(3 * std::ssize(rings_), std::ssize(unknowns_));
-    elements.for_each(elements_, [&](const auto& op) {
-        geometry.enter(op.element);
-        add_element(op, geometry, elements.scene(), place);
-    });
-}
-
-/// Of each unknown of the whole mesh its place in unknowns_, -1: none.
-std::vector<int> RingForms::number_unknowns(const CoarseElements& elements) {
-    UnknownSet seen(elements.scene().enriched.unknowns);
-    elements.for_each_unknowns(elements_, [&](int, std::span<const int> unknowns) {
-        for (const int unknown : unknowns) seen.insert(unknown);
-    });
-    unknowns_ = seen.members();
-    std::vector<int> place(at(seen.size()), -1);
-    for (std::size_t k = 0; k < unknowns_.size(); ++k) place[at(unknowns_[k])] = static_cast<int>(k);
-    return place;
-}
-
-/// `geometry` has entered the element.
 template <class Operator>
-void RingForms::add_element(const Operator& op, const RingSums& geometry, const Scene& scene,
-                            const std::vector<int>& place) {
+void RingForms::append_forms(const Operator& op, std::span<const RingWeights::Entered> entered,
+                             const AuxiliaryFields& auxiliary, const Scene& scene) {
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.materials.stiffness(about.material);
-    std::vector<int> entered;
-    std::array<std::array<typename Operator::Values, 3>, most_rings> local;
-    for (const IntegrationPoint& point : op.points) {
-        const std::size_t q = at(&point - op.points.data());
-        const std::array<TipField, 3> fields = geometry.auxiliary(point);
-        std::size_t k = 0;
-        geometry.for_each_ring(point, [&](std::size_t ring, const Vec2& dq) {
-            weights_.emplace_back(point.weight * dq);
-            if (q == 0) {
-                entered.push_back(static_cast<int>(ring));
-                local[k].fill(Operator::Values::Zero(std::ssize(op.unknowns)));
-            }
+    const int side = scene.enriched.element_side[at(op.element)];
+    const ElementForm<Operator> zero(op);
+    std::vector<std::array<ElementForm<Operator>, 3>> forms(entered.size(), {zero, zero, zero});
+    for (std::size_t q = 0; q < op.points.size(); ++q) {
+        const IntegrationPoint& point = op.points[q];
+        const std::array<AuxiliaryField, 3> fields = auxiliary.at(point.x, point.side != 0 ? point.side : side);
+        const CornerGradients& gradients = corner_gradients(op, scene.enriched, q);
+        for (std::size_t k = 0; k < entered.size(); ++k) {
+            const Vec2 dq = gradients.transpose() * entered[k].q;
             for (std::size_t mode = 0; mode < 3; ++mode)
-                add_adjoint(op, q, elastic, mutual_weights(about, fields[mode], dq), local[k][mode]);
-            ++k;
-        });
+                forms[k][mode].add(op, q, elastic, MutualWeights(fields[mode], about.direction, dq), about.direction);
+        }
     }
-    entered_.append(entered);
-    for (std::size_t i = 0; i < op.unknowns.size(); ++i) {
-        auto sums = interactions_.col(place[at(op.unknowns[i])]);
-        for (std::size_t k = 0; k < entered.size(); ++k)
-            for (std::size_t mode = 0; mode < 3; ++mode)
-                sums[3 * entered[k] + static_cast<Eigen::Index>(mode)] += local[k][mode][static_cast<Eigen::Index>(i)];
-    }
+    first_.push_back(forms_.size());
+    for (const std::array<ElementForm<Operator>, 3>& of_ring : forms)
+        for (const ElementForm<Operator>& form : of_ring) {
+            const typename Operator::Values values = form.values(op);
+            forms_.insert(forms_.end(), values.begin(), values.end());
+        }
 }
 
 std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
-    if (asked_ == Asked::Once) return summed_up(elements, u, false);
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.materials.stiffness(about.material);
     std::vector<DomainIntegral> result(rings_.size());
-    std::size_t element = 0;
-    auto weight = weights_.begin();
-    elements.for_each(elements_, [&](const auto& op) {
-        const std::span<const int> entered = entered_[element++];
+    const auto add = [&](std::size_t place, const auto& op) {
         const auto local = gather(u, op.unknowns);
+        const ElementStrains strains(op, local);
+        Eigen::Vector4d own = Eigen::Vector4d::Zero();  // what J has of q at each corner
         for (std::size_t q = 0; q < op.points.size(); ++q) {
-            const Mandel strain = op.strain(local, q), stress = elastic * strain;
-            const Vec2 own =
-                energy_momentum(about, stress, op.displacement_gradient(local, q), 0.5 * stress.dot(strain));
-            for (const int ring : entered) result[at(ring)].J += own.dot(*weight++);
+            const Eigen::Matrix2d gradient = strains.gradient(q);
+            const Mandel strain = strains.strain(q, gradient), stress = elastic * strain;
+            const Vec2 momentum = energy_momentum(about, stress, gradient, 0.5 * stress.dot(strain));
+            own += corner_gradients(op, scene.enriched, q) * (op.points[q].weight * momentum);
         }
-    });
-    const Eigen::VectorXd sums = interactions_ * gather(u, unknowns_);
-    for (std::size_t ring = 0; ring < result.size(); ++ring) {
-        const auto first = static_cast<Eigen::Index>(3 * ring);
-        result[ring].interaction_I = sums[first];
-        result[ring].interaction_II = sums[first + 1];
-        result[ring].interaction_T = sums[first + 2];
+        const double* form = forms_.data() + first_[place];
+        for (const auto& [ring, q] : weights_.of(place)) {
+            const Eigen::Vector3d mutual =
+                Eigen::Map<const Eigen::MatrixX3d>(form, local.size(), 3).transpose() * local;
+            result[ring] += {own.dot(q), mutual[0], mutual[1], mutual[2]};
+            form += 3 * local.size();
+        }
+    };
+    for (std::size_t place = 0; place < first_.size(); ++place) {
+        const int element = weights_.elements()[place];
+        if (!elements.in_zone().contains(element))
+            elements.for_each(std::span(&element, 1), [&](const auto& op) { add(place, op); });
     }
     return result;
 }
 
 std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseElements& elements,
                                                                   const Eigen::VectorXd& u) const {
-    return summed_up(elements, u, true);
-}
-
-std::vector<DomainIntegral> RingForms::summed_up(const CoarseElements& elements, const Eigen::VectorXd& u,
-                                                 bool with_initial_stress) const {
     const Scene& scene = elements.scene();
-    const Elasticity& elastic = scene.elastic(scene.enriched.tips[at(tip_)]);
-    const MandelMatrix stiffness = elastic.stiffness();
-    RingSums sums = sums_about(scene, tip_, rings_, elements.near(), with_initial_stress);
+    const Tip& about = scene.enriched.tips[at(tip_)];
+    const Elasticity& elastic = scene.elastic(about);
+    const MandelMatrix& stiffness = scene.materials.stiffness(about.material);
+    constexpr bool with_inside = true;
+    RingSums sums(scene.enriched, about, elastic, rings_, elements.near(), with_inside);
     elements.for_each(sums.elements(), [&](const auto& op) {
         sums.enter(op.element);
         const auto local = gather(u, op.unknowns);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Vec2& x = op.points[q].x;
-            Mandel stress = stiffness * op.strain(local, q);
-            if (with_initial_stress) stress += scene.initial_stress(op.element, x);
+            const Mandel stress = stiffness * op.strain(local, q) + scene.initial_stress(op.element, x);
             sums.add(op.points[q], stress, op.displacement_gradient(local, q), elastic.energy(stress));
-            if (with_initial_stress)
-                sums.add_initial(op.points[q], stress,
-                                 scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
+            sums.add_initial(op.points[q], stress,
+                             scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
         }
         sums.forget_points();
     });

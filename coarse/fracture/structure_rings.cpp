@@ -4,8 +4,10 @@
 
 namespace stria::coarse {
 
-StructureRings::StructureRings(const CoarseElements& elements, Asked asked) : elements_(&elements) {
-    for (int tip = 0; tip < std::ssize(elements.scene().enriched.tips); ++tip) tips_.emplace_back(elements, tip, asked);
+std::vector<RingForms> StructureRings::forms_of(const CoarseElements& elements) {
+    std::vector<RingForms> tips;
+    for (int tip = 0; tip < std::ssize(elements.scene().enriched.tips); ++tip) tips.emplace_back(elements, tip);
+    return tips;
 }
 
 RingIntegrals StructureRings::integrals(const Eigen::VectorXd& u) const {

@@ -1,6 +1,7 @@
 // The ring forms of all tips of a structure.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "coarse/fracture/ring_forms.hpp"
@@ -13,7 +14,14 @@ using RingIntegrals = std::vector<std::vector<DomainIntegral>>;
 class StructureRings {
 public:
     /// `elements` must outlive their rings.
-    explicit StructureRings(const CoarseElements& elements, Asked asked = Asked::InEachIncrement);
+    explicit StructureRings(const CoarseElements& elements) : StructureRings(elements, forms_of(elements)) {}
+
+    /// `forms`: of all tips, of these elements and maybe others of the same scene.
+    StructureRings(const CoarseElements& elements, std::vector<RingForms> forms)
+        : elements_(&elements), tips_(std::move(forms)) {}
+
+    /// One per tip.
+    [[nodiscard]] static std::vector<RingForms> forms_of(const CoarseElements& elements);
 
     [[nodiscard]] const CoarseElements& elements() const { return *elements_; }
     [[nodiscard]] const RingForms& about(int tip) const { return tips_[at(tip)]; }
@@ -23,7 +31,9 @@ public:
     [[nodiscard]] RingIntegrals integrals(const Eigen::VectorXd& u) const;
     /// The same of a displacement alone.
     [[nodiscard]] RingIntegrals integrals_of_displacement(const Eigen::VectorXd& u) const;
-    /// As many, all NaN: nobody has looked.
+    /// Hands out what it consists of.
+    [[nodiscard]] std::vector<RingForms> take_forms() && { return std::move(tips_); }
+    /// As many integrals, all NaN: nobody has looked.
     [[nodiscard]] RingIntegrals unknown() const;
 
 private:

@@ -22,14 +22,15 @@ Edge edge_of(const Mesh& mesh, int element, int k) {
 
 bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     if (mesh.level[at(element)] >= disk.levels) return false;
-    double longest = 0.0;
     const auto& nodes = mesh.elements[at(element)];
-    for (std::size_t k = 0; k < 4; ++k)
-        longest = std::max(longest, (mesh.nodes[at(nodes[(k + 1) % 4])] - mesh.nodes[at(nodes[k])]).norm());
     const double half_diagonal = (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm() / 2.0;
     const double distance =
         std::max(0.0, distance_to_segment(centre(mesh, element), disk.from, disk.to) - half_diagonal);
-    return distance <= disk.radius && longest > disk.growth * distance;
+    if (distance > disk.radius) return false;
+    double longest = 0.0;
+    for (std::size_t k = 0; k < 4; ++k)
+        longest = std::max(longest, (mesh.nodes[at(nodes[(k + 1) % 4])] - mesh.nodes[at(nodes[k])]).norm());
+    return longest > disk.growth * distance;
 }
 
 /// Of each element the larger ones that share a corner with it. One that has never been split has none.
@@ -159,9 +160,13 @@ private:
     // An edge with a middle that still bounds an element is that element's undivided one.
     void find_hanging_nodes() {
         mesh_.hanging.clear();
+        NodeSet ends(mesh_.nodes.size());  // of edges with a middle
+        for (const auto& [edge, middle] : middle_)
+            for (const int end : {edge.first, edge.second}) ends.insert(end);
         for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
             for (int k = 0; k < 4; ++k) {
                 const Edge edge = edge_of(mesh_, e, k);
+                if (!ends.contains(edge.first) || !ends.contains(edge.second)) continue;
                 const auto middle = middle_.find(edge);
                 if (middle != middle_.end()) mesh_.hanging.push_back({middle->second, {edge.first, edge.second}, e});
             }

@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -94,11 +95,13 @@ std::array<int, 4> corner_nodes(const Mesh& mesh, const Frame& frame) {
     const std::array<Vec2, 4> corners{frame.low, Vec2{frame.high.x(), frame.low.y()}, frame.high,
                                       Vec2{frame.low.x(), frame.high.y()}};
     std::array<int, 4> nodes{};
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        const auto nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](const Vec2& a, const Vec2& b) {
-            return (a - corners[corner]).squaredNorm() < (b - corners[corner]).squaredNorm();
-        });
-        nodes[corner] = static_cast<int>(nearest - mesh.nodes.begin());
+    std::array<double, 4> nearest{};  // squared
+    nearest.fill(std::numeric_limits<double>::infinity());
+    for (int node = 0; node < std::ssize(mesh.nodes); ++node) {
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const double distance = (mesh.nodes[at(node)] - corners[corner]).squaredNorm();
+            if (distance < nearest[corner]) nearest[corner] = distance, nodes[corner] = node;
+        }
     }
     return nodes;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "coarse/model/tip_reach.hpp"
@@ -18,14 +20,20 @@ constexpr double elements_across = 2.0;
 /// Longest element edge with an end inside each ring, mm; zero where there is none.
 std::vector<double> longest_edges(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings) {
     const double farthest = std::ranges::max(rings, {}, &Annulus::outer).outer;
+    constexpr double outside = std::numeric_limits<double>::infinity(), margin = 1.001;
     std::vector<double> distance;
     distance.reserve(mesh.nodes.size());
-    for (const Vec2& x : mesh.nodes) distance.push_back((x - tip.position).norm());
+    for (const Vec2& x : mesh.nodes) {
+        const double squared = (x - tip.position).squaredNorm();
+        distance.push_back(squared < margin * farthest * farthest ? std::sqrt(squared) : outside);
+    }
     std::vector<double> longest(rings.size(), 0.0);
+    const auto is_outside = [&](int node) { return distance[at(node)] == outside; };
     for (const std::array<int, 4>& element : mesh.elements) {
+        if (std::ranges::all_of(element, is_outside)) continue;
         for (std::size_t k = 0; k < 4; ++k) {
             const int a = element[k], b = element[(k + 1) % 4];
-            if (std::min(distance[at(a)], distance[at(b)]) >= farthest) continue;
+            if (is_outside(a) && is_outside(b)) continue;
             const double length = (mesh.nodes[at(b)] - mesh.nodes[at(a)]).norm();
             for (std::size_t ring = 0; ring < rings.size(); ++ring) {
                 const auto inside = [&](double r) { return r > rings[ring].inner && r < rings[ring].outer; };

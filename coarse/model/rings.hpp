@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coarse/model/scene.hpp"
-#include "common/fracture/domain_integral.hpp"
+#include "common/fracture/ring_weights.hpp"
 
 namespace stria::coarse {
 

@@ -11,6 +11,16 @@
 #include "common/substructure/nested_dissection.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// Whatever the sizes of the sets.
+bool same_members(const ElementSet& a, const ElementSet& b) {
+    const auto [one, other] = std::ranges::mismatch(a.flags(), b.flags());
+    const auto is_in = [](char flag) { return flag != 0; };
+    return std::none_of(one, a.flags().end(), is_in) && std::none_of(other, b.flags().end(), is_in);
+}
+
+}  // namespace
 
 BodyPart::BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<const BodyPart> below,
                    StructureSeconds& seconds)
@@ -28,6 +38,10 @@ BodyPart::BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<cons
     std::vector<int> places;
     if (below_) places.assign(of_elements[of_elements.size() - 1].begin(), of_elements[of_elements.size() - 1].end());
     leaf_ = std::make_unique<const StackedLeaf>(below_, std::move(places), std::move(own));
+}
+
+bool BodyPart::is_of(const ElementSet& elements, const BodyPart* below) const {
+    return below_.get() == below && same_members(elements_, elements);
 }
 
 SparseMatrix BodyPart::assemble(const SceneElements& all, const IndexLists& of_elements,

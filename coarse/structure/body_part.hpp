@@ -28,9 +28,8 @@ public:
     BodyPart(const Scene& scene, ElementSet elements, std::shared_ptr<const BodyPart> below, StructureSeconds& seconds);
 
     /// Its own elements are those, on its mesh or on one with others of its elements split, and it lies on that part.
-    [[nodiscard]] bool is_of(const ElementSet& elements, const BodyPart* below) const {
-        return below_.get() == below && elements_.members() == elements.members();
-    }
+    [[nodiscard]] bool is_of(const ElementSet& elements, const BodyPart* below) const;
+
     /// Of its own elements, and of these or those of the parts below.
     [[nodiscard]] bool contains(int element) const { return element < elements_.size() && elements_.contains(element); }
 

@@ -1,5 +1,7 @@
 #include "coarse/structure/condensed_loads.hpp"
 
+#include <algorithm>
+
 #include "coarse/elements/support_forces.hpp"
 
 namespace stria::coarse {
@@ -8,10 +10,12 @@ namespace {
 /// Forces on the free unknowns, and what imposed displacements pull at them.
 ReducedLoad reduce_unit_load(const CoarseElements& elements, const LeafNumbering& numbering, const Substructure& leaf) {
     const Scene& scene = elements.scene();
+    Eigen::VectorXd load = gather(scene.unit_force, numbering.unknowns());
+    if (std::ranges::all_of(scene.prescribed, [](const PrescribedUnknown& p) { return p.value == 0.0; }))
+        return leaf.reduce(load);
     Eigen::VectorXd imposed = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     impose(scene.prescribed, 1.0, imposed);
-    return leaf.reduce(gather(scene.unit_force, numbering.unknowns()) +
-                       gather(load_of_imposed(elements, imposed), numbering.unknowns()));
+    return leaf.reduce(load + gather(load_of_imposed(elements, imposed), numbering.unknowns()));
 }
 
 /// Likewise of a load case.
@@ -125,8 +129,9 @@ CondensedLoads::CondensedLoads(const CoarseElements& elements, const LeafNumberi
         imposed[static_cast<Eigen::Index>(k)] = scene.prescribed[k].value;
         force[scene.prescribed[k].unknown] = 0.0;
     }
-    work_.displacement = reader.displacement(force);
-    work_.imposed_force = imposed.isZero(0.0) ? reader.nothing() : reader.force(imposed);
+    const bool nothing_imposed = imposed.isZero(0.0);  // then the load is that of the forces alone
+    work_.displacement = nothing_imposed ? reader.displacement(unit_, force) : reader.displacement(force);
+    work_.imposed_force = nothing_imposed ? reader.nothing() : reader.force(imposed);
     holding_force_ = scene.pull.isZero(0.0) ? reader.nothing() : reader.force(scene.pull);
     for (Eigen::Index k = 0; k < std::ssize(cases_); ++k) work_of_cases_.push_back(reader.work_of_case(k));
     unit_energy_ = work_.displacement.per_load_factor + work_.imposed_force.per_load_factor;

@@ -15,11 +15,12 @@
 namespace stria::coarse {
 namespace {
 
-bool carries_function_of(const EnrichedMesh& mesh, int element, int tip) {
-    return std::ranges::any_of(mesh.elements[at(element)], [&](int node) {
-        return std::ranges::any_of(mesh.terms[at(node)],
-                                   [&](const Term& term) { return term.kind == Term::Kind::Tip && term.owner == tip; });
-    });
+NodeSet nodes_with_functions_of(const EnrichedMesh& mesh, int tip) {
+    NodeSet nodes(mesh.nodes.size());
+    const auto is_of_tip = [&](const Term& term) { return term.kind == Term::Kind::Tip && term.owner == tip; };
+    for (int node = 0; node < nodes.size(); ++node)
+        if (std::ranges::any_of(mesh.terms[at(node)], is_of_tip)) nodes.insert(node);
+    return nodes;
 }
 
 /// Cut elements whose faces may touch.
@@ -37,9 +38,13 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     const Tip& tip = mesh.tips[at(t)];
     const bool touches = scene.input.cracks[at(tip.crack)].contact.has_value();
     if (radius <= 0.0 && !touches && !scene.materials.may_yield()) return;
+    const NodeSet nodes = nodes_with_functions_of(mesh, t);
+    const auto carries_function = [&](int node) { return nodes.contains(node); };
     for (int e = 0; e < zone.size(); ++e) {
         if (scene.mesh.in_insert(e)) continue;
-        if (carries_function_of(mesh, e, t) || (centre(mesh, e) - tip.position).norm() <= radius) zone.insert(e);
+        if (std::ranges::any_of(mesh.elements[at(e)], carries_function) ||
+            (centre(mesh, e) - tip.position).norm() <= radius)
+            zone.insert(e);
     }
 }
 

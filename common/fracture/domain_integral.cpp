@@ -5,49 +5,16 @@
 #include "common/index.hpp"
 
 namespace stria {
-namespace {
-
-// Between the ends of its edge at a hanging node, so that q is continuous.
-double nodal_weight(const EnrichedMesh& mesh, int node, const Tip& tip, const Annulus& ring) {
-    const auto at_node = [&](int n) { return ring.weight((mesh.nodes[at(n)] - tip.position).norm()); };
-    const TiedNode* const tied = mesh.tied.empty() ? nullptr : mesh.tie(node);
-    return tied != nullptr ? (at_node(tied->ends[0]) + at_node(tied->ends[1])) / 2.0 : at_node(node);
-}
-
-Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip& tip, const Annulus& ring) {
-    Eigen::Vector4d q;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const int node = mesh.elements[at(element)][k];
-        q[static_cast<Eigen::Index>(k)] = nodal_weight(mesh, node, tip, ring);
-    }
-    return q;
-}
-
-bool constant(const Eigen::Vector4d& q) { return (q.array() == q[0]).all(); }
-
-}  // namespace
 
 RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
                    std::span<const int> among, bool with_inside)
-    : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()) {
-    for (const int element : among) {
-        const std::size_t first = weights_.size();
-        for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
-            const Eigen::Vector4d q = corner_weights(mesh_, element, tip_, rings_[ring]);
-            if (!constant(q) || (with_inside && q[0] != 0.0)) weights_.push_back({ring, q});
-        }
-        if (weights_.size() == first) continue;
-        elements_.push_back(element);
-        first_.push_back(first);
-    }
-    first_.push_back(weights_.size());
-}
+    : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()),
+      auxiliary_(tip, elastic), weights_(mesh, tip, rings_, among, with_inside) {}
 
 bool RingSums::enter(int element) {
-    const auto found = std::ranges::lower_bound(elements_, element);
-    if (found == elements_.end() || *found != element) return false;
-    const auto place = at(found - elements_.begin());
-    entered_ = std::span(weights_).subspan(first_[place], first_[place + 1] - first_[place]);
+    const auto found = std::ranges::lower_bound(elements(), element);
+    if (found == elements().end() || *found != element) return false;
+    entered_ = weights_.of(at(found - elements().begin()));
     side_ = mesh_.element_side[at(element)];
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh_.elements[at(element)][k];
@@ -56,29 +23,18 @@ bool RingSums::enter(int element) {
     return true;
 }
 
-std::array<TipField, 3> RingSums::auxiliary(const IntegrationPoint& point) const {
-    const TipPlace place(tip_, point.x, point.side != 0 ? point.side : side_);
-    return {williams_field(1, tip_, place, elastic_), williams_field(2, tip_, place, elastic_),
-            point_force_field(tip_, place.polar, elastic_)};
-}
-
-RingSums::Auxiliary::Auxiliary(const TipField& field, const Vec2& direction)
-    : slope(field.gradient * direction), stress_xx(field.stress[0]), stress_yy(field.stress[1]),
-      stress_xy(field.stress[3] / std::numbers::sqrt2), strain_xx(field.gradient(0, 0)),
-      strain_yy(field.gradient(1, 1)), shear(field.gradient(0, 1) + field.gradient(1, 0)) {}
-
 void RingSums::look_at(const IntegrationPoint& point) {
     if (fields_.empty()) {
         constexpr std::size_t points = 4;  // of most elements
-        fields_.reserve(points * elements_.size());
-        weighted_.reserve(points * weights_.size());
+        fields_.reserve(points * elements().size());
+        weighted_.reserve(points * weights_.entries());
     }
-    const auto [I, II, T] = auxiliary(point);
-    fields_.push_back({Auxiliary(I, tip_.direction), Auxiliary(II, tip_.direction), Auxiliary(T, tip_.direction)});
-    for_each_ring(point, [&](std::size_t, const Vec2& dq) { weighted_.emplace_back(point.weight * dq); });
+    fields_.push_back(auxiliary_.at(point.x, point.side != 0 ? point.side : side_));
+    const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_, point.xi).gradient;
+    for (const auto& [ring, q] : entered_) weighted_.emplace_back(point.weight * (gradient.transpose() * q));
 }
 
-// energy_momentum() and mutual_energy_momentum(), with what they have in common worked out once.
+// energy_momentum() and its mutual part (MutualWeights), with what they have in common worked out once.
 void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
     if (visited_ == fields_.size()) look_at(point);
     const Vec2 &along = tip_.direction, slope = gradient * along;
@@ -86,13 +42,13 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
     const auto traction = [&](const Vec2& of) { return Vec2(xx * of.x() + xy * of.y(), xy * of.x() + yy * of.y()); };
     const Vec2 own = traction(slope) - work * along;
     std::array<Vec2, 3> mutual;
-    std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const Auxiliary& field) -> Vec2 {
+    std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const AuxiliaryField& field) -> Vec2 {
         const Vec2 back(field.stress_xx * slope.x() + field.stress_xy * slope.y(),
                         field.stress_xy * slope.x() + field.stress_yy * slope.y());
         const double shared = xx * field.strain_xx + yy * field.strain_yy + xy * field.shear;
         return traction(field.slope) + back - shared * along;
     });
-    for (const Entered& entered : entered_) {
+    for (const RingWeights::Entered& entered : entered_) {
         const Vec2& weighted = weighted_[next_weighted_++];
         sums_[entered.ring] +=
             {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
@@ -102,7 +58,7 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
 void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope) {
     const double own = elastic_.work(stress, slope);
     std::array<double, 3> mutual{};
-    std::ranges::transform(fields_[visited_ - 1], mutual.begin(), [&](const Auxiliary& field) {
+    std::ranges::transform(fields_[visited_ - 1], mutual.begin(), [&](const AuxiliaryField& field) {
         return Mandel(field.strain_xx, field.strain_yy, 0.0, field.shear / std::numbers::sqrt2).dot(slope);
     });
     const Eigen::Vector4d shape = shape_q4(corners_, point.xi).value;
@@ -131,12 +87,6 @@ void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {
         sums_[ring] += {-push * opening + drag * slip, -push * opening_I + drag * slip_I,
                         -push * opening_II + drag * slip_II, 0.0};
     }
-}
-
-bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring) {
-    for (int element = 0; element < std::ssize(mesh.elements); ++element)
-        if (!constant(corner_weights(mesh, element, tip, ring))) return true;
-    return false;
 }
 
 }  // namespace stria

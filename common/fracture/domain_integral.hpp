@@ -2,25 +2,18 @@
 // rings in one pass. In each ring the weight q falls from 1 to 0.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 #include "common/fem/shape_q4.hpp"
+#include "common/fracture/auxiliary_fields.hpp"
+#include "common/fracture/ring_weights.hpp"
 #include "common/fracture/williams.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria {
-
-/// A ring about a tip: q is 1 at nodes up to the inner radius, falls linearly with the distance to 0 at the outer
-/// radius, and is interpolated by the standard functions in between, in the bulk and on the faces alike.
-struct Annulus {
-    double inner, outer;  // mm
-
-    [[nodiscard]] double weight(double r) const { return std::clamp((outer - r) / (outer - inner), 0.0, 1.0); }
-};
 
 /// What one side of a ring adds up: N/mm, per unit K in the interactions I and II, per N/mm of force in T.
 /// K_I = E'/2 interaction_I, K_II likewise (Williams fields); T = E' interaction_T (point force).
@@ -41,24 +34,21 @@ inline Vec2 energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::M
     return in_plane(stress) * (gradient * tip.direction) - work * tip.direction;
 }
 
-/// Its part that is mixed of the solution and an auxiliary field.
-inline Vec2 mutual_energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient,
-                                   const TipField& auxiliary) {
-    const double mutual = in_plane(stress).cwiseProduct(auxiliary.gradient).sum();
-    return in_plane(stress) * (auxiliary.gradient * tip.direction) +
-           in_plane(auxiliary.stress) * (gradient * tip.direction) - mutual * tip.direction;
-}
-
-/// The mutual part dotted with grad q is linear in the solution: stress . sigma + gradient : grad u.
+/// Its part that is mixed of the solution and an auxiliary field is linear in the solution. Dotted with grad q it is
+/// xx sigma_xx + yy sigma_yy + xy sigma_xy + slope . u_,1.
 struct MutualWeights {
-    Mandel stress;
-    Eigen::Matrix2d gradient;
+    MutualWeights(const AuxiliaryField& field, const Vec2& along, const Vec2& dq)
+        : slope(field.stress_xx * dq.x() + field.stress_xy * dq.y(),
+                field.stress_xy * dq.x() + field.stress_yy * dq.y()) {
+        const double ahead = along.dot(dq);
+        xx = field.slope.x() * dq.x() - field.strain_xx * ahead;
+        yy = field.slope.y() * dq.y() - field.strain_yy * ahead;
+        xy = field.slope.y() * dq.x() + field.slope.x() * dq.y() - field.shear * ahead;
+    }
+
+    double xx, yy, xy;
+    Vec2 slope;
 };
-inline MutualWeights mutual_weights(const Tip& tip, const TipField& auxiliary, const Vec2& dq) {
-    const Eigen::Matrix2d stress =
-        dq * (auxiliary.gradient * tip.direction).transpose() - dq.dot(tip.direction) * auxiliary.gradient;
-    return {strain_of(stress), in_plane(auxiliary.stress) * dq * tip.direction.transpose()};
-}
 
 /// Sums over the rings of one tip. Weights are worked out once, fields once a point, whatever the number of rings.
 class RingSums {
@@ -85,7 +75,7 @@ public:
     bool enter(int element);
 
     /// Elements that have something to add, ascending.
-    [[nodiscard]] const std::vector<int>& elements() const { return elements_; }
+    [[nodiscard]] const std::vector<int>& elements() const { return weights_.elements(); }
 
     /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
@@ -93,12 +83,6 @@ public:
     /// What an initial stress adds at the same point: its derivative along the tip, on the strains of the stress and of
     /// the auxiliary fields (docs/equations.md, initial stress).
     void add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope);
-
-    /// The auxiliary fields of the interactions I, II and T at a point.
-    [[nodiscard]] std::array<TipField, 3> auxiliary(const IntegrationPoint& point) const;
-
-    /// Calls visit(ring, grad q) for each ring in which q varies on the element entered.
-    template <class Visit> void for_each_ring(const IntegrationPoint& point, Visit&& visit) const;
 
     /// Tractions that the faces transmit at a station of the tip's crack: pressure p and shear tau, so that p n - tau t
     /// acts on the plus face and its opposite on the minus face. Slopes: of opening and slip along its tangent.
@@ -122,37 +106,16 @@ private:
     std::vector<Annulus> rings_;
     std::vector<DomainIntegral> sums_;
 
-    struct Entered {
-        std::size_t ring;
-        Eigen::Vector4d q;
-    };
-    std::vector<int> elements_;
-    /// What an auxiliary field has in the energy momentum that it shares with the solution.
-    struct Auxiliary {
-        explicit Auxiliary(const TipField& field, const Vec2& direction);
-
-        Vec2 slope;  // of its displacement along the tip
-        double stress_xx, stress_yy, stress_xy;
-        double strain_xx, strain_yy, shear;  // shear: twice strain_xy
-    };
-    std::vector<std::array<Auxiliary, 3>> fields_;  // of each point so far
-    std::vector<Vec2> weighted_;                    // weight times grad q, of each point so far, ring by ring
-    std::size_t visited_ = 0, next_weighted_ = 0;   // points since clear(), and their weighted_
-    std::vector<Entered> weights_;                  // element by element of these
-    std::vector<std::size_t> first_;                // of each element: its first weight; then the number of all
+    AuxiliaryFields auxiliary_;
+    RingWeights weights_;
+    std::vector<std::array<AuxiliaryField, 3>> fields_;  // of each point so far
+    std::vector<Vec2> weighted_;                         // weight times grad q, of each point so far, ring by ring
+    std::size_t visited_ = 0, next_weighted_ = 0;        // points since clear(), and their weighted_
 
     // Of the element entered.
     std::array<Vec2, 4> corners_;
-    std::span<const Entered> entered_;
+    std::span<const RingWeights::Entered> entered_;
     int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
 };
-
-template <class Visit> void RingSums::for_each_ring(const IntegrationPoint& point, Visit&& visit) const {
-    const Eigen::Matrix<double, 4, 2> shape = shape_q4(corners_, point.xi).gradient;
-    for (const auto& [ring, q] : entered_) visit(ring, Vec2(shape.transpose() * q));
-}
-
-/// Whether any element of a mesh has something to add to a ring.
-bool reaches(const EnrichedMesh& mesh, const Tip& tip, const Annulus& ring);
 
 }  // namespace stria

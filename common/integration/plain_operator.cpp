@@ -1,6 +1,7 @@
 #include "common/integration/plain_operator.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
@@ -12,16 +13,37 @@ namespace {
 
 using Nodal = Eigen::Matrix<double, 2, 4>;
 
+/// A point of the parent square, and what its place alone says.
+struct ParentPoint {
+    Vec2 xi;
+    double weight;
+    Eigen::Vector4d shape;
+    PlainOperator::Gradient gradient;
+};
+
+std::array<ParentPoint, 4> parent_points() {
+    std::array<ParentPoint, 4> points;
+    std::ranges::transform(gauss_square(2), points.begin(), [](const SquarePoint& gauss) {
+        return ParentPoint{gauss.xi, gauss.weight, shape_values(gauss.xi), parent_gradients(gauss.xi)};
+    });
+    return points;
+}
+
 // Uniform and linear fields leave nothing of gradients - mean: one nodal mode is left, which any column of it shows.
 void find_warp(PlainOperator& op) {
+    double longest = 0.0;  // squared
     for (const PlainOperator::Gradient& gradient : op.gradients) {
         const PlainOperator::Gradient rest = gradient - op.mean;
-        for (const Eigen::Index axis : {0, 1})
-            if (rest.col(axis).norm() > op.warp.norm()) op.warp = rest.col(axis);
+        for (const Eigen::Index axis : {0, 1}) {
+            const double length = rest.col(axis).squaredNorm();
+            if (length > longest) longest = length, op.warp = rest.col(axis);
+        }
     }
     op.warp.normalize();
+    double largest = 0.0;  // squared
     for (const PlainOperator::Gradient& gradient : op.gradients)
-        op.largest_warp = std::max(op.largest_warp, ((gradient - op.mean).transpose() * op.warp).norm());
+        largest = std::max(largest, ((gradient - op.mean).transpose() * op.warp).squaredNorm());
+    op.largest_warp = std::sqrt(largest);
 }
 
 }  // namespace
@@ -40,7 +62,7 @@ std::array<int, 8> plain_unknowns(const EnrichedMesh& mesh, int element) {
 }
 
 PlainOperator plain_operator(const EnrichedMesh& mesh, int element, bool mean_dilatation) {
-    static const auto gauss = gauss_square(2);
+    static const std::array<ParentPoint, 4> parent = parent_points();
     QuadNodes corners;
     for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
     PlainOperator op;
@@ -48,11 +70,13 @@ PlainOperator plain_operator(const EnrichedMesh& mesh, int element, bool mean_di
     op.unknowns = plain_unknowns(mesh, element);
     op.mean_dilatation = mean_dilatation;
     for (std::size_t q = 0; q < 4; ++q) {
-        const ShapeQ4 shape = shape_q4(corners, gauss[q].xi);
-        const double weight = gauss[q].weight * shape.jacobian;
-        op.points[q] = {map_to_physical(corners, gauss[q].xi), gauss[q].xi, weight, 0, 0};
-        op.gradients[q] = shape.gradient;
-        op.mean += weight * shape.gradient;
+        const auto& [xi, gauss_weight, shape, gradient] = parent[q];
+        const Eigen::Matrix2d jacobian = jacobian_matrix(corners, gradient);
+        const double weight = gauss_weight * jacobian.determinant();
+        const Vec2 x = shape[0] * corners[0] + shape[1] * corners[1] + shape[2] * corners[2] + shape[3] * corners[3];
+        op.points[q] = {x, xi, weight, 0, 0};
+        op.gradients[q] = gradient * jacobian.inverse();
+        op.mean += weight * op.gradients[q];
         op.area += weight;
     }
     op.mean /= op.area;
