@@ -3,38 +3,41 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
-#include <tuple>
 #include <utility>
 
-#include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/substructure/element_place.hpp"
 
 namespace stria {
 namespace {
 
 class Bisection {
 public:
-    explicit Bisection(const FrontLayout& layout) : layout_(layout) {}
+    explicit Bisection(const FrontLayout& layout) : layout_(layout) {
+        nodes_.reserve(4 * layout.centres.size() / at(layout.leaf_elements));
+    }
 
     /// What lies about the busy places comes first, so that the way from there to the root is short however many the
     /// others are.
-    int split_about_busy_places(std::span<int> elements) {
+    int split_about_busy_places(std::span<ElementPlace> places) {
         constexpr std::size_t about_each = 128;  // elements: docs/performance.md
         const std::size_t near = about_each * layout_.busy.size();
-        if (near == 0 || elements.size() < 2 * near) return split(elements);
-        const auto distance = [&](int element) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const Vec2& place : layout_.busy)
-                least = std::min(least, (layout_.centres[at(element)] - place).squaredNorm());
-            return std::tuple(least, element);
+        if (near == 0 || places.size() < 2 * near) return split(places);
+        std::vector<double> distance;  // of each element
+        for (const Vec2& centre : layout_.centres) {
+            distance.push_back(std::numeric_limits<double>::infinity());
+            for (const Vec2& busy : layout_.busy)
+                distance.back() = std::min(distance.back(), (centre - busy).squaredNorm());
+        }
+        const auto nearer = [&](const ElementPlace& a, const ElementPlace& b) {
+            return std::pair(distance[at(a.element)], a.element) < std::pair(distance[at(b.element)], b.element);
         };
-        const auto end = elements.begin() + static_cast<std::ptrdiff_t>(near);
-        std::ranges::nth_element(elements, end, {}, distance);
+        const auto end = places.begin() + static_cast<std::ptrdiff_t>(near);
+        std::ranges::nth_element(places, end, nearer);
         PartOfElements node;
-        const int others = split({end, elements.end()});
-        node.children = {others, split({elements.begin(), end})};
+        const int others = split({end, places.end()});
+        node.children = {others, split({places.begin(), end})};
         nodes_.push_back(std::move(node));
         return static_cast<int>(nodes_.size()) - 1;
     }
@@ -42,14 +45,15 @@ public:
     [[nodiscard]] std::vector<PartOfElements> nodes() && { return std::move(nodes_); }
 
 private:
-    int split(std::span<int> elements) {
+    int split(std::span<ElementPlace> places) {
         PartOfElements node;
-        if (static_cast<int>(elements.size()) <= layout_.leaf_elements) {
-            node.elements.assign(elements.begin(), elements.end());
+        if (static_cast<int>(places.size()) <= layout_.leaf_elements) {
+            node.elements.reserve(places.size());
+            for (const ElementPlace& place : places) node.elements.push_back(place.element);
             std::ranges::sort(node.elements);
         } else {
-            const auto middle = elements.begin() + part(elements);
-            node.children = {split({elements.begin(), middle}), split({middle, elements.end()})};
+            const auto middle = places.begin() + part(places);
+            node.children = {split({places.begin(), middle}), split({middle, places.end()})};
         }
         nodes_.push_back(std::move(node));
         return static_cast<int>(nodes_.size()) - 1;
@@ -58,32 +62,19 @@ private:
     /// Puts one part before the other: at a round number near the middle of the longer direction, which stays where it
     /// is when elements come and go. Returns how many come first, a third at least and two at most. Where too many lie
     /// at one coordinate, it is half of them.
-    [[nodiscard]] std::ptrdiff_t part(std::span<int> elements) const {
-        const int axis = longer_direction(elements);
-        const auto place = [&](int element) {
-            const Vec2& centre = layout_.centres[at(element)];
-            return std::tuple(centre[axis], centre[1 - axis], element);
+    [[nodiscard]] static std::ptrdiff_t part(std::span<ElementPlace> places) {
+        const int axis = longer_direction(places);
+        const std::ptrdiff_t third = std::ssize(places) / 3, half = std::ssize(places) / 2;
+        // `sorted`: none of those before has a larger coordinate than one behind.
+        const auto coordinate_of = [&](std::ptrdiff_t which, std::ptrdiff_t sorted) {
+            std::nth_element(places.begin() + sorted, places.begin() + which, places.end(), BeforeAlong{axis});
+            return places[at(which)].centre[axis];
         };
-        const auto coordinate_of = [&](std::size_t which) {
-            const auto at_place = elements.begin() + static_cast<std::ptrdiff_t>(which);
-            std::ranges::nth_element(elements, at_place, {}, place);
-            return layout_.centres[at(*at_place)][axis];
-        };
-        const std::size_t third = elements.size() / 3, half = elements.size() / 2;
-        const double low = coordinate_of(third), high = coordinate_of(elements.size() - 1 - third);
-        if (!(low < high)) return static_cast<void>(coordinate_of(half)), static_cast<std::ptrdiff_t>(half);
+        const double low = coordinate_of(third, 0), high = coordinate_of(std::ssize(places) - 1 - third, third);
+        if (!(low < high)) return static_cast<void>(coordinate_of(half, third)), half;
         const double plane = roundest_between(low, high);
-        const auto lies_before = [&](int element) { return layout_.centres[at(element)][axis] < plane; };
-        return std::ranges::partition(elements, lies_before).begin() - elements.begin();
-    }
-
-    [[nodiscard]] int longer_direction(std::span<const int> elements) const {
-        Eigen::Array2d low = layout_.centres[at(elements.front())], high = low;
-        for (const int element : elements) {
-            low = low.min(layout_.centres[at(element)].array());
-            high = high.max(layout_.centres[at(element)].array());
-        }
-        return high.y() - low.y() > high.x() - low.x() ? 1 : 0;
+        const auto lies_before = [&](const ElementPlace& place) { return place.centre[axis] < plane; };
+        return std::ranges::partition(places, lies_before).begin() - places.begin();
     }
 
     const FrontLayout& layout_;
@@ -93,10 +84,11 @@ private:
 }  // namespace
 
 std::vector<PartOfElements> bisect(const FrontLayout& layout) {
-    std::vector<int> elements(layout.element_unknowns.size());
-    std::iota(elements.begin(), elements.end(), 0);
+    std::vector<ElementPlace> places;
+    places.reserve(layout.centres.size());
+    for (int e = 0; e < std::ssize(layout.centres); ++e) places.push_back({layout.centres[at(e)], e});
     Bisection bisection(layout);
-    bisection.split_about_busy_places(elements);
+    bisection.split_about_busy_places(places);
     return std::move(bisection).nodes();
 }
 

@@ -5,35 +5,19 @@
 #include <span>
 
 #include "common/error.hpp"
-#include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "common/substructure/element_place.hpp"
 
 namespace stria {
 namespace {
 
 constexpr std::ptrdiff_t leaf_elements = 2;
 
-struct Place {
-    Vec2 centre;
-    int element;
-};
-
-/// Sorts places into the order of the leaves of a median bisection along the longer direction; ties are broken by the
-/// other coordinate and the number, so that the order is the same on every machine.
-void bisect(std::span<Place> places) {
+/// Sorts places into the order of the leaves of a median bisection along the longer direction.
+void bisect(std::span<ElementPlace> places) {
     if (std::ssize(places) <= leaf_elements) return;
-    Eigen::Array2d low = places.front().centre, high = low;
-    for (const Place& place : places) {
-        low = low.min(place.centre.array());
-        high = high.max(place.centre.array());
-    }
-    const int axis = high.y() - low.y() > high.x() - low.x() ? 1 : 0;
     const auto half = places.begin() + std::ssize(places) / 2;
-    std::nth_element(places.begin(), half, places.end(), [axis](const Place& a, const Place& b) {
-        if (a.centre[axis] != b.centre[axis]) return a.centre[axis] < b.centre[axis];
-        if (a.centre[1 - axis] != b.centre[1 - axis]) return a.centre[1 - axis] < b.centre[1 - axis];
-        return a.element < b.element;
-    });
+    std::nth_element(places.begin(), half, places.end(), BeforeAlong{longer_direction(places)});
     bisect({places.begin(), half});
     bisect({half, places.end()});
 }
@@ -65,7 +49,7 @@ void sort_by_halves(int begin, int half, int end, const std::vector<ElementReach
 
 /// The elements in the order of the leaves, late ones after all others: the first cut is between the two.
 struct Leaves {
-    std::vector<Place> places;
+    std::vector<ElementPlace> places;
     int early = 0;
 };
 
@@ -74,7 +58,7 @@ Leaves bisected(const std::vector<Vec2>& centres, const std::vector<char>& late)
     leaves.places.reserve(centres.size());
     for (std::size_t e = 0; e < centres.size(); ++e) leaves.places.push_back({centres[e], static_cast<int>(e)});
     const auto first_late = std::ranges::stable_partition(
-        leaves.places, [&](const Place& place) { return late.empty() || late[at(place.element)] == 0; });
+        leaves.places, [&](const ElementPlace& place) { return late.empty() || late[at(place.element)] == 0; });
     leaves.early = static_cast<int>(first_late.begin() - leaves.places.begin());
     bisect({leaves.places.begin(), first_late.begin()});
     bisect(first_late);
