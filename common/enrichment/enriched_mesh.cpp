@@ -69,27 +69,34 @@ bool same_on(const EnrichedMesh& from, const Term& old, const EnrichedMesh& to, 
 
 }  // namespace
 
-Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
-                           Eigen::VectorXd initial) {
-    auto old = from.node_ids.begin();  // ids ascend in both
-    for (const auto& [node, term, unknown] : to.own_unknowns()) {
+std::vector<int> same_unknowns(const EnrichedMesh& mesh, const EnrichedMesh& other) {
+    std::vector<int> result(at(mesh.unknowns), -1);
+    auto twin = other.node_ids.begin();  // ids ascend in both
+    for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
         const auto n = at(node);
-        while (old != from.node_ids.end() && *old < to.node_ids[n]) ++old;
-        if (old == from.node_ids.end()) break;
-        if (*old != to.node_ids[n]) continue;
-        const int old_node = static_cast<int>(old - from.node_ids.begin());
+        while (twin != other.node_ids.end() && *twin < mesh.node_ids[n]) ++twin;
+        if (twin == other.node_ids.end()) break;
+        if (*twin != mesh.node_ids[n]) continue;
+        const int other_node = static_cast<int>(twin - other.node_ids.begin());
         int same = 0;
         if (term > 0) {
-            const Term& own = to.terms[n][at(term - 1)];
-            const auto& old_terms = from.terms[at(old_node)];
-            const auto is_same = [&](const Term& other) { return same_on(from, other, to, own); };
-            const auto twin = std::ranges::find_if(old_terms, is_same);
-            if (twin == old_terms.end()) continue;
-            same = static_cast<int>(twin - old_terms.begin()) + 1;
+            const Term& own = mesh.terms[n][at(term - 1)];
+            const auto& terms = other.terms[at(other_node)];
+            const auto found = std::ranges::find_if(terms, [&](const Term& t) { return same_on(other, t, mesh, own); });
+            if (found == terms.end()) continue;
+            same = static_cast<int>(found - terms.begin()) + 1;
         }
-        if (from.follows(old_node, same)) continue;
-        initial.segment<2>(unknown) = values.segment<2>(from.unknown(old_node, same, 0));
+        if (other.follows(other_node, same)) continue;
+        for (const int component : {0, 1}) result[at(unknown + component)] = other.unknown(other_node, same, component);
     }
+    return result;
+}
+
+Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
+                           Eigen::VectorXd initial) {
+    const std::vector<int> same = same_unknowns(to, from);
+    for (std::size_t i = 0; i < same.size(); ++i)
+        if (same[i] >= 0) initial[static_cast<Eigen::Index>(i)] = values[same[i]];
     return initial;
 }
 

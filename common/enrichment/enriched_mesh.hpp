@@ -106,8 +106,11 @@ struct EnrichedMesh {
     [[nodiscard]] int term_index(int node, const Term& term) const;
 };
 
-/// Values of unknowns that both meshes have (the same node, the same function of the same crack or tip), carried from
-/// one numbering to the other; elsewhere `initial`.
+/// Of each unknown of a mesh: that of another mesh which is the same (of the same node, the same function of the same
+/// crack or tip), -1: none.
+std::vector<int> same_unknowns(const EnrichedMesh& mesh, const EnrichedMesh& other);
+
+/// Values of unknowns that both meshes have, carried from one numbering to the other; elsewhere `initial`.
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial);
 

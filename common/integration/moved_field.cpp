@@ -1,12 +1,15 @@
 #include "common/integration/moved_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 #include <unsupported/Eigen/BVH>
+#include <utility>
 
 #include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/geometry/points_by_place.hpp"
 #include "common/index.hpp"
 #include "common/integration/element_field.hpp"
 
@@ -37,11 +40,6 @@ public:
         return query.found;
     }
 
-    [[nodiscard]] int node_nearest_to(const Vec2& x) const {
-        const auto distance = [&](const Vec2& node) { return (node - x).squaredNorm(); };
-        return static_cast<int>(std::ranges::min_element(mesh_.nodes, {}, distance) - mesh_.nodes.begin());
-    }
-
 private:
     struct Query {
         const EnrichedMesh& mesh;
@@ -70,17 +68,14 @@ private:
     Eigen::KdBVH<double, 2, int> tree_;
 };
 
-/// The first unknown of a node where nothing jumps at it and it follows no others; else -1.
-int plain_unknown(const EnrichedMesh& mesh, int node) {
-    return mesh.terms[at(node)].empty() && !mesh.follows(node, 0) ? mesh.unknown(node, 0, 0) : -1;
-}
-
-/// The same of a mesh that may have the node.
-int plain_unknown(const EnrichedMesh& mesh, int id, const Vec2& x) {
-    const auto found = std::ranges::lower_bound(mesh.node_ids, id);
-    const int node = static_cast<int>(found - mesh.node_ids.begin());
-    const bool has_it = found != mesh.node_ids.end() && *found == id && mesh.nodes[at(node)] == x;
-    return has_it ? plain_unknown(mesh, node) : -1;
+/// Whether two nodes have the same functions: none that follow others, and at most one jump.
+bool have_same_functions(const EnrichedMesh& mesh, int node, const EnrichedMesh& other, int other_node) {
+    const auto &terms = mesh.terms[at(node)], &others = other.terms[at(other_node)];
+    const auto same = [](const Term& a, const Term& b) {
+        return a.kind == Term::Kind::Heaviside && a.same_function(b) && a.shift == b.shift;
+    };
+    return terms.size() < 2 && std::ranges::equal(terms, others, same) && mesh.tie(node) == nullptr &&
+           other.tie(other_node) == nullptr;
 }
 
 /// Of elements, as they are asked for.
@@ -96,19 +91,27 @@ public:
         return *field;
     }
 
-    /// The same where nothing jumps and nothing hangs: the shape functions. Nothing elsewhere.
+    /// The same where nothing jumps: the shape functions. Nothing elsewhere.
     [[nodiscard]] std::optional<Shares> plain(int element, const Vec2& x) const {
-        if (piece_[at(element)] >= 0) return std::nullopt;
+        const std::array<int, 4>& nodes = mesh_.elements[at(element)];
+        const auto jumps = [&](int node) {
+            const TiedNode* const tie = mesh_.tie(node);
+            const auto has_terms = [&](int own) { return !mesh_.terms[at(own)].empty(); };
+            return has_terms(node) || (tie != nullptr && std::ranges::any_of(tie->ends, has_terms));
+        };
+        if (piece_[at(element)] >= 0 || std::ranges::any_of(nodes, jumps)) return std::nullopt;
         QuadNodes corners;
+        for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh_.nodes[at(nodes[k])];
+        const Eigen::Vector4d value = shape_values(map_to_parent(corners, x));
         Shares shares;
         for (std::size_t k = 0; k < 4; ++k) {
-            const int node = mesh_.elements[at(element)][k];
-            corners[k] = mesh_.nodes[at(node)];
-            shares.push_back({plain_unknown(mesh_, node), 0.0});
-            if (shares.back().unknown < 0) return std::nullopt;
+            const double weight = value[static_cast<Eigen::Index>(k)];
+            const TiedNode* const tie = mesh_.tie(nodes[k]);
+            if (tie == nullptr)
+                shares.push_back({mesh_.unknown(nodes[k], 0, 0), weight});
+            else
+                for (const int end : tie->ends) shares.push_back({mesh_.unknown(end, 0, 0), 0.5 * weight});
         }
-        const Eigen::Vector4d value = shape_values(map_to_parent(corners, x));
-        for (std::size_t k = 0; k < 4; ++k) shares[k].weight = value[static_cast<Eigen::Index>(k)];
         return shares;
     }
 
@@ -118,27 +121,77 @@ private:
     std::vector<std::optional<ElementField>> fields_;
 };
 
-/// The rows of a node's unknowns.
-class Rows {
-public:
-    void add(int unknown, const Shares& shares) {
-        for (const auto& [column, weight] : shares)
-            for (const int c : {0, 1}) entries_.emplace_back(unknown + c, column + c, weight);
-    }
-    [[nodiscard]] SparseRows matrix(int rows, int columns) const {
-        SparseRows matrix(rows, columns);
-        matrix.setFromTriplets(entries_.begin(), entries_.end());
-        return matrix;
-    }
-
-private:
-    std::vector<Triplet> entries_;
-};
-
 double size_of(const EnrichedMesh& mesh, int element) {
     const auto& nodes = mesh.elements[at(element)];
     return (mesh.nodes[at(nodes[0])] - mesh.nodes[at(nodes[2])]).norm() / std::numbers::sqrt2;
 }
+
+double smallest_size(const EnrichedMesh& mesh) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) least = std::min(least, size_of(mesh, e));
+    return least;
+}
+
+/// What the unknowns of a mesh are in those of another, at places there.
+class FieldByPlace {
+public:
+    FieldByPlace(const EnrichedMesh& from, const EnrichedMesh& to)
+        : from_(from), to_(to), nodes_(from.nodes, smallest_size(from)), fields_(from) {}
+
+    /// Those of a node are those at a place. False where there is no element.
+    bool add(int node, const Vec2& x) { return has_no_unknowns(node) || copy(node, x) || interpolate(node, x); }
+
+    void add_nearest(int node, const Vec2& x) {
+        const auto distance = [&](const Vec2& other) { return (other - x).squaredNorm(); };
+        add(node, *std::ranges::min_element(from_.nodes, {}, distance));
+    }
+
+    std::vector<MovedField::Part> parts;
+
+private:
+    [[nodiscard]] bool has_no_unknowns(int node) const {
+        return to_.follows(node, 0) && (to_.terms[at(node)].empty() || to_.follows(node, 1));
+    }
+
+    // A move is one of whole elements: most nodes come to lie on nodes.
+    bool copy(int node, const Vec2& x) {
+        const int old = nodes_.at_place(x);
+        if (old < 0 || !have_same_functions(to_, node, from_, old)) return false;
+        for (int term = 0; term <= std::ssize(to_.terms[at(node)]); ++term)
+            parts.push_back({to_.unknown(node, term, 0), from_.unknown(old, term, 0), 1.0});
+        return true;
+    }
+
+    bool interpolate(int node, const Vec2& x) {
+        if (!places_) places_.emplace(from_);
+        std::vector<int> found = places_->elements_at(x);
+        if (found.empty()) return false;
+        const auto& terms = to_.terms[at(node)];
+        if (terms.empty()) {
+            if (const std::optional<Shares> shares = fields_.plain(found.front(), x)) {
+                put(to_.unknown(node, 0, 0), *shares);
+                return true;
+            }
+        }
+        FieldAtNode field(x, terms);
+        if (terms.empty()) found.resize(1);  // what does not jump has one value
+        for (const int element : found) field.add(fields_.of(element));
+        if (!to_.follows(node, 0) && field.standard()) put(to_.unknown(node, 0, 0), *field.standard());
+        const std::optional<Shares> jump = field.half_jump();
+        for (int term = 1; term <= std::ssize(terms) && jump; ++term)
+            if (!to_.follows(node, term)) put(to_.unknown(node, term, 0), *jump);
+        return true;
+    }
+
+    void put(int unknown, const Shares& shares) {
+        for (const auto& [before, weight] : shares) parts.push_back({unknown, before, weight});
+    }
+
+    const EnrichedMesh &from_, &to_;
+    PointsByPlace nodes_;
+    std::optional<Places> places_;
+    Fields fields_;
+};
 
 int element_nearest_to(const EnrichedMesh& mesh, const Vec2& x) {
     int nearest = 0;
@@ -186,40 +239,24 @@ Vec2 TipMoves::of_nearest_tip(const Vec2& x) const {
     return moves[at(nearest - tips.begin())];
 }
 
-MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves) {
-    const Places places(from);
-    Fields fields(from);
-    Rows rows;
+MovedField::MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves)
+    : unknowns_(to.unknowns) {
+    FieldByPlace field(from, to);
     for (int node = 0; node < std::ssize(to.nodes); ++node) {
-        const Vec2 here = to.nodes[at(node)];
-        Vec2 x = here - moves.of_nearest_tip(here);
-        const int plain = plain_unknown(to, node);
-        if (const int before = plain >= 0 && x == here ? plain_unknown(from, to.node_ids[at(node)], here) : -1;
-            before >= 0) {
-            rows.add(plain, {{before, 1.0}});
-            continue;
-        }
-        std::vector<int> found = places.elements_at(x);
-        if (found.empty()) found = places.elements_at(x = here);  // at the body's boundary, or at the zone's
-        if (found.empty()) {
-            const int nearest = places.node_nearest_to(here);
-            x = from.nodes[at(nearest)];
-            found = places.elements_at(x);
-        }
-        if (const std::optional<Shares> shares = plain >= 0 ? fields.plain(found.front(), x) : std::nullopt) {
-            rows.add(plain, *shares);
-            continue;
-        }
-        const auto& terms = to.terms[at(node)];
-        FieldAtNode field(x, terms);
-        if (terms.empty()) found.resize(1);  // what does not jump has one value
-        for (const int element : found) field.add(fields.of(element));
-        if (!to.follows(node, 0) && field.standard()) rows.add(to.unknown(node, 0, 0), *field.standard());
-        const std::optional<Shares> jump = field.half_jump();
-        for (int term = 1; term <= std::ssize(terms) && jump; ++term)
-            if (!to.follows(node, term)) rows.add(to.unknown(node, term, 0), *jump);
+        const Vec2& here = to.nodes[at(node)];
+        // At the body's boundary, or at the zone's, there may be nothing behind.
+        if (!field.add(node, here - moves.of_nearest_tip(here)) && !field.add(node, here))
+            field.add_nearest(node, here);
     }
-    weights_ = rows.matrix(to.unknowns, from.unknowns);
+    parts_ = std::move(field.parts);
+}
+
+Eigen::MatrixXd MovedField::of(const Eigen::MatrixXd& values) const {
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(unknowns_, values.cols());
+    for (Eigen::Index k = 0; k < values.cols(); ++k)
+        for (const auto& [unknown, before, weight] : parts_)
+            moved.col(k).segment<2>(unknown) += weight * values.col(k).segment<2>(before);
+    return moved;
 }
 
 }  // namespace stria

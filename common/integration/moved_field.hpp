@@ -2,11 +2,11 @@
 // about the new ones.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
-#include "common/linear/sparse.hpp"
 
 namespace stria {
 
@@ -29,12 +29,18 @@ public:
     /// `from` has no element there, that of its nearest node. `moves`: between them.
     MovedField(const EnrichedMesh& from, const EnrichedMesh& to, const TipMoves& moves);
 
-    /// On all unknowns of `to`, from those of `from`; or of several such fields, a column each.
-    [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& values) const { return weights_ * values; }
-    [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& values) const { return weights_ * values; }
+    /// On all unknowns of `to`, from those of `from`, a column for each of several such fields.
+    [[nodiscard]] Eigen::MatrixXd of(const Eigen::MatrixXd& values) const;
+
+    /// What an unknown of `to` has of one of `from`: those of the component x, the next ones have the same.
+    struct Part {
+        int unknown, before;
+        double weight;
+    };
 
 private:
-    SparseRows weights_;
+    int unknowns_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace stria

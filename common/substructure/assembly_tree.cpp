@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "common/error.hpp"
@@ -53,15 +54,34 @@ void append(std::vector<Placement::Run>& runs, int source, int target, int elimi
     runs.push_back({.source = source, .target = target, .length = 1});
 }
 
-/// Rows of the given ranks in a front that has each rank at place[rank].
-Placement place_rows(const std::vector<int>& ranks, const std::vector<int>& place, int eliminated) {
-    std::vector<int> rows(ranks.size());
-    std::iota(rows.begin(), rows.end(), 0);
-    if (!std::ranges::is_sorted(ranks)) std::ranges::sort(rows, {}, [&](int row) { return ranks[at(row)]; });
-    Placement result{.order = static_cast<int>(ranks.size()), .runs = {}};
-    for (const int row : rows) append(result.runs, row, place[at(ranks[at(row)])], eliminated);
-    return result;
-}
+/// Where rows fall in one front after the other. What it works with is kept, for there are many.
+class Places {
+public:
+    explicit Places(int unknowns) : place_(at(unknowns), -1) {}
+
+    void turn_to(const Node& node) {
+        eliminated_ = node.eliminated;
+        for (int i = 0; i < eliminated_; ++i) place_[at(node.first_rank + i)] = i;
+        int next = eliminated_;
+        for (const int kept : node.kept) place_[at(kept)] = next++;
+    }
+
+    /// Of the rows of these ranks, all of them in the front at hand.
+    Placement of(std::span<const int> ranks) {
+        rows_.resize(ranks.size());
+        std::iota(rows_.begin(), rows_.end(), 0);
+        if (!std::ranges::is_sorted(ranks)) std::ranges::sort(rows_, {}, [&](int row) { return ranks[at(row)]; });
+        runs_.clear();
+        for (const int row : rows_) append(runs_, row, place_[at(ranks[at(row)])], eliminated_);
+        return {.order = static_cast<int>(ranks.size()), .runs = runs_};
+    }
+
+private:
+    std::vector<int> place_;  // of each rank
+    int eliminated_ = 0;
+    std::vector<int> rows_;
+    std::vector<Placement::Run> runs_;
+};
 
 /// The first and the last leaf that hold an unknown.
 struct LeafReach {
@@ -96,21 +116,34 @@ std::vector<std::vector<int>> acted_on(const Layout& layout) {
     return result;
 }
 
-/// All that meets in a node, ascending: what its children keep, or what its elements hold.
-std::vector<int> unknowns_at(const Node& node, const Layout& layout, const std::vector<Node>& nodes) {
-    std::vector<int> unknowns;
-    if (node.leaf()) {
-        for (const int element : node.elements) {
-            const std::vector<int>& more = layout.element_unknowns[at(element)];
-            unknowns.insert(unknowns.end(), more.begin(), more.end());
+/// What meets in nodes. What it works with is kept, for there are many.
+class Meetings {
+public:
+    Meetings(const Layout& layout, const std::vector<Node>& nodes)
+        : layout_(layout), nodes_(nodes), last_(at(layout.unknowns), -1) {}
+
+    /// In a node, ascending: what its children keep, or what its elements hold. Until the next one is asked for.
+    std::span<const int> at_node(int index) {
+        met_.clear();
+        const Node& node = nodes_[at(index)];
+        if (node.leaf()) {
+            for (const int element : node.elements)
+                for (const int unknown : layout_.element_unknowns[at(element)])
+                    if (std::exchange(last_[at(unknown)], index) != index) met_.push_back(unknown);
+            std::ranges::sort(met_);
+        } else {
+            const auto& [first, second] = node.children;
+            std::ranges::set_union(nodes_[at(first)].kept, nodes_[at(second)].kept, std::back_inserter(met_));
         }
-        sort_unique(unknowns);
-    } else {
-        const auto& [first, second] = node.children;
-        std::ranges::set_union(nodes[at(first)].kept, nodes[at(second)].kept, std::back_inserter(unknowns));
+        return met_;
     }
-    return unknowns;
-}
+
+private:
+    const Layout& layout_;
+    const std::vector<Node>& nodes_;
+    std::vector<int> last_;  // leaf that was seen to hold an unknown
+    std::vector<int> met_;
+};
 
 }  // namespace
 
@@ -137,23 +170,27 @@ void AssemblyTree::rank_unknowns(const Layout& layout) {
     const std::vector<std::vector<int>> partners = acted_on(layout);
     const auto is_ranked = [&](int unknown) { return rank[at(unknown)] >= 0; };
     std::vector<int> first_node(nodes.size());  // of the subtree: nodes are numbered children before parents
+    std::vector<int> kept;
+    Meetings meetings(layout, nodes);
     for (int index = 0; index < static_cast<int>(nodes.size()); ++index) {
         Node& node = nodes[at(index)];
         first_node[at(index)] = node.leaf() ? index : first_node[at(node.children[0])];
         node.first_rank = next;
-        for (const int unknown : unknowns_at(node, layout, nodes)) {  // ascending: multipliers come last
+        kept.clear();
+        for (const int unknown : meetings.at_node(index)) {  // ascending: multipliers come last
             const auto [first, last] = reach[at(unknown)];
             const bool complete = first >= first_node[at(index)] && last <= index;
             const bool is_multiplier = unknown >= first_multiplier;
             const bool waits =
                 is_multiplier && !std::ranges::all_of(partners[at(unknown - first_multiplier)], is_ranked);
             if (!complete || waits || is_ranked(unknown)) {
-                node.kept.push_back(unknown);
+                kept.push_back(unknown);
             } else {
                 rank[at(unknown)] = next++;
                 if (is_multiplier) ++node.multipliers;
             }
         }
+        node.kept = kept;
         node.eliminated = next - node.first_rank;
     }
     for (Node& node : nodes) {
@@ -210,20 +247,19 @@ Eigen::VectorXd AssemblyTree::by_unknown(const Eigen::VectorXd& by_rank) const {
 }
 
 void AssemblyTree::place_contributions(const Layout& layout) {
-    std::vector<int> place(at(layout.unknowns), -1);  // of each rank, in the front at hand
+    Places places(layout.unknowns);
+    std::vector<int> ranks;
     for (Node& node : nodes) {
-        for (int i = 0; i < node.eliminated; ++i) place[at(node.first_rank + i)] = i;
-        int next = node.eliminated;
-        for (const int kept : node.kept) place[at(kept)] = next++;
+        places.turn_to(node);
+        node.from_elements.reserve(node.elements.size());
         for (const int element : node.elements) {
-            std::vector<int> ranks = layout.element_unknowns[at(element)];
+            ranks = layout.element_unknowns[at(element)];
             for (int& unknown : ranks) unknown = rank[at(unknown)];
-            node.from_elements.push_back(place_rows(ranks, place, node.eliminated));
+            node.from_elements.push_back(places.of(ranks));
         }
         if (node.leaf()) continue;
-        for (std::size_t side = 0; side < 2; ++side) {
-            node.from_children[side] = place_rows(nodes[at(node.children[side])].kept, place, node.eliminated);
-        }
+        for (std::size_t side = 0; side < 2; ++side)
+            node.from_children[side] = places.of(nodes[at(node.children[side])].kept);
     }
 }
 

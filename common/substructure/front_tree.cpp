@@ -28,8 +28,8 @@ bool is_finite(const Eigen::MatrixXd& matrix, Symmetry symmetry) {
 }  // namespace
 
 struct FrontTree::Tree {
-    explicit Tree(const Layout& layout);
-    void take_over(Tree& old, std::span<const int> same);
+    /// `old`: null, or what fronts are taken over from.
+    explicit Tree(const Layout& layout, Tree* old = nullptr, std::span<const int> same = {});
 
     [[nodiscard]] Symmetry symmetry_below(const AssemblyTree::Node& node, const MatrixOfElement& matrix_of) const;
     void refactor(std::size_t index, const MatrixOfElement& matrix_of);
@@ -45,21 +45,21 @@ struct FrontTree::Tree {
     long refactored = 0, refactored_general = 0;
 };
 
-FrontTree::Tree::Tree(const Layout& layout)
+FrontTree::Tree::Tree(const Layout& layout, Tree* old, std::span<const int> same)
     : elements(layout.element_unknowns.size()), plan(layout), at_rest(plan, elements), dirty(plan.nodes.size()),
       known(plan.nodes.size()) {
+    require(old == nullptr || same.size() == elements, "front tree: a counterpart, or none, for each element");
+    const bool takes_over = old != nullptr && old->factored;
+    const std::vector<int> counterparts =
+        takes_over ? plan.counterparts(old->plan, same) : std::vector<int>(plan.nodes.size(), -1);
     fronts.reserve(plan.nodes.size());
-    for (const AssemblyTree::Node& node : plan.nodes)
-        fronts.emplace_back(node.eliminated, node.multipliers, static_cast<int>(node.kept.size()));
-}
-
-void FrontTree::Tree::take_over(Tree& old, std::span<const int> same) {
-    if (!old.factored) return;
-    const std::vector<int> counterparts = plan.counterparts(old.plan, same);
-    for (std::size_t index = 0; index < fronts.size(); ++index) {
-        if (counterparts[index] < 0) continue;
-        fronts[index] = std::move(old.fronts[at(counterparts[index])]);
-        known[index] = 1;
+    for (std::size_t index = 0; index < plan.nodes.size(); ++index) {
+        const AssemblyTree::Node& node = plan.nodes[index];
+        known[index] = counterparts[index] >= 0 ? 1 : 0;
+        if (counterparts[index] >= 0)
+            fronts.push_back(std::move(old->fronts[at(counterparts[index])]));
+        else
+            fronts.emplace_back(node.eliminated, node.multipliers, static_cast<int>(node.kept.size()));
     }
 }
 
@@ -109,10 +109,8 @@ void FrontTree::Tree::fail(const AssemblyTree::Node& node, int place) const {
 }
 
 FrontTree::FrontTree(Layout layout) : tree_(std::make_unique<Tree>(layout)) {}
-FrontTree::FrontTree(Layout layout, FrontTree& old, std::span<const int> same) : FrontTree(std::move(layout)) {
-    require(same.size() == tree_->elements, "front tree: a counterpart, or none, for each element");
-    tree_->take_over(*old.tree_, same);
-}
+FrontTree::FrontTree(Layout layout, FrontTree& old, std::span<const int> same)
+    : tree_(std::make_unique<Tree>(layout, old.tree_.get(), same)) {}
 FrontTree::~FrontTree() = default;
 
 void FrontTree::factor(std::span<const Eigen::MatrixXd> matrices, std::span<const char> changed, Symmetry symmetry) {

@@ -53,10 +53,12 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
     : mesh_(mesh), materials_(materials), piece_(piece_of_elements(mesh_)), was_(mesh_.elements.size(), -1) {
     require(std::ranges::is_sorted(mesh_.element_ids), "the elements of a zone are in the order of their ids");
     operators_.reserve(mesh_.elements.size());
+    stiffness_.reserve(mesh_.elements.size());
+    const std::vector<int> now = old != nullptr ? same_unknowns(old->mesh_, mesh_) : std::vector<int>();
     for (int e = 0; e < std::ssize(mesh_.elements); ++e) {
         if (const auto same = old != nullptr ? old->find(mesh_, e) : std::nullopt;
             same && old->stays(*this, e, *same)) {
-            take_over(*old, *same, e);
+            take_over(*old, *same, e, now);
             continue;
         }
         const CrackPiece* cut = cut_of(e);
@@ -73,11 +75,11 @@ BulkElements::BulkElements(const EnrichedMesh& mesh, const Materials& materials,
     }
 }
 
-void BulkElements::take_over(BulkElements& old, int own, int element) {
-    ElementOperator op = std::move(old.operators_[at(own)]);
+// The same functions come in the same order.
+void BulkElements::take_over(BulkElements& old, int own, int element, std::span<const int> now) {
+    ElementOperator& op = operators_.emplace_back(std::move(old.operators_[at(own)]));
     op.element = element;
-    op.unknowns = ElementBasis(mesh_, element, cut_of(element) != nullptr).unknowns();
-    operators_.push_back(std::move(op));
+    for (int& unknown : op.unknowns) unknown = now[at(unknown)];
     stiffness_.push_back(std::move(old.stiffness_[at(own)]));
     was_[at(element)] = own;
 }

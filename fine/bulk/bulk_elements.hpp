@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -70,7 +71,8 @@ public:
 private:
     [[nodiscard]] const CrackPiece* cut_of(int element) const;
     [[nodiscard]] bool stays(const BulkElements& later, int element, int own) const;
-    void take_over(BulkElements& old, int own, int element);
+    /// `now`: of each unknown of the old mesh.
+    void take_over(BulkElements& old, int own, int element, std::span<const int> now);
 
     EnrichedMesh mesh_;
     Materials materials_;

@@ -5,13 +5,15 @@
 namespace stria::fine {
 
 void StressChanges::add_element(const ElementOperator& op, const VonMisesForm& form) {
+    const std::size_t unknowns = op.unknowns.size(), points = op.points.size(), first = values_.size();
     records_.push_back(
         {std::ssize(op.unknowns), std::ssize(op.points), std::ssize(unknowns_), std::ssize(values_), form});
     unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
-    values_.insert(values_.end(), op.unknowns.size(), 0.0);
+    values_.resize(first + unknowns * (1 + points), 0.0);
+    double* value = values_.data() + first + unknowns;
     for (Eigen::Index f = 0; f < std::ssize(op.unknowns) / 2; ++f)
         for (const Eigen::Index direction : {0, 1})
-            for (std::size_t q = 0; q < op.gradients.size(); ++q) values_.push_back(op.gradients[q](f, direction));
+            for (std::size_t q = 0; q < points; ++q) *value++ = op.gradients[q](f, direction);
 }
 
 void StressChanges::look_at(int element, const Eigen::VectorXd& u) {

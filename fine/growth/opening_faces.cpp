@@ -1,5 +1,6 @@
 #include "fine/growth/opening_faces.hpp"
 
+#include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria::fine {
@@ -11,11 +12,16 @@ OpeningFaces::OpeningFaces(const Eigen::VectorXd& held) {
 }
 
 void OpeningFaces::open(const EnrichedMesh& before, const EnrichedMesh& next, const Eigen::VectorXd& held) {
-    Eigen::VectorXd all = carry_over(before, this->held(before.unknowns), next, Eigen::VectorXd::Zero(next.unknowns));
-    const Eigen::VectorXd is_new =
-        carry_over(before, Eigen::VectorXd::Zero(before.unknowns), next, Eigen::VectorXd::Ones(next.unknowns));
-    for (const auto& [node, term, unknown] : next.own_unknowns())
-        if (term > 0 && is_new[unknown] != 0.0) all.segment<2>(unknown) = held.segment<2>(unknown);
+    const Eigen::VectorXd still = this->held(before.unknowns);
+    const std::vector<int> same = same_unknowns(next, before);
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(next.unknowns);
+    for (const auto& [node, term, unknown] : next.own_unknowns()) {
+        const int own = same[at(unknown)];
+        if (own >= 0)
+            all.segment<2>(unknown) = still.segment<2>(own);
+        else if (term > 0)
+            all.segment<2>(unknown) = held.segment<2>(unknown);
+    }
     *this = OpeningFaces(all);
 }
 

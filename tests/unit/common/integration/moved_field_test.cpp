@@ -51,6 +51,28 @@ TEST_P(MovedFieldAt, GoesAlongWithTheTip) {
     EXPECT_GT(jumps, 5);
 }
 
+// Where elements come to lie on elements: in the middle of them, and along their edges.
+TEST_P(MovedFieldAt, IsExactlyThatOfTheNodeBehind) {
+    const double y = GetParam();
+    const auto with_crack_to = [&](double x) { return test::cracked(test::square_mesh(8), {{-1.0, y}, {x, y}}, 0); };
+    const EnrichedMesh from = with_crack_to(0.55), to = with_crack_to(0.675);
+    const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(from.unknowns, -1.0, 900.0).array().sin();
+    const Eigen::VectorXd moved = MovedField(from, to, TipMoves::between(from, to).value()).of(u);
+    int plain = 0, jumps = 0;
+    for (const auto& [node, term, unknown] : to.own_unknowns()) {
+        const Vec2& here = to.nodes[at(node)];
+        const auto behind = [&](const Vec2& x) { return (here - x - Vec2(0.125, 0.0)).norm() < 1e-9; };
+        const auto found = std::ranges::find_if(from.nodes, behind);
+        if (found == from.nodes.end()) continue;
+        const int old = static_cast<int>(found - from.nodes.begin());
+        if (from.terms[at(old)].size() != to.terms[at(node)].size()) continue;
+        EXPECT_EQ(moved.segment<2>(unknown), u.segment<2>(from.unknown(old, term, 0))) << here.transpose();
+        (term > 0 ? jumps : plain) += 1;
+    }
+    EXPECT_GT(plain, 50);
+    EXPECT_GT(jumps, 3);
+}
+
 TEST(MovedField, IsThatOfTheNearestTip) {
     const Mesh body = test::square_mesh(9);
     const auto with_crack = [&](double left, double right) {

@@ -1,0 +1,38 @@
+#include "common/enrichment/enriched_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "coarse/model/mesh_refinement.hpp"
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::test {
+namespace {
+
+// With hanging nodes, which follow, and with and without functions of a tip, which goes elsewhere.
+TEST(SameUnknowns, AreThoseOfTheSameNodeAndFunction) {
+    const Mesh body = coarse::refine(square_mesh(8), {{{0.45, 0.47}, {0.6, 0.47}, 0.15, 2, 0.0}}).mesh;
+    for (const int tip_functions : {0, 6}) {
+        const EnrichedMesh mesh = cracked(body, {{-1.0, 0.47}, {0.6, 0.47}}, tip_functions),
+                           other = cracked(body, {{-1.0, 0.47}, {0.5, 0.47}}, tip_functions);
+        const std::vector<int> same = same_unknowns(mesh, other);
+        ASSERT_EQ(std::ssize(same), mesh.unknowns);
+        int jumps = 0, more = 0;
+        for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
+            const Term* const own = term > 0 ? &mesh.terms[at(node)][at(term - 1)] : nullptr;
+            const int twin = own != nullptr ? other.term_index(node, *own) : 0;
+            const bool tips = own != nullptr && own->kind != Term::Kind::Heaviside;
+            const bool lacks = tips || (own != nullptr && twin == 0) || other.follows(node, twin);
+            for (const int c : {0, 1})
+                EXPECT_EQ(same[at(unknown + c)], lacks ? -1 : other.unknown(node, twin, c)) << node << " " << term;
+            jumps += own != nullptr && !lacks ? 1 : 0;
+            more += lacks ? 1 : 0;
+        }
+        EXPECT_GT(jumps, 5);
+        EXPECT_GT(more, 2);
+    }
+}
+
+}  // namespace
+}  // namespace stria::test
