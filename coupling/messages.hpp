@@ -75,6 +75,7 @@ struct PatchDisplacement {
     double last_below = 0.0;     // N/mm: where it is not much larger this state may be the last of its increment
     bool check_rest = false;     // look at the elements at rest: this state may be the last
     bool elastic = false;        // no point flows in this iterate, whatever its stress
+    bool opens_faces = false;    // a growth opens faces in this zone or, of a shared one, with another rank
     Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
 };
 
@@ -111,6 +112,7 @@ struct PatchResponse {
     double along_before = 0;           // likewise, where that correction began
     bool provisional = false;          // elements at rest have not been looked at: one of them may yield
     bool woken = false;                // some would, which iterates before this one did not see
+    bool opens_faces = false;          // a growth opens faces here: stress goes where it has not been
     Digest digest;
 };
 

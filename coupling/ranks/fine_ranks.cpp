@@ -68,9 +68,8 @@ void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flo
     const std::vector<int> anew = share_out(patch.mesh, ranks, patch_.mesh, patch.part_of, flow);
     const bool stays = on && cost(anew) > much_better * cost_on;
     weighed_cost_ = stays ? cost_on : cost(anew);
-    const bool moves = !owner_.empty() && !stays;
-    owner_ = by_id(patch.mesh, stays ? *on : anew);
-    if (moves) move_history();
+    const bool knew = !std::exchange(owner_, by_id(patch.mesh, stays ? *on : anew)).empty();
+    if (knew && !stays) move_history();
 }
 
 /// By id; parts have that of their whole.
@@ -178,16 +177,15 @@ void FineRanks::request(const PatchDisplacement& displacement) {
     } else {
         if (!displacement.further)
             correction_ = tree_->follow(displacement.boundary - gather(trial_, seams_.gamma),
-                                        displacement.load_factor - load_factor_);
+                                        displacement.load_factor - question_.load_factor);
         trial_ += displacement.step * correction_;
     }
     trial_(seams_.gamma) = displacement.boundary;
-    load_factor_ = displacement.load_factor;
-    cases_ = displacement.cases;
-    settled_below_ = displacement.settled_below;
+    question_ = displacement;
+    question_.opens_faces = opens_faces_;
     for (const RankPart& part : parts_) {
-        PatchDisplacement of_part = displacement;
-        if (settled_below_ > 0.0) of_part.wanted = Wanted::Residuals;
+        PatchDisplacement of_part = question_;
+        if (question_.settled_below > 0.0) of_part.wanted = Wanted::Residuals;
         of_part.boundary = gather(trial_, part.shared);
         scale_of(part).request(of_part);
     }
@@ -197,8 +195,8 @@ PatchResponse FineRanks::collect() {
     std::vector<PatchResponse> answers = answers_of_ranks();
     PatchResponse response;
     response.digest.yielding_points.assign(patch_.mesh.elements.size(), 0);
-    Eigen::VectorXd unit_load = gather(patch_.unit_load, seams_.kept), load = load_factor_ * unit_load;
-    if (patch_.case_loads.cols() > 0) load += patch_.case_loads(seams_.kept, Eigen::all) * cases_;
+    Eigen::VectorXd unit_load = gather(patch_.unit_load, seams_.kept), load = question_.load_factor * unit_load;
+    if (patch_.case_loads.cols() > 0) load += patch_.case_loads(seams_.kept, Eigen::all) * question_.cases;
     response.along = response.along_before = correction_.dot(load);  // the parts know of the forces inside them
     Eigen::VectorXd due = load;
     response.may_keep_factor = true;
@@ -207,11 +205,12 @@ PatchResponse FineRanks::collect() {
         due(parts_[k].shared) += answers[k].due;
     }
     note_flow(response.digest);
+    opens_faces_ = response.opens_faces;
     for (const int seam : seams_.between)
         response.interior_residual = std::max(response.interior_residual, std::abs(due[seam]));
-    if (settled_below_ > 0.0) {
+    if (question_.settled_below > 0.0) {
         const double residual = std::max(response.interior_residual, response.contact_residual);
-        response.keeps_factor = response.may_keep_factor && residual <= settled_below_;
+        response.keeps_factor = response.may_keep_factor && residual <= question_.settled_below;
         for (FineScale* rank : asked())
             rank->request({.wanted = Wanted::Rest, .keeps_factor = response.keeps_factor, .boundary = {}});
         answers = answers_of_ranks();

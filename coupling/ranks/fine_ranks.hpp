@@ -75,8 +75,8 @@ private:
     std::optional<SeamTree> tree_;
     Eigen::VectorXd committed_, trial_;  // displacement of Seams::kept, mm
     Eigen::VectorXd correction_;         // likewise, the last one, taken whole
-    double load_factor_ = 0.0, settled_below_ = 0.0;
-    Eigen::VectorXd cases_;  // factors of the load cases
+    PatchDisplacement question_;         // the last one
+    bool opens_faces_ = false;           // some rank did when it was asked last
     IncrementMemory<Eigen::VectorXd> increments_;
     std::vector<StepReport> reports_;
     int history_moves_ = 0;

@@ -111,6 +111,7 @@ void add(PatchResponse& whole, const PatchResponse& part, const std::vector<int>
     whole.along_before += part.along_before;
     whole.provisional = whole.provisional || part.provisional;
     whole.woken = whole.woken || part.woken;
+    whole.opens_faces = whole.opens_faces || part.opens_faces;
     whole.may_keep_factor = whole.may_keep_factor && part.may_keep_factor;
     add_digest(whole.digest, part.digest, elements);
 }

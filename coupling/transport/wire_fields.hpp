@@ -77,9 +77,9 @@ void fields(auto& wire, Is<Patch> auto& m) {
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
     auto& [wanted, iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below,
-           keeps_factor, last_below, check_rest, elastic, boundary] = m;
+           keeps_factor, last_below, check_rest, elastic, opens_faces, boundary] = m;
     wire(wanted, iteration, predictor.factor, predictor.back, predictor.goes_on, put_aside, load_factor, cases, further,
-         step, held, settled_below, keeps_factor, last_below, check_rest, elastic, boundary);
+         step, held, settled_below, keeps_factor, last_below, check_rest, elastic, opens_faces, boundary);
 }
 
 void fields(auto& wire, Is<Digest> auto& m) {
@@ -102,9 +102,10 @@ void fields(auto& wire, Is<CondensedTangent> auto& m) {
 void fields(auto& wire, Is<PatchResponse> auto& m) {
     auto& [force, tangent, same_tangent, may_keep_factor, keeps_factor, due, unit_load, interior_residual,
            interior_force, contact_residual, interior_correction, interior_displacement, along, along_before,
-           provisional, woken, digest] = m;
+           provisional, woken, opens_faces, digest] = m;
     wire(force, tangent, same_tangent, may_keep_factor, keeps_factor, due, unit_load, interior_residual, interior_force,
-         contact_residual, interior_correction, interior_displacement, along, along_before, provisional, woken, digest);
+         contact_residual, interior_correction, interior_displacement, along, along_before, provisional, woken,
+         opens_faces, digest);
 }
 
 void fields(auto& wire, Is<FaceSample> auto& m) {

@@ -54,7 +54,7 @@ void FineModel::evaluate() {
     system_.set_cases(asked_.cases);
     system_.set_boundary(asked_.boundary);
     // New faces send the stress where no half cycle before has sent it: every iterate looks at what rests.
-    const bool looked = some_rest_ && system_.opens_faces() && asked_.iteration > 0;
+    const bool looked = some_rest_ && (system_.opens_faces() || asked_.opens_faces) && asked_.iteration > 0;
     if (looked) (void)wake_what_would_yield();
     linearise();
     response_ = system_.measure();
@@ -73,6 +73,7 @@ void FineModel::evaluate() {
     response_.along = work_along_correction();
     response_.along_before = correction_.work_before;
     response_.may_keep_factor = may_keep_factor();
+    response_.opens_faces = system_.opens_faces();
     if (system_.patch().shared) response_.due = gather(system_.load(), system_.patch().boundary);
 }
 

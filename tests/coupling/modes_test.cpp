@@ -299,7 +299,8 @@ TEST_P(SharedZone, SeveralFineRanksAreOneToRounding) {
 }
 
 /// Increments to predict from go along with a tip across a seam: without them two ranks take a third more iterations.
-/// What rests hangs on the tree of fronts, and joins the iterations when it is woken.
+/// What rests hangs on the tree of fronts, and joins the iterations when it is woken: while faces open with one rank
+/// all look at it in each iterate, or they take a twentieth more.
 TEST(GrowthOnTwoRanks, TakesAsManyIterationsAsOnOne) {
     const Case scene =
         sent_case({"mesh.grading=[]", "mesh.size=3.2", "fine.refine=32", "load.steps=\"auto\"", "growth.increment=0.1",
@@ -312,7 +313,7 @@ TEST(GrowthOnTwoRanks, TakesAsManyIterationsAsOnOne) {
         return sum;
     };
     const int one = iterations(1);
-    EXPECT_LE(iterations(2), 1.05 * one) << one;
+    EXPECT_LE(iterations(2), 1.02 * one) << one;
 }
 
 INSTANTIATE_TEST_SUITE_P(
