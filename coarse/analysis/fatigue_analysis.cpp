@@ -233,8 +233,8 @@ void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
 // without them. Where (a) fails, only the state before it is whole.
 bool FatigueAnalysis::grow_where_due() {
     if (due_growth_.tips.empty()) return true;
+    model_.prepare_growth();
     AnalysisState before = state_beside_zone();
-    model_.keep_zone();
     try {
         GrownScene grown = growth_->next(body_, model_.factors(), due_growth_.tips, last_cycle_);
         if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());

@@ -47,11 +47,6 @@ void TwoScaleModel::write_zone(AnalysisState& state) const {
     if (body_.has_zone()) state.zone = factory_.zone_snapshot();
 }
 
-void TwoScaleModel::keep_zone() {
-    is_kept_ = body_.has_zone();
-    if (is_kept_) factory_.keep_zone();
-}
-
 void TwoScaleModel::write_kept_zone(AnalysisState& state) const {
     if (is_kept_) state.zone = factory_.kept_zone();
 }
@@ -148,12 +143,19 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
     turn_to(with_ring(body_.scene(), body_.in_zone(), joining));
 }
 
+// The zone keeps what it remembers while the structure finds its displacement.
+void TwoScaleModel::prepare_growth() {
+    const Stopwatch watch(effort_.growth_s);
+    is_kept_ = body_.has_zone();
+    if (is_kept_) factory_.keep_zone();
+    refresh_displacement();
+}
+
 // What becomes fine because of its functions is so before they change. What else eq. (3) is expected to want joins with
 // the longer cracks. The nominal solution, which tells what it does want, is found while the zone turns to them: it
 // takes the elements beyond that afterwards. Without a zone nobody sees what the growth releases.
 bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     const Stopwatch watch(effort_.growth_s);
-    refresh_displacement();
     const EnrichedMesh& after = grown.longer->enriched;
     const bool kept = factory_.keeps_increments() && TipMoves::between(body_.scene().enriched, after).has_value();
     const EquilibriumState known = kept ? equilibrium_->state() : EquilibriumState();

@@ -39,6 +39,9 @@ public:
     /// They and their neighbours join the zone, split where they are large (fine.refine); the trial state is lost.
     void extend_zone(const std::vector<int>& yielding);
 
+    /// Comes before lengthen_cracks(): the zone is kept as it is, and the displacement of the whole mesh is known.
+    void prepare_growth();
+
     /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed. False
     /// where increments are not known any more, for predictors.
     [[nodiscard]] bool lengthen_cracks(GrownScene grown);
@@ -46,10 +49,9 @@ public:
     /// Of the present equilibrium and of the guard; what was before them is in the run's own record.
     [[nodiscard]] CoarseEffort effort() const;
 
-    /// All but the zone; and the zone. `write_kept_zone`: as it was when keep_zone() was called.
+    /// All but the zone; and the zone. `write_kept_zone`: as it was when prepare_growth() was called.
     void write(AnalysisState& state) const;
     void write_zone(AnalysisState& state) const;
-    void keep_zone();
     void write_kept_zone(AnalysisState& state) const;
 
 private:
@@ -74,7 +76,7 @@ private:
     std::optional<StructureRings> rings_;  // of the present structure
     Eigen::VectorXd displacement_;         // committed, of the whole mesh, mm; behind while increments are accepted:
     bool is_behind_ = false;               // refresh_displacement()
-    bool is_kept_ = false;                 // keep_zone() has met a zone
+    bool is_kept_ = false;                 // prepare_growth() has met a zone
     LoadFactors factors_;                  // committed
     double largest_force_ = 0.0;           // largest scale of a residual that was committed, N/mm
     WorkBalance work_;                     // committed
