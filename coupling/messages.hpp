@@ -75,7 +75,7 @@ struct PatchDisplacement {
     double last_below = 0.0;     // N/mm: where it is not much larger this state may be the last of its increment
     bool check_rest = false;     // look at the elements at rest: this state may be the last
     bool elastic = false;        // no point flows in this iterate, whatever its stress
-    bool opens_faces = false;    // a growth opens faces in this zone or, of a shared one, with another rank
+    bool opens_faces = false;    // a growth opens faces with some rank of a shared zone
     Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
 };
 

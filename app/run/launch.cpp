@@ -81,14 +81,9 @@ void claim_output_directory(RunOptions& options) {
         throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));
 }
 
-int fine_ranks_of(const RunOptions& options) {
-    const bool with_fine = options.mode != "monolithic" && needs_fine(read_case(options.case_path, options.overrides));
-    return with_fine ? options.fine_ranks : 0;
-}
-
-int processes_of(const RunOptions& options) {
-    const int ranks = options.mode == "mpi" ? fine_ranks_of(options) : 0;
-    return ranks == 1 ? 2 : std::max(1, ranks);
+RunParts parts_of(const RunOptions& options, bool with_fine) {
+    if (!with_fine || options.mode == "monolithic") return {};
+    return {options.fine_ranks, options.mode == "mpi" ? std::max(2, options.fine_ranks) : 1};
 }
 
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine) {
@@ -96,11 +91,11 @@ std::vector<std::string> launch_command(const RunOptions& options, const std::st
     if (!with_fine) return coarse;
     const std::vector<std::string> fine = component_command(options, programs + "/stria-fine");
     // The structure waits while the zone works: of several ranks one lives with it, and no core is asked for in vain.
-    const bool own_rank = options.fine_ranks > 1;
-    if (own_rank) coarse.emplace_back("--own-rank");
+    const auto [fine_ranks, processes] = parts_of(options, with_fine);
+    if (fine_ranks == processes) coarse.emplace_back("--own-rank");
     std::vector<std::string> command = {"mpirun", "--quiet", "-n", "1"};
     command.insert(command.end(), coarse.begin(), coarse.end());
-    command.insert(command.end(), {":", "-n", std::to_string(options.fine_ranks - (own_rank ? 1 : 0))});
+    command.insert(command.end(), {":", "-n", std::to_string(processes - 1)});
     command.insert(command.end(), fine.begin(), fine.end());
     return command;
 }

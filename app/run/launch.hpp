@@ -12,12 +12,12 @@ namespace stria {
 /// already holds results and the run is neither forced nor resumed.
 void claim_output_directory(RunOptions& options);
 
-/// Fine ranks of a run: none where its case or its mode has none.
-int fine_ranks_of(const RunOptions& options);
-
-/// Processes of a run beside those of mpirun. In mode mpi the structure has one to itself beside a single fine rank;
-/// of several ranks one lives with it.
-int processes_of(const RunOptions& options);
+/// Fine ranks of a run, and its processes beside those of mpirun. Neither case nor mode may want a fine rank. In mode
+/// mpi the structure has a process to itself beside a single rank; of several ranks one lives with it.
+struct RunParts {
+    int fine_ranks = 0, processes = 1;
+};
+RunParts parts_of(const RunOptions& options, bool with_fine);
 
 /// The words of the command that runs the case in mode mpi. `programs`: the folder of the two components.
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine);

@@ -13,8 +13,8 @@ struct RunOptions {
     std::string mode = "mpi";      // mpi | inprocess | monolithic
     int fine_ranks = 1;
     bool own_rank = false;  // of stria-coarse: one fine rank more lives in its process
-    bool force = false;   // write into a folder that holds results
-    bool resume = false;  // go on from its checkpoint
+    bool force = false;     // write into a folder that holds results
+    bool resume = false;    // go on from its checkpoint
     bool quiet = false;
     bool verbose = false;
     bool report = true;                  // report.html at the end

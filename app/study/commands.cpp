@@ -73,7 +73,7 @@ std::string job_array(const StudyOptions& options, const Plan& plan) {
     int count = 0, processes = 1;
     for (const RunOptions& run : runs_of(options, plan)) {
         tasks += fmt::format("{}) {} ;;\n", ++count, line_of(run, "exec "));
-        processes = std::max(processes, processes_of(run));
+        processes = std::max(processes, parts_of(run, needs_fine(read_case(run.case_path, run.overrides))).processes);
     }
     return fmt::format(fmt::runtime(script), fmt::arg("count", count), fmt::arg("name", job_name(options)),
                        fmt::arg("processes", processes), fmt::arg("tasks", tasks));

@@ -68,8 +68,9 @@ Found found_in(const RunOptions& options) {
         const auto found = summary.words.find(name);
         return found != summary.words.end() && found->second == word;
     };
-    if (!is("version", version_text()) || !is("mode", options.mode) ||
-        summary.number("ranks") != processes_of(options) || summary.number("fine_ranks") != fine_ranks_of(options))
+    const auto [fine_ranks, processes] = parts_of(options, needs_fine(input));
+    if (!is("version", version_text()) || !is("mode", options.mode) || summary.number("ranks") != processes ||
+        summary.number("fine_ranks") != fine_ranks)
         return Found::Nothing;
     return is("status", "done") ? Found::Done : Found::Begun;
 }

@@ -39,5 +39,20 @@ TEST(LaunchCommand, StartsAsManyProgramsAsFineRanks) {
     EXPECT_EQ(std::ranges::count(three, "--own-rank"), 1);
 }
 
+TEST(PartsOfARun, AreAsManyAsItsModeHas) {
+    const auto counted = [](const char* mode, int fine_ranks, bool with_fine = true) {
+        RunOptions options;
+        options.mode = mode;
+        options.fine_ranks = fine_ranks;
+        const RunParts parts = parts_of(options, with_fine);
+        return std::pair(parts.fine_ranks, parts.processes);
+    };
+    EXPECT_EQ(counted("mpi", 1), std::pair(1, 2));
+    EXPECT_EQ(counted("mpi", 3), std::pair(3, 3));
+    EXPECT_EQ(counted("mpi", 3, false), std::pair(0, 1));
+    EXPECT_EQ(counted("inprocess", 3), std::pair(3, 1));
+    EXPECT_EQ(counted("monolithic", 1), std::pair(0, 1));
+}
+
 }  // namespace
 }  // namespace stria
