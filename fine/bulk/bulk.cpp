@@ -44,8 +44,9 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
 }
 
 Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement)
-    : elements_(std::move(elements)), history_(std::move(laws), elements_.mesh().material, operators()),
-      resting_(elements_, displacement), proven_(elements_.count(), true),  // no force is known yet
+    : elements_(std::move(elements)), idle_(elements_.count()),
+      history_(std::move(laws), elements_.mesh().material, operators()), resting_(elements_, displacement),
+      proven_(elements_.count(), true),  // no force is known yet
       committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
       tangents_(elements_.stiffness()), changed_(elements_.count(), true),
@@ -179,7 +180,7 @@ void Bulk::add_trial_force(int e) {
     }
 }
 
-// The elastic matrix plus what yielding takes away at the points that yield.
+// The elastic matrix plus what yielding takes away at the points that yield, but for idle ones.
 template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     const bool yields = history_.yields(e), yielded = yielded_.contains(e);
     if (yields || yielded)
@@ -196,8 +197,10 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     ++counts_.tangents_computed;
     const MandelMatrix& elastic = elements_.elastic_stiffness(e);
     typename Kernel::Matrix K = elements_.stiffness()[at(e)];
-    for (std::size_t q = 0; q < at(history_.points(e)); ++q)
-        if (history_.yields(e, q)) kernel.add_stiffness(history_.tangent(e, q) - elastic, q, K);
+    const std::vector<IntegrationPoint>& points = elements_.op(e).points;
+    for (std::size_t q = 0; q < points.size(); ++q)
+        if (history_.yields(e, q) && !idle_.contain(e, points[q].side))
+            kernel.add_stiffness(history_.tangent(e, q) - elastic, q, K);
     tangents_[at(e)] = K;
 }
 

@@ -12,6 +12,7 @@
 #include "fine/bulk/elastic_bound.hpp"
 #include "fine/bulk/element_kernels.hpp"
 #include "fine/bulk/element_values.hpp"
+#include "fine/bulk/idle_sides.hpp"
 #include "fine/bulk/point_history.hpp"
 #include "fine/bulk/resting_elements.hpp"
 
@@ -38,6 +39,9 @@ public:
 
     /// Writes all that is committed, but for the displacements.
     void remember(coupling::ZoneSnapshot& out) const;
+
+    /// Relative residual that Newton's method leaves: tangents stay elastic on sides that bear no more (IdleSides).
+    void tolerate(double residual) { idle_ = IdleSides(elements_, residual); }
 
     /// Stresses, internal forces and tangents at committed state + (u - committed u). Repeatable: same u, same bits.
     /// `elastic`: as if no point flowed.
@@ -106,6 +110,7 @@ private:
     void find_committed_force(int e);
 
     BulkElements elements_;
+    IdleSides idle_;
     PointHistory history_;
     RestingElements resting_;
     ElasticBound bound_;

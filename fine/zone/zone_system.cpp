@@ -62,6 +62,7 @@ void ZoneSystem::make_contact(const coupling::Patch& patch) {
 void ZoneSystem::begin_with(const coupling::Patch& patch) {
     patch_ = patch;
     trial_ = memory_.committed;
+    bulk_->tolerate(input_.tolerance);
     summary_.emplace(*bulk_);  // new weights are no flow
     at_rest_ = ZoneAtRest(*bulk_, *contact_, UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
     contact_->settle(memory_.committed.displacement);
