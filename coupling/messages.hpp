@@ -96,16 +96,16 @@ struct Digest {
 
 /// The zone's answer: a nonlinear superelement.
 struct PatchResponse {
-    Eigen::VectorXd force;         // condensed internal force on Gamma, N/mm
-    CondensedTangent tangent;      // on Gamma; empty where `same_tangent`
-    bool same_tangent = false;     // the tangent is that of the last response
-    bool may_keep_factor = false;  // no multiplier has changed its status since the last one
-    bool keeps_factor = false;     // the correction takes it, whatever has changed since
-    Eigen::VectorXd due;           // of a shared zone, with its residuals: what is out of balance on its boundary, N/mm
-    Eigen::VectorXd unit_load;     // the zone's own loads condensed onto Gamma: minus d force / d load factor
-    double interior_residual = 0;  // largest interior force residual, N/mm
-    double interior_force = 0;     // largest internal nodal force, the scale of that residual
-    double contact_residual = 0;   // largest complementarity residual, as a force
+    Eigen::VectorXd force;             // condensed internal force on Gamma, N/mm
+    CondensedTangent tangent;          // on Gamma; empty where `same_tangent`
+    bool same_tangent = false;         // the tangent is that of the last response
+    bool may_keep_factor = false;      // no multiplier has changed its status since the last one
+    bool keeps_factor = false;         // the correction takes it, whatever has changed since
+    Eigen::VectorXd due;               // with the residuals: the zone's part of what is out of balance on Gamma, N/mm
+    Eigen::VectorXd unit_load;         // the zone's own loads condensed onto Gamma: minus d force / d load factor
+    double interior_residual = 0;      // largest interior force residual, N/mm
+    double interior_force = 0;         // largest internal nodal force, the scale of that residual
+    double contact_residual = 0;       // largest complementarity residual, as a force
     double interior_correction = 0;    // largest change of an interior displacement since the last call, mm
     double interior_displacement = 0;  // largest interior displacement, mm
     double along = 0;                  // work of all that is out of balance along the last correction, taken whole, N

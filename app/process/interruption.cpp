@@ -6,6 +6,7 @@
 #include <ctime>
 #include <initializer_list>
 #include <limits>
+#include <unistd.h>
 
 #include "app/process/exit_code.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 volatile std::sig_atomic_t asked = 0;
 timespec asked_at{};                                             // of the monotonic clock; whole once `asked` is set
 double time_is_up_at = std::numeric_limits<double>::infinity();  // of the same, s
+
+pid_t parent = 0;  // whose end matters; 0: nobody's
 
 timespec now() {
     timespec time{};
@@ -48,7 +51,10 @@ void interrupt_after(double limit) { time_is_up_at = seconds(now()) + limit; }
 
 bool time_is_up() { return seconds(now()) >= time_is_up_at; }
 
-bool interrupted() { return asked != 0 || time_is_up(); }
+void interrupt_with_parent() { parent = getppid(); }
+
+// Who has lost its parent gets another one.
+bool interrupted() { return asked != 0 || time_is_up() || (parent != 0 && getppid() != parent); }
 
 double seconds_since_interruption() {
     const double time = seconds(now());

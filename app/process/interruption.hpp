@@ -1,4 +1,5 @@
-// What asks a run to end: SIGINT and SIGTERM, SIGUSR1, which mpirun passes on to its programs, and a time that is up.
+// What asks a run to end: SIGINT and SIGTERM, SIGUSR1, which mpirun passes on to its programs, a time that is up, and
+// the end of who has started it.
 #pragma once
 
 namespace stria {
@@ -9,7 +10,10 @@ void heed_interruption();
 /// So many seconds from this call on the run is asked to end as by a signal.
 void interrupt_after(double seconds);
 
-/// True once a signal has come or the time is up.
+/// From this call on the run is asked to end where the process that has started it ends.
+void interrupt_with_parent();
+
+/// True once a signal has come, the time is up or the parent has ended.
 bool interrupted();
 bool time_is_up();
 

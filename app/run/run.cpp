@@ -34,6 +34,7 @@ int run_coarse_with_mpi(const RunOptions& options) {
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
         meet_and_part(coupling::Role::Coarse);
+        if (coupling::under_mpirun()) interrupt_with_parent();  // MPI has ended: nothing else tells of mpirun's end
         coarse::CondensedFactory alone(nullptr, input);
         return CoarseRun(options, input, {"mpi", 1, users_terminal()}).perform(alone, nullptr);
     }

@@ -86,6 +86,7 @@ Residual CondensedEquilibrium::linearise() {
     structure_residual_ = residual_;
     residual_ -= on_free(response_.force);
     result.boundary = largest(residual_);
+    result.nodal = largest(structure_residual_ + on_free(response_.due));
     add_zone(result, response_);
     add_structure_work(result);
     const double tolerance = input_.tolerance, left = result.largest() / result.scale;

@@ -16,7 +16,9 @@ namespace stria::coarse {
 
 /// How far the trial state is from equilibrium. Residuals are largest nodal forces, N/mm.
 struct Residual {
-    double boundary = 0.0;                   // on the unknowns of the structure
+    double boundary = 0.0;                   // on the unknowns of the structure, where a zone is condensed with what is
+                                             // out of balance inside it: what its correction has to balance
+    double nodal = 0.0;                      // likewise, but as the nodes feel it: the same however it is solved
     double interior = 0.0;                   // inside the zone
     double contact = 0.0;                    // complementarity
     double scale = 0.0;                      // the forces that balance
@@ -35,6 +37,7 @@ struct Residual {
     std::vector<std::vector<std::int8_t>> slides = {};  // likewise, per distance behind it: the nearest contact slides
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
+    [[nodiscard]] double largest_nodal() const { return std::max({nodal, interior, contact}); }
     [[nodiscard]] bool is_finite() const { return std::isfinite(boundary + interior + contact + target); }
     [[nodiscard]] bool within(double tolerance) const { return largest() <= tolerance * scale && target <= tolerance; }
 };

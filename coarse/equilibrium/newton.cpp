@@ -14,24 +14,29 @@ namespace stria::coarse {
 std::string NewtonReport::table() const {
     std::string text =
         "   it   residual    boundary    interior     contact      target  correction  yielding  closed  changes\n";
-    for (std::size_t i = 0; i < iterations.size(); ++i) {
-        const auto& [r, correction] = iterations[i];
-        text += fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i,
-                            r.largest() / r.scale, r.boundary, r.interior, r.contact, r.target, correction,
-                            r.yielding_points, r.closed, r.status_changes);
-    }
+    const auto add = [&](const std::vector<NewtonIteration>& rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto& [r, correction] = rows[i];
+            text += fmt::format("{:5} {:10.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:11.3e} {:9} {:7} {:8}\n", i,
+                                r.largest() / r.scale, r.boundary, r.interior, r.contact, r.target, correction,
+                                r.yielding_points, r.closed, r.status_changes);
+        }
+    };
+    add(lost);
+    add(iterations);
     return text;
 }
 
 namespace {
 
 /// Newton's method leads nowhere from where the predictor said: after some iterations it is as far off as at first, or
-/// as far as it might be from nothing.
+/// as far as it might be from nothing. Judged by what the nodes feel: condensing makes more of the same state, by how
+/// much it is out of balance inside, so that one mode would give up a start that another one stays with.
 bool is_misled(const NewtonReport& report) {
     constexpr std::size_t enough = 4;
     if (report.iterations.size() != enough) return false;
     const Residual &first = report.iterations.front().residual, &last = report.iterations.back().residual;
-    return !(last.largest() < std::min(first.largest(), 0.1 * last.scale));
+    return !(last.largest_nodal() < std::min(first.largest_nodal(), 0.1 * last.scale));
 }
 
 /// Where a residual is as small as rounding for the second time, and neither it nor the correction falls any more, what

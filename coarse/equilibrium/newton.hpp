@@ -25,7 +25,7 @@ struct NewtonReport {
 
     [[nodiscard]] bool was_misled() const { return !lost.empty(); }
     [[nodiscard]] int count() const { return static_cast<int>(iterations.size() + lost.size()); }
-    /// Fixed-width table of the iterations.
+    /// Fixed-width table of the iterations, the lost ones first.
     [[nodiscard]] std::string table() const;
 };
 

@@ -7,7 +7,6 @@
 #include "common/error.hpp"
 #include "common/io/archive.hpp"
 #include "common/io/sealed_file.hpp"
-#include "common/io/whole_file.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -34,7 +33,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
         save("analysis", checkpoint.analysis);
         save("recorder", checkpoint.recorder);
     });
-    write_whole_text(path, sealed(image), previous_checkpoint(path));
+    write_sealed(path, image, previous_checkpoint(path));
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {

@@ -53,16 +53,24 @@ bool jumps(const EnrichedMesh& mesh, int node) {
                                [](const Term& term) { return term.kind == Term::Kind::Heaviside; });
 }
 
+/// Where one element holds several branches, each with a multiplier, all jumps of its nodes have to be the zone's own.
+bool bends_where_faces_touch(const Scene& scene, const CrackPiece& piece) {
+    return piece.points.size() > 2 && scene.input.cracks[at(piece.crack)].contact;
+}
+
 /// A piece along an edge needs both its elements on one side of the interface, and what jumps at its nodes jumps in all
-/// elements about them: where it begins at a kink there are more than those beside it. A jump that is not the zone's
-/// own holds no multiplier.
-void add_elements_along_edges(const Scene& scene, ElementSet& zone) {
+/// elements about them: where it begins at a kink there are more than those beside it. So it does where a piece that
+/// bends comes through a node. A jump that is not the zone's own holds no multiplier.
+void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     NodeSet own(mesh.terms.size());
     for (const CrackPiece& piece : mesh.pieces) {
-        if (piece.neighbour < 0 || !(zone.contains(piece.element) || zone.contains(piece.neighbour))) continue;
+        const bool along_edge = piece.neighbour >= 0;
+        if (along_edge ? !(zone.contains(piece.element) || zone.contains(piece.neighbour))
+                       : !bends_where_faces_touch(scene, piece))
+            continue;
         zone.insert(piece.element);
-        zone.insert(piece.neighbour);
+        if (along_edge) zone.insert(piece.neighbour);
         for (const double place : {piece.entry, piece.exit}) {
             if (place < 0.0 || place != std::floor(place)) continue;
             const int node = mesh.elements[at(piece.element)][at(static_cast<int>(place)) % 4];
@@ -95,7 +103,7 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
         add_disk(scene, t, zone_radius(scene.input.fine, yield_stress[at(t)], K_I[at(t)]), zone);
-    add_elements_along_edges(scene, zone);
+    add_elements_that_jump(scene, zone);
     const int subcells = subcells_elsewhere(scene.input.fine);
     const double points = 4.0 * subcells * subcells * zone.count();
     require_memory(fmt::format("fine.subcells: a zone of {} points", points), points * bytes_of_point);

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "common/io/file_failure.hpp"
+#include "common/io/whole_file.hpp"
 
 namespace stria {
 namespace {
@@ -28,7 +30,9 @@ std::string block_of(std::string_view content) {
 
 }  // namespace
 
-std::string sealed(std::string_view content) { return block_of(content).append(content); }
+void write_sealed(const std::filesystem::path& path, std::string_view content, const std::filesystem::path& earlier) {
+    write_whole_texts(path, {block_of(content), content}, earlier);
+}
 
 void check_seal(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

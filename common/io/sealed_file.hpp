@@ -2,14 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace stria {
 
 /// A content of HDF5 behind a block of 512 bytes with its checksum. To HDF5 the block is a user block: every reader of
-/// the format passes over it.
-std::string sealed(std::string_view content);
+/// the format passes over it. `earlier`: where to keep the file that was there. Throws FileFailure.
+void write_sealed(const std::filesystem::path& path, std::string_view content, const std::filesystem::path& earlier);
 
 /// Throws FileFailure where the file cannot be read, or a bit is not as it was written.
 void check_seal(const std::filesystem::path& path);

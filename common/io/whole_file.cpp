@@ -42,16 +42,20 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
     sync_file(path.has_parent_path() ? path.parent_path() : ".");
 }
 
-void write_whole_text(const std::filesystem::path& path, std::string_view text, const std::filesystem::path& earlier) {
+void write_whole_texts(const std::filesystem::path& path, std::initializer_list<std::string_view> texts,
+                       const std::filesystem::path& earlier) {
     write_whole(path, [&](const std::filesystem::path& temporary) {
         errno = 0;
         std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-        file.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
+        for (const std::string_view text : texts) file.write(text.data(), static_cast<std::streamsize>(text.size()));
+        file.flush();
         if (!file) fail(path, errno);
         if (earlier.empty() || !std::filesystem::exists(path)) return;
         sync_file(temporary);
         if (std::rename(path.c_str(), earlier.c_str()) != 0) fail(earlier, errno);
     });
 }
+
+void write_whole_text(const std::filesystem::path& path, std::string_view text) { write_whole_texts(path, {text}); }
 
 }  // namespace stria

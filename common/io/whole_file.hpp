@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <string_view>
 
 namespace stria {
@@ -14,8 +15,9 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
 /// Waits until the disk holds what a file has. Throws FileFailure.
 void sync_file(const std::filesystem::path& path);
 
-/// `earlier`: where to keep the file that was there; nowhere unless told.
-void write_whole_text(const std::filesystem::path& path, std::string_view text,
-                      const std::filesystem::path& earlier = {});
+/// The texts one behind the other. `earlier`: where to keep the file that was there; nowhere unless told.
+void write_whole_texts(const std::filesystem::path& path, std::initializer_list<std::string_view> texts,
+                       const std::filesystem::path& earlier = {});
+void write_whole_text(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace stria

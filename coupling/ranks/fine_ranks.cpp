@@ -206,6 +206,7 @@ PatchResponse FineRanks::collect() {
     }
     note_flow(response.digest);
     opens_faces_ = response.opens_faces;
+    response.due = gather(due, seams_.gamma);
     for (const int seam : seams_.between)
         response.interior_residual = std::max(response.interior_residual, std::abs(due[seam]));
     if (question_.settled_below > 0.0) {

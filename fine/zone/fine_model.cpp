@@ -74,7 +74,7 @@ void FineModel::evaluate() {
     response_.along_before = correction_.work_before;
     response_.may_keep_factor = may_keep_factor();
     response_.opens_faces = system_.opens_faces();
-    if (system_.patch().shared) response_.due = gather(system_.load(), system_.patch().boundary);
+    response_.due = gather(system_.load(), system_.patch().boundary);
 }
 
 void FineModel::linearise() {

@@ -144,5 +144,38 @@ TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGINTTwice) {
     expect_to_go_on();
 }
 
+/// Nobody needs a fine component: the programs meet and part, and the structure goes on without MPI.
+TEST(ElasticStartedByHand, EndsAsInterruptedWhereMpirunIsKilled) {
+    allow_mpirun();
+    const TemporaryFolder folder;
+    const std::string case_file = folder / "case.toml", output = folder / "out";
+    std::ofstream(case_file) << "units = 'N-mm-MPa'\n"
+                                "mesh = { specimen = 'sent', width = 50.0, height = 100.0, size = 4.0 }\n"
+                                "material = { young = 200e3, poisson = 0.3 }\n"
+                                "crack = [ { points = [[0.0, 50.3], [10.0, 50.3]] } ]\n"
+                                "boundary = [ { on = 'top', traction = [0.0, 1.0] }, "
+                                "{ on = 'bottom', traction = [0.0, -1.0] } ]\n"
+                                "load = { steps = 20, blocks = [ { cycles = 3000, max = 40.0, ratio = 0.1 } ] }\n"
+                                "output = { fields = 'none', checkpoint_every = 0 }\n";
+    Words words;
+    for (const char* program : {"stria-coarse", ":", "stria-fine"})
+        if (*program == ':')
+            words.emplace_back(program);
+        else
+            words.insert(words.end(), {"-n", "1", own_program(program), case_file, "-o", output});
+    Program run("mpirun", words, folder / "log");
+    ASSERT_TRUE(wait_for_rows(run, output, 30)) << run.said();
+    kill(run.pid(), SIGKILL);
+    EXPECT_EQ(run.wait(std::chrono::seconds(10)), 128 + SIGKILL);
+    int code = 2;  // that of a folder in which another run is writing
+    for (int k = 0; code == 2 && k < 50; ++k) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        code =
+            run_program("stria", {"run", case_file, "-o", output, "--resume", "--max-seconds", "0.1"}, folder / "log");
+    }
+    EXPECT_EQ(code, 130) << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("resumed from"), std::string::npos) << text_of(folder / "log");
+}
+
 }  // namespace
 }  // namespace stria::test

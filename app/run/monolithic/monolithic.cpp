@@ -69,6 +69,7 @@ public:
         for (Eigen::Index i = 0; i < residual_.size(); ++i) {
             if (held_[at(i)] == 0) result.boundary = std::max(result.boundary, std::abs(residual_[i]));
         }
+        result.nodal = result.boundary;
         result.scale = loads_.largest(factors_);
         result.target = std::abs(off_target_) / std::max({std::abs(target_), trial_.cwiseAbs().maxCoeff(), 1e-300});
         coarse::add_zone(result, response);

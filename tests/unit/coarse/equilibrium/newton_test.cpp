@@ -25,7 +25,8 @@ public:
     std::vector<int> changes;                                 // of status, of the states to come
     bool elastic = false;
     int elastic_states = 0;
-    bool inside = false;  // its residual is one of the zone's
+    bool inside = false;     // its residual is one of the zone's
+    double condensed = 1.0;  // what condensing makes of it
 
     void begin(const Target& target, const Predictor& predictor) override {
         load_ = target.value;
@@ -34,7 +35,8 @@ public:
     Residual linearise() override {
         residual_ = load_ - force(u);
         elastic_states += elastic ? 1 : 0;
-        return {.boundary = std::abs(residual_),
+        return {.boundary = condensed * std::abs(residual_),
+                .nodal = std::abs(residual_),
                 .interior = inside ? std::abs(residual_) : interior,
                 .contact = contact,
                 .scale = scale,
@@ -117,6 +119,22 @@ TEST(Newton, BeginsAgainWhereTheGuessMisleads) {
     EXPECT_EQ(report.count(), static_cast<int>(report.lost.size() + report.iterations.size()));
     EXPECT_NEAR(spring.u, 1.0, 1e-10);
     EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 0.6, solver).was_misled());
+}
+
+// Of the same states condensing says more, by how much they are out of balance inside: as all modes do, so does it.
+TEST(Newton, JudgesAGuessByWhatTheNodesFeel) {
+    Spring spring;
+    spring.scale = 1e5;
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, 40.0, solver);
+    EXPECT_FALSE(report.was_misled());
+    const double fourth = report.iterations.at(3).residual.nodal;
+    EXPECT_LT(fourth, 1e4) << "a tenth of the forces";
+    Spring condensed;
+    condensed.scale = spring.scale;
+    condensed.condensed = 2e4 / fourth;
+    const NewtonReport same = find_equilibrium(condensed, {Control::Load, 2.0}, 40.0, solver);
+    EXPECT_FALSE(same.was_misled());
+    EXPECT_EQ(same.count(), report.count());
 }
 
 TEST(Newton, BeginsAgainWhereTheGuessCannotBeEvaluated) {

@@ -1,0 +1,77 @@
+// K_I of a tip whose faces are pressed shut: of the loads and of the pressure on the faces together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/comparison.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr double half_crack = 10.0, width = 400.0, opening = 120.0, closing = -200.0;
+
+/// Large enough to be an infinite one to 0.2 %. Pulled, then pressed.
+Case pressed_plate(bool plastic) {
+    Case input =
+        specimen("mt", width, {{0.5 * width - half_crack, 0.5 * width}, {0.5 * width + half_crack, 0.5 * width}});
+    input.mesh.width = width;
+    input.mesh.size = 20.0;
+    input.mesh.grading = {{.at = {{0.5 * width - half_crack, 0.5 * width}, {0.5 * width + half_crack, 0.5 * width}},
+                           .size = 0.2,
+                           .outer_size = 0.5,
+                           .radius = 1.0}};
+    if (plastic) input.material.yield_stress = 300.0;
+    if (plastic) input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
+    input.cracks[0].contact = ContactSection{};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load.steps = 12;
+    input.load.blocks = {{.cycles = 1, .max = opening, .min = closing}};
+    return input;
+}
+
+/// docs/references.md 2.9.
+double K_of_pressure(const std::vector<coupling::FaceSample>& faces) {
+    double sum = 0.0;
+    for (std::size_t k = 1; k < faces.size(); ++k) {
+        const auto angle = [&](std::size_t i) {
+            return std::asin(std::clamp(faces[i].s / half_crack - 1.0, -1.0, 1.0));
+        };
+        sum += 0.5 * (faces[k - 1].pressure + faces[k].pressure) * (angle(k) - angle(k - 1));
+    }
+    return sum * std::sqrt(half_crack / std::numbers::pi);
+}
+
+TEST(ClosedTip, OfAnElasticBodyHasNoKAndNoJ) {
+    const Followed pressed = run_direct(pressed_plate(false)).at_minimum();
+    const double K = std::abs(closing) * std::sqrt(std::numbers::pi * half_crack);
+    EXPECT_NEAR(pressed.zone.contact_length[0], 2.0 * half_crack, 1e-9);
+    for (const coarse::TipResult& tip : pressed.tips) {
+        EXPECT_LT(std::abs(tip.K_I), 1e-5 * K);
+        EXPECT_LT(std::abs(tip.J), 1e-9 * K * K / plane_modulus);
+    }
+}
+
+// Metal that has been stretched bears a part of the load ahead of the tip, and holds the faces behind it apart: the
+// faces press less than the load wants, and the tip is pushed together.
+TEST(ClosedTip, OfAPlasticBodyIsPushedTogetherByWhatItsFacesDoNotBear) {
+    const RunHistory run = run_direct(pressed_plate(true));
+    const Followed& pressed = run.at_minimum();
+    EXPECT_GT(pressed.zone.contact_length[0], 1.8 * half_crack);
+    const double K = run.nominal[0].K_I * closing, by_faces = K_of_pressure(pressed.zone.faces);
+    const auto row = rows_of({.scene = "closed crack with a plastic wake, pressed",
+                              .source = "Tada, Paris, Irwin (2.9)",
+                              .within = 0.005,
+                              .mesh = "0.2 mm at the tip",
+                              .scale = std::abs(K)});
+    for (const coarse::TipResult& tip : pressed.tips) {
+        EXPECT_LT(tip.K_I, 0.0);
+        row("K_I at the smallest load, MPa sqrt(mm)", K + by_faces, tip.K_I);
+    }
+    EXPECT_LT(K + by_faces, 0.04 * K) << "not all is borne by the faces";
+}
+
+}  // namespace
+}  // namespace stria::test
