@@ -224,6 +224,32 @@ TEST(Bulk, ExtensionKeepsHistoryBitForBit) {
     expect_elastic_stress(bulk, now, known);
 }
 
+// Forces, derivatives and tangents that a bulk has from the last one are those that a resumed run finds again.
+TEST(Bulk, WhatItTakesOverIsAsIfItHadBeenMadeAnew) {
+    Bulk old = make_bulk(plate, scene);
+    Eigen::VectorXd u = random_vector(plate.unknowns, 4e-3, 1);
+    u.tail(plate.unknowns / 2) *= 0.03;  // much of it does not yield
+    old.evaluate(u);
+    old.commit(false);
+    coupling::ZoneSnapshot snapshot;
+    old.remember(snapshot);
+    snapshot.displacement = u;
+    Bulk bulk = make_bulk(plate, scene, u, &old);
+    const Materials materials(scene);
+    Bulk anew(plate, materials, fine::make_material_laws(materials), {.subcells = 2, .tip_points = 4}, snapshot);
+    ASSERT_GT(bulk.elements().count(), bulk.elements().built());
+    for (const double size : {1e-6, 1e-5, 1e-4, 1e-3}) {
+        const Eigen::VectorXd trial = u + random_vector(plate.unknowns, size, 3);
+        for (Bulk* each : {&bulk, &anew}) each->evaluate(trial);
+        EXPECT_EQ(bulk.internal_force(), anew.internal_force());
+        EXPECT_EQ(tangents_of(bulk), tangents_of(anew));
+        EXPECT_EQ(bulk.counts().points_proven_elastic - old.counts().points_proven_elastic,
+                  anew.counts().points_proven_elastic);
+    }
+    EXPECT_GT(anew.counts().points_proven_elastic, 0);
+    EXPECT_GT(yielding(anew), 0);
+}
+
 /// A crack through the whole plate; each side is strained uniformly beyond yield, in two steps along different paths.
 class TwoSidedPatch : public testing::TestWithParam<std::pair<Vec2, Vec2>> {};
 
