@@ -140,6 +140,16 @@ void Structure::expand_below(Eigen::VectorXd on_rim, const LoadFactors& factors,
     impose(near_supports_, factors, u);
 }
 
+std::shared_ptr<const FarDisplacement> Structure::beside_near(const LoadFactors& factors, double initial,
+                                                              Eigen::VectorXd& u) const {
+    impose(scene().prescribed, factors, u);
+    if (!far_) return nullptr;
+    const int inside = numbering_.far_count();
+    const auto first = numbering_.unknowns().begin();
+    return std::make_shared<const FarDisplacement>(far_, std::vector<int>(first, first + inside),
+                                                   interior_load(factors, initial, 0, inside), gather(u, rim()));
+}
+
 Eigen::VectorXd Structure::far_force(const Eigen::VectorXd& rim_displacement) const {
     if (!far_) return rim_displacement;
     return far_->tangent() * rim_displacement;
