@@ -111,7 +111,7 @@ Eigen::VectorXd Structure::interior_load(const LoadFactors& factors, double init
         const double factor = factors.of_case(static_cast<Eigen::Index>(k));
         if (factor != 0.0) load += factor * part(loads_.cases()[k]);
     }
-    if (initial != 0.0) load += initial * part(loads_.initial());
+    if (initial != 0.0 && elements_.initial().load.size() > 0) load += initial * part(loads_.initial());
     return load;
 }
 
