@@ -6,7 +6,6 @@
 
 #include "common/error.hpp"
 #include "common/integration/moment_fit.hpp"
-#include "fine/bulk/element_kernels.hpp"
 #include "fine/bulk/history_rows.hpp"
 
 namespace stria::fine {
@@ -50,14 +49,12 @@ Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& disp
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
       tangents_(at(elements_.count())), changed_(elements_.count(), true),
       yielded_(elements_.count()), counts_{.elements_built = elements_.built()} {
-    std::vector<VonMisesForm> forms;
-    for (int k = 0; k < elements_.materials().count(); ++k) forms.emplace_back(elements_.materials().stiffness(k));
     bound_.reserve(operators());
     for (int e = 0; e < elements_.count(); ++e) {
         if (old != nullptr && elements_.has_stayed(e))
             bound_.add_element_of(old->bound_, elements_.was(e), elements_.op(e));
         else
-            bound_.add_element(elements_.op(e), forms[at(elements_.mesh().material_of(e))]);
+            bound_.add_element(elements_.op(e), VonMisesForm(elements_.elastic_stiffness(e)));
     }
 }
 
