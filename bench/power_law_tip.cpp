@@ -72,9 +72,9 @@ coarse::Scene scene_of(const Trial& trial, const Case& input) {
 double condition_of_tangent(const fine::FineModel& fine) {
     const fine::Bulk& bulk = fine.system().bulk();
     std::vector<Triplet> entries;
-    for (std::size_t e = 0; e < bulk.operators().size(); ++e) {
-        const std::vector<int>& unknowns = bulk.operators()[e].unknowns;
-        const Eigen::MatrixXd& tangent = bulk.tangents()[e];
+    for (int e = 0; e < bulk.elements().count(); ++e) {
+        const std::vector<int>& unknowns = bulk.elements().op(e).unknowns;
+        const Eigen::MatrixXd& tangent = bulk.tangent(e);
         for (Eigen::Index i = 0; i < tangent.rows(); ++i)
             for (Eigen::Index j = 0; j < tangent.cols(); ++j)
                 entries.emplace_back(unknowns[at(i)], unknowns[at(j)], tangent(i, j));

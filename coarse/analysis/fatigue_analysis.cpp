@@ -38,7 +38,7 @@ bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() 
 AnalysisState FatigueAnalysis::state() const {
     if (before_growth_) return *before_growth_;
     AnalysisState state = state_beside_zone();
-    model_.write_zone(state);
+    model_.write_dear(state);
     return state;
 }
 
@@ -244,7 +244,7 @@ bool FatigueAnalysis::grow_where_due() {
             release_ = {.cycle = due_growth_.cycle, .moment = due_growth_.moment, .held = 1.0};
         }
     } catch (const NumericalFailure& failure) {
-        model_.write_kept_zone(before);
+        model_.write_kept(before);
         before_growth_ = std::move(before);
         listener_.breaks_off();
         throw NumericalFailure(fmt::format("cycle {}: the cracks cannot grow: {}", due_growth_.cycle, failure.what()));

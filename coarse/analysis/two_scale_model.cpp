@@ -43,12 +43,14 @@ void TwoScaleModel::write(AnalysisState& state) const {
     state.equilibrium = equilibrium_->state();
 }
 
-void TwoScaleModel::write_zone(AnalysisState& state) const {
+void TwoScaleModel::write_dear(AnalysisState& state) const {
     if (body_.has_zone()) state.zone = factory_.zone_snapshot();
+    if (far_ && !is_behind_) far_->put_into(state.displacement, body_.scene().enriched);
 }
 
-void TwoScaleModel::write_kept_zone(AnalysisState& state) const {
+void TwoScaleModel::write_kept(AnalysisState& state) const {
     if (is_kept_) state.zone = factory_.kept_zone();
+    if (kept_far_) kept_far_->put_into(state.displacement);
 }
 
 CoarseEffort TwoScaleModel::effort() const {
@@ -143,12 +145,20 @@ void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
     turn_to(with_ring(body_.scene(), body_.in_zone(), joining));
 }
 
-// The zone keeps what it remembers while the structure finds its displacement.
+// The zone keeps what it remembers while the structure finds its displacement. Beside a zone cracks seldom change what
+// is far.
 void TwoScaleModel::prepare_growth() {
     const Stopwatch watch(effort_.growth_s);
     is_kept_ = body_.has_zone();
     if (is_kept_) factory_.keep_zone();
-    refresh_displacement();
+    if (is_kept_ && std::exchange(is_behind_, false)) {
+        DisplacementBesideFar known = equilibrium_->displacement_beside_far();
+        displacement_ = std::move(known.u);
+        far_ = std::move(known.far);
+    } else {
+        refresh_displacement();
+    }
+    kept_far_ = far_;
 }
 
 // What becomes fine because of its functions is so before they change. What else eq. (3) is expected to want joins with
@@ -162,11 +172,12 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     CrackedBody::Outgrown outgrown;
     if (grown.finer) outgrown = split_elements(std::move(*grown.finer));
     const ElementSet changed = body_.zone_with_changes(*grown.longer);
+    const ElementSet expected = body_.zone_expected_about(*grown.longer, changed);
+    find_far_where_some(expected);
     if (changed != body_.in_zone()) factory_.extend_zone(patch_of(body_.scene(), changed, displacement_));
     std::unique_ptr<Scene> keeping = body_.keeping_functions(*grown.longer);
     const Scene& next = keeping ? *keeping : *grown.longer;
     Eigen::VectorXd carried = body_.carried_to(next, displacement_);
-    const ElementSet expected = body_.zone_expected_about(*grown.longer, changed);
     std::optional<coupling::Patch> patch;
     if (body_.has_zone())
         factory_.begin_zone(patch.emplace(patch_of(next, expected, carried)));
@@ -179,8 +190,11 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     outgrown = {};
     displacement_ = std::move(carried);
     body_.take(std::move(grown.longer), std::move(keeping));
+    find_far_where_some(in_zone);
     if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
     turn_to(in_zone, std::move(patch));
+    kept_far_.reset();
+    if (far_ && !far_->is_of(body_.structure().factors().far.get())) find_far();  // lest two far parts stay
     if (increments) equilibrium_->restore(increments->added_to(equilibrium_->state(), body_.structure()));
     return kept;
 }
@@ -188,6 +202,10 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
 // Each field goes on as it is; what the smaller elements do to equilibrium shows with the release of the new faces.
 CrackedBody::Outgrown TwoScaleModel::split_elements(FinerScene finer) {
     const std::vector<int> part_of = finer.part_of;
+    ElementSet split(body_.scene().mesh.elements.size());
+    for (const int whole : part_of)
+        if (whole >= 0) split.insert(whole);
+    find_far_where_some(split);
     CrackedBody::Outgrown outgrown = body_.take_finer(std::move(finer), displacement_);
     coupling::Patch patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
     for (const int e : patch.mesh.element_ids) patch.part_of.push_back(part_of[at(e)]);
@@ -198,7 +216,20 @@ CrackedBody::Outgrown TwoScaleModel::split_elements(FinerScene finer) {
 
 // Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.
 void TwoScaleModel::refresh_displacement() {
-    if (std::exchange(is_behind_, false)) displacement_ = equilibrium_->structure_displacement();
+    if (!std::exchange(is_behind_, false)) return find_far();
+    displacement_ = equilibrium_->structure_displacement();
+    far_.reset();
+}
+
+void TwoScaleModel::find_far() {
+    if (const Far far = std::exchange(far_, nullptr)) {
+        far->put_into(displacement_, body_.scene().enriched);
+        ++effort_.work.structure_solves_full;
+    }
+}
+
+void TwoScaleModel::find_far_where_some(const ElementSet& are_far) {
+    if (far_ && far_->is_of_some(are_far)) find_far();
 }
 
 }  // namespace stria::coarse

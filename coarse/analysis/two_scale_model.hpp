@@ -39,7 +39,7 @@ public:
     /// They and their neighbours join the zone, split where they are large (fine.refine); the trial state is lost.
     void extend_zone(const std::vector<int>& yielding);
 
-    /// Comes before lengthen_cracks(): the zone is kept as it is, and the displacement of the whole mesh is known.
+    /// Comes before lengthen_cracks(): the zone is kept as it is.
     void prepare_growth();
 
     /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed. False
@@ -49,10 +49,11 @@ public:
     /// Of the present equilibrium and of the guard; what was before them is in the run's own record.
     [[nodiscard]] CoarseEffort effort() const;
 
-    /// All but the zone; and the zone. `write_kept_zone`: as it was when prepare_growth() was called.
+    /// All but the dear parts: the zone, and what far elements do. `write_kept`: these as they were when
+    /// prepare_growth() was called, beside what was written then.
     void write(AnalysisState& state) const;
-    void write_zone(AnalysisState& state) const;
-    void write_kept_zone(AnalysisState& state) const;
+    void write_dear(AnalysisState& state) const;
+    void write_kept(AnalysisState& state) const;
 
 private:
     /// Somebody reads rings, faces and energies of an increment.
@@ -61,6 +62,8 @@ private:
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     CrackedBody::Outgrown split_elements(FinerScene finer);
     void refresh_displacement();
+    void find_far();
+    void find_far_where_some(const ElementSet& are_far);
     [[nodiscard]] coupling::Patch patch_of(const Scene& scene, const ElementSet& in_zone,
                                            const Eigen::VectorXd& displacement) const;
 
@@ -76,10 +79,12 @@ private:
     std::optional<StructureRings> rings_;  // of the present structure
     Eigen::VectorXd displacement_;         // committed, of the whole mesh, mm; behind while increments are accepted:
     bool is_behind_ = false;               // refresh_displacement()
-    bool is_kept_ = false;                 // prepare_growth() has met a zone
-    LoadFactors factors_;                  // committed
-    double largest_force_ = 0.0;           // largest scale of a residual that was committed, N/mm
-    WorkBalance work_;                     // committed
+    using Far = std::shared_ptr<const FarDisplacement>;
+    Far far_, kept_far_;          // what displacement_ lacks; and lacked when prepare_growth() was called
+    bool is_kept_ = false;        // prepare_growth() has met a zone
+    LoadFactors factors_;         // committed
+    double largest_force_ = 0.0;  // largest scale of a residual that was committed, N/mm
+    WorkBalance work_;            // committed
 };
 
 }  // namespace stria::coarse

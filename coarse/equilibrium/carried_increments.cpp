@@ -37,10 +37,11 @@ CarriedIncrements::CarriedIncrements(const Structure& structure, EquilibriumStat
 
 void CarriedIncrements::find_places(const EnrichedMesh& mesh, const std::vector<int>& wanted,
                                     const EnrichedMesh& longer) {
-    Eigen::VectorXd place = Eigen::VectorXd::Constant(mesh.unknowns, -1.0);
-    for (std::size_t k = 0; k < wanted.size(); ++k) place[wanted[k]] = static_cast<double>(k);
-    for (const double known : carry_over(mesh, place, longer, Eigen::VectorXd::Constant(longer.unknowns, -1.0)))
-        place_.push_back(static_cast<int>(known));
+    std::vector<int> place(at(mesh.unknowns), -1);
+    for (std::size_t k = 0; k < wanted.size(); ++k) place[at(wanted[k])] = static_cast<int>(k);
+    place_ = same_unknowns(longer, mesh);
+    for (int& unknown : place_)
+        if (unknown >= 0) unknown = place[at(unknown)];
 }
 
 EquilibriumState CarriedIncrements::added_to(EquilibriumState state, const Structure& next) const {

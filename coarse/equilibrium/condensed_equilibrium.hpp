@@ -36,6 +36,9 @@ public:
         return response_.digest.yielding_points;
     }
     [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return expanded_.whole(trial_); }
+    [[nodiscard]] DisplacementBesideFar displacement_beside_far() const override {
+        return expanded_.beside_far(trial_);
+    }
     [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return expanded_.near(trial_); }
     [[nodiscard]] MachineReading machine_reading() const override;
     [[nodiscard]] EquilibriumState state() const override;

@@ -10,6 +10,7 @@
 #include "coarse/load/load_factors.hpp"
 #include "coarse/load/target.hpp"
 #include "coarse/structure/coarse_effort.hpp"
+#include "coarse/structure/far_displacement.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coarse {
@@ -111,6 +112,11 @@ public:
 
     /// Displacement of the whole mesh, of the trial state; unknowns inside the zone are zero. Dear on a large mesh.
     [[nodiscard]] virtual Eigen::VectorXd structure_displacement() const = 0;
+
+    /// The same, and what is far where somebody wants it.
+    [[nodiscard]] virtual DisplacementBesideFar displacement_beside_far() const {
+        return {structure_displacement(), nullptr};
+    }
 
     /// The same where near elements see it; elsewhere anything. Valid until the trial state changes.
     [[nodiscard]] virtual const Eigen::VectorXd& near_displacement() const = 0;

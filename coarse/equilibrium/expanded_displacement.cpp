@@ -1,5 +1,7 @@
 #include "coarse/equilibrium/expanded_displacement.hpp"
 
+#include <utility>
+
 namespace stria::coarse {
 
 const Eigen::VectorXd& ExpandedDisplacement::whole(const GammaState& state) const {
@@ -17,6 +19,12 @@ const Eigen::VectorXd& ExpandedDisplacement::near(const GammaState& state) const
     }
     near_known_ = true;
     return near_;
+}
+
+DisplacementBesideFar ExpandedDisplacement::beside_far(const GammaState& state) const {
+    Eigen::VectorXd u = near(state);
+    auto far = structure_.beside_near(state.factors(), 1.0, u);
+    return {std::move(u), std::move(far)};
 }
 
 }  // namespace stria::coarse

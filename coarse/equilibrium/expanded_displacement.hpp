@@ -23,6 +23,7 @@ public:
     /// Of the whole mesh, mm, zero inside the zone; and the same of near elements alone.
     [[nodiscard]] const Eigen::VectorXd& whole(const GammaState& state) const;
     [[nodiscard]] const Eigen::VectorXd& near(const GammaState& state) const;
+    [[nodiscard]] DisplacementBesideFar beside_far(const GammaState& state) const;
 
     [[nodiscard]] const coupling::WorkCounts& work() const { return work_; }
 

@@ -45,6 +45,9 @@ public:
     /// Unknowns of loads and answers: the inner ones of the part below, its own, the rim.
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override { return leaf_->tangent(); }
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override { return leaf_->reduce(load); }
+    [[nodiscard]] Eigen::VectorXd reduce_interior(const ConstPart& load, Part reduced) const override {
+        return leaf_->reduce_interior(load, reduced);
+    }
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& rim) const override {
         return leaf_->expand(load, rim);
     }

@@ -40,7 +40,7 @@ ReducedLoad reduce_initial_load(const CoarseElements& elements, const LeafNumber
                                 const Substructure& leaf, const ReducedLoad& unit) {
     const Eigen::VectorXd& load = elements.initial().load;
     if (load.size() > 0) return leaf.reduce(gather(load, numbering.unknowns()));
-    return {Eigen::VectorXd::Zero(unit.interior.size()), Eigen::VectorXd::Zero(unit.boundary.size())};
+    return {{}, Eigen::VectorXd::Zero(unit.boundary.size())};
 }
 
 /// Condenses readings: what they make of the load factor is seen with Gamma held.
@@ -63,8 +63,8 @@ struct Reader {
         return displacement(leaf.reduce(gather(weights, numbering.unknowns())), weights);
     }
     [[nodiscard]] LinearReading displacement(const ReducedLoad& reduced, const Eigen::VectorXd& weights) const {
-        LinearReading reading{reduced.boundary, reduced.interior.dot(unit.interior),
-                              reduced.interior.dot(initial.interior)};
+        LinearReading reading{reduced.boundary, reduced.interior.dot(unit.interior), 0.0};
+        if (initial.interior.size() > 0) reading.constant = reduced.interior.dot(initial.interior);
         for (const PrescribedUnknown& p : scene().prescribed) reading.per_load_factor += weights[p.unknown] * p.value;
         reading.per_case.resize(std::ssize(cases));
         for (Eigen::Index k = 0; k < std::ssize(cases); ++k) {

@@ -28,7 +28,7 @@ public:
     /// Likewise of each load case.
     [[nodiscard]] const std::vector<ReducedLoad>& cases() const { return cases_; }
 
-    /// Likewise of the initial stress; zero without one.
+    /// Likewise of the initial stress; without one zero, and nothing inside.
     [[nodiscard]] const ReducedLoad& initial() const { return initial_; }
 
     /// Mean displacement of the loaded boundary along its direction, mm.

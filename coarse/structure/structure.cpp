@@ -111,7 +111,7 @@ Eigen::VectorXd Structure::interior_load(const LoadFactors& factors, double init
         const double factor = factors.of_case(static_cast<Eigen::Index>(k));
         if (factor != 0.0) load += factor * part(loads_.cases()[k]);
     }
-    if (initial != 0.0) load += initial * part(loads_.initial());
+    if (initial != 0.0 && elements_.initial().load.size() > 0) load += initial * part(loads_.initial());
     return load;
 }
 
@@ -138,6 +138,16 @@ void Structure::expand_below(Eigen::VectorXd on_rim, const LoadFactors& factors,
         end = first;
     }
     impose(near_supports_, factors, u);
+}
+
+std::shared_ptr<const FarDisplacement> Structure::beside_near(const LoadFactors& factors, double initial,
+                                                              Eigen::VectorXd& u) const {
+    impose(scene().prescribed, factors, u);
+    if (!far_) return nullptr;
+    const int inside = numbering_.far_count();
+    const auto first = numbering_.unknowns().begin();
+    return std::make_shared<const FarDisplacement>(far_, std::vector<int>(first, first + inside),
+                                                   interior_load(factors, initial, 0, inside), gather(u, rim()));
 }
 
 Eigen::VectorXd Structure::far_force(const Eigen::VectorXd& rim_displacement) const {

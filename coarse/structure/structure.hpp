@@ -12,6 +12,7 @@
 #include "coarse/structure/body_part.hpp"
 #include "coarse/structure/condensed_loads.hpp"
 #include "coarse/structure/core_factor.hpp"
+#include "coarse/structure/far_displacement.hpp"
 #include "coarse/structure/leaf_numbering.hpp"
 #include "common/substructure/stacked_leaf.hpp"
 
@@ -74,6 +75,10 @@ public:
     /// The same on what elements of the core see, supports aside. Returns what lies on the rim below the core.
     Eigen::VectorXd expand_core(const Eigen::VectorXd& gamma_displacement, const LoadFactors& factors, double initial,
                                 Eigen::VectorXd& u) const;
+
+    /// What that has besides: supports are put into `u` at once.
+    [[nodiscard]] std::shared_ptr<const FarDisplacement> beside_near(const LoadFactors& factors, double initial,
+                                                                     Eigen::VectorXd& u) const;
 
     /// Unknowns that near elements see, free_places() last, and those that the core does: the last of them. Prescribed
     /// ones are not among them.

@@ -39,53 +39,164 @@ Cut cut_at(int direction, double number, double step, int shared, int below, std
             std::countr_zero(static_cast<std::uint64_t>(std::abs(number)))};
 }
 
-/// An element as a point: its coordinates by direction, mm.
-struct ElementPoint {
-    std::array<double, 3> coordinate;
-    int element;
-};
-
-using ElementPoints = std::span<ElementPoint>;
-
 double distance_along_axes(const std::vector<Vec2>& from, const Vec2& x) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2& place : from) least = std::min(least, (x - place).lpNorm<Eigen::Infinity>());
     return least;
 }
 
-/// That of the one which has so many before it. `sorted`: none of those before has a larger one than one behind.
-double coordinate_of(std::size_t which, ElementPoints points, int direction, std::size_t sorted = 0) {
-    std::ranges::nth_element(points.subspan(sorted), points.begin() + static_cast<std::ptrdiff_t>(which), {},
-                             [&](const ElementPoint& point) { return point.coordinate[at(direction)]; });
-    return points[which].coordinate[at(direction)];
-}
+/// Unknowns that stand beside each other wherever one of them is, as those of a node do, are in the same elements:
+/// they are counted as one.
+class Bundles {
+public:
+    explicit Bundles(const FrontLayout& layout)
+        : before_(at(layout.unknowns), unseen), after_(before_), size_(at(layout.unknowns)) {
+        for (const std::vector<int>& unknowns : layout.element_unknowns) see(unknowns);
+        first_.reserve(layout.element_unknowns.size() + 1);
+        for (const std::vector<int>& unknowns : layout.element_unknowns) bundle(unknowns);
+    }
 
-/// How many come first.
-std::size_t cut(ElementPoints points, const Cut& by) {
-    const auto before = [&](const ElementPoint& point) { return point.coordinate[at(by.direction)] < by.plane; };
-    return at(std::ranges::partition(points, before).begin() - points.begin());
-}
+    /// Of an element, each by the first of its unknowns.
+    [[nodiscard]] std::span<const int> of(int element) const {
+        return std::span(of_elements_).subspan(first_[at(element)], first_[at(element) + 1] - first_[at(element)]);
+    }
+    /// How many unknowns.
+    [[nodiscard]] int size(int bundle) const { return size_[at(bundle)]; }
+
+private:
+    static constexpr int unseen = -2, changing = -1;
+
+    void see(std::span<const int> unknowns) {
+        const auto note = [](int& neighbour, int now) {
+            neighbour = neighbour == unseen || neighbour == now ? now : changing;
+        };
+        for (std::size_t k = 0; k < unknowns.size(); ++k) {
+            note(before_[at(unknowns[k])], k > 0 ? unknowns[k - 1] : changing);
+            note(after_[at(unknowns[k])], k + 1 < unknowns.size() ? unknowns[k + 1] : changing);
+        }
+    }
+
+    void bundle(std::span<const int> unknowns) {
+        for (std::size_t k = 0, begin = 0; k < unknowns.size(); ++k) {
+            const int before = before_[at(unknowns[k])];
+            const bool joins = before >= 0 && after_[at(before)] == unknowns[k];
+            if (!joins) {
+                begin = k;
+                of_elements_.push_back(unknowns[k]);
+            }
+            size_[at(unknowns[begin])] = static_cast<int>(k - begin) + 1;
+        }
+        first_.push_back(of_elements_.size());
+    }
+
+    std::vector<int> before_, after_;  // of each unknown, its neighbour in all elements
+    std::vector<int> size_;
+    std::vector<std::size_t> first_{0};  // of each element, and behind the last
+    std::vector<int> of_elements_;
+};
+
+/// All elements, sorted by their coordinates in each direction. Those of a group stand together, in all directions.
+class SortedElements {
+public:
+    struct Group {
+        std::size_t begin, end;
+
+        [[nodiscard]] std::size_t size() const { return end - begin; }
+        [[nodiscard]] Group first(std::size_t count) const { return {begin, begin + count}; }
+        [[nodiscard]] Group behind(std::size_t count) const { return {begin + count, end}; }
+    };
+
+    explicit SortedElements(const FrontLayout& layout) : is_first_(layout.centres.size()) {
+        for (const Vec2& centre : layout.centres) {
+            coordinate_[0].push_back(centre.x());
+            coordinate_[1].push_back(centre.y());
+            if (!layout.busy.empty())
+                coordinate_[about_busy_places].push_back(distance_along_axes(layout.busy, centre));
+        }
+        for (std::size_t direction = 0; direction < coordinate_.size(); ++direction) {
+            order_[direction].resize(coordinate_[direction].size());
+            std::iota(order_[direction].begin(), order_[direction].end(), 0);
+            std::ranges::sort(order_[direction], {}, [&](int element) { return coordinate_[direction][at(element)]; });
+        }
+    }
+
+    [[nodiscard]] Group all() const { return {0, is_first_.size()}; }
+    [[nodiscard]] bool know(int direction) const { return !order_[at(direction)].empty(); }
+    [[nodiscard]] double coordinate(int direction, int element) const {
+        return coordinate_[at(direction)][at(element)];
+    }
+    [[nodiscard]] std::span<const int> of(Group group, int direction = 0) const {
+        return std::span(order_[at(direction)]).subspan(group.begin, group.size());
+    }
+
+    /// Puts those before a plane before the others. How many there are.
+    std::size_t cut(Group group, const Cut& by) {
+        const std::span<const int> sorted = of(group, by.direction);
+        const auto is_before = [&](int element) { return coordinate(by.direction, element) < by.plane; };
+        const auto first = at(std::ranges::partition_point(sorted, is_before) - sorted.begin());
+        put_first(group, {sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(first)});
+        return first;
+    }
+
+    /// By their places, and by their numbers where they lie at one place.
+    std::size_t halve(Group group) {
+        std::vector<int> elements(of(group).begin(), of(group).end());
+        const std::size_t half = elements.size() / 2;
+        std::ranges::nth_element(elements, elements.begin() + static_cast<std::ptrdiff_t>(half), {}, [&](int element) {
+            return std::tuple(coordinate(0, element), coordinate(1, element), element);
+        });
+        elements.resize(half);
+        put_first(group, elements);
+        return half;
+    }
+
+private:
+    void put_first(Group group, std::span<const int> elements) {
+        for (const int element : of(group)) is_first_[at(element)] = 0;
+        for (const int element : elements) is_first_[at(element)] = 1;
+        for (std::vector<int>& order : order_) {
+            if (order.empty()) continue;
+            others_.clear();
+            auto next = order.begin() + static_cast<std::ptrdiff_t>(group.begin);
+            for (std::size_t k = group.begin; k < group.end; ++k) {
+                if (is_first_[at(order[k])] != 0)
+                    *next++ = order[k];
+                else
+                    others_.push_back(order[k]);
+            }
+            std::ranges::copy(others_, next);
+        }
+    }
+
+    std::array<std::vector<double>, 3> coordinate_;  // by direction, mm
+    std::array<std::vector<int>, 3> order_;
+    std::vector<char> is_first_;
+    std::vector<int> others_;
+};
+
+using Group = SortedElements::Group;
 
 class Bisection {
 public:
     explicit Bisection(const FrontLayout& layout)
-        : layout_(layout), first_(at(layout.unknowns)), last_(at(layout.unknowns), -1) {
+        : layout_(layout), elements_(layout), bundles_(layout), strip_(at(layout.unknowns), -1) {
         nodes_.reserve(4 * layout.centres.size() / at(layout.leaf_elements));
     }
 
     /// What lies about the busy places comes first, so that the way from there to the root is short however many the
     /// others are: squares, whose rims are short.
-    int split_about_busy_places(ElementPoints points) {
+    std::vector<PartOfElements> nodes() && {
         constexpr std::size_t about_each = 128;  // elements at most: docs/performance.md
+        const Group all = elements_.all();
         const std::size_t near = about_each * layout_.busy.size();
-        if (near == 0 || points.size() < 2 * near) return split(points);
-        const std::size_t first = cut(points, {about_busy_places, coordinate_of(near, points, about_busy_places)});
-        if (first == 0) return split(points);
-        const int others = split(points.subspan(first));
-        return add({.children = {others, split(points.first(first))}, .elements = {}});
+        const std::size_t first =
+            near > 0 && all.size() >= 2 * near
+                ? elements_.cut(all, {about_busy_places, coordinate_of(near, all, about_busy_places)})
+                : 0;
+        const int others = split(all.behind(first));
+        if (first > 0) add({.children = {others, split(all.first(first))}, .elements = {}});
+        return std::move(nodes_);
     }
-
-    [[nodiscard]] std::vector<PartOfElements> nodes() && { return std::move(nodes_); }
 
 private:
     int add(PartOfElements node) {
@@ -93,51 +204,49 @@ private:
         return static_cast<int>(nodes_.size()) - 1;
     }
 
-    int split(ElementPoints points) {
+    int split(Group group) {
         PartOfElements node;
-        if (static_cast<int>(points.size()) <= layout_.leaf_elements) {
-            node.elements.reserve(points.size());
-            for (const ElementPoint& point : points) node.elements.push_back(point.element);
+        if (static_cast<int>(group.size()) <= layout_.leaf_elements) {
+            const std::span<const int> elements = elements_.of(group);
+            node.elements.assign(elements.begin(), elements.end());
             std::ranges::sort(node.elements);
         } else {
-            const std::size_t first = part(points);
-            node.children = {split(points.first(first)), split(points.subspan(first))};
+            const std::size_t first = part(group);
+            node.children = {split(group.first(first)), split(group.behind(first))};
         }
         return add(std::move(node));
     }
 
     /// Puts one part before the other and returns how many come first. Where too many lie at one place, it is half.
-    [[nodiscard]] std::size_t part(ElementPoints points) {
+    [[nodiscard]] std::size_t part(Group group) {
         Cut best;
         for (const int direction : {0, 1, about_busy_places})
-            if (direction != about_busy_places || !layout_.busy.empty()) look_across(direction, points, best);
-        if (best.direction >= 0) return cut(points, best);
-        const std::size_t half = points.size() / 2;
-        std::ranges::nth_element(points, points.begin() + static_cast<std::ptrdiff_t>(half), {},
-                                 [](const ElementPoint& point) {
-                                     return std::tuple(point.coordinate[0], point.coordinate[1], point.element);
-                                 });
-        return half;
+            if (elements_.know(direction)) look_across(direction, group, best);
+        return best.direction >= 0 ? elements_.cut(group, best) : elements_.halve(group);
+    }
+
+    [[nodiscard]] double coordinate_of(std::size_t which, Group group, int direction) const {
+        return elements_.coordinate(direction, elements_.of(group, direction)[which]);
     }
 
     /// A cut is cheap where the parts share few unknowns and neither is much smaller than the other. Planes at round
     /// numbers, of equal ones the roundest, mostly stay where they are when elements come and go.
-    void look_across(int direction, ElementPoints points, Cut& best) {
-        const std::size_t quarter = points.size() / 4;
-        const double low = coordinate_of(quarter, points, direction),
-                     high = coordinate_of(points.size() - 1 - quarter, points, direction, quarter);
+    void look_across(int direction, Group group, Cut& best) {
+        const std::size_t quarter = group.size() / 4;
+        const double low = coordinate_of(quarter, group, direction),
+                     high = coordinate_of(group.size() - 1 - quarter, group, direction);
         if (!(low < high)) return;
         constexpr int eight_or_more = 3, digits = 50;  // planes, digits of their numbers: as powers of two
         const int finest = std::ilogb(std::max(std::abs(low), std::abs(high))) - digits;
         const double step = std::ldexp(1.0, std::max(std::ilogb(high - low) - eight_or_more, finest));
         const double before = std::floor(low / step);  // the last plane that is not looked at
         const int planes = static_cast<int>(std::floor(high / step) - before);
-        const std::vector<Between> between = count_between(direction, points, before, step, planes);
+        count_between(direction, group, before, step, planes);
         int shared = 0, below = 0;
         for (int plane = 0; plane < planes; ++plane) {
-            shared += between[at(plane)].unknowns;
-            below += between[at(plane)].elements;
-            best = std::min(best, cut_at(direction, before + 1.0 + plane, step, shared, below, points.size()));
+            shared += between_[at(plane)].unknowns;
+            below += between_[at(plane)].elements;
+            best = std::min(best, cut_at(direction, before + 1.0 + plane, step, shared, below, group.size()));
         }
     }
 
@@ -146,48 +255,35 @@ private:
         int unknowns = 0;  // that are shared across the next plane and not the last one, less those the other way round
     };
 
-    /// Of each strip before a plane, and the one behind the last.
-    [[nodiscard]] std::vector<Between> count_between(int direction, std::span<const ElementPoint> points, double before,
-                                                     double step, int planes) {
-        std::vector<Between> between(at(planes + 1));
-        for (const ElementPoint& point : points) {
-            const double strip = std::floor(point.coordinate[at(direction)] / step) - before;
-            const int here = static_cast<int>(std::clamp(strip, 0.0, static_cast<double>(planes)));
-            ++between[at(here)].elements;
-            for (const int unknown : layout_.element_unknowns[at(point.element)]) {
-                int &first = first_[at(unknown)], &last = last_[at(unknown)];
-                first = last < 0 ? here : std::min(first, here);
-                last = std::max(last, here);
+    /// Of each strip before a plane, and the one behind the last. A bundle is shared across the planes between the last
+    /// strip that held it and the next one that does.
+    void count_between(int direction, Group group, double before, double step, int planes) {
+        between_.assign(at(planes + 1), {});
+        int here = 0;
+        for (const int element : elements_.of(group, direction)) {
+            while (here < planes && elements_.coordinate(direction, element) >= step * (before + 1.0 + here)) ++here;
+            ++between_[at(here)].elements;
+            for (const int bundle : bundles_.of(element)) {
+                const int last = std::exchange(strip_[at(bundle)], strips_ + here) - strips_;
+                if (last < 0 || last == here) continue;
+                between_[at(last)].unknowns += bundles_.size(bundle);
+                between_[at(here)].unknowns -= bundles_.size(bundle);
             }
         }
-        for (const ElementPoint& point : points) {
-            for (const int unknown : layout_.element_unknowns[at(point.element)]) {
-                const int last = std::exchange(last_[at(unknown)], -1);
-                if (last < 0) continue;
-                ++between[at(first_[at(unknown)])].unknowns;
-                --between[at(last)].unknowns;
-            }
-        }
-        return between;
+        strips_ += planes + 1;
     }
 
     const FrontLayout& layout_;
-    std::vector<int> first_, last_;  // strips that hold an unknown; -1: none so far
+    SortedElements elements_;
+    Bundles bundles_;
+    std::vector<int> strip_;  // that was last seen to hold a bundle, of all strips so far
+    int strips_ = 0;          // before those at hand
+    std::vector<Between> between_;
     std::vector<PartOfElements> nodes_;
 };
 
 }  // namespace
 
-std::vector<PartOfElements> bisect(const FrontLayout& layout) {
-    std::vector<ElementPoint> points;
-    points.reserve(layout.centres.size());
-    for (int e = 0; e < std::ssize(layout.centres); ++e) {
-        const Vec2& centre = layout.centres[at(e)];
-        points.push_back({{centre.x(), centre.y(), distance_along_axes(layout.busy, centre)}, e});
-    }
-    Bisection bisection(layout);
-    bisection.split_about_busy_places(points);
-    return std::move(bisection).nodes();
-}
+std::vector<PartOfElements> bisect(const FrontLayout& layout) { return Bisection(layout).nodes(); }
 
 }  // namespace stria

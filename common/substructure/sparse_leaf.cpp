@@ -250,6 +250,16 @@ ReducedLoad SparseLeaf::reduce(const Eigen::VectorXd& load) const {
     return answers_.back().reduced;
 }
 
+// An answer that is known is copied to its place and nowhere else.
+Eigen::VectorXd SparseLeaf::reduce_interior(const ConstPart& load, Part reduced) const {
+    const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
+        return answer.load.head(load.size()) == load && answer.load.tail(factor_->boundary()).isZero(0.0);
+    });
+    if (known == answers_.end()) return Substructure::reduce_interior(load, reduced);
+    reduced = known->reduced.interior;
+    return known->reduced.boundary;
+}
+
 ReducedLoad SparseLeaf::reduce_anew(const Eigen::VectorXd& load) const {
     require(load.size() == factor_->size(), "sparse leaf: a load on all unknowns");
     const Eigen::VectorXd y = factor_->solve(CHOLMOD_L, load(factor_->order));

@@ -28,6 +28,7 @@ public:
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override;
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
+    [[nodiscard]] Eigen::VectorXd reduce_interior(const ConstPart& load, Part reduced) const override;
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
 
     /// The last unknowns of expand() in the order of elimination, the boundary after them: reads their columns of the

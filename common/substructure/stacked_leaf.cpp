@@ -1,5 +1,7 @@
 #include "common/substructure/stacked_leaf.hpp"
 
+#include <utility>
+
 #include "common/error.hpp"
 
 namespace stria {
@@ -12,16 +14,26 @@ StackedLeaf::StackedLeaf(std::shared_ptr<const Substructure> below, std::vector<
 
 ReducedLoad StackedLeaf::reduce(const Eigen::VectorXd& load) const {
     if (!below_) return above_->reduce(load);
-    const Eigen::Index inner = load.size() - above_->unknowns();
-    Eigen::VectorXd own = Eigen::VectorXd::Zero(inner + std::ssize(rim_));
-    own.head(inner) = load.head(inner);
-    const ReducedLoad lower = below_->reduce(own);
-    Eigen::VectorXd rest = load.tail(above_->unknowns());
-    rest(rim_) += lower.boundary;
-    const ReducedLoad upper = above_->reduce(rest);
-    Eigen::VectorXd interior(inner + upper.interior.size());
-    interior << lower.interior, upper.interior;
-    return {std::move(interior), upper.boundary};
+    const Eigen::Index above = above_->unknowns();
+    ReducedLoad all{Eigen::VectorXd(load.size() - tangent().rows()), {}};
+    all.boundary = reduce(load.head(load.size() - above), load.tail(above), all.interior);
+    return all;
+}
+
+Eigen::VectorXd StackedLeaf::reduce_interior(const ConstPart& load, Part reduced) const {
+    if (!below_) return above_->reduce_interior(load, reduced);
+    Eigen::VectorXd above = Eigen::VectorXd::Zero(above_->unknowns());
+    const Eigen::Index loaded = above.size() - tangent().rows();
+    above.head(loaded) = load.tail(loaded);
+    return reduce(load.head(load.size() - loaded), std::move(above), reduced);
+}
+
+// The load below may be long: it is passed on as it stands.
+Eigen::VectorXd StackedLeaf::reduce(const ConstPart& below, Eigen::VectorXd above, Part reduced) const {
+    above(rim_) += below_->reduce_interior(below, reduced.head(below.size()));
+    ReducedLoad upper = above_->reduce(above);
+    reduced.tail(upper.interior.size()) = upper.interior;
+    return std::move(upper.boundary);
 }
 
 Eigen::VectorXd StackedLeaf::expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const {

@@ -19,6 +19,7 @@ public:
 
     [[nodiscard]] const Eigen::MatrixXd& tangent() const override { return above_->tangent(); }
     [[nodiscard]] ReducedLoad reduce(const Eigen::VectorXd& load) const override;
+    [[nodiscard]] Eigen::VectorXd reduce_interior(const ConstPart& load, Part reduced) const override;
     [[nodiscard]] Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const override;
 
     /// What of expand() lies above, which asks for no column of the factor below. `load_above`: the end of
@@ -29,6 +30,9 @@ public:
     [[nodiscard]] Eigen::VectorXd on_rim(const Eigen::VectorXd& above) const { return above(rim_); }
 
 private:
+    /// `below`, `above`: loads, in place; what the interior of both makes of them into `reduced`.
+    [[nodiscard]] Eigen::VectorXd reduce(const ConstPart& below, Eigen::VectorXd above, Part reduced) const;
+
     std::shared_ptr<const Substructure> below_;
     std::vector<int> rim_;
     std::shared_ptr<const SparseLeaf> above_;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <utility>
 
 namespace stria {
 
@@ -36,6 +37,19 @@ public:
 
     /// Carries a load on all unknowns to the boundary.
     [[nodiscard]] virtual ReducedLoad reduce(const Eigen::VectorXd& load) const = 0;
+
+    using Part = Eigen::Ref<Eigen::VectorXd>;
+    using ConstPart = Eigen::Ref<const Eigen::VectorXd>;
+
+    /// The same of a load on the interior alone. Puts what reduce() gives as interior into `reduced`, and returns what
+    /// comes to the boundary.
+    [[nodiscard]] virtual Eigen::VectorXd reduce_interior(const ConstPart& load, Part reduced) const {
+        Eigen::VectorXd all = Eigen::VectorXd::Zero(load.size() + tangent().rows());
+        all.head(load.size()) = load;
+        ReducedLoad found = reduce(all);
+        reduced = found.interior;
+        return std::move(found.boundary);
+    }
 
     /// All unknowns x of K x = load, given those on the boundary.
     [[nodiscard]] virtual Eigen::VectorXd expand(const ReducedLoad& load, const Eigen::VectorXd& boundary) const = 0;

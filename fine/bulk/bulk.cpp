@@ -6,7 +6,6 @@
 
 #include "common/error.hpp"
 #include "common/integration/moment_fit.hpp"
-#include "fine/bulk/element_kernels.hpp"
 #include "fine/bulk/history_rows.hpp"
 
 namespace stria::fine {
@@ -14,7 +13,7 @@ namespace stria::fine {
 Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
            Bulk* old, const Eigen::VectorXd& displacement)
     : Bulk(BulkElements(mesh, materials, rule, old != nullptr ? &old->elements_ : nullptr), std::move(laws),
-           displacement) {
+           displacement, old) {
     if (old != nullptr)
         carry_history(*old);
     else
@@ -43,24 +42,25 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
     rest(resting, snapshot.rest_displacement);
 }
 
-Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement)
-    : elements_(std::move(elements)), idle_(elements_.count()),
-      history_(std::move(laws), elements_.mesh().material, operators()), resting_(elements_, displacement),
-      proven_(elements_.count(), true),  // no force is known yet
+Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement, const Bulk* old)
+    : elements_(std::move(elements)), history_(std::move(laws), elements_.mesh().material, operators()),
+      resting_(elements_, displacement), proven_(elements_.count(), true),  // no force is known yet
       committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
-      tangents_(elements_.stiffness()), changed_(elements_.count(), true),
+      tangents_(at(elements_.count())), changed_(elements_.count(), true),
       yielded_(elements_.count()), counts_{.elements_built = elements_.built()} {
-    std::vector<VonMisesForm> forms;
-    for (int k = 0; k < elements_.materials().count(); ++k) forms.emplace_back(elements_.materials().stiffness(k));
-    for (int e = 0; e < elements_.count(); ++e)
-        bound_.add_element(elements_.op(e), forms[at(elements_.mesh().material_of(e))]);
+    bound_.reserve(operators());
+    for (int e = 0; e < elements_.count(); ++e) {
+        if (old != nullptr && elements_.has_stayed(e))
+            bound_.add_element_of(old->bound_, elements_.was(e), elements_.op(e));
+        else
+            bound_.add_element(elements_.op(e), VonMisesForm(elements_.elastic_stiffness(e)));
+    }
 }
 
 // As a bulk that begins: every tangent is elastic.
 void Bulk::move_tips(std::vector<Tip> tips) {
     elements_.move_tips(std::move(tips));
-    for (const int e : yielded_.members()) tangents_[at(e)] = elements_.stiffness()[at(e)];
     changed_ = std::exchange(yielded_, ElementSet(elements_.count()));
 }
 
@@ -85,15 +85,29 @@ void Bulk::begin_elastic(int e) {
 void Bulk::carry_history(const Bulk& old) {
     counts_ += old.counts();
     history_.set_half_cycle_ended(old.history_.half_cycle_ended());
+    carry_stayed(old);
     for (int e = 0; e < elements_.count(); ++e) {
+        if (elements_.has_stayed(e)) continue;
         const std::optional<int> found = old.elements_.find(elements_.mesh(), e);
         if (found) resting_.set_recent_flow(e, old.resting_.recent_flow()[at(*found)]);
-        if (!found)
-            begin_elastic(e);
-        else if (elements_.has_stayed(e))
-            history_.take(e, old.history_, *found);
-        else
+        if (found)
             mix_history(old, *found, e);
+        else
+            begin_elastic(e);
+    }
+}
+
+// In as long blocks as there are. The forces of what has stayed are known.
+void Bulk::carry_stayed(const Bulk& old) {
+    for (int begin = 0, end = 0; begin < elements_.count(); begin = std::max(end, begin + 1)) {
+        const int was = elements_.was(begin);
+        for (end = begin; end < elements_.count() && was >= 0 && elements_.was(end) == was + end - begin; ++end) {
+            const int own = elements_.was(end);
+            resting_.set_recent_flow(end, old.resting_.recent_flow()[at(own)]);
+            trial_force_.of(end) = old.committed_force_.of(own);
+            proven_.erase(end);
+        }
+        if (end > begin) history_.take(begin, end, old.history_, was);
     }
 }
 
@@ -188,19 +202,16 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     else
         changed_.erase(e);
     if (!yields) {
-        if (yielded) tangents_[at(e)] = elements_.stiffness()[at(e)];
         yielded_.erase(e);
         ++counts_.elastic_tangents_reused;
         return;
     }
     yielded_.insert(e);
     ++counts_.tangents_computed;
-    const MandelMatrix& elastic = elements_.elastic_stiffness(e);
     typename Kernel::Matrix K = elements_.stiffness()[at(e)];
-    const std::vector<IntegrationPoint>& points = elements_.op(e).points;
-    for (std::size_t q = 0; q < points.size(); ++q)
-        if (history_.yields(e, q) && !idle_.contain(e, points[q].side))
-            kernel.add_stiffness(history_.tangent(e, q) - elastic, q, K);
+    for (std::size_t q = 0; q < at(history_.points(e)); ++q)
+        if (history_.yields(e, q) && !idle_.contain(e, elements_.op(e).points[q].side))
+            kernel.add_stiffness(history_.tangent(e, q) - elements_.elastic_stiffness(e), q, K);
     tangents_[at(e)] = K;
 }
 

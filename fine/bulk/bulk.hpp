@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "common/index_set.hpp"
@@ -60,8 +59,10 @@ public:
     [[nodiscard]] const Eigen::VectorXd& internal_force() const { return force_; }
     /// Sum over elements of |nodal force|, per unknown: the scale against which a residual is small.
     [[nodiscard]] const Eigen::VectorXd& force_scale() const { return force_scale_; }
-    /// Per element, 2f x 2f where it has f functions.
-    [[nodiscard]] std::span<const Eigen::MatrixXd> tangents() const { return tangents_; }
+    /// Of an element, 2f x 2f where it has f functions.
+    [[nodiscard]] const Eigen::MatrixXd& tangent(int e) const {
+        return yielded_.contains(e) ? tangents_[at(e)] : elements_.stiffness()[at(e)];
+    }
     /// Elements whose tangent is not their elastic matrix.
     [[nodiscard]] const ElementSet& yielded() const { return yielded_; }
     /// Elements whose tangent differs from that of the evaluation before.
@@ -96,8 +97,9 @@ public:
     void count_on_from(const coupling::WorkCounts& counts) { counts_ = counts; }
 
 private:
-    Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement);
+    Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement, const Bulk* old = nullptr);
     void carry_history(const Bulk& old);
+    void carry_stayed(const Bulk& old);
     void mix_history(const Bulk& old, int old_element, int element);
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
@@ -121,7 +123,7 @@ private:
     Eigen::VectorXd committed_u_, trial_u_;
     Eigen::VectorXd increment_;  // trial less committed displacement
     Eigen::VectorXd force_, force_scale_;
-    std::vector<Eigen::MatrixXd> tangents_;
+    std::vector<Eigen::MatrixXd> tangents_;  // of those that have yielded; the others' are elastic
     ElementSet changed_;
     ElementSet yielded_;  // in the last evaluation
     coupling::WorkCounts counts_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "common/index.hpp"
@@ -19,6 +20,12 @@ public:
         changes_.add_element(op, form);
         margin_.push_back(0.0);
     }
+    /// As StressChanges has it.
+    void add_element_of(const ElasticBound& other, int element, const ElementOperator& op) {
+        changes_.add_element_of(other.changes_, element, op);
+        margin_.push_back(0.0);
+    }
+    void reserve(std::span<const ElementOperator> operators) { changes_.reserve(operators); }
 
     /// The smallest distance to the yield surface of an element's points, MPa: of what the coming changes begin with.
     void set_margin(int element, double margin) { margin_[at(element)] = margin; }

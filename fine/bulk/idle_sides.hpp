@@ -15,12 +15,12 @@ namespace stria::fine {
 /// drives them to and fro, farther each time, and drags the nodes beside along.
 class IdleSides {
 public:
-    /// None, of so many elements.
-    explicit IdleSides(int elements) : minus_(elements), plus_(elements) {}
+    /// None.
+    IdleSides() = default;
 
     /// `tolerance`: relative residual. A stress s makes a nodal force of s h in an element of edge h, and of s A / h on
     /// a side of area A; the largest force is that of the largest edge.
-    IdleSides(const BulkElements& elements, double tolerance) : IdleSides(elements.count()) {
+    IdleSides(const BulkElements& elements, double tolerance) : minus_(elements.count()), plus_(elements.count()) {
         constexpr double most = 0.01;  // of an element, whatever is tolerated
         double largest = 0.0;
         for (const ElementOperator& op : elements.operators()) largest = std::max(largest, whole(areas_of(op)));
@@ -35,7 +35,8 @@ public:
 
     /// `side`: of a point, -1 or 1; 0 where the element is not cut, and then never.
     [[nodiscard]] bool contain(int element, int side) const {
-        return side != 0 && (side < 0 ? minus_ : plus_).contains(element);
+        const ElementSet& idle = side < 0 ? minus_ : plus_;
+        return side != 0 && element < idle.size() && idle.contains(element);
     }
 
 private:

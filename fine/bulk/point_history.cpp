@@ -94,12 +94,14 @@ bool PointHistory::is_plastic(int e) const {
     return std::ranges::any_of(std::span(&plastic_[place(0, e, 0)], at(points(e))), [](auto p) { return p != 0; });
 }
 
-void PointHistory::take(int e, const PointHistory& other, int from) {
+void PointHistory::take(int begin, int end, const PointHistory& other, int from) {
+    const auto count = first_[at(end)] - first_[at(begin)];
     for (int c = 0; c < std::min(state_size_, other.state_size_); ++c)
-        std::copy_n(&other.committed_[other.place(c, from, 0)], points(e), &committed_[place(c, e, 0)]);
-    std::copy_n(&other.plastic_[other.place(0, from, 0)], points(e), &plastic_[place(0, e, 0)]);
+        std::copy_n(&other.committed_[other.place(c, from, 0)], count, &committed_[place(c, begin, 0)]);
+    std::copy_n(&other.plastic_[other.place(0, from, 0)], count, &plastic_[place(0, begin, 0)]);
     if (!other.has_frozen_gradients()) return;
-    for (std::size_t q = 0; q < at(points(e)); ++q) freeze_gradient(e, q, other.frozen_gradient(from, q));
+    begin_frozen_gradients();
+    std::copy_n(&other.frozen_gradient_[other.place(0, from, 0)], count, &frozen_gradient_[place(0, begin, 0)]);
 }
 
 void PointHistory::add_share(int e, std::size_t q, double share, const PointHistory& other, int from,
@@ -113,8 +115,12 @@ Eigen::Matrix2d PointHistory::frozen_gradient(int e, std::size_t q) const {
 }
 
 void PointHistory::freeze_gradient(int e, std::size_t q, const Eigen::Matrix2d& gradient) {
-    if (frozen_gradient_.empty()) frozen_gradient_.assign(at(points()), Eigen::Matrix2d::Zero());
+    begin_frozen_gradients();
     frozen_gradient_[place(0, e, q)] = gradient;
+}
+
+void PointHistory::begin_frozen_gradients() {
+    if (frozen_gradient_.empty()) frozen_gradient_.assign(at(points()), Eigen::Matrix2d::Zero());
 }
 
 }  // namespace stria::fine

@@ -95,8 +95,9 @@ public:
     void begin(int e, std::size_t q, const Mandel& strain, const Mandel& initial) {
         law(e).begin(strain, initial, first_committed(e) + q, points());
     }
-    /// All that an element with as many points remembers in another history with the same laws, in the same material.
-    void take(int e, const PointHistory& other, int from);
+    /// For the elements begin ... end - 1 all that as many ones, with as many points, from `from` on remember in
+    /// another history with the same laws, in the same materials.
+    void take(int begin, int end, const PointHistory& other, int from);
     /// Adds a share of the state of a point of another history with the same laws, in the same material.
     void add_share(int e, std::size_t q, double share, const PointHistory& other, int from, std::size_t from_q);
     /// All numbers of a state, in the order of the law.
@@ -120,6 +121,7 @@ private:
     [[nodiscard]] Mandel tensor(const std::vector<double>& states, int component, int e, std::size_t q) const {
         return tensor_at(&states[place(component, e, q)], points(), 0);
     }
+    void begin_frozen_gradients();
     void copy(int begin, int end, const std::vector<double>& from, std::vector<double>& to) const;
 
     [[nodiscard]] int material_of(int e) const { return material_.empty() ? 0 : material_[at(e)]; }

@@ -5,15 +5,35 @@
 namespace stria::fine {
 
 void StressChanges::add_element(const ElementOperator& op, const VonMisesForm& form) {
-    const std::size_t unknowns = op.unknowns.size(), points = op.points.size(), first = values_.size();
+    add_record(op, form);
+    for (Eigen::Index f = 0; f < std::ssize(op.unknowns) / 2; ++f)
+        for (const Eigen::Index direction : {0, 1})
+            for (std::size_t q = 0; q < op.points.size(); ++q) values_.push_back(op.gradients[q](f, direction));
+}
+
+void StressChanges::add_element_of(const StressChanges& other, int element, const ElementOperator& op) {
+    const Record& record = other.records_[at(element)];
+    add_record(op, record.form);
+    const auto gradients = other.values_.begin() + record.first + record.unknowns;
+    values_.insert(values_.end(), gradients, gradients + record.unknowns * record.points);
+}
+
+void StressChanges::add_record(const ElementOperator& op, const VonMisesForm& form) {
     records_.push_back(
         {std::ssize(op.unknowns), std::ssize(op.points), std::ssize(unknowns_), std::ssize(values_), form});
     unknowns_.insert(unknowns_.end(), op.unknowns.begin(), op.unknowns.end());
-    values_.resize(first + unknowns * (1 + points), 0.0);
-    double* value = values_.data() + first + unknowns;
-    for (Eigen::Index f = 0; f < std::ssize(op.unknowns) / 2; ++f)
-        for (const Eigen::Index direction : {0, 1})
-            for (std::size_t q = 0; q < points; ++q) *value++ = op.gradients[q](f, direction);
+    values_.insert(values_.end(), op.unknowns.size(), 0.0);
+}
+
+void StressChanges::reserve(std::span<const ElementOperator> operators) {
+    std::size_t unknowns = 0, values = 0;
+    for (const ElementOperator& op : operators) {
+        unknowns += op.unknowns.size();
+        values += op.unknowns.size() * (1 + op.points.size());
+    }
+    records_.reserve(operators.size());
+    unknowns_.reserve(unknowns);
+    values_.reserve(values);
 }
 
 void StressChanges::look_at(int element, const Eigen::VectorXd& u) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "common/index.hpp"
@@ -33,6 +34,10 @@ class StressChanges {
 public:
     /// Numbered as they come; looked at without displacement.
     void add_element(const ElementOperator& op, const VonMisesForm& form);
+    /// That of another list, with an operator that differs in the numbers of its unknowns only.
+    void add_element_of(const StressChanges& other, int element, const ElementOperator& op);
+    /// So many are to come.
+    void reserve(std::span<const ElementOperator> operators);
 
     /// Its changes are those from here on.
     void look_at(int element, const Eigen::VectorXd& u);
@@ -51,6 +56,7 @@ private:
         std::ptrdiff_t first_unknown, first;  // in unknowns_ and in values_
         VonMisesForm form;
     };
+    void add_record(const ElementOperator& op, const VonMisesForm& form);
     template <bool since_look> [[nodiscard]] double largest(const Record& record, const Eigen::VectorXd& u) const;
     /// Of the points from `first` on, `points` of them.
     template <bool since_look, int unknowns, int points>

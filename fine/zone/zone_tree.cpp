@@ -78,13 +78,11 @@ bool ZoneTree::some_status_changed() const {
 }
 
 void ZoneTree::factor() {
-    const std::span<const Eigen::MatrixXd> tangents = system_.bulk().tangents();
     const long before = tree_->refactored(), general_before = tree_->refactored_general();
     tree_->factor(
         [&](int id) {
-            const auto e = at(id);
-            if (e < tangents.size()) return FrontTree::ElementMatrix{tangents[e]};
-            const std::size_t k = e - tangents.size();
+            if (id < elements()) return FrontTree::ElementMatrix{system_.bulk().tangent(id)};
+            const std::size_t k = at(id - elements());
             return FrontTree::ElementMatrix{multiplier_matrices_[k],
                                             slides(statuses_[k]) ? Symmetry::General : Symmetry::Symmetric};
         },

@@ -24,10 +24,9 @@ void MonolithicMatrix::add_bulk(Entries& entries) const {
     for (int j = 0; j < scene.enriched.unknowns; ++j)
         for (SparseMatrix::InnerIterator it(stiffness, j); it; ++it)
             add(entries, static_cast<int>(it.row()), j, it.value());
-    const auto& operators = zone.bulk().operators();
-    for (std::size_t e = 0; e < operators.size(); ++e) {
-        const auto& unknowns = operators[e].unknowns;
-        const Eigen::MatrixXd& K = zone.bulk().tangents()[e];
+    for (int e = 0; e < zone.bulk().elements().count(); ++e) {
+        const auto& unknowns = zone.bulk().elements().op(e).unknowns;
+        const Eigen::MatrixXd& K = zone.bulk().tangent(e);
         for (std::size_t i = 0; i < unknowns.size(); ++i) {
             for (std::size_t j = 0; j < unknowns.size(); ++j) {
                 add(entries, whole[at(unknowns[i])], whole[at(unknowns[j])],

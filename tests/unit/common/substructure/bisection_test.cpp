@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -122,6 +123,29 @@ TEST(Bisection, LeavesMostPartsAsTheyAreWhereElementsJoin) {
     const std::set<Leaf> before = leaves(strip(100, 6)), after = leaves(strip(101, 6));
     const auto stays = [&](const Leaf& leaf) { return before.contains(leaf); };
     EXPECT_GE(std::ranges::count_if(after, stays), 4 * std::ssize(after) / 5);
+}
+
+// Nodes of one to three unknowns: those of a node follow each other in all elements, or in none.
+TEST(Bisection, DoesNotGoByTheOrderOfUnknowns) {
+    FrontLayout corners, layout;
+    std::map<std::pair<int, int>, int> numbers;
+    add_block(corners, numbers, 0, 0, 23, 17);
+    layout.centres = corners.centres;
+    const auto count = [](int corner) { return 1 + corner * corner % 7 % 3; };
+    std::vector<int> first;
+    for (int corner = 0; corner < corners.unknowns; ++corner) {
+        first.push_back(layout.unknowns);
+        layout.unknowns += count(corner);
+    }
+    for (const std::vector<int>& own : corners.element_unknowns) {
+        std::vector<int>& unknowns = layout.element_unknowns.emplace_back();
+        for (const int corner : own)
+            for (int k = 0; k < count(corner); ++k) unknowns.push_back(first[at(corner)] + k);
+    }
+    FrontLayout shuffled = layout;
+    std::mt19937 random(1);
+    for (std::vector<int>& unknowns : shuffled.element_unknowns) std::ranges::shuffle(unknowns, random);
+    EXPECT_EQ(leaves(shuffled), leaves(layout));
 }
 
 TEST(Bisection, DoesNotGoByTheNumbersOfElements) {

@@ -116,9 +116,9 @@ public:
         const coupling::Patch& zone = system_.patch();
         const Eigen::Index n = zone.mesh.unknowns, m = system_.contact().tractions();
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + m, n + m);
-        for (std::size_t e = 0; e < system_.bulk().operators().size(); ++e) {
-            const std::vector<int>& unknowns = system_.bulk().operators()[e].unknowns;
-            matrix(unknowns, unknowns) += system_.bulk().tangents()[e];
+        for (int e = 0; e < system_.bulk().elements().count(); ++e) {
+            const std::vector<int>& unknowns = system_.bulk().elements().op(e).unknowns;
+            matrix(unknowns, unknowns) += system_.bulk().tangent(e);
         }
         add_contact(matrix);
         Eigen::VectorXd right(n + m);
