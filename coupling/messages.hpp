@@ -50,6 +50,7 @@ struct Patch {
                                 // empty: nobody asks
     std::vector<std::vector<double>> slip_at;  // per tip: distances behind it, mm, at which is asked whether the faces
                                                // slide; empty: nobody asks
+    bool anew = false;           // others have held its elements meanwhile: who gets it forgets all that it knows
     bool shared = false;         // by several ranks: none of them knows increments on both sides of a seam
     MovedIncrements moved = {};  // those of all of them; no columns: they are forgotten
     std::vector<int> part_of;    // per element of `mesh`: id in the whole mesh before of the element of which it is a

@@ -70,7 +70,8 @@ void end_at_seams(const Seams& seams, RankPart& part, Patch& patch) {
 }  // namespace
 
 // All rings for everybody: pressure on faces counts also where q is one, inside of them.
-DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const Eigen::VectorXd& displacement) {
+DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const Eigen::VectorXd& displacement,
+                    const std::vector<RankPart>& before) {
     DividedPatch divided;
     for (auto& [rank, elements] : elements_of_ranks(patch.mesh, owner)) {
         Patch& part = divided.patches.emplace_back();
@@ -84,6 +85,7 @@ DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const E
         part.contact_at = patch.contact_at;
         part.ahead = patch.ahead;
         part.slip_at = patch.slip_at;
+        part.anew = std::ranges::find(before, rank, &RankPart::rank) == before.end();
         part.shared = true;
         part.part_of = of_elements(patch.part_of, elements);
         divided.parts.push_back({rank, elements, std::move(unknowns), {}});

@@ -31,7 +31,8 @@ struct DividedPatch {
 };
 
 /// `owner`: rank per element, by id. `displacement`: committed, of all unknowns of the patch's mesh, mm. The loads of
-/// kept unknowns are with no part.
-DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const Eigen::VectorXd& displacement);
+/// kept unknowns are with no part. `before`: parts until now; a rank that had none begins anew.
+DividedPatch divide(const Patch& patch, const std::map<int, int>& owner, const Eigen::VectorXd& displacement,
+                    const std::vector<RankPart>& before);
 
 }  // namespace stria::coupling

@@ -138,7 +138,7 @@ Eigen::VectorXd FineRanks::known_displacement(const Patch& next) const {
 /// The patches of the parts.
 std::vector<Patch> FineRanks::take(const Patch& patch, const Eigen::VectorXd& displacement,
                                    const MovedIncrements& moved) {
-    DividedPatch divided = divide(patch, owner_, displacement);
+    DividedPatch divided = divide(patch, owner_, displacement, parts_);
     patch_ = patch;
     parts_ = std::move(divided.parts);
     seams_ = std::move(divided.seams);

@@ -69,10 +69,10 @@ void fields(auto& wire, Is<MovedIncrements> auto& m) {
 }
 
 void fields(auto& wire, Is<Patch> auto& m) {
-    auto& [mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, shared,
-           moved, part_of] = m;
-    wire(mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, shared,
-         moved, part_of);
+    auto& [mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, anew,
+           shared, moved, part_of] = m;
+    wire(mesh, boundary, unit_load, case_loads, displacement, rings, opening_at, contact_at, ahead, slip_at, anew,
+         shared, moved, part_of);
 }
 
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {

@@ -13,6 +13,10 @@ FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
 // After elements were split another zone follows.
 void FineModel::set_patch(const coupling::Patch& patch) {
+    if (patch.anew) {
+        work_ += system_.work();
+        system_ = ZoneSystem(system_.sections());
+    }
     tree_.turn_to(system_.set_patch(patch));
     rest_is_due_ = true;
     if (patch.part_of.empty()) begin_rest(true);

@@ -244,8 +244,7 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     report.points = bulk_->history().points();
     report.unknowns = patch_.mesh.unknowns + contact_->tractions();
     report.multipliers = contact_->tractions();
-    report.work = bulk_->counts();
-    report.work += contact_work_;
+    report.work = work();
     report.work.history_values = bulk_->history().values_beyond_stress();
     report.work.interface_elements = contact_->operators().interface_elements();
     report.constitutive_s = constitutive_s_;

@@ -83,6 +83,11 @@ public:
     /// What a digest says of the faces.
     void measure_faces(coupling::Digest& digest) const;
     [[nodiscard]] double tolerance() const { return input_.tolerance; }
+    [[nodiscard]] const ZoneSections& sections() const { return input_; }
+    /// Counted so far, of points and faces.
+    [[nodiscard]] coupling::WorkCounts work() const {
+        return contact_work_ + (bulk_ ? bulk_->counts() : coupling::WorkCounts());
+    }
 
     coupling::StepReport commit(const coupling::Commit& what);
     [[nodiscard]] coupling::ZoneState state() const;

@@ -12,6 +12,7 @@
 #include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/plates.hpp"
+#include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {
 namespace {
@@ -356,6 +357,39 @@ TEST(FineRanksInTwoPlaces, WorkSideBySide) {
     for (const int iteration : {0, 1, 2}) (void)answer(together, iteration, u);
     (void)together.commit({});
     EXPECT_EQ(here.worked, 5);
+}
+
+/// The crack turns and ties elements of two ranks together. One of them loses all that it has, but for an element that
+/// is new with the next growth. It froze the tip that it had known once more, and the faces of all were too far apart:
+/// K_I where they are pressed together was a tenth off.
+TEST(IdleFineRanks, ForgetWhatOthersHaveTakenOver) {
+    Case input = plate_case({{0.0, 11.7725}, {2.41092, 10.9022}});
+    input.model.plane = PlaneState::Stress;
+    input.mesh = {.specimen = "plate", .width = 10.0, .height = 20.0, .size = 0.7143, .grading = {}};
+    input.material.yield_stress = 368.8;
+    for (const double sign : {1.0, -1.0}) {
+        BoundarySection& end = input.boundaries.emplace_back();
+        end.on = sign > 0.0 ? "top" : "bottom";
+        end.traction = Vec2(0.0, sign);
+    }
+    input.load.steps = 8;
+    input.load.blocks = {{.cycles = 6, .max = 73.0, .min = -73.0}};
+    input.fine.radius = 1.565;
+    input.growth.emplace();
+    input.growth->increment = 0.398;
+    input.growth->every = 2;
+    input.growth->at = GrowthAt::Minimum;
+    input.solver.tolerance = 1e-10;
+    Team one(input, 1), three(input, 3);
+    const auto run = [&](Team& team) {
+        coarse::CondensedFactory factory(team.together.get(), input);
+        return run_analysis(input, factory);
+    };
+    const RunHistory a = run(one), b = run(three);
+    ASSERT_EQ(a.increments.size(), b.increments.size());
+    EXPECT_GT(three.together->history_moves(), 0);
+    for (std::size_t k = 0; k < a.increments.size(); ++k)
+        EXPECT_NEAR(b.increments[k].tips[0].K_I, a.increments[k].tips[0].K_I, 1e-6 * 300.0) << k;
 }
 
 TEST(IdleFineRanks, AreAskedForNothing) {
