@@ -111,11 +111,13 @@ def scene(rng):
     return text + '[solver]\ntolerance = 1e-12\n[output]\nfields = "none"\ncheckpoint_every = 0\n'
 
 
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1")
+
+
 def run(programs, case, folder, mode):
     """Its exit code, the last line of what it has against the case, and its warnings."""
     command = [str(programs / "stria"), "run", str(case), "-o", str(folder), "--mode", mode]
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1")
-    result = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=600)
+    result = subprocess.run(command, capture_output=True, text=True, env=ENVIRONMENT, timeout=600)
     warnings = re.findall(r"^warning: (.*)$", result.stdout, re.M)
     return result.returncode, (result.stderr.strip().splitlines() or [""])[-1], warnings
 

@@ -55,7 +55,7 @@ void FineRanks::begin_set_patch(const Patch& patch) {
 // where it is.
 void FineRanks::choose_owners(const Patch& patch, const std::vector<double>& flow) {
     constexpr double much_better = 0.85, another = 0.05;
-    // Who has lost all elements once idles for good: what it knows is no more true.
+    // Who has lost all elements gets none by a new sharing; where one that is new comes to it, it begins anew (divide).
     const int ranks = static_cast<int>(owner_.empty() ? scales_.size() : parts_.size());
     const std::optional<std::vector<int>> on =
         owner_.empty() ? std::nullopt : share_on(patch.mesh, owner_, patch.part_of);

@@ -210,7 +210,7 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     ++counts_.tangents_computed;
     typename Kernel::Matrix K = elements_.stiffness()[at(e)];
     for (std::size_t q = 0; q < at(history_.points(e)); ++q)
-        if (history_.yields(e, q) && !idle_.contain(e, elements_.op(e).points[q].side))
+        if (history_.yields(e, q) && !idle_.contain(e, elements_.op(e).points[q]))
             kernel.add_stiffness(history_.tangent(e, q) - elements_.elastic_stiffness(e), q, K);
     tangents_[at(e)] = K;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "common/index_set.hpp"
 #include "fine/bulk/bulk_elements.hpp"
@@ -23,20 +24,23 @@ public:
     IdleSides(const BulkElements& elements, double tolerance) : minus_(elements.count()), plus_(elements.count()) {
         constexpr double most = 0.01;  // of an element, whatever is tolerated
         double largest = 0.0;
-        for (const ElementOperator& op : elements.operators()) largest = std::max(largest, whole(areas_of(op)));
+        std::vector<Areas> areas;
+        for (const ElementOperator& op : elements.operators())
+            largest = std::max(largest, whole(areas.emplace_back(areas_of(op))));
         for (int e = 0; e < elements.count(); ++e) {
-            const Areas areas = areas_of(elements.op(e));
-            const double area = whole(areas), idle = std::min(tolerance * std::sqrt(largest * area), most * area);
-            const auto is_idle = [&](double side) { return side > 0.0 && side <= idle; };
-            if (is_idle(areas[0])) minus_.insert(e);
-            if (is_idle(areas[2])) plus_.insert(e);
+            const auto& [minus, uncut, plus] = areas[at(e)];
+            const double area = whole(areas[at(e)]),
+                         idle = std::min(tolerance * std::sqrt(largest * area), most * area);
+            if (minus > 0.0 && minus <= idle) minus_.insert(e);
+            if (plus > 0.0 && plus <= idle) plus_.insert(e);
         }
     }
 
-    /// `side`: of a point, -1 or 1; 0 where the element is not cut, and then never.
-    [[nodiscard]] bool contain(int element, int side) const {
-        const ElementSet& idle = side < 0 ? minus_ : plus_;
-        return side != 0 && element < idle.size() && idle.contains(element);
+    /// Whether a point of an element is on one of them. It is looked at in few elements: this is asked of all that
+    /// flow.
+    [[nodiscard]] bool contain(int element, const IntegrationPoint& point) const {
+        return element < plus_.size() &&
+               ((plus_.contains(element) && point.side > 0) || (minus_.contains(element) && point.side < 0));
     }
 
 private:

@@ -13,7 +13,7 @@ FineModel::FineModel(const ZoneSections& input) : system_(input) {}
 
 // After elements were split another zone follows.
 void FineModel::set_patch(const coupling::Patch& patch) {
-    if (patch.anew) {
+    if (patch.anew) {  // its counts go on
         work_ += system_.work();
         system_ = ZoneSystem(system_.sections());
     }
