@@ -110,12 +110,12 @@ inline void subtract_product(Op op, int m, int n, const double* a, int stride, c
     dgemv_(&o, &m, &n, &minus, a, &stride, x, &one, &plus, y, &one);
 }
 
-/// y = A x, A symmetric by its lower triangle.
-inline void symmetric_product(int n, const double* a, int stride, const double* x, double* y) {
+/// y = alpha A x, A symmetric by its lower triangle.
+inline void symmetric_product(int n, double alpha, const double* a, int stride, const double* x, double* y) {
     const char lower = letter(Triangle::Lower);
-    const double one = 1.0, none = 0.0;
+    const double none = 0.0;
     const int step = 1;
-    dsymv_(&lower, &n, &one, a, &stride, x, &step, &none, y, &step);
+    dsymv_(&lower, &n, &alpha, a, &stride, x, &step, &none, y, &step);
 }
 
 }  // namespace stria::lapack

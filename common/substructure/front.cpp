@@ -134,11 +134,11 @@ int Front::eliminate_general(double tolerance) {
     return -1;
 }
 
-Eigen::VectorXd Front::times_schur(const Eigen::VectorXd& x) const {
-    if (!symmetric()) return schur_ * x;
-    Eigen::VectorXd product = Eigen::VectorXd::Zero(kept_);
-    lapack::symmetric_product(kept_, schur_.data(), std::max(1, kept_), x.data(), product.data());
-    return product;
+void Front::minus_schur(const ConstVector& x, Vector product) const {
+    if (symmetric())
+        lapack::symmetric_product(kept_, -1.0, schur_.data(), std::max(1, kept_), x.data(), product.data());
+    else
+        product.noalias() = -schur_ * x;
 }
 
 void Front::mirror() {

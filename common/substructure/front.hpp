@@ -46,10 +46,12 @@ public:
     void mirror();
 
     [[nodiscard]] const Eigen::MatrixXd& schur() const { return schur_; }
-    [[nodiscard]] Eigen::VectorXd times_schur(const Eigen::VectorXd& x) const;
 
     using Vector = Eigen::Ref<Eigen::VectorXd>;
     using ConstVector = Eigen::Ref<const Eigen::VectorXd>;
+
+    /// product = -(Schur complement) x.
+    void minus_schur(const ConstVector& x, Vector product) const;
 
     /// own = L11^-1 P own, kept -= L21 own, then own = D own.
     void forward(Vector own, Vector kept) const;

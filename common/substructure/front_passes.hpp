@@ -21,7 +21,8 @@ inline void scatter_at(const std::vector<int>& places, const Eigen::Ref<const Ei
     for (Eigen::Index k = 0; k < some.size(); ++k) all[places[at(k)]] = some[k];
 }
 
-inline void add_at(const std::vector<int>& places, const Eigen::VectorXd& some, Eigen::VectorXd& all) {
+inline void add_at(const std::vector<int>& places, const Eigen::Ref<const Eigen::VectorXd>& some,
+                   Eigen::VectorXd& all) {
     for (Eigen::Index k = 0; k < some.size(); ++k) all[places[at(k)]] += some[k];
 }
 

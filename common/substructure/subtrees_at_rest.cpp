@@ -9,8 +9,8 @@ namespace stria {
 
 SubtreesAtRest::SubtreesAtRest(const AssemblyTree& plan, std::size_t elements)
     : plan_(plan), rest_(plan.nodes.size(), Rest::Awake), elements_(elements), inside_(plan.rank.size()),
-      carried_by_(plan.nodes.size()), carried_(Eigen::VectorXd::Zero(std::ssize(plan.rank))), due_(carried_),
-      known_inside_(carried_), scratch_(carried_) {
+      carried_by_(plan.nodes.size()), carried_(Eigen::VectorXd::Zero(std::ssize(plan.rank))), outside_(carried_),
+      due_(carried_), known_inside_(carried_), scratch_(carried_) {
     for (const AssemblyTree::Node& node : plan.nodes)
         first_below_.push_back(node.leaf() ? first_below_.size() : first_below_[at(node.children[0])]);
 }
@@ -34,22 +34,32 @@ void SubtreesAtRest::rest(const ElementSet& may_rest) {
     }
     for (std::size_t i = 0; i < inside.size(); ++i)
         if (inside[at(plan_.rank[i])] != 0) inside_.insert(i);
-    for (std::size_t index = 0; index < rest_.size(); ++index)
-        if (rest_[index] != Rest::Top) forget(index);
+    tops_.clear();
+    for (std::size_t index = 0; index < rest_.size(); ++index) {
+        if (rest_[index] == Rest::Top)
+            tops_.push_back(index);
+        else
+            forget(index);
+    }
     carried_.setZero();
+    outside_.setZero();
 }
 
 // Subtree by subtree, so that one whose load is what it was has nothing to do.
 void SubtreesAtRest::carry(Eigen::VectorXd load, std::span<const Front> fronts) {
     std::swap(due_, load);  // now that of before
     carried_ = due_;
-    for (std::size_t index = 0; index < rest_.size(); ++index) {
-        if (rest_[index] != Rest::Top) continue;
-        const auto [begin, count] = inside_of(index);
-        if (!carried_by_[index].known || due_.segment(begin, count) != load.segment(begin, count))
-            carry_through(index, fronts);
+    for (const std::size_t top : tops_) {
+        const auto [begin, count] = inside_of(top);
+        if (!carried_by_[top].known || due_.segment(begin, count) != load.segment(begin, count))
+            carry_through(top, fronts);
         carried_.segment(begin, count) = known_inside_.segment(begin, count);
-        add_at(plan_.nodes[index].kept, carried_by_[index].up, carried_);
+        add_at(plan_.nodes[top].kept, carried_by_[top].up, carried_);
+    }
+    outside_ = carried_;
+    for (const std::size_t top : tops_) {
+        const auto [begin, count] = inside_of(top);
+        outside_.segment(begin, count).setZero();
     }
 }
 
@@ -70,15 +80,13 @@ void SubtreesAtRest::carry_through(std::size_t top, std::span<const Front> front
 }
 
 Eigen::VectorXd SubtreesAtRest::response(const Eigen::VectorXd& move, std::span<const Front> fronts) const {
-    Eigen::VectorXd load = carried_;
-    for (std::size_t index = 0; index < rest_.size(); ++index) {
-        if (is_awake(index)) continue;
-        const AssemblyTree::Node& node = plan_.nodes[index];
-        load.segment(node.first_rank, node.eliminated).setZero();
-        if (rest_[index] != Rest::Top) continue;
-        Eigen::VectorXd kept(std::ssize(node.kept));
-        gather_at(node.kept, move, kept);
-        add_at(node.kept, -fronts[index].times_schur(kept), load);
+    Eigen::VectorXd load = outside_, moved(plan_.widest), forces(plan_.widest);
+    for (const std::size_t top : tops_) {
+        const std::vector<int>& kept = plan_.nodes[top].kept;
+        auto move_of = moved.head(std::ssize(kept)), forces_of = forces.head(std::ssize(kept));
+        gather_at(kept, move, move_of);
+        fronts[top].minus_schur(move_of, forces_of);
+        add_at(kept, forces_of, load);
     }
     return load;
 }

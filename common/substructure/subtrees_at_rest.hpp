@@ -44,6 +44,7 @@ private:
 
     const AssemblyTree& plan_;
     std::vector<Rest> rest_;                // per node
+    std::vector<std::size_t> tops_;         // their nodes
     std::vector<std::size_t> first_below_;  // per node: children come before parents, a subtree is a run of nodes
     ElementSet elements_;
     UnknownSet inside_;
@@ -52,10 +53,11 @@ private:
         bool known = false;
         Eigen::VectorXd up;  // onto what it keeps
     };
-    std::vector<Carried> carried_by_;  // per node
-    Eigen::VectorXd carried_, due_;    // all together; the load as it was given
-    Eigen::VectorXd known_inside_;     // of the carried one, where it is known
-    Eigen::VectorXd scratch_;          // zero, but for a moment
+    std::vector<Carried> carried_by_;    // per node
+    Eigen::VectorXd carried_, outside_;  // all together; the same, zero inside
+    Eigen::VectorXd due_;                // the load as it was given
+    Eigen::VectorXd known_inside_;       // of the carried one, where it is known
+    Eigen::VectorXd scratch_;            // zero, but for a moment
     long carried_through_ = 0;
 };
 
