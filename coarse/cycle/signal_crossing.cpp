@@ -53,7 +53,8 @@ double as_expected(const std::vector<ClosureStation>& way, std::size_t i, std::s
 // Signals are nearly straight on either side of zero, and bend there: faces press with another stiffness than they
 // open. So two stations on one side tell where it is, or one and its rate, and where they are near it they know. What
 // leads to the station across, whose signal says otherwise, leads nowhere; of two the one nearer to where it leads
-// tells more.
+// tells more. A station at which the signal is zero but for rounding is the place itself: elastic faces part in each
+// cycle where they did, and what rounding says of them there tells nothing.
 Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision,
                   const ExpectedCrossing& expected) {
     const ClosureStation &before = way[i], &after = way[i + 1];
@@ -62,6 +63,10 @@ Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::si
     const double from_after = i + 2 < way.size() ? 1.0 - straight_on(way[i + 2], after, before, k) : NAN;
     if (from_before >= 0.0 && from_before <= near) return {from_before, true};
     if (from_after <= 1.0 && from_after >= 1.0 - near) return {from_after, true};
+    const double on_it = 1e-3 * precision / width;
+    if (const double share = at_rate(before, after, k, expected); share >= 0.0 && share <= on_it) return {share, true};
+    if (const double share = 1.0 - at_rate(after, before, k, expected); share <= 1.0 && share >= 1.0 - on_it)
+        return {share, true};
     if (width <= precision) return {0.5, true};
     const auto leads = [&](double share) { return std::min(share, 1.0 - share) > near; };
     if (leads(from_before) && leads(from_after) && std::abs(from_after - from_before) <= near)

@@ -127,7 +127,8 @@ struct Search {
     OpeningChange found;
     int trials = 0;
 
-    Search(const std::function<double(double)>& signal, const ExpectedCrossing& expected) {
+    Search(const std::function<double(double)>& signal, const ExpectedCrossing& expected, double from = 30.0,
+           double to = 40.0) {
         Case input = loaded();
         input.closure.distance = 0.2;
         const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
@@ -136,7 +137,7 @@ struct Search {
             return ClosureMeter::Trial{with_reach(meter, 0.2 + signal(target)), target};
         };
         const auto changes =
-            meter.locate({30.0, 30.0, {signal(30.0)}}, {40.0, 40.0, {signal(40.0)}}, precision, solve, {expected});
+            meter.locate({from, from, {signal(from)}}, {to, to, {signal(to)}}, precision, solve, {expected});
         EXPECT_EQ(changes.size(), 1U);
         found = changes.at(0);
         EXPECT_NEAR(found.target, root, precision);
@@ -179,6 +180,20 @@ TEST(ClosureMeter, FollowsTheRatesOfTheCycleBefore) {
         for (const double wrong : {-70.0, -20.0, -2.0, 5.0}) {
             const Search misled(signal, {.target = expected, .rate = {wrong, wrong}});
             EXPECT_NEAR(misled.found.target, Search::root, 0.5 * Search::precision) << off << " " << wrong;
+        }
+    }
+}
+
+// Elastic faces meet in each cycle at the same load, where an increment ends: there the signal is zero, its sign is
+// rounding, and no trial is needed.
+TEST(ClosureMeter, TakesAStationThatIsOnZeroForThePlace) {
+    for (const double rounding : {-1e-13, 1e-13}) {
+        const auto signal = [&](double target) { return target == Search::root ? rounding : bent(target, 0.01); };
+        const double other = rounding > 0.0 ? 40.0 : 30.0;  // says otherwise
+        for (const auto& [from, to] : {std::pair{Search::root, other}, {other, Search::root}}) {
+            const Search search(signal, {.target = Search::root, .rate = {-1.0, -7.0}}, from, to);
+            EXPECT_EQ(search.trials, 0) << rounding << " to " << to;
+            EXPECT_NEAR(search.found.target, Search::root, 1e-6) << rounding << " to " << to;
         }
     }
 }
