@@ -1,13 +1,15 @@
 #include "fine/contact/face_operators.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
 namespace stria::fine {
 namespace {
 
-constexpr int points_of_element = 4;  // Gauss points of an interface element
+constexpr int points_of_element = 4;       // Gauss points of an interface element
+constexpr double rounding_of_gap = 1e-14;  // of the terms that it is the sum of
 
 bool is_smooth(const ContactSection& contact, double s) {
     return !contact.smooth.empty() && s > contact.smooth[0] && s < contact.smooth[1];
@@ -188,7 +190,9 @@ std::array<MultiplierSpace::Value, 2> FaceOperators::functions_at(const FaceStat
 }
 
 Eigen::VectorXd FaceOperators::gaps(const Eigen::VectorXd& u) const {
-    return (B_ * u + fixed_gap_).cwiseQuotient(weight_);
+    Eigen::VectorXd gaps(multipliers());
+    for (int k = 0; k < multipliers(); ++k) gaps[k] = gap(k, u);
+    return gaps;
 }
 
 Eigen::VectorXd FaceOperators::slips(const Eigen::VectorXd& u) const {
@@ -196,7 +200,13 @@ Eigen::VectorXd FaceOperators::slips(const Eigen::VectorXd& u) const {
 }
 
 double FaceOperators::gap(int k, const Eigen::VectorXd& u) const {
-    return (B_.row(k).dot(u) + fixed_gap_[k]) / weight_[k];
+    double sum = 0.0, size = std::abs(fixed_gap_[k]);
+    for (SparseRows::InnerIterator it(B_, k); it; ++it) {
+        sum += it.value() * u[it.col()];
+        size += std::abs(it.value() * u[it.col()]);
+    }
+    sum += fixed_gap_[k];
+    return std::abs(sum) > rounding_of_gap * size ? sum / weight_[k] : 0.0;
 }
 
 double FaceOperators::slip(int k, const Eigen::VectorXd& u) const {

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const std::vector<int>& with_shear() const { return with_shear_; }
 
     /// Weighted gaps g = (B u + g_0) / w, mm, with g_0 of the fixed jumps, and slips likewise: of all multipliers, or
-    /// of one.
+    /// of one. A gap that is no more than rounding is none.
     [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& u) const;
     [[nodiscard]] Eigen::VectorXd slips(const Eigen::VectorXd& u) const;
     [[nodiscard]] double gap(int k, const Eigen::VectorXd& u) const;

@@ -347,6 +347,25 @@ TEST(ContactInterface, FacesThatComeFreeDissipateTheSameWhetherTheyPartOrSlide) 
     EXPECT_NEAR(parted, slid, 1e-12);
 }
 
+// New faces beside old ones that are pressed bear nothing yet and have no gap but rounding: its sign decides nothing.
+TEST(ContactInterface, GapsThatAreRoundingLeaveFacesThatBearNothingAsTheyWere) {
+    for (const auto& [left, right] : {std::pair{1.3, 4.2}, {2.4, 2.3}, {4.1, 0.8}}) {
+        const Cut cut(left, right);
+        ContactInterface contact = cut.contact();
+        const Vec2 along = cut.to - cut.from;
+        const Jumps jumps = contact.jumps(cut.opened([&](const Vec2&) -> Vec2 { return 0.01 * along; }));
+        EXPECT_EQ(jumps.gap, Eigen::VectorXd::Zero(contact.multipliers()).eval());
+        const Eigen::VectorXd none = Eigen::VectorXd::Zero(contact.tractions());
+        contact.begin_increment();
+        contact.choose_statuses(none, jumps);
+        for (int k = 0; k < contact.multipliers(); ++k) EXPECT_EQ(contact.statuses()[at(k)], FaceStatus::Open) << k;
+        contact.begin_touching();
+        contact.begin_increment();
+        contact.choose_statuses(none, jumps);
+        for (int k = 0; k < contact.multipliers(); ++k) EXPECT_EQ(contact.statuses()[at(k)], FaceStatus::Stick) << k;
+    }
+}
+
 TEST(ContactInterface, ResidualVanishesExactlyWhereTheConditionsHold) {
     const Cut cut;
     const ContactInterface contact = cut.contact();
