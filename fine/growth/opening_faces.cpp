@@ -1,5 +1,7 @@
 #include "fine/growth/opening_faces.hpp"
 
+#include <algorithm>
+
 #include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 
@@ -41,7 +43,8 @@ double OpeningFaces::release(const Eigen::VectorXd& move, double share) {
     const Eigen::VectorXd opening = gather(move, jumps_);
     const bool begun = first_step_.size() == opening.size();
     const double opened = held_.dot(opening);
-    const double first = begun ? held_.dot(first_step_) : opened;
+    const auto [least, most] = std::minmax({0.0, 2.0 * opened});  // beyond them the parabola turns back
+    const double first = begun ? std::clamp(held_.dot(first_step_), least, most) : opened;
     const double released = share * opened + (1.0 - share) * (opened / 3.0 + first / 6.0);
     held_ *= share;
     first_step_.resize(0);

@@ -14,7 +14,8 @@ namespace stria::fine {
 /// away while the jumps open by u (Fig. 3b), at once or in parts. On a path t from 0 to 1 on which they fade in
 /// proportion to a share h of what they were, h F . u(1) + (1 - h) F . integral of u dt is released. Where metal flows
 /// the jumps open late on it: u(t) is the parabola that ends at u(1) and begins with Newton's first step, which takes
-/// the tangent before anything flows.
+/// the tangent before anything flows. Where faces come to press that step says little: no more than a parabola that
+/// goes on from zero to u(1) is made of it.
 class OpeningFaces {
 public:
     OpeningFaces() = default;

@@ -31,5 +31,21 @@ TEST(OpeningFaces, ReleaseAsMuchInPartsAsAtOnce) {
     EXPECT_TRUE(parts.held(4).isZero(0.0));
 }
 
+// The parabola begins with Newton's first step. Where that goes the other way, or so far that the faces would come
+// back, it is not followed: no more is released than the forces do on the whole opening.
+TEST(OpeningFaces, AreNotLedAstrayByAFirstStep) {
+    const Eigen::VectorXd whole{{7.0, 0.5, 9.0, -0.1}};
+    const double opened = forces.dot(whole);
+    const auto released = [&](double step) {
+        OpeningFaces faces(forces);
+        faces.begin(step * whole);
+        return faces.release(whole, 0.0);
+    };
+    for (const double step : {0.0, 0.4, 1.0, 2.0})
+        EXPECT_NEAR(released(step), (1.0 / 3.0 + step / 6.0) * opened, 1e-15);
+    EXPECT_NEAR(released(40.0), 2.0 / 3.0 * opened, 1e-15);
+    EXPECT_NEAR(released(-3.0), 1.0 / 3.0 * opened, 1e-15);
+}
+
 }  // namespace
 }  // namespace stria::fine
