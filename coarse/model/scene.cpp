@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/enrichment.hpp"
@@ -100,11 +101,29 @@ void require_balanced_cases(const Scene& scene) {
     }
 }
 
+/// What the loads of [load] do work on, over the force on the loaded boundary. They balance, so that a motion which
+/// nothing holds does not change it.
+std::vector<NodalWeight> displacement_of_loads(const Scene& scene, double force) {
+    std::set<int> nodes;
+    for (const EdgeLoad& load : scene.loads.main.edges)
+        for (const int node : edge_nodes(scene.mesh, load.edge)) nodes.insert(node);
+    for (const PointForce& load : scene.loads.main.forces) nodes.insert(load.node);
+    std::vector<NodalWeight> sum;
+    for (const int node : nodes)
+        sum.push_back({node, scene.unit_force.segment<2>(scene.enriched.unknown(node, 0, 0)) / force});
+    return sum;
+}
+
 void weigh_mean_displacement(Scene& scene) {
     scene.mean_displacement = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     const auto loaded = loaded_boundary(scene.mesh, scene.input);
     if (!loaded) return;
-    for (const auto& [node, weight] : mean_displacement(scene.mesh, *loaded))
+    std::vector<NodalWeight> sum = mean_displacement(scene.mesh, *loaded);
+    const double force = loaded->resultant.norm();
+    const bool bends_only = force <= 1e-9 * scene.unit_force.lpNorm<1>();
+    if (loaded->by_force && !bends_only && is_left_free(sum, scene.mesh, scene.loads.main))
+        sum = displacement_of_loads(scene, force);
+    for (const auto& [node, weight] : sum)
         scene.mean_displacement.segment<2>(scene.enriched.unknown(node, 0, 0)) += weight;
 }
 

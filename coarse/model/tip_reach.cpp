@@ -38,14 +38,14 @@ double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip) {
 double straight_length(const CrackSection& crack, const Tip& tip, double band) {
     std::vector<Vec2> points = crack.points;
     if (tip.upper > 0) std::ranges::reverse(points);
-    const auto across = [&](const Vec2& x) {
+    const auto across = [&](const Vec2& x) {  // with its sign: a stretch may come from the other side
         const Vec2 d = x - tip.position;
-        return std::abs(tip.direction.x() * d.y() - tip.direction.y() * d.x());
+        return tip.direction.x() * d.y() - tip.direction.y() * d.x();
     };
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         const double here = across(points[k]), next = across(points[k + 1]);
-        if (next <= band) continue;
-        const double t = std::clamp((band - here) / (next - here), 0.0, 1.0);
+        if (std::abs(next) <= band) continue;
+        const double t = std::clamp((std::copysign(band, next) - here) / (next - here), 0.0, 1.0);
         return (points[k] + t * (points[k + 1] - points[k]) - tip.position).norm();
     }
     return std::numeric_limits<double>::infinity();

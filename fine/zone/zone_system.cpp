@@ -122,7 +122,8 @@ void ZoneSystem::linearise() {
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(contact_->awake(trial_.traction), force);
     load_ = load_factor_ * patch_.unit_load - force;
-    if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads * cases_;
+    // Factors beyond the end of those given are zero, as where an initial stress comes to equilibrium.
+    if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads.leftCols(cases_.size()) * cases_;
     memory_.opening.hold(held_, load_);
     at_rest_.forget_response();
 }

@@ -29,7 +29,7 @@ public:
 
     /// Of the trial state.
     void set_load_factor(double load_factor) { load_factor_ = load_factor; }
-    /// Factors of the load cases.
+    /// Factors of the load cases; those beyond the end are zero.
     void set_cases(const Eigen::VectorXd& cases) { cases_ = cases; }
     [[nodiscard]] double load_factor() const { return load_factor_; }
 

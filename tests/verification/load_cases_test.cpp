@@ -122,6 +122,24 @@ TEST(LoadCases, ADeadLoadStaysUnderDisplacementControl) {
         EXPECT_LT(std::abs(increment.work.error()), 0.02 * other.work.stored);
 }
 
+// An initial stress comes to equilibrium before any load, also where a load case acts on the zone's own nodes.
+TEST(LoadCases, DoNotActWhileAnInitialStressComesToEquilibrium) {
+    Case bare = small_plate();
+    bare.load.blocks = {{.cycles = 0, .max = 1.0}};
+    const double width = bare.mesh.width;
+    bare.initial_stress.emplace();
+    bare.initial_stress->sigma_y = StressProfile{{0.0, 0.5 * width, width}, {30.0, -30.0, 30.0}};
+    Case input = bare;
+    input.load_cases = {dead_load("shear", 20.0)};
+    for (const auto& [on, traction] : {std::pair("top", Vec2(1.0, 0.0)), std::pair("bottom", Vec2(-1.0, 0.0)),
+                                       std::pair("right", Vec2(0.0, 1.0)), std::pair("left", Vec2(0.0, -1.0))})
+        input.boundaries.push_back(pulled_in_case("shear", on, traction));
+    const RunHistory found = run_direct(input), expected = run_direct(bare);
+    const coarse::TipResult &settled = found.increments[0].tips[0], &without = expected.increments[0].tips[0];
+    EXPECT_NEAR(settled.K_I, without.K_I, 1e-9 * without.K_I);
+    EXPECT_NEAR(settled.K_II, without.K_II, 1e-9 * without.K_I);
+}
+
 /// A central crack under tension and, behind it by a quarter of a cycle, shear.
 Case twisted(double size, int cycles) {
     Case input = specimen("plate", 40.0, {{16.0, 20.3}, {24.0, 20.3}});

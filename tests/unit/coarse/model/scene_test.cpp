@@ -1,0 +1,52 @@
+// What a testing machine would read of a body.
+#include "coarse/model/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "coarse/zone/refined_scene.hpp"
+#include "tests/support/pulled_plate.hpp"
+
+namespace stria::coarse {
+namespace {
+
+// Of the displacement u_y = (1 + 3 x + 0.5 y) / 1000 the ends of a plate 20 mm high part by 0.01, whatever the rest.
+double displacement_of(const Case& input) {
+    const Scene scene = refined_scene(input);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(scene.enriched.unknowns);
+    const auto is_tied = [&](int node) {
+        return std::ranges::any_of(scene.enriched.tied, [&](const TiedNode& tied) { return tied.node == node; });
+    };
+    for (int node = 0; node < std::ssize(scene.mesh.nodes); ++node) {
+        if (is_tied(node)) continue;
+        const Vec2& x = scene.mesh.nodes.at(static_cast<std::size_t>(node));
+        u[scene.enriched.unknown(node, 0, 1)] = 1e-3 * (1.0 + 3.0 * x.x() + 0.5 * x.y());
+    }
+    return scene.mean_displacement.dot(u);
+}
+
+TEST(Displacement, OfAFreeBodyIsWhatItsLoadsDoWorkOn) {
+    Case input = test::pulled_plate(2.0, false, false);
+    EXPECT_NEAR(displacement_of(input), 0.01, 1e-12);
+    std::ranges::reverse(input.boundaries);
+    EXPECT_NEAR(displacement_of(input), 0.01, 1e-12);
+}
+
+// Nodes that hang on an edge have no unknowns of their own.
+TEST(Displacement, OfAFreeBodyIsTheSameOnARefinedMesh) {
+    Case input = test::pulled_plate(2.0, true, false);
+    input.fine.refine = 4;
+    input.fine.radius = 6.0;
+    EXPECT_NEAR(displacement_of(input), 0.01, 1e-12);
+}
+
+TEST(Displacement, OfAHeldBodyIsTheMeanOfItsBoundary) {
+    Case input = test::pulled_plate(2.0, false, false);
+    input.boundaries[1].traction.reset();
+    input.boundaries[1].displacement = {0.0, 0.0};
+    EXPECT_NEAR(displacement_of(input), 1e-3 * (1.0 + 30.0 + 10.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace stria::coarse

@@ -1,0 +1,162 @@
+"""A case in other words: what random_twins.py compares. Each function gives the twin of a case and of its mesh, and what
+becomes of the number in a column."""
+
+import copy
+import math
+import re
+
+import random_scenes as scenes
+
+WIDTH = 10.0
+# Powers of length and stress.
+UNITS = {"mm": (1, 0), "MPa": (0, 1), "N/mm": (1, 1), "MPa/mm": (-1, 1), "MPa sqrt(mm)": (0.5, 1), "1/mm": (-1, 0)}
+# Columns of one kind each: what they scale with, and how far twins may differ.
+COLUMNS = {
+    "K": ("K_I K_II K_initial K_max K_min", (0.5, 1), 1e-3),
+    "trials": ("K_op K_cl dK_eff K_op_contact K_op_tension K_slip K_slip_unloading", (0.5, 1), 5e-3),
+    "J": ("J J_max", (1, 1), 2e-3),
+    "load": ("load", (1, 1), 1e-3),  # under control of K it is as exact as K of the unit load
+    "factor": ("load_factor", (0, 0), 1e-3),
+    "work": ("external_work stored_energy released_energy dissipation frictional_dissipation", (2, 1), 1e-3),
+    "place": ("a da", (1, 0), 1e-6),
+    "opening": ("CMOD opening opening_range displacement", (1, 0), 1e-3),
+    "life": ("dN N", (0, 0), 5e-3),
+}
+TOLERANCE = {name: tolerance for name, (_, _, tolerance) in COLUMNS.items()}
+
+
+
+def kind_of(column):
+    return next((kind for kind, (names, _, _) in COLUMNS.items() if column in names.split()), None)
+
+
+def walked(value, change, path=""):
+    """The case with each number as `change` of its key and itself."""
+    if isinstance(value, dict):
+        return {key: walked(inner, change, f"{path}.{key}" if path else key) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [walked(inner, change, path) for inner in value]
+    return value if isinstance(value, (bool, str)) else change(path, value)
+
+
+def same(_column, value):
+    return value
+
+
+def units_of_keys():
+    reference, section, units = (scenes.ROOT / "docs/case-reference.md").read_text(encoding="utf-8"), "", {}
+    for line in reference.splitlines():
+        section = line[3:].strip("`[] ") if line.startswith("## ") else section
+        if found := re.match(r"\| `([^`]+)` \| [^|]* \| ([^|]*?) ?\|", line):
+            units[f"{section}.{found[1]}"] = UNITS.get(found[2].strip(), (0, 0))
+    return units
+
+
+def scaled(case, mesh, length, stress):
+    control, m = case["load"].get("control", "load"), case.get("growth", {}).get("m", 0.0)
+    units = units_of_keys()
+    units["growth.C"] = (1 - 0.5 * m, -m)  # Paris' law
+    for key in ("load.blocks.max", "load.blocks.min"):
+        units[key] = (0.5, 1) if control == "K" else (0, 0)
+    power = lambda of: length ** of[0] * stress ** of[1]
+    twin = walked(case, lambda key, value: value * power(units[key]) if any(units.get(key, (0, 0))) else value)
+    mesh = mesh and ([(length * x, length * y) for x, y in mesh[0]], *mesh[1:])
+    return twin, mesh, lambda column, value: value * power(COLUMNS[kind_of(column)][1]) if kind_of(column) else value
+
+
+def mapped(case, mesh, point, vector, names=None):
+    """Places and vectors elsewhere."""
+    twin, names = copy.deepcopy(case), names or {}
+    for crack in twin["crack"]:
+        crack["points"] = [point(at) for at in crack["points"]]
+    for boundary in twin["boundary"]:
+        boundary["on"] = names.get(boundary["on"], boundary["on"])
+        for key in ("traction", "force"):
+            if key in boundary:
+                boundary[key] = vector(boundary[key])
+    return twin, mesh and ([tuple(point(at)) for at in mesh[0]], *mesh[1:])
+
+
+def mirrored(case, mesh, axis):
+    specimen, pins = case["mesh"].get("specimen"), {"pin-top": "pin-bottom", "pin-bottom": "pin-top"}
+    ends = [{"left": "right", "right": "left"}, {"top": "bottom", "bottom": "top", **pins}][axis]
+    twice = WIDTH if axis == 0 else 0.0 if specimen == "ct" else case["mesh"].get("height", 20.0)
+    flip = lambda at, middle: [middle - x if k == axis else x for k, x in enumerate(at)]
+    twin, mesh = mapped(case, mesh, lambda at: flip(at, twice), lambda v: flip(v, 0.0), ends)
+    if mesh:
+        mesh = mesh[0], [quad[::-1] for quad in mesh[1]], [(ends.get(name, name), a, b) for name, a, b in mesh[2]]
+    return twin, mesh, lambda column, value: -value if column.startswith("K_II") else value
+
+
+def reversed_cracks(case, mesh):
+    twin = copy.deepcopy(case)
+    for crack in twin["crack"]:
+        crack["points"].reverse()
+    return twin, mesh, lambda column, value: 1 - value if column == "tip" else value
+
+
+def turned(case, mesh, angle, shift):
+    c, s = math.cos(angle), math.sin(angle)
+    turn = lambda v: [c * v[0] - s * v[1], s * v[0] + c * v[1]]
+    return *mapped(case, mesh, lambda at: [x + d for x, d in zip(turn(at), shift)], turn), same
+
+
+def renumbered(case, mesh, rng):
+    twin, (nodes, quads, edges) = mapped(case, mesh, lambda at: [at[0] + 3.7, at[1] - 41.3], list)
+    order = rng.sample(range(len(nodes)), len(nodes))  # new number of each
+    moved = [nodes[old] for old in sorted(range(len(nodes)), key=order.__getitem__)]
+    first = lambda quad, k: quad[k:] + quad[:k]
+    quads = [first([order[n] for n in quad], rng.randrange(4)) for quad in rng.sample(quads, len(quads))]
+    return twin, (moved, quads, [(name, order[b], order[a]) for name, a, b in edges]), same
+
+
+def louder(case, mesh, times):
+    twin = copy.deepcopy(case)
+    for boundary in twin["boundary"]:
+        for key in {"traction", "force"} & boundary.keys() if "case" not in boundary else ():
+            boundary[key] = [times * value for value in boundary[key]]
+    for block in twin["load"]["blocks"] if twin["load"].get("control") != "K" else ():
+        block["max"] /= times
+    for load_case in twin.get("load_case", []):
+        load_case.update({"factor": times * load_case["factor"]} if "factor" in load_case else {})
+    return twin, mesh, lambda column, value: value / times if column == "load_factor" else value
+
+
+def spelled(case, mesh, folder):
+    twin = copy.deepcopy(case)
+    load, material = twin["load"], twin["material"]
+    rows = [(block["max"], block["max"] * block["ratio"]) for block in load.pop("blocks") for _ in range(block["cycles"])]
+    (folder / "spectrum.csv").write_text("max,min\n" + "".join(f"{high / 2.5!r},{low / 2.5!r}\n" for high, low in rows))
+    load.update({"spectrum": "spectrum.csv", "scale": 2.5})
+    law, stress = material.get("isotropic", {}), material.get("yield_stress")
+    if law.get("law") == "linear":
+        top = stress + law.get("modulus", 0.0)
+        material["isotropic"] = {"law": "table", "plastic_strain": [0.0, 1.0], "stress": [stress, top]}
+    if "kinematic" in material and "threshold" not in material["kinematic"][0]:
+        half = {key: value / 2 if key in ("C", "C_start") else value for key, value in material["kinematic"].pop(0).items()}
+        material["kinematic"] += [half, dict(half)]
+    return twin, mesh, same
+
+
+def pointed(case, mesh, rng):
+    twin = copy.deepcopy(case)
+    for crack in twin["crack"]:
+        at, way = rng.randrange(len(crack["points"]) - 1), rng.uniform(0.3, 0.7)
+        a, b = crack["points"][at:at + 2]
+        crack["points"].insert(at + 1, [x + way * (y - x) for x, y in zip(a, b)])
+    return twin, mesh, same
+
+
+def twins_of(case, mesh, folder, rng):
+    twins = {"scaled": scaled(case, mesh, 1e3, 1e-6), "scaled by powers of two": scaled(case, mesh, 4.0**-5, 2.0**20),
+             "mirrored": mirrored(case, mesh, 1), "louder": louder(case, mesh, 100.0),
+             "spelled": spelled(case, mesh, folder), "pointed": pointed(case, mesh, rng)}
+    specimen = case["mesh"].get("specimen")
+    if specimen != "ct" and specimen != "sent":
+        twins["mirrored left to right"] = mirrored(case, mesh, 0)
+    if specimen == "mt" and case["load"].get("control") != "K":
+        twins["reversed"] = reversed_cracks(case, mesh)
+    if mesh and "initial_stress" not in case:
+        twins["renumbered"] = renumbered(case, mesh, rng)
+        twins["turned"] = turned(case, mesh, rng.uniform(-3.0, 3.0), [rng.uniform(-50.0, 50.0) for _ in range(2)])
+    return twins

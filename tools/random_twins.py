@@ -1,0 +1,198 @@
+#!/usr/bin/python3
+"""Runs random cases and twins of each, which say the same in other words, and compares what they leave.
+
+    tools/random_twins.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
+
+A case is one of random_scenes.py or random_lives.py, with load cases, residual stress and more of hardening added; or a
+body from a mesh file, of crooked quadrilaterals. Its twins:
+
+    scaled     lengths times 1000 and stresses times 1e-6: every number of its unit, by the units that the reference of
+               the case file declares
+    mirrored   about the horizontal, or the vertical, middle: K_II, slip and shear change their signs
+    louder     loads 100 times as large, and the load factor so much smaller
+    spelled    cycles one by one, min for ratio, from a spectrum, with load.scale; a linear law as a table; a back stress
+               in two halves
+    pointed    one more point in the middle of a straight stretch of a crack
+    reversed   the points of each crack with two tips in reversed order
+    renumbered nodes and elements of the mesh file in another order, elements from another of their nodes, the body moved
+    turned     the mesh file's body, cracks and loads turned by an angle
+
+Scaled by powers of two numbers kept ten digits in the cases looked at. Others change the rounding, and rounding
+decides: the diagonal along which a rectangle about a crack is cut into triangles, with an error of the quadrature of
+3e-4 of the T stress in elements as coarse as these; which points have begun to flow, in zones that end at them, where
+a cycle comes back to the yield stress; and the trials for opening loads end within 0.2 % of the largest load. So
+numbers may differ by the bounds of TOLERANCE, relative to the largest of their kind. Runs that end with 2 or 3 do so
+alike. Exit code 1 where twins do neither.
+"""
+
+import argparse
+import csv
+import json
+import math
+import random
+import shutil
+import sys
+import tempfile
+import tomllib
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import other_words  # noqa: E402
+import random_lives as lives  # noqa: E402
+import random_scenes as scenes  # noqa: E402
+from other_words import TOLERANCE, WIDTH, kind_of, same  # noqa: E402
+
+TABLES = ["history.csv", "cycles.csv", "closure.csv"]
+
+
+def toml(value):
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {toml(inner)}" for key, inner in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return json.dumps(value) if isinstance(value, (bool, str)) else repr(value)
+
+
+def crooked_mesh(rng):
+    """Nodes, quadrilaterals and boundary edges of a plate, 10 mm by 20 mm."""
+    across, up = rng.randint(9, 12), rng.randint(17, 22)
+    node = lambda i, j: j * (across + 1) + i
+    shift = lambda k, end, step: 0.0 if k in (0, end) else rng.uniform(-0.15, 0.15) * step
+    nodes = [(WIDTH * i / across + shift(i, across, WIDTH / across), 20.0 * j / up + shift(j, up, 20.0 / up))
+             for j in range(up + 1) for i in range(across + 1)]
+    quads = [[node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)] for j in range(up) for i in range(across)]
+    edges = [(name, node(i, j), node(i + 1, j)) for name, j in (("bottom", 0), ("top", up)) for i in range(across)]
+    edges += [(name, node(i, j), node(i, j + 1)) for name, i in (("left", 0), ("right", across)) for j in range(up)]
+    return nodes, quads, edges
+
+
+def write_mesh(path, mesh):
+    nodes, quads, edges = mesh
+    names = ["bottom", "top", "left", "right", "body"]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "5"]
+    lines += [f'{2 if name == "body" else 1} {k + 1} "{name}"' for k, name in enumerate(names)]
+    lines += ["$EndPhysicalNames", "$Nodes", str(len(nodes))]
+    lines += [f"{k + 1} {x!r} {y!r} 0" for k, (x, y) in enumerate(nodes)]
+    lines += ["$EndNodes", "$Elements", str(len(edges) + len(quads))]
+    tags = lambda name: f"2 {names.index(name) + 1} {names.index(name) + 1}"
+    lines += [f"{k + 1} 1 {tags(name)} {a + 1} {b + 1}" for k, (name, a, b) in enumerate(edges)]
+    lines += [f"{len(edges) + k + 1} 3 {tags('body')} " + " ".join(str(n + 1) for n in quad) for k, quad in enumerate(quads)]
+    path.write_text("\n".join(lines + ["$EndElements", ""]))
+
+
+def case_of(rng):
+    """A case and its mesh, None of a specimen."""
+    if rng.random() < 0.6:
+        of_cycles, _ = lives.life(rng)
+        case = tomllib.loads(of_cycles(3))
+    else:
+        case = tomllib.loads(scenes.scene(rng))
+    case["solver"] = {"tolerance": 1e-10}
+    case["output"] = {"fields": "none", "checkpoint_every": 0}
+    if "distance" in case.get("closure", {}):  # no multiple of an increment: faces part as a root at a former tip
+        case["closure"]["distance"] *= 1.0 + 0.01 * math.pi
+    specimen, material = case["mesh"]["specimen"], case["material"]
+    for crack in case["crack"]:  # along no line of nodes, so that sides are no matter of order
+        for k, point in enumerate(crack["points"]):
+            point[1] += 0.0137 + 0.0291 * k
+    if specimen != "ct":
+        more_loads(case, rng)
+    if "kinematic" in material and rng.random() < 0.4:
+        term = material["kinematic"][0]
+        term.update({"threshold": True} if term["gamma"] > 0.0 else {"C_start": 1.2 * term["C"], "C_rate": 0.0})
+    if specimen != "plate" or rng.random() < 0.5:
+        return case, None
+    case["mesh"] = {"file": "body.msh"}
+    return case, crooked_mesh(rng)
+
+
+def more_loads(case, rng):
+    stress = rng.uniform(-60.0, 60.0)
+    if rng.random() < 0.25:
+        case["initial_stress"] = {"sigma_y": {"at": [0.0, 5.0, WIDTH], "stress": [stress, -stress, stress]}}
+    if case["load"].get("control") == "K" or rng.random() < 0.75:
+        return
+    tractions = {"top": [0.3, 0.4], "bottom": [-0.3, -0.4], "right": [0.0, 0.3], "left": [0.0, -0.3]}
+    case["boundary"] += [{"on": on, "traction": traction, "case": "other"} for on, traction in tractions.items()]
+    how = rng.choice([{"constant": 0.3 * case["load"]["blocks"][0]["max"]}, {"factor": 0.3, "phase": 90.0}, {"factor": 0.3}])
+    case["load_case"] = [{"name": "other", **how}]
+
+
+def run(programs, folder, name, case, mesh):
+    if mesh:
+        write_mesh(folder / "body.msh", mesh)
+    path = folder / f"{name.replace(' ', '-')}.toml"
+    path.write_text("".join(f"{key} = {toml(value)}\n" for key, value in case.items()))
+    return lives.run(programs, path, path.with_suffix(""), "--mode", "inprocess"), path.with_suffix("")
+
+
+def numbers(folder, change):
+    """Of each table its rows, in the order of tips."""
+    tables = {}
+    for name in TABLES:
+        if not (folder / name).exists():
+            continue
+        with open(folder / name, newline="", encoding="utf-8") as file:
+            rows = [{key: float(cell or "nan") for key, cell in row.items()} for row in csv.DictReader(file)]
+        rows = [{key: change(key, cell) for key, cell in row.items() if kind_of(key) or key in ("cycle", "increment", "tip")}
+                for row in rows]
+        tables[name] = sorted(rows, key=lambda row: (row.get("increment", row["cycle"]), row["tip"]))
+    return tables
+
+
+def first_difference(one, other, without):
+    for name, rows in one.items():
+        if len(rows) != len(other.get(name, [])):
+            return f"{name}: {len(rows)} rows and {len(other.get(name, []))}"
+        size = {}
+        for key in rows[0] if rows else ():
+            size[kind_of(key)] = max([size.get(kind_of(key), 0.0)] + [abs(row[key]) for row in rows if row[key] == row[key]])
+        size["trials"] = max(size.get("trials", 0.0), size.get("K", 0.0))
+        for k, (a, b) in enumerate(zip(rows, other[name])):
+            for key in a.keys() - without:
+                kind = kind_of(key)
+                if kind and ((a[key] != a[key]) != (b[key] != b[key]) or abs(a[key] - b[key]) > TOLERANCE[kind] * size[kind]):
+                    return f"{name}, row {k}, {key}: {a[key]:.9g} and {b[key]:.9g}, of up to {size[kind]:.4g}"
+    return None
+
+
+def judge(arguments, seed):
+    rng, wrong = random.Random(seed), []
+    case, mesh = case_of(rng)
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch)
+        (code, said), itself = run(arguments.programs, folder, "itself", case, mesh)
+        for name, (twin, its_mesh, change) in other_words.twins_of(case, mesh, folder, rng).items():
+            (its_code, it_says), its_folder = run(arguments.programs, folder, name, twin, its_mesh)
+            if its_code != code or code not in (0, 2, 3):
+                wrong.append(f"{name}: {its_code} {it_says}, itself {code} {said}")
+            elif code == 0:
+                without = {"CMOD"} if name == "reversed" else set()  # of the crack's first point
+                found = first_difference(numbers(itself, change), numbers(its_folder, same), without)
+                wrong += [f"{name}: {found}"] if found else []
+        if wrong and arguments.keep:
+            shutil.copytree(scratch, arguments.keep / str(seed), dirs_exist_ok=True)
+    return seed, wrong, "good" if code == 0 else f"all end with {code}: {said}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("seed", type=int)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--programs", type=Path, default=scenes.ROOT / "build/release/bin")
+    parser.add_argument("--keep", type=Path, help="folder for the cases whose twins differ")
+    parser.add_argument("--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    good = ended = bad = 0
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for seed, wrong, end in pool.map(lambda k: judge(arguments, arguments.seed + k), range(arguments.count)):
+            good, ended, bad = good + (end == "good" and not wrong), ended + (end != "good" and not wrong), bad + bool(wrong)
+            if wrong or end != "good":
+                print(f"{seed}: {'WRONG: ' + '; '.join(wrong) if wrong else end}", flush=True)
+    print(f"{good} good, {ended} ended alike with 2 or 3, {bad} wrong")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
