@@ -115,11 +115,10 @@ Section<IsotropicHardening> isotropic_section() {
     Section<IsotropicHardening> s;
     s.value("law", &IsotropicHardening::law)
         .one_of({"linear", "voce", "power", "table"})
-        .says(
-            "Isotropic hardening: what R(p) adds to the yield stress. linear: modulus p. voce: Q (1 - exp(-b p)). "
-            "power: "
-            "Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, from the yield stress upward. table: "
-            "straight lines.");
+        .says("Isotropic hardening: what R(p) adds to the yield stress. linear: modulus p. voce: Q (1 - exp(-b p)). "
+              "power: "
+              "Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, less p at the yield stress. table: "
+              "straight lines.");
     s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("linear: dR/dp.");
     s.value("Q", &IsotropicHardening::Q).in("MPa").at_least(0.0).says("voce: R at saturation.");
     s.value("b", &IsotropicHardening::b).at_least(0.0).says("voce: how fast R saturates.");
