@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "coarse/cycle/compliance_offset.hpp"
 #include "common/index.hpp"
@@ -31,7 +32,8 @@ CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure
     now_.tips.resize(tips);
 }
 
-// A cycle runs from maximum to maximum: the one that it starts from counts, with the crack as long as it then is.
+// A cycle runs from maximum to maximum, and the one that it starts from counts. Its K is that with which it was
+// reached: under control of K the crack grows there at a load that was for a shorter one.
 void CycleMeter::begin(int cycle) {
     now_.cycle = cycle;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
@@ -44,7 +46,7 @@ void CycleMeter::begin(int cycle) {
         tip.cycle.K_slip_unloading.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
-        tip.cycle.K_max = tip.cycle.K_min = start.nominal_K * start.load_factor + start.K_beside;
+        tip.cycle.K_max = tip.cycle.K_min = start.K;
         tip.cycle.J_max = start.J;
         tip.cycle.CTOD.include(start.CTOD);
         tip.cycle.opening_behind.include(start.opening);
@@ -74,10 +76,11 @@ void CycleMeter::add(const Increment& increment) {
         axis = std::max(axis, increment.tips[t].plastic_zone_axis);
     }
     now_.last_target = increment.step.target.value;
-    now_.last.clear();
+    const std::vector<CycleMemory::Station> before = std::exchange(now_.last, {});
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({increment.nominal_K[t], increment.K_beside(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
+        const double K = growing && t < before.size() ? before[t].K : increment.K_at_end(t);
+        now_.last.push_back({K, increment.nominal_K[t], increment.K_beside(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
                              increment.load_factor, growing ? tip.plastic_zone : 0.0,
                              growing ? tip.plastic_zone_axis : 0.0});
         if (now_.length.size() <= t) now_.length.push_back(tip.a);

@@ -105,7 +105,8 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [nominal_K, K_beside, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [K, nominal_K, K_beside, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
+    archive("K", K);
     archive("nominal_K", nominal_K);
     archive("K_beside", K_beside);
     archive("J", J);

@@ -54,6 +54,23 @@ TEST(LoadHistories, KChangesWithTheCrackAsAsked) {
         EXPECT_NEAR(cycle.K_max, 100.0 * std::exp(-3.0 * (cycle.a - 0.3)), 1e-8) << cycle.a;
 }
 
+// A computed cycle stands for many, each with the K that is held: dN = da / (C dK^m), wherever in the cycle the crack
+// grows. The first growth in front of any cycle has no rate yet.
+TEST(LoadHistories, ALifeAtConstantKIsThatOfTheLaw) {
+    constexpr double C = 1e-12, m = 3.0;
+    for (const GrowthAt at : {GrowthAt::Maximum, GrowthAt::Minimum}) {
+        Case input = elastic_plate();
+        input.load.blocks[0].cycles = 6;
+        input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.031, .at = at, .C = C, .m = m};
+        double grown = 0.0, cycles = 0.0;
+        for (const coarse::Increment& increment : run_direct(input).increments)
+            for (const coarse::CycleResult& cycle : increment.cycles)
+                if (cycle.dN > 0.0) grown += cycle.da, cycles += cycle.dN;
+        EXPECT_GT(grown, 0.12);
+        EXPECT_NEAR(cycles, grown / (C * std::pow(75.0, m)), 1e-6 * cycles);
+    }
+}
+
 /// K_op / K_max of the shipped overload in every cycle, the peak at the end of number `before`.
 struct Retardation {
     double before, peak, end;  // K_op / K_max: in front of the overload, behind it at most, and last

@@ -84,6 +84,19 @@ TEST_F(CycleMeterTest, StartsWithTheCrackAsItHasGrown) {
     EXPECT_EQ(cycle.cyclic, 0.0);
 }
 
+// The crack grows at the load that was for the shorter one, by as much as a law makes of many cycles. A larger maximum
+// that was reached counts.
+TEST_F(CycleMeterTest, WhereKIsControlledItIsNoLargerThanWasReached) {
+    for (const double start : {20.0, 30.0}) {
+        meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+        go(0, start, 1.0, false);
+        go(0, start, 1.25, false);  // grows
+        go(1, 0.0, 1.25, false);
+        go(1, 16.0, 1.25, false);
+        EXPECT_EQ(meter.finish().at(0).K_max, 10.0 * start);
+    }
+}
+
 TEST_F(CycleMeterTest, ClosesWithTheFirstContactAndOpensWithTheLast) {
     const auto change = [](bool closes, double load) { return OpeningChange{0, 0, closes, load}; };
     go(0, 20.0, 1.0, false);
