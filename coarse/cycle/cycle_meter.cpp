@@ -32,8 +32,8 @@ CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure
     now_.tips.resize(tips);
 }
 
-// A cycle runs from maximum to maximum, and the one that it starts from counts. Its K is that with which it was
-// reached: under control of K the crack grows there at a load that was for a shorter one.
+// A cycle runs from maximum to maximum, and the one that it starts from counts, with the crack as it has grown. But its
+// K is no larger than was reached: under control of K the crack grows there at a load that was for a shorter one.
 void CycleMeter::begin(int cycle) {
     now_.cycle = cycle;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
@@ -79,7 +79,8 @@ void CycleMeter::add(const Increment& increment) {
     const std::vector<CycleMemory::Station> before = std::exchange(now_.last, {});
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        const double K = growing && t < before.size() ? before[t].K : increment.K_at_end(t);
+        double K = increment.K_at_end(t);
+        if (growing && t < before.size()) K = std::min(K, before[t].K);
         now_.last.push_back({K, increment.nominal_K[t], increment.K_beside(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
                              increment.load_factor, growing ? tip.plastic_zone : 0.0,
                              growing ? tip.plastic_zone_axis : 0.0});

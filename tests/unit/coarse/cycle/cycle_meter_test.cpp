@@ -97,6 +97,17 @@ TEST_F(CycleMeterTest, WhereKIsControlledItIsNoLargerThanWasReached) {
     }
 }
 
+// A residual stress that the crack leaves: K falls as it grows.
+TEST_F(CycleMeterTest, StartsWithTheSmallerKOfALongerCrack) {
+    initial_K = 50.0;
+    go(0, 20.0, 1.0, false);
+    initial_K = 10.0;
+    go(0, 20.0, 1.1, false);  // grows
+    go(1, 0.0, 1.1, false);
+    go(1, 20.0, 1.1, false);
+    EXPECT_EQ(meter.finish().at(0).K_max, 230.0);
+}
+
 TEST_F(CycleMeterTest, ClosesWithTheFirstContactAndOpensWithTheLast) {
     const auto change = [](bool closes, double load) { return OpeningChange{0, 0, closes, load}; };
     go(0, 20.0, 1.0, false);
