@@ -11,8 +11,9 @@ namespace stria::coarse {
 namespace {
 
 constexpr int least_increments = 4, most_increments = 24;  // of a leg
-constexpr double share_of_leg = 0.5;                       // of the accuracy: a cycle has two
-constexpr double least_apart = 0.02;                       // of the way: where faces meet, and other ends
+// Of the accuracy: a cycle has two legs, and other cycles may be worse than the one that is measured.
+constexpr double share_of_leg = 1.0 / 3.0;
+constexpr double least_apart = 0.02;  // of the way: where faces meet, and other ends
 
 // A path whose start nobody knows is that of the ramp, virgin metal.
 bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }

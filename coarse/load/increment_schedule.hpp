@@ -38,8 +38,9 @@ struct TwoAsOne {
 
 /// Legs that load and legs that unload have numbers of their own, of 4 to 24 increments. How far a leg is off is
 /// measured now and then: each two of its increments are tried as one before they are taken (error_of_leg). It falls
-/// with the square of the number (docs/performance.md), which is then chosen for an error of half of the accuracy: a
-/// cycle has two legs. In between the number stays, since a predictor wants the same increments a cycle later.
+/// with the square of the number (docs/performance.md), which is then chosen for an error of a third of the accuracy: a
+/// cycle has two legs, and the accuracy is that of all cycles while one is measured. In between the number stays, since
+/// a predictor wants the same increments a cycle later.
 /// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
 /// path of the metal bends. So one increment of a leg that unloads ends where they met last, and such a leg has at
 /// least half as many as one that loads.

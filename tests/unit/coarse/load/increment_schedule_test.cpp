@@ -90,16 +90,16 @@ int after(const LoadSection& load, double c, bool may_choose = true) {
     return static_cast<int>(schedule.ways(true).size()) - 1;
 }
 
-// An error that falls with the square of the number comes below half of the accuracy.
+// An error that falls with the square of the number comes below a third of the accuracy.
 TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     const int begins = LoadSection().first_steps() / 2;
-    const OffByTheSquare leg{graded_ways(begins, 0.4), 0.05};
+    const OffByTheSquare leg{graded_ways(begins, 0.4), 0.03};
     const OpeningPath path = leg.path();
     const double error = *error_of_leg(path, leg.pairs());
     for (const double accuracy : {0.01, 0.002}) {
         const int chosen = after({.accuracy = accuracy, .blocks = {}}, leg.c);
-        EXPECT_LE(error * std::pow(1.0 * begins / chosen, 2), 0.5 * accuracy);
-        EXPECT_GT(error * std::pow(1.0 * begins / (chosen - 1), 2), 0.5 * accuracy);
+        EXPECT_LE(error * std::pow(1.0 * begins / chosen, 2), accuracy / 3.0);
+        EXPECT_GT(error * std::pow(1.0 * begins / (chosen - 1), 2), accuracy / 3.0);
     }
     EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05), 24);
     EXPECT_EQ(after({}, 1e-9), 4);

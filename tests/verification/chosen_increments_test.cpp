@@ -1,0 +1,49 @@
+// What load.accuracy promises: the range of the opening behind the tip, cycle by cycle, with the increments that the
+// program chooses, against many given ones (docs/performance.md, increments chosen by the program).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "common/case/case_file.hpp"
+#include "tests/support/folders.hpp"
+#include "tests/support/sent_analysis.hpp"
+
+namespace stria::test {
+namespace {
+
+constexpr double accuracy = 0.002;  // load.accuracy by default
+
+std::vector<coarse::CycleResult> cycles_of(const std::string& scene, std::vector<std::string> settings) {
+    return run_cycles(read_case(std::string(source_folder) + scene, std::move(settings)));
+}
+
+/// Of each of the cycles from the fourth on, in which the increments are measured, against 96 increments of a leg.
+void expect_accuracy(const std::string& scene, const std::vector<std::string>& settings, double of_K_op, double of_J) {
+    std::vector<std::string> many = settings;
+    many.insert(many.end(), {"load.steps=96", "load.grading=0.4"});
+    const std::vector<coarse::CycleResult> chosen = cycles_of(scene, settings), exact = cycles_of(scene, many);
+    ASSERT_EQ(chosen.size(), exact.size());
+    ASSERT_GT(chosen.size(), 4);
+    for (std::size_t k = 4; k < chosen.size(); ++k) {
+        const coarse::CycleResult &ours = chosen[k], &reference = exact[k];
+        EXPECT_NEAR(ours.opening_range() / reference.opening_range(), 1.0, accuracy) << "cycle " << k + 1;
+        EXPECT_NEAR(ours.contact.at(0).K_op / ours.K_max, reference.contact.at(0).K_op / reference.K_max, of_K_op)
+            << "cycle " << k + 1;
+        EXPECT_NEAR(ours.J_max / reference.J_max, 1.0, of_J) << "cycle " << k + 1;
+    }
+}
+
+TEST(ChosenIncrements, KeepTheAccuracyOfACrackThatGrows) {
+    expect_accuracy("/bench/growing_cycle/case.toml", {"load.blocks=[{cycles=8, max=50.0, ratio=0.0}]"}, 0.005, 2e-4);
+}
+
+TEST(ChosenIncrements, KeepTheAccuracyOfFacesThatAreClosedHalfOfTheTimeLong) {
+    expect_accuracy("/cases/sent-closure/case.toml", {"load.blocks.0.ratio=-1.0"}, 0.005, 2e-4);
+}
+
+}  // namespace
+}  // namespace stria::test
