@@ -20,6 +20,21 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double K, boo
     }
 }
 
+/// `loading`: K rises to the increment's end, or the cycle ends there. With load cases it may rise in any part of it.
+void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, bool loading) {
+    const TipResult& tip = increment.tips[t];
+    const double K = increment.K_at_end(t);
+    cycle.a = tip.a;
+    cycle.K_initial = increment.initial_K(t);
+    cycle.K_min = std::min(cycle.K_min, K);
+    if (loading) {
+        cycle.K_max = std::max(cycle.K_max, K);
+        cycle.J_max = std::max(cycle.J_max, tip.J);
+    }
+    cycle.CTOD.include(tip.CTOD, loading);
+    cycle.opening_behind.include(tip.opening, loading);
+}
+
 /// Of the first slip in a half cycle.
 void note_slip(double& K_slip, const OpeningChange& change, double K) {
     if (change.closes && std::isnan(K_slip)) K_slip = K;
@@ -32,8 +47,7 @@ CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure
     now_.tips.resize(tips);
 }
 
-// A cycle runs from maximum to maximum, and the one that it starts from counts, with the crack as it has grown. But its
-// K is no larger than was reached: under control of K the crack grows there at a load that was for a shorter one.
+// The maximum that it starts from is that of the cycle before.
 void CycleMeter::begin(int cycle) {
     now_.cycle = cycle;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
@@ -46,10 +60,6 @@ void CycleMeter::begin(int cycle) {
         tip.cycle.K_slip_unloading.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
-        tip.cycle.K_max = tip.cycle.K_min = start.K;
-        tip.cycle.J_max = start.J;
-        tip.cycle.CTOD.include(start.CTOD);
-        tip.cycle.opening_behind.include(start.opening);
         tip.cycle.forward = start.forward;
         tip.cycle.forward_axis = start.forward_axis;
         tip.down = {{start.load_factor}, {start.CMOD}};
@@ -64,7 +74,9 @@ void CycleMeter::add(const Increment& increment) {
     const bool growing = increment.step.target.value == now_.last_target;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         Tip& tip = now_.tips[t];
+        const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, !loading && !growing);
+        take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())
             path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
@@ -76,22 +88,17 @@ void CycleMeter::add(const Increment& increment) {
         axis = std::max(axis, increment.tips[t].plastic_zone_axis);
     }
     now_.last_target = increment.step.target.value;
-    const std::vector<CycleMemory::Station> before = std::exchange(now_.last, {});
+    now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        double K = increment.K_at_end(t);
-        if (growing && t < before.size()) K = std::min(K, before[t].K);
-        now_.last.push_back({K, increment.nominal_K[t], increment.K_beside(t), tip.J, tip.CTOD, tip.opening, tip.CMOD,
-                             increment.load_factor, growing ? tip.plastic_zone : 0.0,
-                             growing ? tip.plastic_zone_axis : 0.0});
+        now_.last.push_back({increment.nominal_K[t], increment.K_beside(t), tip.CMOD, increment.load_factor,
+                             growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
         if (now_.length.size() <= t) now_.length.push_back(tip.a);
     }
 }
 
 void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const {
     CycleResult& cycle = tip.cycle;
-    const TipResult& result = increment.tips[t];
-    const double K = increment.K_at_end(t);
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
@@ -105,13 +112,6 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bo
     }
     for (std::size_t s = 0; s < tip.was_open.size(); ++s)
         if (increment.signal.empty() || increment.signal[t * signals_.all() + s] <= 0.0) tip.was_open[s] = 1;
-    cycle.a = result.a;
-    cycle.K_initial = increment.initial_K(t);
-    cycle.K_max = std::max(cycle.K_max, K);
-    cycle.K_min = std::min(cycle.K_min, K);
-    cycle.J_max = std::max(cycle.J_max, result.J);
-    cycle.CTOD.include(result.CTOD);
-    cycle.opening_behind.include(result.opening);
 }
 
 // A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.

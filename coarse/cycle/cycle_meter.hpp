@@ -18,10 +18,11 @@ struct CycleMemory {
         std::vector<OpeningLoads> signal;
         Path down, up;
     };
-    struct Station {     // what the next cycle starts from
-        double K = 0.0;  // no larger than it was before the crack grew there
-        double nominal_K = 0.0, K_beside = 0.0, J = 0.0, CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
+    struct Station {  // what the next increment, or cycle, starts from
+        double nominal_K = 0.0, K_beside = 0.0, CMOD = 0.0, load_factor = 0.0;
         double forward = 0.0, forward_axis = 0.0;  // of flow while the crack grew at its load
+
+        [[nodiscard]] double K() const { return nominal_K * load_factor + K_beside; }
     };
     int cycle = 0;
     double last_target = 0.0;

@@ -14,13 +14,14 @@ struct OpeningLoads {
     bool lost = false;  // it opens, but no equilibrium was found that tells where: K_op is missing
 };
 
-/// Of a number in a cycle. What is no number leaves them as they are.
+/// Of a number in a cycle: the largest that loading reaches, and the smallest. What is no number leaves them as they
+/// are.
 struct Extremes {
     double most = -1e300, least = 1e300;
 
-    void include(double value) {
+    void include(double value, bool loading) {
         if (!std::isfinite(value)) return;
-        most = std::max(most, value);
+        if (loading) most = std::max(most, value);
         least = std::min(least, value);
     }
     [[nodiscard]] double range() const {
@@ -28,7 +29,8 @@ struct Extremes {
     }
 };
 
-/// From maximum to maximum.
+/// From maximum to maximum. What is largest is what loading reaches, for that is what K_op belongs to and what the
+/// crack grows by: the maximum that a cycle starts from belongs to the one before.
 struct CycleResult {
     double a = 0.0, da = 0.0;  // mm; grown since the cycle before ended
     double K_max = -1e300, K_min = 1e300;

@@ -105,13 +105,9 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [K, nominal_K, K_beside, J, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
-    archive("K", K);
+    auto& [nominal_K, K_beside, CMOD, load_factor, forward, forward_axis] = m;
     archive("nominal_K", nominal_K);
     archive("K_beside", K_beside);
-    archive("J", J);
-    archive("CTOD", CTOD);
-    archive("opening", opening);
     archive("CMOD", CMOD);
     archive("load_factor", load_factor);
     archive("forward", forward);

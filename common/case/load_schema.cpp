@@ -51,7 +51,7 @@ Section<LoadSection> load_section() {
         .positive()
         .below(1.0)
         .says("With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
-              "cycle, of its range: half of it for each half cycle, measured now and then by two increments as one.");
+              "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one.");
     s.value("grading", &LoadSection::grading)
         .positive()
         .or_else("0.4 with steps = \"auto\", else 0.6")

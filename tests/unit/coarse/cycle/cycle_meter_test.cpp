@@ -84,21 +84,40 @@ TEST_F(CycleMeterTest, StartsWithTheCrackAsItHasGrown) {
     EXPECT_EQ(cycle.cyclic, 0.0);
 }
 
-// The crack grows at the load that was for the shorter one, by as much as a law makes of many cycles. A larger maximum
-// that was reached counts.
-TEST_F(CycleMeterTest, WhereKIsControlledItIsNoLargerThanWasReached) {
+// An overload counts once, in the cycle that reaches it. Nor does a crack count that grows at the load which was for
+// the shorter one, by as much as a law makes of many cycles.
+TEST_F(CycleMeterTest, TheMaximumThatItStartsFromIsThatOfTheCycleBefore) {
     for (const double start : {20.0, 30.0}) {
         meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
         go(0, start, 1.0, false);
         go(0, start, 1.25, false);  // grows
+        go(1, 15.0, 1.25, false);
         go(1, 0.0, 1.25, false);
+        go(1, 8.0, 1.25, false);
         go(1, 16.0, 1.25, false);
-        EXPECT_EQ(meter.finish().at(0).K_max, 10.0 * start);
+        const CycleResult cycle = meter.finish().at(0);
+        EXPECT_EQ(cycle.K_max, 200.0);
+        EXPECT_EQ(cycle.J_max, 16.0);
+        EXPECT_NEAR(cycle.CTOD_range(), 0.016, 1e-15);
+        EXPECT_NEAR(cycle.opening_range(), 0.032, 1e-15);
     }
 }
 
+// The load that counts passes falls while a load case lifts K (rolling contact).
+TEST_F(CycleMeterTest, TakesTheLargestKWhereALoadCaseLiftsIt) {
+    go(0, 20.0, 1.0, false);
+    initial_K = 300.0;
+    go(1, 10.0, 1.0, false);
+    initial_K = 0.0;
+    go(1, 0.0, 1.0, false);
+    go(1, 20.0, 1.0, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_max, 400.0);
+    EXPECT_EQ(cycle.K_min, 0.0);
+}
+
 // A residual stress that the crack leaves: K falls as it grows.
-TEST_F(CycleMeterTest, StartsWithTheSmallerKOfALongerCrack) {
+TEST_F(CycleMeterTest, EndsWithTheKOfTheLongerCrack) {
     initial_K = 50.0;
     go(0, 20.0, 1.0, false);
     initial_K = 10.0;

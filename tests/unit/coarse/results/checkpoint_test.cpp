@@ -62,14 +62,8 @@ Checkpoint some_checkpoint() {
     state.cycle.tips.resize(1);
     state.cycle.tips[0].signal.resize(2);
     state.cycle.tips[0].up = {{1.0}, {2.0}};
-    state.cycle.last = {{.nominal_K = 1.0,
-                         .J = -0.0,
-                         .CTOD = 2.0,
-                         .opening = 2.5,
-                         .CMOD = 3.0,
-                         .load_factor = 4.0,
-                         .forward = 5.0,
-                         .forward_axis = 6.0}};
+    state.cycle.last = {
+        {.nominal_K = 1.0, .K_beside = -0.0, .CMOD = 3.0, .load_factor = 4.0, .forward = 5.0, .forward_axis = 6.0}};
     state.last_cycle.resize(1);
     return checkpoint;
 }
