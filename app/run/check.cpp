@@ -8,6 +8,7 @@
 #include "app/run/coarse_run.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
+#include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
 #include "coarse/zone/material_adequacy.hpp"
@@ -117,6 +118,7 @@ void print_estimate_of_body(const char* which, const coarse::Scene& scene) {
 
 void print_warnings(const coarse::Scene& scene, const std::vector<double>& K_I) {
     for (const std::string& warning : coarse::material_warnings(scene.input)) fmt::print("# warning: {}\n", warning);
+    for (const std::string& warning : coarse::growth_warnings(scene.input)) fmt::print("# warning: {}\n", warning);
     for (const std::string& warning : coarse::mesh_warnings(scene, K_I)) fmt::print("# warning: {}\n", warning);
 }
 

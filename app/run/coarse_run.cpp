@@ -7,6 +7,7 @@
 #include "app/process/exit_code.hpp"
 #include "app/process/interruption.hpp"
 #include "app/process/version.hpp"
+#include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/results/summary.hpp"
 #include "coarse/zone/material_adequacy.hpp"
@@ -128,6 +129,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     running = &analysis;
     note_sizes(analysis.structure());
     warnings_ = coarse::material_warnings(scene_.input);
+    std::ranges::move(coarse::growth_warnings(scene_.input), std::back_inserter(warnings_));
     std::ranges::move(coarse::mesh_warnings(scene_, analysis.largest_K_I_at_start()), std::back_inserter(warnings_));
     for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
     if (analysis.finished()) {

@@ -7,6 +7,7 @@
 
 #include "coarse/analysis/closure_measurement.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
+#include "coarse/analysis/growth/period_rates.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/elements/coarse_elements.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
@@ -73,6 +74,7 @@ struct AnalysisState {
     RunCounts counts;
     bool growth_ended = false;  // growth has ended the run
     GrowthIncrementMemory growth_increment;
+    PeriodMemory growth_period;
     double uncounted_growth = 0.0;  // behind a sharp turn, mm (LifeCount)
     DueGrowth due_growth;
     FaceRelease release;

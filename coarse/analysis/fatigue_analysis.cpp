@@ -23,7 +23,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
       cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
-    if (scene.input.growth) growth_.emplace(*scene.input.growth, listener_.note, from);
+    if (scene.input.growth) growth_.emplace(scene.input, listener_.note, from);
     if (from == nullptr) return;
     controller_.resume(from->load);
     cycle_meter_.resume(from->cycle);
@@ -33,7 +33,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     effort_.counts = from->counts;
 }
 
-bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() && growth_->is_driven(last_cycle_); }
+bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() && growth_->is_driven(); }
 
 AnalysisState FatigueAnalysis::state() const {
     if (before_growth_) return *before_growth_;
@@ -218,7 +218,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
 void FatigueAnalysis::end_cycle(Increment& increment) {
     increment.cycles = cycle_meter_.finish();
     increment.nominal = body_.nominal();
-    if (growth_) growth_->count_cycles(increment.cycles, last_cycle_, body_.scene());
+    if (growth_) growth_->count_cycles(increment.step.cycle, increment.cycles, body_.scene());
     last_cycle_ = increment.cycles;
 }
 

@@ -23,6 +23,14 @@ void mark_reversals(std::vector<Leg>& all) {
     }
 }
 
+/// Of a load or a load case: blocks that are more than cycles of one kind.
+bool are_unlike(const auto& blocks) {
+    return std::ranges::any_of(blocks, [&](auto block) {
+        block.cycles = blocks.front().cycles;
+        return block != blocks.front();
+    });
+}
+
 }  // namespace
 
 std::vector<Leg> legs(const LoadSection& load) {
@@ -52,6 +60,11 @@ int cycle_count(const LoadSection& load) {
     int cycles = 0;
     for (const LoadBlock& block : load.blocks) cycles += block.cycles;
     return load.repeat * cycles;
+}
+
+bool varies(const Case& input) {
+    const auto case_varies = [](const LoadCaseSection& load_case) { return are_unlike(load_case.blocks); };
+    return are_unlike(input.load.blocks) || std::ranges::any_of(input.load_cases, case_varies);
 }
 
 double largest_value(const LoadSection& load) {

@@ -23,6 +23,9 @@ std::vector<Leg> legs(const LoadSection& load);
 
 [[nodiscard]] int cycle_count(const LoadSection& load);
 
+/// Cycles have different extremes, of the main load or of a load case.
+[[nodiscard]] bool varies(const Case& input);
+
 /// The largest value of the history, not below zero.
 [[nodiscard]] double largest_value(const LoadSection& load);
 

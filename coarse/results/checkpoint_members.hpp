@@ -114,6 +114,14 @@ void members(auto& archive, Is<CycleMemory::Station> auto& m) {
     archive("forward_axis", forward_axis);
 }
 
+void members(auto& archive, Is<PeriodMemory> auto& m) {
+    auto& [sum, cycles, grown, before] = m;
+    archive("sum", sum);
+    archive("cycles", cycles);
+    archive("grown", grown);
+    archive("before", before);
+}
+
 void members(auto& archive, Is<CycleMemory> auto& m) {
     auto& [cycle, last_target, tips, last, length] = m;
     archive("cycle", cycle);
@@ -211,8 +219,8 @@ void members(auto& archive, Is<StillElements> auto& m) {
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
-           cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, uncounted_growth,
-           due_growth, release, load, work, equilibrium, zone] = m;
+           cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period,
+           uncounted_growth, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -238,6 +246,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("mesh_splits", mesh_splits);
     archive("growth_ended", growth_ended);
     archive("growth_increment", growth_increment);
+    archive("growth_period", growth_period);
     archive("uncounted_growth", uncounted_growth);
     archive("due_growth", due_growth);
     archive("release", release);

@@ -50,8 +50,9 @@ Section<LoadSection> load_section() {
     s.value("accuracy", &LoadSection::accuracy)
         .positive()
         .below(1.0)
-        .says("With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
-              "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one.");
+        .says(
+            "With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
+            "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one.");
     s.value("grading", &LoadSection::grading)
         .positive()
         .or_else("0.4 with steps = \"auto\", else 0.6")
@@ -162,7 +163,11 @@ Section<GrowthSection> growth_section() {
         .at_most(1.0)
         .says("With increment = \"auto\": largest increment, of the forward plastic zone of the cycle before; of the "
               "crack's length a hundredth where nothing flows. The smallest is an element at the tip.");
-    s.value("every", &GrowthSection::every).at_least(1).says("Cycles from one advance to the next.");
+    s.value("every", &GrowthSection::every)
+        .at_least(1)
+        .says(
+            "Cycles from one advance to the next. By a law of da/dN under a load that varies: as many as the sequence "
+            "that it repeats, for a growth takes the mean rate of its cycles.");
     s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
         .says("At which extreme of the cycle the crack grows.");
     s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm) or mm").at_least(0.0).says("Of the law of da/dN.");

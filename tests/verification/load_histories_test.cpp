@@ -71,6 +71,31 @@ TEST(LoadHistories, ALifeAtConstantKIsThatOfTheLaw) {
     }
 }
 
+// A sequence of four cycles and a peak, again and again: a growth takes da / (mean rate) of its cycles, whichever of
+// them is the last one, and the peak counts once.
+TEST(LoadHistories, ALifeUnderARepeatedSequenceIsThatOfItsMeanRate) {
+    constexpr double C = 1e-12, m = 3.0, da = 0.031;
+    const LoadBlock small{.cycles = 4, .max = 100.0, .min = 25.0}, peak{.cycles = 1, .max = 160.0, .min = 25.0};
+    const double mean = C * (4.0 * std::pow(75.0, m) + std::pow(135.0, m)) / 5.0;
+    for (const GrowthAt at : {GrowthAt::Maximum, GrowthAt::Minimum})
+        for (const std::vector<LoadBlock>& blocks : {std::vector{small, peak}, std::vector{peak, small}}) {
+            Case input = elastic_plate();
+            input.load.blocks = blocks;
+            input.load.repeat = 4;
+            input.growth =
+                GrowthSection{.law = GrowthLaw::Paris, .increment = da, .every = 5, .at = at, .C = C, .m = m};
+            std::vector<double> counted;
+            for (const coarse::Increment& increment : run_direct(input).increments)
+                for (const coarse::CycleResult& cycle : increment.cycles)
+                    if (cycle.dN > 0.0) counted.push_back(cycle.dN);
+            ASSERT_EQ(counted.size(), 3U);
+            counted.pop_back();  // the last cycle returns to its own maximum
+            // Where cracks grow at minima four cycles are in front of the first growth.
+            if (at == GrowthAt::Minimum) counted.erase(counted.begin());
+            for (const double cycles : counted) EXPECT_NEAR(cycles, da / mean, 1e-6 * cycles);
+        }
+}
+
 /// K_op / K_max of the shipped overload in every cycle, the peak at the end of number `before`.
 struct Retardation {
     double before, peak, end;  // K_op / K_max: in front of the overload, behind it at most, and last

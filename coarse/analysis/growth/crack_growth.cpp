@@ -41,14 +41,17 @@ std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> 
 
 }  // namespace
 
-CrackGrowth::CrackGrowth(const GrowthSection& growth, const Note& note, const AnalysisState* from)
-    : growth_(growth), note_(note), ended_(from != nullptr && from->growth_ended),
+CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisState* from)
+    : growth_(*input.growth), takes_mean_(takes_mean_rate(input)), note_(note),
+      ended_(from != nullptr && from->growth_ended),
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
+      rates_(from != nullptr ? from->growth_period : PeriodMemory()),
       life_(from != nullptr ? from->uncounted_growth : 0.0) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
     state.growth_increment = increment_.memory();
+    state.growth_period = rates_.memory();
     state.uncounted_growth = life_.uncounted();
 }
 
@@ -57,11 +60,11 @@ bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth
 GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors, const std::vector<TipResult>& reached,
                              const std::vector<CycleResult>& last) {
     if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
-    require_drive(last);
+    require_drive(rates_.present());
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
-    if (!is_over(nominal, factors, last)) {
+    if (!is_over(nominal, factors)) {
         const std::vector<TipResult> guides =
             directing(present.input.cracks, present.enriched.tips,
                       factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
@@ -72,10 +75,8 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
 }
 
 // From one element edge to another where faces end on edges; where they end is not known about another direction.
-TipSteps CrackGrowth::steps_about_fastest(const Scene& present, const std::vector<CycleResult>& last, double turn,
-                                          const std::vector<double>& elements) const {
-    const auto rate = [&](const CycleResult& tip) { return growth_rate(growth_, tip); };
-    const auto fastest = static_cast<std::size_t>(std::ranges::max_element(last, {}, rate) - last.begin());
+TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, double turn,
+                                  const std::vector<double>& elements) const {
     TipSteps steps{.least = elements[fastest]};
     if (present.enriched.tip_functions > 0) return steps;
     steps.element = elements[fastest];
@@ -86,17 +87,19 @@ TipSteps CrackGrowth::steps_about_fastest(const Scene& present, const std::vecto
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
+    const std::vector<double> rates = rates_.present();
     std::vector<double> elements;
     for (const Tip& tip : tips) elements.push_back(tip_element_edge(present.enriched, tip));
     const auto by = [&](double increment, GrowthDirection direction) {
         return longer_cracks(present.input.cracks, direction, tips, guides,
-                             advances(growth_, increment, last, tips.size()), elements);
+                             advances(growth_, increment, rates, tips.size()), elements);
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    const double increment = growth_.increment.is_auto()
-                                 ? increment_.next(growth_, last, steps_about_fastest(present, last, turn, elements))
-                                 : growth_.increment.value();
+    const double increment =
+        growth_.increment.is_auto()
+            ? increment_.next(growth_, last, rates, steps_about(fastest_of(rates), present, turn, elements))
+            : growth_.increment.value();
     const double resolved = elements_behind_turn * element;
     if (turn > sharp_turn && increment < resolved)
         note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
@@ -109,27 +112,23 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
 }
 
 // What drives the tips has been measured.
-void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
-    const auto unread =
-        std::ranges::find_if(last, [](const CycleResult& cycle) { return std::isnan(cycle.opening_range()); });
-    if (growth_.law == GrowthLaw::Ctod && unread != last.end())
+void CrackGrowth::require_drive(const std::vector<double>& rates) const {
+    const auto unread = std::ranges::find_if(rates, [](double rate) { return std::isnan(rate); });
+    if (unread == rates.end()) return;
+    const auto tip = unread - rates.begin();
+    if (growth_.law == GrowthLaw::Ctod)
         throw NumericalFailure(fmt::format("tip {}: no opening range at closure.distance behind it, which drives the "
                                            "growth: the crack is shorter than that",
-                                           unread - last.begin()));
-    if (growth_.law != GrowthLaw::Paris || growth_.driving != GrowthDriving::EffectiveRange) return;
-    const auto lost = std::ranges::find(last, true, [](const CycleResult& cycle) { return cycle.opening.lost; });
-    if (lost == last.end()) return;
+                                           tip));
     throw NumericalFailure(fmt::format(
-        "K_op drives the growth, and no equilibrium of the last cycle tells it for tip {}; finer increments "
-        "(load.steps) may",
-        lost - last.begin()));
+        "K_op drives the growth, and no equilibrium of {} tells it for tip {}; finer increments (load.steps) may",
+        takes_mean_ ? "a cycle since the growth before" : "the last cycle", tip));
 }
 
-bool CrackGrowth::is_driven(const std::vector<CycleResult>& last) const { return fastest_rate(growth_, last) > 0.0; }
+bool CrackGrowth::is_driven() const { return fastest_rate(rates_.present()) > 0.0; }
 
-bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors,
-                          const std::vector<CycleResult>& last) const {
-    if (!last.empty() && !is_driven(last)) {
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors) const {
+    if (!rates_.present().empty() && !is_driven()) {
         note_("nothing drives a tip any more: the crack is arrested");
         return true;
     }
@@ -175,17 +174,22 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& crack
     return {};
 }
 
-void CrackGrowth::count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last,
-                               const Scene& present) {
-    if (growth_.law == GrowthLaw::Prescribed) return;  // each stands for itself
-    const auto fastest = std::ranges::max_element(cycles, {}, &CycleResult::da);
-    if (fastest == cycles.end()) return;
-    const Tip& tip = present.enriched.tips[at(static_cast<int>(fastest - cycles.begin()))];
-    const GrownTip grown{.grown = fastest->da,
+void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present) {
+    std::vector<double> grown;
+    for (const CycleResult& tip : cycles) grown.push_back(tip.da);
+    rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
+    if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
+    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present) : 0.0;
+    for (CycleResult& tip : cycles) tip.dN = passed;
+}
+
+double CrackGrowth::cycles_of_period(const Scene& present) {
+    const auto fastest = std::ranges::max_element(rates_.grown());
+    const Tip& tip = present.enriched.tips[at(static_cast<int>(fastest - rates_.grown().begin()))];
+    const GrownTip grown{.grown = *fastest,
                          .behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
                          .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip)};
-    const double passed = life_.passed(grown, fastest_rate(growth_, last), fastest_rate(growth_, cycles));
-    for (CycleResult& cycle : cycles) cycle.dN = passed;
+    return life_.passed(grown, fastest_rate(rates_.before()), fastest_rate(rates_.present()));
 }
 
 }  // namespace stria::coarse

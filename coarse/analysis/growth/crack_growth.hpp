@@ -7,6 +7,7 @@
 #include "coarse/analysis/cracked_body.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/analysis/growth/life_count.hpp"
+#include "coarse/analysis/growth/period_rates.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
@@ -19,8 +20,8 @@ struct GrownScene {
 
 class CrackGrowth {
 public:
-    /// `note` must outlive it. `from`: null at the start of a run.
-    CrackGrowth(const GrowthSection& growth, const Note& note, const AnalysisState* from);
+    /// Of a case whose cracks grow. `note` must outlive it. `from`: null at the start of a run.
+    CrackGrowth(const Case& input, const Note& note, const AnalysisState* from);
 
     /// Its part of what a run remembers.
     void write(AnalysisState& state) const;
@@ -28,40 +29,44 @@ public:
     /// Growth has ended the run.
     [[nodiscard]] bool ended() const { return ended_; }
 
-    /// A tip grows by the law, from what the tips went through in the `last` cycle.
-    [[nodiscard]] bool is_driven(const std::vector<CycleResult>& last) const;
+    /// A tip grows by the law, from what the tips have gone through.
+    [[nodiscard]] bool is_driven() const;
 
     [[nodiscard]] bool is_due(const LoadStep& reached) const;
 
-    /// The scene with each tip advanced by the law, from what it went through in the `last` cycle, in the direction
-    /// that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first cycle of a law
-    /// of da/dN has ended, and where growth ends the run: no tip is driven, a limit of [growth] is reached, or a crack
-    /// would leave the body or meet another one. Throws NumericalFailure where K_op drives the growth and was lost.
+    /// The scene with each tip advanced by the law, from what it has gone through up to the end of the `last` cycle, in
+    /// the direction that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first
+    /// cycle of a law of da/dN has ended, and where growth ends the run: no tip is driven, a limit of [growth] is
+    /// reached, or a crack would leave the body or meet another one. Throws NumericalFailure where what drives the
+    /// growth was not found in a cycle that tells its rate.
     [[nodiscard]] GrownScene next(const CrackedBody& body, const LoadFactors& factors,
                                   const std::vector<TipResult>& reached, const std::vector<CycleResult>& last);
 
-    /// Puts into `cycles`, one per tip, how many cycles they stand for; `last`: those of the cycle before. `present`:
-    /// with the tips as long as at their end.
-    void count_cycles(std::vector<CycleResult>& cycles, const std::vector<CycleResult>& last, const Scene& present);
+    /// Takes the rates of a cycle that has ended, and puts into `cycles`, one per tip, how many it stands for: what the
+    /// growth took that is known to its end. `present`: with the tips as long as at its end.
+    void count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present);
 
 private:
-    void require_drive(const std::vector<CycleResult>& last) const;
-    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors,
-                               const std::vector<CycleResult>& last) const;
+    void require_drive(const std::vector<double>& rates) const;
+    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors) const;
+    /// That the growth at the beginning of the present period took.
+    [[nodiscard]] double cycles_of_period(const Scene& present);
     using Cracks = std::vector<CrackSection>;
 
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
     [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
                                            const std::vector<CycleResult>& last);
-    [[nodiscard]] TipSteps steps_about_fastest(const Scene& present, const std::vector<CycleResult>& last, double turn,
-                                               const std::vector<double>& elements) const;
+    [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
+                                       const std::vector<double>& elements) const;
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const;
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
     GrowthSection growth_;
+    bool takes_mean_;
     const Note& note_;
     bool ended_;
     GrowthIncrement increment_;
+    PeriodRates rates_;
     LifeCount life_;
 };
 

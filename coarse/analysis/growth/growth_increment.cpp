@@ -26,10 +26,11 @@ double largest_increment(const GrowthSection& growth, double forward_zone, doubl
     return forward_zone > 0.0 ? growth.zone_fraction * forward_zone : elastic_fraction * a;
 }
 
-double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last, const TipSteps& steps) {
-    const auto rate = [&](const CycleResult& tip) { return growth_rate(growth, tip); };
-    const CycleResult& fastest = *std::ranges::max_element(last, {}, rate);
-    const GrowthPoint now = point_of(rate(fastest), fastest);
+double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last,
+                             const std::vector<double>& rates, const TipSteps& steps) {
+    const CycleResult& fastest = last[fastest_of(rates)];
+    const double largest_rate = fastest_rate(rates);
+    const GrowthPoint now = point_of(largest_rate, fastest);
     double factor = 2.0;
     if (const double error = error_at(now); error > 0.0)
         factor = std::clamp(std::sqrt(growth.accuracy / error), 0.5, 2.0);
@@ -39,8 +40,8 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     memory_.points.push_back(now);
     double increment = from_edge_to_edge(memory_.increment, steps);
     if (growth.until)
-        for (const CycleResult& tip : last)
-            if (rate(tip) > 0.0) increment = std::min(increment, (*growth.until - tip.a) * rate(fastest) / rate(tip));
+        for (std::size_t t = 0; t < last.size(); ++t)
+            if (rates[t] > 0.0) increment = std::min(increment, (*growth.until - last[t].a) * largest_rate / rates[t]);
     return increment;
 }
 

@@ -42,9 +42,10 @@ class GrowthIncrement {
 public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}
 
-    /// The next one, mm; `last`: the cycle that has ended, one per tip, of which one at least is driven. Only an end of
-    /// growth is nearer than the least.
-    double next(const GrowthSection& growth, const std::vector<CycleResult>& last, const TipSteps& steps);
+    /// The next one, mm. `last`: the cycle that has ended; `rates`, mm per cycle, of which one at least is not zero:
+    /// one per tip. Only an end of growth is nearer than the least.
+    double next(const GrowthSection& growth, const std::vector<CycleResult>& last, const std::vector<double>& rates,
+                const TipSteps& steps);
 
     [[nodiscard]] const GrowthIncrementMemory& memory() const { return memory_; }
 

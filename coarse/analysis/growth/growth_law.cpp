@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stria::coarse {
 
@@ -23,24 +24,37 @@ double driving_range(GrowthDriving driving, const CycleResult& cycle) {
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
+    const bool by_K_op = growth.law == GrowthLaw::Paris && growth.driving == GrowthDriving::EffectiveRange;
+    const bool unread =
+        by_K_op ? cycle.opening.lost : growth.law == GrowthLaw::Ctod && std::isnan(cycle.opening_range());
+    if (unread) return std::numeric_limits<double>::quiet_NaN();
     const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.opening_range();
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
 }
 
-std::vector<double> advances(const GrowthSection& growth, double increment, const std::vector<CycleResult>& last,
-                             std::size_t tips) {
-    std::vector<double> advance(tips, increment);
-    if (growth.law == GrowthLaw::Prescribed) return advance;
-    const double fastest = fastest_rate(growth, last);
-    for (std::size_t t = 0; t < tips; ++t)
-        advance[t] = fastest > 0.0 ? increment * (growth_rate(growth, last[t]) / fastest) : 0.0;
-    return advance;
+std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles) {
+    std::vector<double> rates;
+    for (const CycleResult& cycle : cycles) rates.push_back(growth_rate(growth, cycle));
+    return rates;
 }
 
-double fastest_rate(const GrowthSection& growth, const std::vector<CycleResult>& cycles) {
+std::size_t fastest_of(const std::vector<double>& rates) {
+    return static_cast<std::size_t>(std::ranges::max_element(rates) - rates.begin());
+}
+
+double fastest_rate(const std::vector<double>& rates) {
     double fastest = 0.0;
-    for (const CycleResult& cycle : cycles) fastest = std::max(fastest, growth_rate(growth, cycle));
+    for (const double rate : rates) fastest = std::isnan(rate) || rate > fastest ? rate : fastest;
     return fastest;
+}
+
+std::vector<double> advances(const GrowthSection& growth, double increment, const std::vector<double>& rates,
+                             std::size_t tips) {
+    std::vector<double> advance(tips, increment);
+    if (growth.law == GrowthLaw::Prescribed || rates.empty()) return advance;
+    const double fastest = fastest_rate(rates);
+    for (std::size_t t = 0; t < tips; ++t) advance[t] = fastest > 0.0 ? increment * (rates[t] / fastest) : 0.0;
+    return advance;
 }
 
 double cycles_passed(double grown, double rate_before, double rate_after) {

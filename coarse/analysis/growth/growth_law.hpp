@@ -8,16 +8,23 @@
 
 namespace stria::coarse {
 
-/// da/dN of a tip by the law, mm per cycle; 0 where nothing drives it. A prescribed law: the increment.
+/// da/dN of a tip by the law, mm per cycle; 0 where nothing drives it, NaN where it is not known what does. A
+/// prescribed law: the increment.
 [[nodiscard]] double growth_rate(const GrowthSection& growth, const CycleResult& cycle);
 
-/// The largest growth_rate() of all tips, mm per cycle. `cycles`: one per tip.
-[[nodiscard]] double fastest_rate(const GrowthSection& growth, const std::vector<CycleResult>& cycles);
+/// One per tip, as `cycles`.
+[[nodiscard]] std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles);
+
+/// Of the tips' rates, mm per cycle, at least one: the number of the tip with the largest.
+[[nodiscard]] std::size_t fastest_of(const std::vector<double>& rates);
+
+/// The largest of them, mm per cycle; 0 if there are none, NaN where one is.
+[[nodiscard]] double fastest_rate(const std::vector<double>& rates);
 
 /// What each tip advances next, mm: the fastest one by `increment`, the others in proportion. By a prescribed law,
-/// and before the first cycle is over (`last` is empty), all tips advance alike. `last`: one per tip.
+/// and before the first cycle is over (`rates` is empty), all tips advance alike. `rates`: one per tip, mm per cycle.
 [[nodiscard]] std::vector<double> advances(const GrowthSection& growth, double increment,
-                                           const std::vector<CycleResult>& last, std::size_t tips);
+                                           const std::vector<double>& rates, std::size_t tips);
 
 /// Cycles that it took to grow by `grown`, mm, from one state to another with the rates da/dN, mm per cycle, of the
 /// fastest tip (trapezoidal rule).

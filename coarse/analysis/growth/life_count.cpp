@@ -1,6 +1,7 @@
 #include "coarse/analysis/growth/life_count.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "coarse/analysis/growth/growth_law.hpp"
@@ -11,11 +12,11 @@ double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_af
     if (tip.grown <= 0.0) return 0.0;
     constexpr double rounding = 1e-6;
     const double resolved = (1.0 - rounding) * tip.resolved;
-    if (uncounted_ == 0.0 && tip.behind_turn - tip.grown >= resolved)
+    if (uncounted_ == 0.0 && !std::isnan(rate_after) && tip.behind_turn - tip.grown >= resolved)
         return cycles_passed(tip.grown, rate_before, rate_after);
     uncounted_ += tip.grown;
     // Of a crack that turns again and again no tip is ever far behind a turn.
-    if (std::max(tip.behind_turn, uncounted_) < resolved) return 0.0;
+    if (std::isnan(rate_after) || std::max(tip.behind_turn, uncounted_) < resolved) return 0.0;
     return std::exchange(uncounted_, 0.0) / rate_after;
 }
 

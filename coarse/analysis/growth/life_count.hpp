@@ -18,7 +18,8 @@ public:
     /// `uncounted`: of a run that goes on.
     explicit LifeCount(double uncounted = 0.0) : uncounted_(uncounted) {}
 
-    /// Cycles that a growth took; rates da/dN of the fastest tip, mm per cycle. None where they are counted later.
+    /// Cycles that a growth took; rates da/dN of the fastest tip, mm per cycle, NaN: not known. None where they are
+    /// counted later.
     double passed(const GrownTip& tip, double rate_before, double rate_after);
 
     /// Grown since a turn and not yet counted, mm.

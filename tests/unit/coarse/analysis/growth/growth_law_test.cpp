@@ -32,15 +32,31 @@ TEST(GrowthLaw, IsAsFastAsItsLawSays) {
     EXPECT_NEAR(growth_rate(growth, cycle), 2.0 * 0.003 * 0.003, 1e-15);
 }
 
+TEST(GrowthLaw, KnowsNoRateWhereItsDriveIsNotFound) {
+    CycleResult cycle = cycle_with(600.0, 100.0, std::nan(""));
+    cycle.opening.lost = true;
+    cycle.opening_behind = {};
+    GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
+    EXPECT_GT(growth_rate(growth, cycle), 0.0);
+    growth.driving = GrowthDriving::EffectiveRange;
+    EXPECT_TRUE(std::isnan(growth_rate(growth, cycle)));
+    growth.law = GrowthLaw::Ctod;
+    EXPECT_TRUE(std::isnan(growth_rate(growth, cycle)));
+    EXPECT_TRUE(std::isnan(fastest_rate({1.0, std::nan(""), 2.0})));
+    EXPECT_EQ(fastest_rate({1.0, 3.0, 2.0}), 3.0);
+    EXPECT_EQ(fastest_of({1.0, 3.0, 2.0}), 1U);
+    EXPECT_EQ(fastest_rate({}), 0.0);
+}
+
 TEST(GrowthLaw, LeadsWithTheFastestTip) {
     GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 2.0};
     const std::vector<CycleResult> last{cycle_with(300.0, 0.0, 0.0), cycle_with(600.0, 0.0, 0.0)};
-    const std::vector<double> found = advances(growth, 0.1, last, 2);
+    const std::vector<double> found = advances(growth, 0.1, growth_rates(growth, last), 2);
     EXPECT_NEAR(found[0], 0.025, 1e-15);
     EXPECT_EQ(found[1], 0.1);
     growth.law = GrowthLaw::Prescribed;
     EXPECT_EQ(advances(growth, 0.1, {}, 2), (std::vector<double>{0.1, 0.1}));
-    EXPECT_EQ(advances(growth, 0.1, last, 2), (std::vector<double>{0.1, 0.1}));
+    EXPECT_EQ(advances(growth, 0.1, growth_rates(growth, last), 2), (std::vector<double>{0.1, 0.1}));
 }
 
 TEST(GrowthLaw, TakesTheCyclesBetweenTwoRates) {

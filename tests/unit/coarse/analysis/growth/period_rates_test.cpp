@@ -1,0 +1,39 @@
+// Mean rates of the cycles from one growth to the next.
+#include "coarse/analysis/growth/period_rates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stria::coarse {
+namespace {
+
+using Tips = std::vector<double>;
+
+TEST(PeriodRates, AreMeansFromOneGrowthToTheNext) {
+    PeriodRates rates;
+    EXPECT_TRUE(rates.present().empty());
+    rates.add({1.0, 2.0}, {0.0, 0.0}, true);
+    rates.add({3.0, 6.0}, {0.0, 0.0}, false);
+    EXPECT_EQ(rates.present(), (Tips{2.0, 4.0}));
+    EXPECT_TRUE(rates.before().empty());
+    rates.add({5.0, 1.0}, {0.1, 0.2}, true);
+    EXPECT_EQ(rates.before(), (Tips{2.0, 4.0}));
+    PeriodRates resumed(rates.memory());
+    resumed.add({7.0, 2.0}, {0.0, 0.0}, false);
+    EXPECT_EQ(resumed.present(), (Tips{6.0, 1.5}));
+    EXPECT_EQ(resumed.before(), (Tips{2.0, 4.0}));
+    EXPECT_EQ(resumed.grown(), (Tips{0.1, 0.2}));
+}
+
+TEST(PeriodRates, AreNotKnownWhereOneIsNot) {
+    PeriodRates rates;
+    rates.add({std::nan("")}, {0.0}, true);
+    rates.add({1.0}, {0.0}, false);
+    EXPECT_TRUE(std::isnan(rates.present().at(0)));
+    rates.add({1.0}, {0.0}, true);
+    EXPECT_EQ(rates.present(), Tips{1.0});
+}
+
+}  // namespace
+}  // namespace stria::coarse
