@@ -76,7 +76,7 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted(openings(accepted_.tips), closure_.met());
-        if (growth_ && growth_->is_due(*step)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
+        if (growth_ && growth_->is_due(*step, last_cycle_)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
     }

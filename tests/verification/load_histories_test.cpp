@@ -96,6 +96,21 @@ TEST(LoadHistories, ALifeUnderARepeatedSequenceIsThatOfItsMeanRate) {
         }
 }
 
+// Whether the crack is to grow there or not.
+TEST(LoadHistories, TheCrackBreaksInTheCycleThatReachesItsToughness) {
+    const auto last_cycle = [](const Case& input) { return run_direct(input).increments.back().step.cycle; };
+    Case input = elastic_plate();
+    input.growth->at = GrowthAt::Minimum;
+    input.growth->toughness = 110.0;
+    input.load.blocks = {{.cycles = 2, .max = 100.0, .min = 25.0}, {.cycles = 2, .max = 120.0, .min = 25.0}};
+    EXPECT_EQ(last_cycle(input), 2);
+    input.growth->at = GrowthAt::Maximum;
+    input.growth->every = 4;
+    EXPECT_EQ(last_cycle(input), 2);
+    input.growth->toughness = 130.0;
+    EXPECT_EQ(last_cycle(input), 4);
+}
+
 /// K_op / K_max of the shipped overload in every cycle, the peak at the end of number `before`.
 struct Retardation {
     double before, peak, end;  // K_op / K_max: in front of the overload, behind it at most, and last

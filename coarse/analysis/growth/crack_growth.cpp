@@ -55,7 +55,15 @@ void CrackGrowth::write(AnalysisState& state) const {
     state.uncounted_growth = life_.uncounted();
 }
 
-bool CrackGrowth::is_due(const LoadStep& reached) const { return grows_at(growth_, reached); }
+bool CrackGrowth::is_due(const LoadStep& reached, const std::vector<CycleResult>& last) const {
+    return grows_at(growth_, reached) || (reached.ends_cycle && break_in(last));
+}
+
+bool CrackGrowth::breaks(const CycleResult& tip) const { return growth_.toughness && tip.K_max >= *growth_.toughness; }
+
+bool CrackGrowth::break_in(const std::vector<CycleResult>& cycles) const {
+    return std::ranges::any_of(cycles, [&](const CycleResult& tip) { return breaks(tip); });
+}
 
 GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors, const std::vector<TipResult>& reached,
                              const std::vector<CycleResult>& last) {
@@ -64,7 +72,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
-    if (!is_over(nominal, factors)) {
+    if (!is_over(nominal, last)) {
         const std::vector<TipResult> guides =
             directing(present.input.cracks, present.enriched.tips,
                       factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
@@ -127,19 +135,18 @@ void CrackGrowth::require_drive(const std::vector<double>& rates) const {
 
 bool CrackGrowth::is_driven() const { return fastest_rate(rates_.present()) > 0.0; }
 
-bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors) const {
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const {
     if (!rates_.present().empty() && !is_driven()) {
         note_("nothing drives a tip any more: the crack is arrested");
         return true;
     }
     for (std::size_t t = 0; t < nominal.size(); ++t) {
-        const double K = nominal[t].K_I * factors.main + sum_over_cases(nominal[t].K_I_of_cases, factors.cases);
         if (is_as_long_as_asked(growth_, nominal[t].a)) {
             note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal[t].a));
             return true;
         }
-        if (growth_.toughness && K >= *growth_.toughness) {
-            note_(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", t, K));
+        if (t < last.size() && breaks(last[t])) {
+            note_(fmt::format("tip {}: K_max = {:.6g} MPa sqrt(mm) (growth.toughness)", t, last[t].K_max));
             return true;
         }
     }
@@ -179,7 +186,8 @@ void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, cons
     for (const CycleResult& tip : cycles) grown.push_back(tip.da);
     rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
     if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
-    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present) : 0.0;
+    const bool is_known = !takes_mean_ || ends_period(growth_, cycle) || break_in(cycles);
+    const double passed = is_known ? cycles_of_period(present) : 0.0;
     for (CycleResult& tip : cycles) tip.dN = passed;
 }
 

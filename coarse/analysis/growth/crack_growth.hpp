@@ -32,7 +32,8 @@ public:
     /// A tip grows by the law, from what the tips have gone through.
     [[nodiscard]] bool is_driven() const;
 
-    [[nodiscard]] bool is_due(const LoadStep& reached) const;
+    /// The cracks grow at the load `reached`, or break there: the `last` cycle has brought K to the toughness.
+    [[nodiscard]] bool is_due(const LoadStep& reached, const std::vector<CycleResult>& last) const;
 
     /// The scene with each tip advanced by the law, from what it has gone through up to the end of the `last` cycle, in
     /// the direction that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first
@@ -48,7 +49,10 @@ public:
 
 private:
     void require_drive(const std::vector<double>& rates) const;
-    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const LoadFactors& factors) const;
+    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
+    /// K reaches the toughness.
+    [[nodiscard]] bool breaks(const CycleResult& tip) const;
+    [[nodiscard]] bool break_in(const std::vector<CycleResult>& cycles) const;
     /// That the growth at the beginning of the present period took.
     [[nodiscard]] double cycles_of_period(const Scene& present);
     using Cracks = std::vector<CrackSection>;
