@@ -98,10 +98,15 @@ def tension_range(K_max, K_min):
 
 
 def secant_rates(N, a):
-    """ASTM E647 X1.1: places k and k + 1, the mean length, da/dN."""
-    for k in range(len(N) - 1):
-        if N[k + 1] > N[k]:
-            yield (k, k + 1), 0.5 * (a[k] + a[k + 1]), (a[k + 1] - a[k]) / (N[k + 1] - N[k])
+    """ASTM E647 X1.1: two places, the mean length, da/dN. Growth may be counted some rows behind it: the first place is the last
+    one in front of what is counted at the second."""
+    first = 0
+    for last in range(1, len(N)):
+        if N[last] > N[first]:
+            yield (first, last), 0.5 * (a[first] + a[last]), (a[last] - a[first]) / (N[last] - N[first])
+            first = last
+        elif a[last] == a[first]:
+            first = last
 
 
 def polynomial_rates(N, a):

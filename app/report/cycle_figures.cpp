@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "coarse/load/growth_schedule.hpp"
+
 namespace stria::report {
 
 namespace {
@@ -189,17 +191,22 @@ Figure load_cases(const RunRecord& run) {
 }  // namespace
 
 Sheet growth_rates(const RunRecord& run, std::size_t tip) {
-    const Sheet cycles = columns_of(run, tip, "", {"a", "da", "dN", "K_max", "K_min", "dK_eff"});
+    const Sheet cycles = columns_of(run, tip, "", {"a", "dN", "K_max", "K_min", "dK_eff"});
     const auto range = [&](std::size_t k) {
         return std::max(cycles["K_max"][k], 0.0) - std::max(cycles["K_min"][k], 0.0);
     };
     Sheet rates{.name = fmt::format("dadN-tip-{}", tip)};
     rates.columns = {{"a", {}}, {"dadN", {}}, {"dK", {}}, {"dK_eff", {}}};
+    // Growth may be counted some rows behind it; the first place is the last one in front of it.
+    std::size_t first = 0;
     for (std::size_t k = 1; k < cycles["a"].size(); ++k) {
-        const auto mean = [&](const char* column) { return 0.5 * (cycles[column][k - 1] + cycles[column][k]); };
-        const double rate = cycles["da"][k] / cycles["dN"][k];
-        const std::array row = {mean("a"), rate, 0.5 * (range(k - 1) + range(k)), mean("dK_eff")};
-        for (std::size_t c = 0; c < row.size(); ++c) rates.columns[c].values.push_back(row[c]);
+        if (cycles["dN"][k] > 0.0) {
+            const auto mean = [&](const char* column) { return 0.5 * (cycles[column][first] + cycles[column][k]); };
+            const double rate = (cycles["a"][k] - cycles["a"][first]) / cycles["dN"][k];
+            const std::array row = {mean("a"), rate, 0.5 * (range(first) + range(k)), mean("dK_eff")};
+            for (std::size_t c = 0; c < row.size(); ++c) rates.columns[c].values.push_back(row[c]);
+        }
+        if (cycles["dN"][k] > 0.0 || cycles["a"][k] == cycles["a"][first]) first = k;
     }
     return rates;
 }
@@ -208,9 +215,9 @@ std::vector<Figure> cycle_figures(const RunRecord& run) {
     if (run.cycles.rows == 0) return {};
     std::vector<Figure> figures;
     if (grows(growth_rates(run, 0))) figures.push_back(growth(run));
-    // Where it is prescribed the rate is given, not found.
+    // Where it is prescribed the rate is given, not found. A mean rate is that of many ranges.
     const bool given = run.input && run.input->growth && run.input->growth->law == GrowthLaw::Prescribed;
-    if (!given) figures.push_back(rates(run));
+    if (!given && !(run.input && coarse::takes_mean_rate(*run.input))) figures.push_back(rates(run));
     const bool never_touch = run.input && std::ranges::none_of(run.input->cracks, [](const CrackSection& crack) {
                                  return crack.contact.has_value();
                              });

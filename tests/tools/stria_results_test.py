@@ -84,6 +84,12 @@ class Rates(Folder):
         self.assertAlmostEqual(table["dKeff_MPa_sqrt_m"][0], 0.75 * 310.0 / math.sqrt(1000.0), 12)
         self.assertAlmostEqual(table["R"][0], -1.0, 12)
 
+    def test_secants_are_of_all_growth_that_is_counted(self):
+        run = self.write_cycles("run", [0.0, 0.0, 0.0, 1000.0, 1000.0], [10.0, 10.0, 10.5, 11.0, 11.0], [300.0, 320.0, 500.0, 340.0, 600.0], 0.1, 0.25)
+        table = results.e647(run).columns
+        self.assertEqual(table["dadN_mm_per_cycle"], [0.001])
+        self.assertAlmostEqual(table["Kmax_MPa_sqrt_m"][0], 330.0 / math.sqrt(1000.0), 12)
+
     def test_polynomials_of_a_parabola_are_its_slope(self):
         N = [100.0 * k * k for k in range(9)]
         a = [10.0 + 1e-3 * n + 1e-7 * n * n for n in N]

@@ -125,6 +125,19 @@ TEST(Report, GrowthRatesAreSecantsAtTheMeanOfTheirRanges) {
     EXPECT_EQ(rates["dK_eff"], (std::vector<double>{210.0}));
 }
 
+// Behind a turn, or under a load that varies.
+TEST(Report, GrowthRatesAreOfAllThatIsCounted) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "history.csv") << "increment,cycle,load_factor,tip,a\n";
+    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n"
+                                            "1,0,10,0,0,290,0,190\n2,0,10,0,0,300,0,200\n3,0,10.5,0.5,0,400,0,400\n"
+                                            "4,0,11,0.5,1000,310,0,220\n5,0,11,0,0,320,0,230\n";
+    const charts::Sheet rates = growth_rates(read_run(folder / ""), 0);
+    EXPECT_EQ(rates["a"], (std::vector<double>{10.5}));
+    EXPECT_EQ(rates["dadN"], (std::vector<double>{0.001}));
+    EXPECT_EQ(rates["dK_eff"], (std::vector<double>{210.0}));
+}
+
 TEST(Report, OfAThousandCyclesIsBelowTwoMegabytes) {
     const test::TemporaryFolder folder;
     write_long_run(folder, 1000, 60);
