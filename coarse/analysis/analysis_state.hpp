@@ -76,6 +76,7 @@ struct AnalysisState {
     GrowthIncrementMemory growth_increment;
     PeriodMemory growth_period;
     double uncounted_growth = 0.0;  // behind a sharp turn, mm (LifeCount)
+    std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

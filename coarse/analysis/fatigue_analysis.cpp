@@ -20,7 +20,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
       closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks,
                             body_.largest_K_I_at_start()),
                from != nullptr ? from->closure : ClosureMemory()),
-      cycle_meter_(scene.input.closure.definition, closure_.meter(), body_.nominal().size()),
+      cycle_meter_(scene.input, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
     if (scene.input.growth) growth_.emplace(scene.input, listener_.note, from);
@@ -76,7 +76,7 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted(openings(accepted_.tips), closure_.met());
-        if (growth_ && growth_->is_due(*step, last_cycle_)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
+        if (growth_ && growth_->is_due(accepted_)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
     }

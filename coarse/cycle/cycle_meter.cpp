@@ -20,6 +20,14 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double K, boo
     }
 }
 
+/// Where a crack grows at its minimum loading begins with the longer one, whose K that load gives.
+void begin_loading_again(CycleResult& cycle) {
+    constexpr CycleResult none;
+    cycle.K_min = none.K_min;
+    cycle.CTOD.least = none.CTOD.least;
+    cycle.opening_behind.least = none.opening_behind.least;
+}
+
 /// `loading`: K rises to the increment's end, or the cycle ends there. With load cases it may rise in any part of it.
 void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, bool loading) {
     const TipResult& tip = increment.tips[t];
@@ -42,8 +50,9 @@ void note_slip(double& K_slip, const OpeningChange& change, double K) {
 
 }  // namespace
 
-CycleMeter::CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips)
-    : definition_(definition), signals_(closure.signals()) {
+CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, std::size_t tips)
+    : definition_(input.closure.definition), K_is_asked_(input.load.control == Control::StressIntensity),
+      signals_(closure.signals()) {
     now_.tips.resize(tips);
 }
 
@@ -76,6 +85,7 @@ void CycleMeter::add(const Increment& increment) {
         Tip& tip = now_.tips[t];
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, !loading && !growing);
+        if (increment.tips[t].a > tip.cycle.a && !K_is_asked_) begin_loading_again(tip.cycle);
         take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())
@@ -91,9 +101,12 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({increment.nominal_K[t], increment.K_beside(t), tip.CMOD, increment.load_factor,
-                             growing ? tip.plastic_zone : 0.0, growing ? tip.plastic_zone_axis : 0.0});
-        if (now_.length.size() <= t) now_.length.push_back(tip.a);
+        now_.last.push_back({tip.x, tip.y, increment.nominal_K[t], increment.K_beside(t), tip.CMOD,
+                             increment.load_factor, growing ? tip.plastic_zone : 0.0,
+                             growing ? tip.plastic_zone_axis : 0.0});
+        if (now_.x.size() > t) continue;
+        now_.x.push_back(tip.x);
+        now_.y.push_back(tip.y);
     }
 }
 
@@ -125,8 +138,11 @@ std::vector<CycleResult> CycleMeter::finish() {
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         Tip& tip = now_.tips[t];
         CycleResult& cycle = tip.cycle;
-        cycle.da = cycle.a - now_.length[t];
-        now_.length[t] = cycle.a;
+        // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
+        const double x = now_.last[t].x, y = now_.last[t].y;
+        cycle.da = std::hypot(x - now_.x[t], y - now_.y[t]);
+        now_.x[t] = x;
+        now_.y[t] = y;
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(of_signal(tip, s));
         if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
         cycle.offset.K_op = now_.last[t].nominal_K *

@@ -18,7 +18,8 @@ struct CycleMemory {
         std::vector<OpeningLoads> signal;
         Path down, up;
     };
-    struct Station {  // what the next increment, or cycle, starts from
+    struct Station {              // what the next increment, or cycle, starts from
+        double x = 0.0, y = 0.0;  // of the tip, mm
         double nominal_K = 0.0, K_beside = 0.0, CMOD = 0.0, load_factor = 0.0;
         double forward = 0.0, forward_axis = 0.0;  // of flow while the crack grew at its load
 
@@ -28,13 +29,13 @@ struct CycleMemory {
     double last_target = 0.0;
     std::vector<Tip> tips;
     std::vector<Station> last;
-    std::vector<double> length;  // when the last cycle, or the ramp, ended
+    std::vector<double> x, y;  // of the tips when the last cycle, or the ramp, ended, mm
 };
 
 class CycleMeter {
 public:
     CycleMeter() = default;
-    CycleMeter(OpeningDefinition definition, const ClosureMeter& closure, std::size_t tips);
+    CycleMeter(const Case& input, const ClosureMeter& closure, std::size_t tips);
 
     /// Every increment, the one that ends a cycle included.
     void add(const Increment& increment);
@@ -52,6 +53,7 @@ private:
     [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
+    bool K_is_asked_ = false;
     ClosureMeter::Signals signals_;
     CycleMemory now_;
 };

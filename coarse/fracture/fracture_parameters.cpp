@@ -119,6 +119,8 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
         const Tip& tip = scene.enriched.tips[at(t)];
         TipResult result;
         result.a = crack_length(scene, tip);
+        result.x = tip.position.x();
+        result.y = tip.position.y();
         result.CTOD = std::nan("");
         result.CMOD = mouth_opening(rings.elements(), tip.crack, u);
         put_openings(scene.enriched, t, u, report, behind, result);

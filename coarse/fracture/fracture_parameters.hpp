@@ -14,6 +14,7 @@ namespace stria::coarse {
 
 struct TipResult {
     double a = 0.0;                         // mm, docs/method.md, section 9
+    double x = 0.0, y = 0.0;                // of the tip, mm
     double K_I = 0.0, K_II = 0.0;           // MPa sqrt(mm)
     double T_stress = 0.0;                  // MPa
     double J = 0.0;                         // N/mm

@@ -67,9 +67,11 @@ void members(auto& archive, Is<CycleResult> auto& m) {
 }
 
 void members(auto& archive, Is<TipResult> auto& m) {
-    auto& [a, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length, plastic_zone,
-           plastic_zone_axis, K_initial, K_I_of_cases, K_II_of_cases] = m;
+    auto& [a, x, y, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length,
+           plastic_zone, plastic_zone_axis, K_initial, K_I_of_cases, K_II_of_cases] = m;
     archive("a", a);
+    archive("x", x);
+    archive("y", y);
     archive("K_I", K_I);
     archive("K_II", K_II);
     archive("T_stress", T_stress);
@@ -105,7 +107,9 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [nominal_K, K_beside, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [x, y, nominal_K, K_beside, CMOD, load_factor, forward, forward_axis] = m;
+    archive("x", x);
+    archive("y", y);
     archive("nominal_K", nominal_K);
     archive("K_beside", K_beside);
     archive("CMOD", CMOD);
@@ -123,12 +127,13 @@ void members(auto& archive, Is<PeriodMemory> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory> auto& m) {
-    auto& [cycle, last_target, tips, last, length] = m;
+    auto& [cycle, last_target, tips, last, x, y] = m;
     archive("cycle", cycle);
     archive("last_target", last_target);
     archive("tips", tips);
     archive("last", last);
-    archive("length", length);
+    archive("x", x);
+    archive("y", y);
 }
 
 void members(auto& archive, Is<EquilibriumState> auto& m) {
@@ -220,7 +225,7 @@ void members(auto& archive, Is<StillElements> auto& m) {
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
            cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period,
-           uncounted_growth, due_growth, release, load, work, equilibrium, zone] = m;
+           uncounted_growth, K_reached, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
         counts;
     archive("cracks", cracks);
@@ -248,6 +253,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("growth_increment", growth_increment);
     archive("growth_period", growth_period);
     archive("uncounted_growth", uncounted_growth);
+    archive("K_reached", K_reached);
     archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);

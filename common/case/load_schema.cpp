@@ -63,8 +63,9 @@ Section<LoadSection> load_section() {
               "maximum of the next one.");
     s.value("spectrum", &LoadSection::spectrum)
         .says("CSV file, relative to the case file, with a line of names: columns max, min and, if wanted, cycles; or "
-              "one column turning_point, and beside it columns with the names of load cases. Its cycles follow the "
-              "blocks; the "
+              "one column turning_point, and beside it columns with the names of load cases. A cycle is a maximum and "
+              "the minimum after it: turning points before the first maximum and after the last minimum are left "
+              "out, unless load.repeat lets them follow on the end of the file. Its cycles follow the blocks; the "
               "resolved case lists them as blocks.");
     s.value("scale", &LoadSection::scale).positive().says("Multiplies every max and min.");
     s.value("repeat", &LoadSection::repeat).at_least(1).says("How often the whole sequence of blocks is gone through.");

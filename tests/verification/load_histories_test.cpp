@@ -71,6 +71,23 @@ TEST(LoadHistories, ALifeAtConstantKIsThatOfTheLaw) {
     }
 }
 
+// Between constant loads: the life is that of the law to the second order of the increment, wherever in the cycle the
+// crack grows. At R = 0.7 a K_min of the shorter crack would make the range by a quarter too large.
+TEST(LoadHistories, ALifeBetweenConstantLoadsIsTheSameWhereverItGrows) {
+    std::vector<double> lives;
+    for (const GrowthAt at : {GrowthAt::Maximum, GrowthAt::Minimum}) {
+        Case input = elastic_plate();
+        input.load.control = Control::Load;
+        input.load.blocks = {{.cycles = 6, .max = 100.0, .min = 70.0}};
+        input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.031, .at = at, .C = 1e-12, .m = 3.0};
+        double cycles = 0.0;
+        for (const coarse::Increment& increment : run_direct(input).increments)
+            for (const coarse::CycleResult& cycle : increment.cycles) cycles += cycle.dN;
+        lives.push_back(cycles);
+    }
+    EXPECT_NEAR(lives[1], lives[0], 1e-6 * lives[0]);
+}
+
 // A sequence of four cycles and a peak, again and again: a growth takes da / (mean rate) of its cycles, whichever of
 // them is the last one, and the peak counts once.
 TEST(LoadHistories, ALifeUnderARepeatedSequenceIsThatOfItsMeanRate) {
@@ -88,10 +105,10 @@ TEST(LoadHistories, ALifeUnderARepeatedSequenceIsThatOfItsMeanRate) {
             for (const coarse::Increment& increment : run_direct(input).increments)
                 for (const coarse::CycleResult& cycle : increment.cycles)
                     if (cycle.dN > 0.0) counted.push_back(cycle.dN);
-            ASSERT_EQ(counted.size(), 3U);
-            counted.pop_back();  // the last cycle returns to its own maximum
-            // Where cracks grow at minima four cycles are in front of the first growth.
-            if (at == GrowthAt::Minimum) counted.erase(counted.begin());
+            // The last cycle returns to its own maximum. At minima four cycles are in front of the first chance to
+            // grow, which is no whole sequence; and the last cycle begins another one.
+            if (at == GrowthAt::Maximum) counted.pop_back();
+            ASSERT_EQ(counted.size(), 2U);
             for (const double cycles : counted) EXPECT_NEAR(cycles, da / mean, 1e-6 * cycles);
         }
 }
@@ -109,6 +126,56 @@ TEST(LoadHistories, TheCrackBreaksInTheCycleThatReachesItsToughness) {
     EXPECT_EQ(last_cycle(input), 2);
     input.growth->toughness = 130.0;
     EXPECT_EQ(last_cycle(input), 4);
+}
+
+// A crack breaks in the first cycle whose maximum reaches the toughness, be it an overload amid cycles after which
+// nothing grows, or the cracks grow at minima: K_max has reached it in the last cycles, from one growth to the next,
+// and in none before.
+TEST(LoadHistories, ToughnessEndsALifeAtThePeakOfASequence) {
+    constexpr double toughness = 153.0;
+    for (const GrowthAt at : {GrowthAt::Maximum, GrowthAt::Minimum})
+        for (const GrowthLaw law : {GrowthLaw::Paris, GrowthLaw::Prescribed}) {
+            Case input = elastic_plate();
+            input.load.K_gradient = 1.0;  // 1/mm: 2 % more with two growths
+            input.load.blocks = {{.cycles = 3, .max = 100.0, .min = 25.0}, {.cycles = 1, .max = 150.0, .min = 15.0}};
+            input.load.repeat = 20;
+            input.growth = GrowthSection{.law = law, .increment = 0.01, .every = 4, .at = at, .C = 1e-12, .m = 3.0};
+            input.growth->toughness = toughness;
+            std::vector<double> K_max;
+            for (const coarse::Increment& increment : run_direct(input).increments)
+                for (const coarse::CycleResult& cycle : increment.cycles) K_max.push_back(cycle.K_max);
+            const auto first = std::ranges::find_if(K_max, [](double K) { return K >= toughness; });
+            ASSERT_NE(first, K_max.end());
+            EXPECT_LT(K_max.end() - first, 5) << K_max.size();
+        }
+}
+
+// A crack inside that is bent open at one end grows by its fast tip's law: da = C dK^m dN of every tip, where half of
+// the crack grows by the mean of both.
+TEST(LoadHistories, EachOfTwoTipsGrowsByItsOwnRate) {
+    constexpr double C = 1e-12, m = 3.0, increment = 0.1;
+    Case input = specimen("plate", 40.0, {{18.0, 20.0}, {22.0, 20.0}});
+    input.mesh.width = 40.0;
+    input.mesh.size = 40.0 / 81.0;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    for (BoundarySection& end : input.boundaries) {
+        end.traction_gradient(1, 0) = 0.3 * end.traction->y();
+        end.origin = Vec2(20.0, 0.0);
+    }
+    input.load = {.steps = 2, .blocks = {{.cycles = 5, .max = 10.0, .min = 0.0}}};
+    input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = increment, .C = C, .m = m};
+    std::vector<std::vector<coarse::CycleResult>> cycles;
+    for (const coarse::Increment& step : run_direct(input).increments)
+        if (!step.cycles.empty()) cycles.push_back(step.cycles);
+    ASSERT_EQ(cycles.size(), 5U);
+    const auto rate = [](const coarse::CycleResult& cycle) { return C * std::pow(cycle.K_max, m); };
+    for (std::size_t k = 1; k < cycles.size(); ++k) {
+        const coarse::CycleResult &slow = cycles[k][0], &fast = cycles[k][1], &before = cycles[k - 1][1];
+        EXPECT_LT(rate(slow), 0.5 * rate(fast));
+        EXPECT_NEAR(fast.da, increment, 1e-9);
+        EXPECT_NEAR(slow.da, increment * rate(cycles[k - 1][0]) / rate(before), 1e-9);
+        EXPECT_NEAR(fast.dN, 0.5 * increment * (1.0 / rate(before) + 1.0 / rate(fast)), 1e-6 * fast.dN);
+    }
 }
 
 /// K_op / K_max of the shipped overload in every cycle, the peak at the end of number `before`.

@@ -46,23 +46,24 @@ CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisStat
       ended_(from != nullptr && from->growth_ended),
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
-      life_(from != nullptr ? from->uncounted_growth : 0.0) {}
+      life_(from != nullptr ? from->uncounted_growth : 0.0),
+      K_reached_(from != nullptr ? from->K_reached : std::vector<double>()) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
     state.growth_increment = increment_.memory();
     state.growth_period = rates_.memory();
     state.uncounted_growth = life_.uncounted();
+    state.K_reached = K_reached_;
 }
 
-bool CrackGrowth::is_due(const LoadStep& reached, const std::vector<CycleResult>& last) const {
-    return grows_at(growth_, reached) || (reached.ends_cycle && break_in(last));
-}
-
-bool CrackGrowth::breaks(const CycleResult& tip) const { return growth_.toughness && tip.K_max >= *growth_.toughness; }
-
-bool CrackGrowth::break_in(const std::vector<CycleResult>& cycles) const {
-    return std::ranges::any_of(cycles, [&](const CycleResult& tip) { return breaks(tip); });
+// A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
+bool CrackGrowth::is_due(const Increment& reached) {
+    const LoadStep& step = reached.step;
+    K_reached_.resize(reached.tips.size(), 0.0);
+    for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
+    if (grows_at(growth_, step)) return true;
+    return broken_tip() >= 0 && step.ends_cycle && (!takes_mean_ || ends_period(growth_, step.cycle));
 }
 
 GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors, const std::vector<TipResult>& reached,
@@ -72,13 +73,16 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
-    if (!is_over(nominal, last)) {
+    if (!is_over(nominal)) {
+        // At minima the first chance to grow has a cycle less behind it, which would leave one out of the mean.
+        if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
         const std::vector<TipResult> guides =
             directing(present.input.cracks, present.enriched.tips,
                       factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
         grown = along_first_of(body, ways(present, guides, last));
     }
     ended_ = !grown.longer;
+    if (grown.longer) K_reached_.clear();
     return grown;
 }
 
@@ -135,22 +139,26 @@ void CrackGrowth::require_drive(const std::vector<double>& rates) const {
 
 bool CrackGrowth::is_driven() const { return fastest_rate(rates_.present()) > 0.0; }
 
-bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const {
+int CrackGrowth::broken_tip() const {
+    if (!growth_.toughness) return -1;
+    const auto tip = std::ranges::find_if(K_reached_, [&](double K) { return K >= *growth_.toughness; });
+    return tip != K_reached_.end() ? static_cast<int>(tip - K_reached_.begin()) : -1;
+}
+
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal) const {
+    if (const int tip = broken_tip(); tip >= 0) {
+        note_(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", tip, K_reached_[at(tip)]));
+        return true;
+    }
     if (!rates_.present().empty() && !is_driven()) {
         note_("nothing drives a tip any more: the crack is arrested");
         return true;
     }
-    for (std::size_t t = 0; t < nominal.size(); ++t) {
-        if (is_as_long_as_asked(growth_, nominal[t].a)) {
-            note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", t, nominal[t].a));
-            return true;
-        }
-        if (t < last.size() && breaks(last[t])) {
-            note_(fmt::format("tip {}: K_max = {:.6g} MPa sqrt(mm) (growth.toughness)", t, last[t].K_max));
-            return true;
-        }
-    }
-    return false;
+    const auto longest =
+        std::ranges::find_if(nominal, [&](const auto& t) { return is_as_long_as_asked(growth_, t.a); });
+    if (longest == nominal.end()) return false;
+    note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", longest - nominal.begin(), longest->a));
+    return true;
 }
 
 // The first way that the mesh can hold.
@@ -186,8 +194,7 @@ void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, cons
     for (const CycleResult& tip : cycles) grown.push_back(tip.da);
     rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
     if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
-    const bool is_known = !takes_mean_ || ends_period(growth_, cycle) || break_in(cycles);
-    const double passed = is_known ? cycles_of_period(present) : 0.0;
+    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present) : 0.0;
     for (CycleResult& tip : cycles) tip.dN = passed;
 }
 

@@ -8,6 +8,7 @@
 #include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/analysis/growth/life_count.hpp"
 #include "coarse/analysis/growth/period_rates.hpp"
+#include "coarse/cycle/increment.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
@@ -32,14 +33,15 @@ public:
     /// A tip grows by the law, from what the tips have gone through.
     [[nodiscard]] bool is_driven() const;
 
-    /// The cracks grow at the load `reached`, or break there: the `last` cycle has brought K to the toughness.
-    [[nodiscard]] bool is_due(const LoadStep& reached, const std::vector<CycleResult>& last) const;
+    /// Takes what K loading has `reached`. True where the cracks grow there, or a K as large as growth.toughness ends
+    /// the run.
+    [[nodiscard]] bool is_due(const Increment& reached);
 
     /// The scene with each tip advanced by the law, from what it has gone through up to the end of the `last` cycle, in
     /// the direction that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first
-    /// cycle of a law of da/dN has ended, and where growth ends the run: no tip is driven, a limit of [growth] is
-    /// reached, or a crack would leave the body or meet another one. Throws NumericalFailure where what drives the
-    /// growth was not found in a cycle that tells its rate.
+    /// cycle of a law of da/dN has ended, or the first period whose mean it takes, and where growth ends the run: no
+    /// tip is driven, a limit of [growth] is reached, or a crack would leave the body or meet another one. Throws
+    /// NumericalFailure where what drives the growth was not found in a cycle that tells its rate.
     [[nodiscard]] GrownScene next(const CrackedBody& body, const LoadFactors& factors,
                                   const std::vector<TipResult>& reached, const std::vector<CycleResult>& last);
 
@@ -49,10 +51,9 @@ public:
 
 private:
     void require_drive(const std::vector<double>& rates) const;
-    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
-    /// K reaches the toughness.
-    [[nodiscard]] bool breaks(const CycleResult& tip) const;
-    [[nodiscard]] bool break_in(const std::vector<CycleResult>& cycles) const;
+    /// A tip whose K has reached growth.toughness since it grew, or -1.
+    [[nodiscard]] int broken_tip() const;
+    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal) const;
     /// That the growth at the beginning of the present period took.
     [[nodiscard]] double cycles_of_period(const Scene& present);
     using Cracks = std::vector<CrackSection>;
@@ -72,6 +73,7 @@ private:
     GrowthIncrement increment_;
     PeriodRates rates_;
     LifeCount life_;
+    std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
 };
 
 }  // namespace stria::coarse

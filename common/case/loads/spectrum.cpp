@@ -30,6 +30,22 @@ std::vector<std::size_t> turns(const std::vector<double>& values) {
     return turns;
 }
 
+/// Of a sequence that is gone through again and again: what comes before its first maximum follows its last point.
+void close(std::vector<std::size_t>& turning, const std::vector<double>& values) {
+    if (turning.size() < 3) return;
+    const auto value = [&](std::size_t k) { return values[turning[k]]; };
+    const std::size_t last = turning.size() - 1;
+    const bool begins_with_maximum = value(0) > value(1), ends_with_maximum = value(last) > value(last - 1);
+    if (begins_with_maximum && ends_with_maximum) {  // one turn, with nothing between them
+        if (value(last) > value(0)) turning.front() = turning.back();
+        turning.pop_back();
+    } else if (!begins_with_maximum && ends_with_maximum) {
+        turning.push_back(turning.front());
+    } else if (!begins_with_maximum && value(0) < value(last)) {
+        turning.back() = turning.front();
+    }
+}
+
 /// The main history alone says where the load turns.
 void require_straight(const std::filesystem::path& path, const NumberTable& table, const std::string& name,
                       const std::vector<std::size_t>& turning) {
@@ -48,13 +64,14 @@ void require_straight(const std::filesystem::path& path, const NumberTable& tabl
 }
 
 Spectrum from_turning_points(const std::filesystem::path& path, const NumberTable& table,
-                             const std::vector<std::string>& cases) {
+                             const std::vector<std::string>& cases, bool repeats) {
     for (const auto& [name, values] : table.columns)
         for (std::size_t row = 0; row < values.size(); ++row)
             if (!std::isfinite(values[row])) reject(path, row, "must be a number");
     const std::vector<double>& main = table["turning_point"];
-    const std::vector<std::size_t> turning = turns(main);
+    std::vector<std::size_t> turning = turns(main);
     for (const std::string& name : cases) require_straight(path, table, name, turning);
+    if (repeats) close(turning, main);
     Spectrum spectrum;
     spectrum.cases.resize(cases.size());
     for (std::size_t k = 0; k + 1 < turning.size(); ++k) {
@@ -104,14 +121,14 @@ void check_columns(const std::filesystem::path& path, const NumberTable& table, 
 
 }  // namespace
 
-Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std::string>& cases) {
+Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std::string>& cases, bool repeats) {
     const NumberTable table = read_table(path);
     if (table.columns.empty()) throw CaseError(fmt::format("{}: load.spectrum: cannot be read", path.string()));
     if (table.cut_off) reject(path, table.rows, "has not as many cells as the line of names");
     check_columns(path, table, cases);
     Spectrum spectrum;
     if (table.columns.contains("turning_point"))
-        spectrum = from_turning_points(path, table, cases);
+        spectrum = from_turning_points(path, table, cases, repeats);
     else if (table.columns.contains("max") && table.columns.contains("min"))
         spectrum.blocks = from_cycles(path, table);
     else
@@ -130,7 +147,7 @@ void take_spectrum(Case& whole, const std::filesystem::path& folder) {
         names.push_back(load_case.name);
     }
     const std::filesystem::path file = folder / *whole.load.spectrum;
-    const Spectrum spectrum = read_spectrum(file, names);
+    const Spectrum spectrum = read_spectrum(file, names, whole.load.repeat > 1 && whole.load.blocks.empty());
     if (!names.empty() && !whole.load.blocks.empty())
         throw CaseError(
             fmt::format("{}: load.spectrum: the load case \"{}\" is a column of it and has no factor in the "

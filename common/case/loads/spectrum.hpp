@@ -15,9 +15,11 @@ struct Spectrum {
 
 /// Columns `max`, `min` and, if wanted, `cycles`; or `turning_point`: values between two turns are passed over, a cycle
 /// is a maximum and the minimum after it, and what comes before the first maximum or after the last minimum is left
-/// out. Beside it stands a column for each of `cases`: its factors in the same lines; where turning_point does not turn
-/// they must lie on the straight line. Throws CaseError: what is wrong, and in which line.
-Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std::string>& cases = {});
+/// out, unless the sequence `repeats`, when it follows on its own end. Beside it stands a column for each of `cases`:
+/// its factors in the same lines; where turning_point does not turn they must lie on the straight line. Throws
+/// CaseError: what is wrong, and in which line.
+Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std::string>& cases = {},
+                       bool repeats = false);
 
 /// Reads load.spectrum of a case file in `folder`: its cycles follow the blocks. Load cases without a history of their
 /// own are columns of it.

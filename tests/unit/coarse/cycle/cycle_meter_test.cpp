@@ -11,10 +11,9 @@ namespace {
 class CycleMeterTest : public testing::Test {
 protected:
     CycleMeterTest() {
-        Case input;
         input.material.yield_stress = 300.0;
         closure = ClosureMeter(input.closure, {300.0}, input.cracks, {500.0});
-        meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+        meter = CycleMeter(input, closure, 1);
     }
 
     /// At a load of the crack `a` long, whose K is ten times the load.
@@ -27,6 +26,7 @@ protected:
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
+                                  .x = way * a,
                                   .J = load,
                                   .CTOD = 1e-3 * load,
                                   .CMOD = load,
@@ -35,9 +35,10 @@ protected:
         meter.add(increment);
     }
 
+    Case input;
     ClosureMeter closure;
     CycleMeter meter;
-    double initial_K = 0.0;
+    double initial_K = 0.0, way = 1.0;  // of the tip, over the length that the crack is said to have
 };
 
 TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
@@ -84,11 +85,50 @@ TEST_F(CycleMeterTest, StartsWithTheCrackAsItHasGrown) {
     EXPECT_EQ(cycle.cyclic, 0.0);
 }
 
+// `a` is half of a crack with two tips, and one of them may be the faster one.
+TEST_F(CycleMeterTest, ATipGrowsByItsOwnWay) {
+    way = -1.5;
+    go(0, 20.0, 1.0, false);
+    go(1, 0.0, 1.0, false);
+    go(1, 20.0, 1.0, false);
+    EXPECT_EQ(meter.finish().at(0).da, 0.0);
+    go(1, 20.0, 1.5, false);  // grows
+    go(2, 0.0, 1.5, false);
+    go(2, 20.0, 1.5, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.a, 1.5);
+    EXPECT_EQ(cycle.da, 0.75);
+}
+
+// Many cycles between the same loads, each with the crack as it is in them.
+TEST_F(CycleMeterTest, GrowthAtAMinimumLeavesTheKOfTheLongerCrackThere) {
+    go(0, 20.0, 1.0, false);
+    go(1, 10.0, 1.0, false);
+    go(1, 10.0, 1.5, false);  // grows
+    go(1, 20.0, 1.5, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_max, 300.0);
+    EXPECT_EQ(cycle.K_min, 150.0);
+}
+
+// There a load is K / K_1(a) of the length at which the way to it begins, and K is what many cycles hold.
+TEST_F(CycleMeterTest, UnderControlOfKGrowthAtAMinimumLeavesTheKAskedFor) {
+    input.load.control = Control::StressIntensity;
+    meter = CycleMeter(input, closure, 1);
+    go(0, 20.0, 1.0, false);
+    go(1, 10.0, 1.0, false);
+    go(1, 10.0, 1.25, false);  // grows
+    go(1, 16.0, 1.25, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_max, 200.0);
+    EXPECT_EQ(cycle.K_min, 100.0);
+}
+
 // An overload counts once, in the cycle that reaches it. Nor does a crack count that grows at the load which was for
 // the shorter one, by as much as a law makes of many cycles.
 TEST_F(CycleMeterTest, TheMaximumThatItStartsFromIsThatOfTheCycleBefore) {
     for (const double start : {20.0, 30.0}) {
-        meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+        meter = CycleMeter(input, closure, 1);
         go(0, start, 1.0, false);
         go(0, start, 1.25, false);  // grows
         go(1, 15.0, 1.25, false);
@@ -152,12 +192,11 @@ TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
 }
 
 TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
-    Case input;
     input.closure.profile = {0.5};
     input.cracks.resize(1);
     input.cracks[0].contact = ContactSection{0.3};
     closure = ClosureMeter(input.closure, {300.0}, input.cracks, {500.0});
-    meter = CycleMeter(OpeningDefinition::Contact, closure, 1);
+    meter = CycleMeter(input, closure, 1);
     go(0, 20.0, 1.0, true);
     const auto slides = [](int distance, double load) { return OpeningChange{0, 2 + distance, true, load}; };
     for (const int cycle : {1, 2}) {

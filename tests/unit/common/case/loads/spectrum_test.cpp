@@ -13,9 +13,9 @@ namespace {
 
 class Spectrum : public testing::Test {
 protected:
-    std::vector<LoadBlock> read(const std::string& text) {
+    std::vector<LoadBlock> read(const std::string& text, bool repeats = false) {
         std::ofstream(folder / "s.csv") << text;
-        return read_spectrum(folder / "s.csv").blocks;
+        return read_spectrum(folder / "s.csv", {}, repeats).blocks;
     }
     std::string complaint(const std::string& text) {
         try {
@@ -41,6 +41,18 @@ TEST_F(Spectrum, MayComeFromASpreadsheet) {
 
 TEST_F(Spectrum, OrTurningPoints) {
     EXPECT_EQ(read("turning_point\n-1\n3\n5\n5\n2\n4\n1\n9\n"), (std::vector<LoadBlock>{{1, 5.0, 2.0}, {1, 4.0, 1.0}}));
+}
+
+// Gone through again and again it has no ends: each turn counts, wherever the file begins.
+TEST_F(Spectrum, ASequenceThatRepeatsFollowsOnItsOwnEnd) {
+    const std::vector<LoadBlock> from_maximum{{1, 100.0, -50.0}, {1, 150.0, 40.0}, {1, 80.0, 10.0}};
+    EXPECT_EQ(read("turning_point\n10\n100\n-50\n150\n40\n80\n", true), from_maximum);
+    EXPECT_EQ(read("turning_point\n20\n100\n-50\n150\n40\n80\n10\n", true), from_maximum);
+    EXPECT_EQ(read("turning_point\n10\n100\n-50\n150\n40\n80\n20\n", true), from_maximum);
+    EXPECT_EQ(read("turning_point\n100\n-50\n150\n40\n80\n10\n", true), from_maximum);
+    EXPECT_EQ(read("turning_point\n100\n-50\n150\n40\n80\n10\n90\n", true), from_maximum);
+    EXPECT_EQ(read("turning_point\n60\n-50\n150\n40\n80\n10\n100\n", true),
+              (std::vector<LoadBlock>{{1, 100.0, -50.0}, {1, 150.0, 40.0}, {1, 80.0, 10.0}}));
 }
 
 TEST_F(Spectrum, SaysWhatIsWrongAndWhere) {
