@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/fracture/domain_sums.hpp"
 #include "common/integration/moved_field.hpp"
 #include "common/predictor.hpp"
 #include "common/substructure/substructure.hpp"
@@ -124,10 +125,10 @@ struct FaceSample {
     std::int32_t status = 0;  // 0 open, 1 stick or frictionless contact, 2 slip
 };
 
-/// The zone's share in the integrals over a ring: bulk and faces under pressure. Units: domain_integral.hpp.
+/// The zone's share in the integrals over a ring: bulk and faces under pressure.
 struct RingReport {
     std::int32_t tip = 0, number = 0;
-    double J = 0, interaction_I = 0, interaction_II = 0, interaction_T = 0;
+    DomainIntegral sums;
 };
 
 /// What a tip shows inside the zone.

@@ -37,12 +37,12 @@ struct RingValues {
 std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
                                   const coupling::StepReport& report) {
     for (const coupling::RingReport& share : report.rings) {
-        if (share.tip == t)
-            total[at(share.number)] += {share.J, share.interaction_I, share.interaction_II, share.interaction_T};
+        if (share.tip == t) total[at(share.number)] += share.sums;
     }
     const double modulus = scene.elastic(scene.enriched.tips[at(t)]).plane_modulus();
     std::vector<RingValues> values;
-    for (const DomainIntegral& sum : total) {
+    for (const DomainIntegral& of_ring : total) {
+        const DomainIntegral sum = of_ring.without_rotation();
         values.push_back({sum.J, modulus / 2.0 * sum.interaction_I, modulus / 2.0 * sum.interaction_II,
                           modulus * sum.interaction_T});
     }

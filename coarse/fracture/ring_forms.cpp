@@ -116,22 +116,29 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
     const int side = scene.enriched.element_side[at(op.element)];
     const ElementForm<Operator> zero(op);
     std::vector<std::array<ElementForm<Operator>, 3>> forms(entered.size(), {zero, zero, zero});
+    std::vector<Eigen::Vector3d> turning(entered.size(), Eigen::Vector3d::Zero());
     for (std::size_t q = 0; q < op.points.size(); ++q) {
         const IntegrationPoint& point = op.points[q];
         const std::array<AuxiliaryField, 3> fields = auxiliary.at(point.x, point.side != 0 ? point.side : side);
         const CornerGradients& gradients = corner_gradients(op, scene.enriched, q);
         for (std::size_t k = 0; k < entered.size(); ++k) {
             const Vec2 dq = gradients.transpose() * entered[k].q;
-            for (std::size_t mode = 0; mode < 3; ++mode)
-                forms[k][mode].add(op, q, elastic, MutualWeights(fields[mode], about.direction, dq), about.direction);
+            for (std::size_t mode = 0; mode < 3; ++mode) {
+                const MutualWeights weights(fields[mode], about.direction, dq);
+                forms[k][mode].add(op, q, elastic, weights, about.direction);
+                turning[k][static_cast<Eigen::Index>(mode)] +=
+                    point.weight * weights.slope.dot(turned(about.direction));
+            }
         }
     }
     first_.push_back(forms_.size());
-    for (const std::array<ElementForm<Operator>, 3>& of_ring : forms)
-        for (const ElementForm<Operator>& form : of_ring) {
+    for (std::size_t k = 0; k < forms.size(); ++k) {
+        for (const ElementForm<Operator>& form : forms[k]) {
             const typename Operator::Values values = form.values(op);
             forms_.insert(forms_.end(), values.begin(), values.end());
         }
+        forms_.insert(forms_.end(), turning[k].begin(), turning[k].end());
+    }
 }
 
 std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, const Eigen::VectorXd& u) const {
@@ -143,18 +150,30 @@ std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, co
         const auto local = gather(u, op.unknowns);
         const ElementStrains strains(op, local);
         Eigen::Vector4d own = Eigen::Vector4d::Zero();  // what J has of q at each corner
+        double area = 0.0, turn = 0.0;
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Eigen::Matrix2d gradient = strains.gradient(q);
             const Mandel strain = strains.strain(q, gradient), stress = elastic * strain;
             const Vec2 momentum = energy_momentum(about, stress, gradient, 0.5 * stress.dot(strain));
             own += corner_gradients(op, scene.enriched, q) * (op.points[q].weight * momentum);
+            area += op.points[q].weight;
+            turn += op.points[q].weight * rotation(gradient);
         }
         const double* form = forms_.data() + first_[place];
         for (const auto& [ring, q] : weights_.of(place)) {
             const Eigen::Vector3d mutual =
                 Eigen::Map<const Eigen::MatrixX3d>(form, local.size(), 3).transpose() * local;
-            result[ring] += {own.dot(q), mutual[0], mutual[1], mutual[2]};
-            form += 3 * local.size();
+            const double* of_turning = form + 3 * local.size();
+            result[ring] += {.J = own.dot(q),
+                             .interaction_I = mutual[0],
+                             .interaction_II = mutual[1],
+                             .interaction_T = mutual[2],
+                             .area = area,
+                             .rotation = turn,
+                             .turned_I = of_turning[0],
+                             .turned_II = of_turning[1],
+                             .turned_T = of_turning[2]};
+            form = of_turning + 3;
         }
     };
     for (std::size_t place = 0; place < first_.size(); ++place) {

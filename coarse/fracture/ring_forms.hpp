@@ -32,7 +32,8 @@ private:
     int tip_;
     std::vector<Annulus> rings_;
     RingWeights weights_;
-    std::vector<double> forms_;  // element by element, ring by ring: I, then II, then T of each value of the element
+    // Element by element, ring by ring: I, then II, then T of each value of the element; the same of a rotation by 1.
+    std::vector<double> forms_;
     std::vector<std::size_t> first_;  // of each element
 };
 

@@ -21,7 +21,7 @@ RingIntegrals StructureRings::unknown() const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     RingIntegrals integrals;
     for (const RingForms& tip : tips_)
-        integrals.emplace_back(tip.rings().size(), DomainIntegral{none, none, none, none});
+        integrals.emplace_back(tip.rings().size(), DomainIntegral{.J = none, .rotation = none});
     return integrals;
 }
 

@@ -59,9 +59,7 @@ private:
     [[nodiscard]] bool has_small_elements(const CrackPath& path) const {
         const double length = path.pieces.back().s.back() - path.pieces.front().s.front();
         const auto is_small = [&](const CrackPiece& piece) {
-            const auto& nodes = mesh_.elements[at(piece.element)];
-            const double diagonal = (mesh_.nodes[at(nodes[2])] - mesh_.nodes[at(nodes[0])]).norm();
-            return diagonal / std::numbers::sqrt2 < tip_enrichment_.none_below * length;
+            return diagonal(mesh_, piece.element) / std::numbers::sqrt2 < tip_enrichment_.none_below * length;
         };
         return (!path.tip_at_start || is_small(path.pieces.front())) &&
                (!path.tip_at_end || is_small(path.pieces.back()));
@@ -228,10 +226,9 @@ private:
     }
 
     [[nodiscard]] double disk_radius(const Tip& tip, const CrackPiece& piece) const {
-        const auto& nodes = mesh_.elements[at(piece.element)];
-        const double diagonal = (mesh_.nodes[at(nodes[2])] - mesh_.nodes[at(nodes[0])]).norm();
-        const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * diagonal);
-        if (!tip_enrichment_.radius) return std::min(0.75 * reach, tip_enrichment_.most_diagonals * diagonal);
+        const double size = diagonal(mesh_, piece.element);
+        const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * size);
+        if (!tip_enrichment_.radius) return std::min(0.75 * reach, tip_enrichment_.most_diagonals * size);
         if (*tip_enrichment_.radius <= reach) return *tip_enrichment_.radius;
         throw CaseError(fmt::format(
             "fine.enrichment_radius: {} mm is too large for the tip at ({}, {}): the boundary, "

@@ -23,9 +23,8 @@ Edge edge_of(const Mesh& mesh, int element, int k) {
 bool is_too_large(const Mesh& mesh, int element, const RefinedDisk& disk) {
     if (mesh.level[at(element)] >= disk.levels) return false;
     const auto& nodes = mesh.elements[at(element)];
-    const double half_diagonal = (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm() / 2.0;
-    const double distance =
-        std::max(0.0, distance_to_segment(centre(mesh, element), disk.from, disk.to) - half_diagonal);
+    const double to_centre = distance_to_segment(centre(mesh, element), disk.from, disk.to);
+    const double distance = std::max(0.0, to_centre - diagonal(mesh, element) / 2.0);
     if (distance > disk.radius) return false;
     double longest = 0.0;
     for (std::size_t k = 0; k < 4; ++k)

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "coarse/model/boundary_conditions.hpp"
+#include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -83,8 +84,7 @@ double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
     double size = 0.0;
     for (const CrackPiece& piece : mesh.pieces) {  // the crack's first, or its last
         if (piece.crack != tip.crack) continue;
-        const auto& nodes = mesh.elements[at(piece.element)];
-        size = (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm();
+        size = diagonal(mesh, piece.element);
         if (tip.upper < 0) break;
     }
     return size;

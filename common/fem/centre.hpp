@@ -1,6 +1,8 @@
-// The centre of a quadrilateral: the mean of its corners.
+// The centre of a quadrilateral, the mean of its corners, and its size: the same whichever corner it begins with, and
+// for its mirror image.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "common/geometry/vec2.hpp"
@@ -13,10 +15,21 @@ inline Vec2 centre(const std::array<Vec2, 4>& corners) {
     return (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0;
 }
 
+/// The longer of the two diagonals, mm.
+inline double diagonal(const std::array<Vec2, 4>& corners) {
+    return std::max((corners[2] - corners[0]).norm(), (corners[3] - corners[1]).norm());
+}
+
 /// Of an element of a mesh, which has `nodes` and `elements`, mm.
-template <class AnyMesh> Vec2 centre(const AnyMesh& mesh, int element) {
+template <class AnyMesh> std::array<Vec2, 4> corners_of_element(const AnyMesh& mesh, int element) {
     const std::array<int, 4>& n = mesh.elements[at(element)];
-    return (mesh.nodes[at(n[0])] + mesh.nodes[at(n[1])] + mesh.nodes[at(n[2])] + mesh.nodes[at(n[3])]) / 4.0;
+    return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])], mesh.nodes[at(n[3])]};
+}
+template <class AnyMesh> Vec2 centre(const AnyMesh& mesh, int element) {
+    return centre(corners_of_element(mesh, element));
+}
+template <class AnyMesh> double diagonal(const AnyMesh& mesh, int element) {
+    return diagonal(corners_of_element(mesh, element));
 }
 
 }  // namespace stria

@@ -9,7 +9,7 @@ namespace stria {
 RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& elastic, std::vector<Annulus> rings,
                    std::span<const int> among, bool with_inside)
     : mesh_(mesh), tip_(tip), elastic_(elastic), rings_(std::move(rings)), sums_(rings_.size()),
-      auxiliary_(tip, elastic), weights_(mesh, tip, rings_, among, with_inside) {}
+      of_places_(rings_.size()), auxiliary_(tip, elastic), weights_(mesh, tip, rings_, among, with_inside) {}
 
 bool RingSums::enter(int element) {
     const auto found = std::ranges::lower_bound(elements(), element);
@@ -31,7 +31,21 @@ void RingSums::look_at(const IntegrationPoint& point) {
     }
     fields_.push_back(auxiliary_.at(point.x, point.side != 0 ? point.side : side_));
     const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_, point.xi).gradient;
-    for (const auto& [ring, q] : entered_) weighted_.emplace_back(point.weight * (gradient.transpose() * q));
+    const Vec2 turn = turned(tip_.direction);
+    std::array<Vec2, 3> back;
+    std::ranges::transform(fields_.back(), back.begin(), [&](const AuxiliaryField& field) -> Vec2 {
+        return {field.stress_xx * turn.x() + field.stress_xy * turn.y(),
+                field.stress_xy * turn.x() + field.stress_yy * turn.y()};
+    });
+    for (const auto& [ring, q] : entered_) {
+        const Vec2& weighted = weighted_.emplace_back(point.weight * (gradient.transpose() * q));
+        const DomainIntegral of_place{.area = point.weight,
+                                      .turned_I = back[0].dot(weighted),
+                                      .turned_II = back[1].dot(weighted),
+                                      .turned_T = back[2].dot(weighted)};
+        sums_[ring] += of_place;
+        of_places_[ring] += of_place;
+    }
 }
 
 // energy_momentum() and its mutual part (MutualWeights), with what they have in common worked out once.
@@ -41,6 +55,7 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
     const double xx = stress[0], yy = stress[1], xy = stress[3] / std::numbers::sqrt2;
     const auto traction = [&](const Vec2& of) { return Vec2(xx * of.x() + xy * of.y(), xy * of.x() + yy * of.y()); };
     const Vec2 own = traction(slope) - work * along;
+    const double turn = point.weight * rotation(gradient);
     std::array<Vec2, 3> mutual;
     std::ranges::transform(fields_[visited_++], mutual.begin(), [&](const AuxiliaryField& field) -> Vec2 {
         const Vec2 back(field.stress_xx * slope.x() + field.stress_xy * slope.y(),
@@ -50,8 +65,11 @@ void RingSums::add(const IntegrationPoint& point, const Mandel& stress, const Ei
     });
     for (const RingWeights::Entered& entered : entered_) {
         const Vec2& weighted = weighted_[next_weighted_++];
-        sums_[entered.ring] +=
-            {own.dot(weighted), mutual[0].dot(weighted), mutual[1].dot(weighted), mutual[2].dot(weighted)};
+        sums_[entered.ring] += {.J = own.dot(weighted),
+                                .interaction_I = mutual[0].dot(weighted),
+                                .interaction_II = mutual[1].dot(weighted),
+                                .interaction_T = mutual[2].dot(weighted),
+                                .rotation = turn};
     }
 }
 
@@ -64,7 +82,10 @@ void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, 
     const Eigen::Vector4d shape = shape_q4(corners_, point.xi).value;
     for (const auto& [ring, q] : entered_) {
         const double weight = -point.weight * shape.dot(q);
-        sums_[ring] += {weight * own, weight * mutual[0], weight * mutual[1], weight * mutual[2]};
+        sums_[ring] += {.J = weight * own,
+                        .interaction_I = weight * mutual[0],
+                        .interaction_II = weight * mutual[1],
+                        .interaction_T = weight * mutual[2]};
     }
 }
 
@@ -84,8 +105,9 @@ void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {
     for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
         const double q = corner_weights(mesh_, station.element, tip_, rings_[ring]).dot(station.shape);
         const double push = station.weight * load.pressure * q, drag = station.weight * load.shear * q;
-        sums_[ring] += {-push * opening + drag * slip, -push * opening_I + drag * slip_I,
-                        -push * opening_II + drag * slip_II, 0.0};
+        sums_[ring] += {.J = -push * opening + drag * slip,
+                        .interaction_I = -push * opening_I + drag * slip_I,
+                        .interaction_II = -push * opening_II + drag * slip_II};
     }
 }
 

@@ -8,26 +8,13 @@
 
 #include "common/fem/shape_q4.hpp"
 #include "common/fracture/auxiliary_fields.hpp"
+#include "common/fracture/domain_sums.hpp"
 #include "common/fracture/ring_weights.hpp"
 #include "common/fracture/williams.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "common/integration/element_operator.hpp"
 
 namespace stria {
-
-/// What one side of a ring adds up: N/mm, per unit K in the interactions I and II, per N/mm of force in T.
-/// K_I = E'/2 interaction_I, K_II likewise (Williams fields); T = E' interaction_T (point force).
-struct DomainIntegral {
-    double J = 0.0, interaction_I = 0.0, interaction_II = 0.0, interaction_T = 0.0;
-
-    DomainIntegral& operator+=(const DomainIntegral& other) {
-        J += other.J;
-        interaction_I += other.interaction_I;
-        interaction_II += other.interaction_II;
-        interaction_T += other.interaction_T;
-        return *this;
-    }
-};
 
 /// sigma_ij u_i,1 - W delta_1j with axis 1 along the tip: what the integrand of J dots with grad q.
 inline Vec2 energy_momentum(const Tip& tip, const Mandel& stress, const Eigen::Matrix2d& gradient, double work) {
@@ -50,6 +37,12 @@ struct MutualWeights {
     Vec2 slope;
 };
 
+/// What u_,1 is where the body turns by 1.
+inline Vec2 turned(const Vec2& along) { return {-along.y(), along.x()}; }
+
+/// (u_y,x - u_x,y) / 2.
+inline double rotation(const Eigen::Matrix2d& gradient) { return 0.5 * (gradient(1, 0) - gradient(0, 1)); }
+
 /// Sums over the rings of one tip. Weights are worked out once, fields once a point, whatever the number of rings.
 class RingSums {
 public:
@@ -60,7 +53,7 @@ public:
 
     /// Sums start anew. The same points come again, in the same order: what their places say is known by then.
     void clear() {
-        sums_.assign(rings_.size(), {});
+        sums_ = of_places_;
         visited_ = next_weighted_ = 0;
     }
 
@@ -105,6 +98,7 @@ private:
     Elasticity elastic_;
     std::vector<Annulus> rings_;
     std::vector<DomainIntegral> sums_;
+    std::vector<DomainIntegral> of_places_;  // what does not depend on the solution, of the points in weighted_
 
     AuxiliaryFields auxiliary_;
     RingWeights weights_;

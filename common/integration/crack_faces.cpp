@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/enrichment/element_basis.hpp"
+#include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/segment.hpp"
@@ -167,9 +168,8 @@ std::vector<FaceStation> face_stations(const EnrichedMesh& mesh, int crack, int 
     return stations_of(mesh, crack, subcells, [&](const CrackPiece& piece, const Stretch& part) {
         const Tip* tip = tip_with_functions_on(mesh, piece, 0.5 * (part.first + part.last));
         if (tip == nullptr) return gauss_places(part.first, part.last, gauss);
-        const auto& nodes = mesh.elements[at(piece.element)];
         std::vector<Place> places;
-        add_places(*tip, part, shortest * (mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])]).norm(), gauss, places);
+        add_places(*tip, part, shortest * diagonal(mesh, piece.element), gauss, places);
         return places;
     });
 }

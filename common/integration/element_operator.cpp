@@ -19,7 +19,7 @@ class Builder {
 public:
     Builder(const EnrichedMesh& mesh, int element, const CrackPiece* piece, const IntegrationRule& rule)
         : mesh_(mesh), rule_(rule), basis_(mesh, element, piece != nullptr), corners_(basis_.corners()) {
-        size_ = (corners_[2] - corners_[0]).norm();
+        size_ = diagonal(corners_);
         if (piece != nullptr) cut_ = cut_element(corners_, *piece);
         if (basis_.singular()) {
             singular_points_ = mesh.tips;
@@ -183,8 +183,7 @@ IntegrationRule elastic_rule(const EnrichedMesh& mesh, int element, bool cut) {
     if (!basis.singular()) return {};
     const auto& c = basis.corners();
     double distance = 1e300;  // to the nearest tip, in diagonals
-    for (const Tip& tip : mesh.tips)
-        distance = std::min(distance, (tip.position - centre(c)).norm() / (c[2] - c[0]).norm());
+    for (const Tip& tip : mesh.tips) distance = std::min(distance, (tip.position - centre(c)).norm() / diagonal(c));
     if (distance > 3.0) return {.singular_gauss = 3};
     return {.subcells = 2, .singular_gauss = 6, .tip_points = 10};
 }

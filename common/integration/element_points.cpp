@@ -19,8 +19,7 @@ class Placer {
 public:
     Placer(const std::array<Vec2, 4>& corners, const CutElement* cut, std::span<const Vec2> tips, bool singular,
            const IntegrationRule& rule)
-        : corners_(corners), size_((corners[2] - corners[0]).norm()), cut_(cut), tips_(tips), singular_(singular),
-          rule_(rule) {}
+        : corners_(corners), size_(diagonal(corners)), cut_(cut), tips_(tips), singular_(singular), rule_(rule) {}
 
     std::vector<IntegrationPoint> place() {
         for (int j = 0; j < rule_.subcells; ++j) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/clipping.hpp"
@@ -158,7 +159,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen
 
 void fit_weights(const CutElement& cut, const std::array<Vec2, 4>& corners, std::vector<IntegrationPoint>& points) {
     for (IntegrationPoint& point : points) point.side = cut.side_of(point.x);
-    const double length = (corners[2] - corners[0]).norm();
+    const double length = diagonal(corners);
     for (const int side : {1, -1}) {
         const std::vector<Vec2>& polygon = side > 0 ? cut.left : cut.right;
         const Frame frame{polygon.front(), length};

@@ -55,11 +55,7 @@ void add_tips(StepReport& whole, const StepReport& part) {
 void add_rings(StepReport& whole, const StepReport& part) {
     for (const RingReport& share : part.rings) {
         const auto same = [&](const RingReport& r) { return r.tip == share.tip && r.number == share.number; };
-        RingReport& ring = *std::ranges::find_if(whole.rings, same);
-        ring.J += share.J;
-        ring.interaction_I += share.interaction_I;
-        ring.interaction_II += share.interaction_II;
-        ring.interaction_T += share.interaction_T;
+        std::ranges::find_if(whole.rings, same)->sums += share.sums;
     }
 }
 
@@ -118,7 +114,7 @@ void add(PatchResponse& whole, const PatchResponse& part, const std::vector<int>
 
 StepReport sum_of(const std::vector<StepReport>& parts, const std::vector<Ring>& rings) {
     StepReport whole;
-    for (const Ring& ring : rings) whole.rings.push_back({.tip = ring.tip, .number = ring.number});
+    for (const Ring& ring : rings) whole.rings.push_back({.tip = ring.tip, .number = ring.number, .sums = {}});
     for (const StepReport& part : parts) {
         add_tips(whole, part);
         add_rings(whole, part);

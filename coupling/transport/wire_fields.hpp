@@ -113,9 +113,14 @@ void fields(auto& wire, Is<FaceSample> auto& m) {
     wire(crack, s, x, y, opening, slip, pressure, shear, status);
 }
 
+void fields(auto& wire, Is<DomainIntegral> auto& m) {
+    auto& [J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II, turned_T] = m;
+    wire(J, interaction_I, interaction_II, interaction_T, area, rotation, turned_I, turned_II, turned_T);
+}
+
 void fields(auto& wire, Is<RingReport> auto& m) {
-    auto& [tip, number, J, interaction_I, interaction_II, interaction_T] = m;
-    wire(tip, number, J, interaction_I, interaction_II, interaction_T);
+    auto& [tip, number, sums] = m;
+    wire(tip, number, sums);
 }
 
 void fields(auto& wire, Is<TipReport> auto& m) {

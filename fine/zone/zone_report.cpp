@@ -122,10 +122,7 @@ std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::v
         sums.clear();
         add_to(sums, zone.bulk);
         add_tractions(sums, zone, stations);
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
-            const DomainIntegral& sum = sums.values()[k];
-            reports.push_back({t, numbers[k], sum.J, sum.interaction_I, sum.interaction_II, sum.interaction_T});
-        }
+        for (std::size_t k = 0; k < numbers.size(); ++k) reports.push_back({t, numbers[k], sums.values()[k]});
     }
     return reports;
 }

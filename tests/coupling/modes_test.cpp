@@ -189,8 +189,11 @@ std::vector<double> numbers_of(const coupling::StepReport& report) {
     for (const coupling::TipReport& tip : report.tips) {
         numbers.insert(numbers.end(), {tip.CTOD, tip.plastic_zone, tip.plastic_zone_axis, tip.plastic_reach});
     }
-    for (const coupling::RingReport& ring : report.rings)
-        numbers.insert(numbers.end(), {ring.J, ring.interaction_I, ring.interaction_II, ring.interaction_T});
+    for (const coupling::RingReport& ring : report.rings) {
+        const DomainIntegral& sums = ring.sums;
+        numbers.insert(numbers.end(),
+                       {sums.J, sums.interaction_I, sums.interaction_II, sums.interaction_T, sums.area, sums.rotation});
+    }
     for (const coupling::FaceSample& face : report.faces) {
         numbers.insert(numbers.end(), {face.s, face.x, face.y, face.opening, face.slip, face.pressure, face.shear,
                                        static_cast<double>(face.status)});

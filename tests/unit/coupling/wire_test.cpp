@@ -77,7 +77,9 @@ PatchResponse small_response() {
 StepReport small_report() {
     StepReport report;
     report.tips = {{.CTOD = -1, .opening = 2e-3, .plastic_zone = 4.0, .plastic_reach = 5.0}};
-    report.rings = {{.tip = 0, .number = 2, .J = 1.0, .interaction_I = 2.0, .interaction_T = 3.0}};
+    report.rings = {{.tip = 0,
+                     .number = 2,
+                     .sums = {.J = 1.0, .interaction_I = 2.0, .interaction_T = 3.0, .rotation = 4.0, .turned_T = 5.0}}};
     report.faces = {{.crack = 0, .s = 0.5, .opening = 1e-3, .pressure = 20.0, .status = 2}, {.crack = 1}};
     report.contact_length = {0.1, 0.2};
     report.mouth_opening = {std::numeric_limits<double>::quiet_NaN(), 0.3};

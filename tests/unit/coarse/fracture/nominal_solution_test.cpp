@@ -1,12 +1,16 @@
 // The nominal solution: near elements tell its K; only the displacement of far ones is missing.
 #include "coarse/fracture/nominal_solution.hpp"
-#include "common/enrichment/same_functions.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "coarse/elements/near_elements.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"
+#include "common/enrichment/same_functions.hpp"
+#include "tests/support/elastic_scene.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -49,6 +53,26 @@ TEST(NominalSolution, IsThatOfTheSameBodyWhereItsTipHasMovedOnInsideItsElement) 
     EXPECT_EQ(moved.tips[0].a, whole.tips[0].a);
     EXPECT_NE(known.tips[0].K_I, whole.tips[0].K_I);
     EXPECT_EQ(moved.fields.mean_displacement, whole.fields.mean_displacement);
+}
+
+// The quadrature of the auxiliary fields in elements as coarse as these does not know that turning does no work.
+TEST(NominalSolution, KDoesNotTellHowTheBodyIsTurned) {
+    Case input = test::pulled_plate(1.0, false, false);
+    input.fine.enrichment = Enrichment::None;
+    input.cracks[0].points = {{0.0, 9.45}, {7.3, 10.97}};
+    const Scene scene = refined_scene(input);
+    const Structure body(scene);
+    const Eigen::VectorXd u = body.expand({}, 1.0);
+    const double strain = 1.0 / input.material.young;
+    const auto parameters = [&](double angle) {
+        const Eigen::Matrix2d turn{{0.0, -angle}, {angle, 0.0}};
+        return fracture_parameters(body, u + test::linear_field(scene.enriched, turn), {}).front();
+    };
+    const TipResult itself = parameters(0.0), turned = parameters(100.0 * strain);
+    EXPECT_NEAR(turned.J, itself.J, 1e-10 * itself.J);
+    EXPECT_NEAR(turned.K_I, itself.K_I, 1e-10 * itself.K_I);
+    EXPECT_NEAR(turned.K_II, itself.K_II, 1e-10 * itself.K_I);
+    EXPECT_NEAR(turned.T_stress, itself.T_stress, 1e-9 * std::abs(itself.T_stress));
 }
 
 }  // namespace

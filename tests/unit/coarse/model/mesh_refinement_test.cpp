@@ -37,6 +37,27 @@ void expect_sound(const Mesh& body) {
     }
 }
 
+/// The same body upside down, each element from its last corner.
+Mesh mirrored(Mesh image) {
+    for (Vec2& x : image.nodes) x.y() = 1.0 - x.y();
+    for (auto& nodes : image.elements) std::ranges::reverse(nodes);
+    for (auto& [name, edges] : image.boundary)
+        for (auto& [element, edge] : edges) edge = (6 - edge) % 4;
+    return image;
+}
+
+TEST(MeshRefinement, OfAMirroredMeshIsTheMirrorImage) {
+    for (int n = 5; n < 15; ++n) {
+        Mesh start = test::distorted(test::square_mesh(n), 0.25 / n);
+        const Mesh image = mirrored(start);
+        for (const double y : {0.3, 0.45, 0.62}) {
+            const Vec2 place(0.4, y), mirror(0.4, 1.0 - y);
+            const auto split = refine(start, {{place, place, 0.15, 1, 0.0}}).splits;
+            EXPECT_EQ(split, refine(image, {{mirror, mirror, 0.15, 1, 0.0}}).splits) << n << ", " << y;
+        }
+    }
+}
+
 TEST(MeshRefinement, GoesOnWhereAMeshIsSplitAlready) {
     const Mesh once = refine(test::distorted(test::square_mesh(5), 0.02), left).mesh;
     const RefinedMesh twice = refine(once, further);

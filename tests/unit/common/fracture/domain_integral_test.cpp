@@ -108,6 +108,32 @@ std::vector<DomainIntegral> ring_sums(const EnrichedMesh& mesh, const ExactField
     return {sums.values().begin(), sums.values().end()};
 }
 
+TEST(RingSums, WithoutItsMeanRotationAFieldLosesNothing) {
+    const EnrichedMesh mesh = cracked(distorted(square_mesh(9), 0.01), {{0.0, 0.41}, {0.52, 0.53}});
+    const Tip& tip = mesh.tips.front();
+    const Elasticity elastic{1000.0, 0.3};
+    std::vector<int> all(mesh.elements.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto sum_with = [&](double angle) {
+        RingSums sums(mesh, tip, elastic, {{0.2, 0.4}}, all);
+        for (const int e : sums.elements()) {
+            sums.enter(e);
+            for (const IntegrationPoint& point : make_operator(mesh, e, piece_in(mesh, e), {}).points) {
+                TipField field = williams_field(1, tip, point.x, point.side, elastic);
+                field.gradient += Eigen::Matrix2d{{0.0, -angle}, {angle, 0.0}};
+                sums.add(point, field.stress, field.gradient, 0.5 * field.stress.dot(strain_of(field.gradient)));
+            }
+        }
+        return sums.values().front();
+    };
+    const DomainIntegral itself = sum_with(0.0), turned = sum_with(10.0);
+    EXPECT_GT(std::abs(turned.interaction_I - itself.interaction_I), 1e-3 * itself.interaction_I);
+    const DomainIntegral left = itself.without_rotation(), of_turned = turned.without_rotation();
+    EXPECT_NEAR(of_turned.interaction_I, left.interaction_I, 1e-9 * left.interaction_I);
+    EXPECT_NEAR(of_turned.interaction_II, left.interaction_II, 1e-9 * left.interaction_I);
+    EXPECT_NEAR(of_turned.interaction_T, left.interaction_T, 1e-9 * left.interaction_I);
+}
+
 TEST(RingSums, GiveBackTheParametersOfExactFields) {
     const Mesh mesh = distorted(square_mesh(21), 0.004);
     for (const auto& crack :
@@ -116,8 +142,9 @@ TEST(RingSums, GiveBackTheParametersOfExactFields) {
             for (const double p : {0.0, 0.8}) {
                 const ExactField field{1.0, -0.4, 0.7, p, -0.75 * p, {1000.0, 0.3, plane}};
                 const double E = field.elastic.plane_modulus();
-                for (const DomainIntegral& sum :
+                for (const DomainIntegral& of_ring :
                      ring_sums(cracked(mesh, crack), field, {{0.2, 0.4}, {0.3, 0.4}, {0.14, 0.28}})) {
+                    const DomainIntegral sum = of_ring.without_rotation();
                     EXPECT_NEAR(E * sum.J, 1.0 + 0.16, 2e-4);
                     EXPECT_NEAR(E / 2.0 * sum.interaction_I, 1.0, 1e-4);
                     EXPECT_NEAR(E / 2.0 * sum.interaction_II, -0.4, 1e-4);

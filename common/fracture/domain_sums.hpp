@@ -1,0 +1,42 @@
+// What a part of a ring adds up to the domain integrals about a tip.
+#pragma once
+
+namespace stria {
+
+/// J in N/mm; interactions per unit K (I and II) and per N/mm of force (T). K_I = E'/2 interaction_I, K_II likewise
+/// (Williams fields); T = E' interaction_T (point force).
+struct DomainIntegral {
+    double J = 0.0, interaction_I = 0.0, interaction_II = 0.0, interaction_T = 0.0;
+
+    // How the solution turns in the ring, and what the quadrature makes of turning alone.
+    double area = 0.0, rotation = 0.0;                       // mm2: the integrals of 1 and of (u_y,x - u_x,y) / 2
+    double turned_I = 0.0, turned_II = 0.0, turned_T = 0.0;  // interactions of the rotation by 1
+
+    DomainIntegral& operator+=(const DomainIntegral& other) {
+        J += other.J;
+        interaction_I += other.interaction_I;
+        interaction_II += other.interaction_II;
+        interaction_T += other.interaction_T;
+        area += other.area;
+        rotation += other.rotation;
+        turned_I += other.turned_I;
+        turned_II += other.turned_II;
+        turned_T += other.turned_T;
+        return *this;
+    }
+
+    /// Of the whole ring: the interactions of what is left of the solution without its mean rotation. A rotation has
+    /// none, for the auxiliary stresses are in equilibrium; but not with the quadrature of their r^(-1/2), so K would
+    /// tell how the body is held.
+    [[nodiscard]] DomainIntegral without_rotation() const {
+        DomainIntegral left = *this;
+        const double mean = area > 0.0 ? rotation / area : 0.0;
+        left.interaction_I -= mean * turned_I;
+        left.interaction_II -= mean * turned_II;
+        left.interaction_T -= mean * turned_T;
+        left.rotation = 0.0;
+        return left;
+    }
+};
+
+}  // namespace stria
