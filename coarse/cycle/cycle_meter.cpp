@@ -37,7 +37,7 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
     cycle.K_min = std::min(cycle.K_min, K);
     if (loading) {
         cycle.K_max = std::max(cycle.K_max, K);
-        cycle.J_max = std::max(cycle.J_max, tip.J);
+        cycle.J_max = std::fmax(cycle.J_max, tip.J);  // NaN where nobody tells J
     }
     cycle.CTOD.include(tip.CTOD, loading);
     cycle.opening_behind.include(tip.opening, loading);

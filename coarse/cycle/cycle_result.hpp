@@ -34,7 +34,7 @@ struct Extremes {
 struct CycleResult {
     double a = 0.0, da = 0.0;  // mm; grown since the cycle before ended
     double K_max = -1e300, K_min = 1e300;
-    double J_max = 0.0;
+    double J_max = std::numeric_limits<double>::quiet_NaN();
     Extremes CTOD, opening_behind;  // mm; the second at closure.distance behind the tip
     double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;  // plastic zones, mm
     std::vector<OpeningLoads> contact;                                          // per distance of the closure meter

@@ -56,15 +56,19 @@ double spread(std::span<const RingValues> rings, double RingValues::*value, doub
     return (most.*value - least.*value) / std::abs(scale);
 }
 
-/// J from the first ring, whatever has flowed in it. K and T from the first ring in which nothing has, or, failing
-/// that, from the one that begins farthest out; their spread over such rings alone.
+/// J from the first ring, whatever has flowed in it, if it is of one metal. K and T from the first ring in which
+/// nothing has flowed, or, failing that, from the one that begins farthest out, of those across metals where there are
+/// such; their spread over such rings alone.
 void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>& values, double plastic_reach,
                TipResult& result) {
-    result.J = values.front().J;
-    result.J_spread = spread(values, &RingValues::J, result.J);
-    std::vector<RingValues> elastic;
-    for (std::size_t k = 0; k < rings.size(); ++k)
-        if (rings[k].inner >= plastic_reach) elastic.push_back(values[k]);
+    std::vector<RingValues> of_one_metal, elastic;
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+        if (rings[k].one_metal) of_one_metal.push_back(values[k]);
+        if (rings[k].one_metal == rings.back().one_metal && rings[k].inner >= plastic_reach)
+            elastic.push_back(values[k]);
+    }
+    result.J = of_one_metal.empty() ? std::nan("") : of_one_metal.front().J;
+    result.J_spread = spread(of_one_metal, &RingValues::J, result.J);
     result.rings_flow = elastic.empty();
     const auto farthest = std::ranges::max_element(rings, {}, &Annulus::inner) - rings.begin();
     const RingValues& chosen = elastic.empty() ? values[at(farthest)] : elastic.front();

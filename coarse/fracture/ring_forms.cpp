@@ -98,7 +98,8 @@ private:
 
 RingForms::RingForms(const CoarseElements& elements, int tip)
     : tip_(tip), rings_(rings_about(elements.scene(), tip)),
-      weights_(elements.scene().enriched, elements.scene().enriched.tips[at(tip)], rings_, elements.near()) {
+      weights_(elements.scene().enriched, elements.scene().enriched.tips[at(tip)], rings_, elements.near(),
+               !rings_.back().one_metal) {
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip)];
     const AuxiliaryFields auxiliary(about, scene.elastic(about));
@@ -112,8 +113,10 @@ template <class Operator>
 void RingForms::append_forms(const Operator& op, std::span<const RingWeights::Entered> entered,
                              const AuxiliaryFields& auxiliary, const Scene& scene) {
     const Tip& about = scene.enriched.tips[at(tip_)];
-    const MandelMatrix& elastic = scene.materials.stiffness(about.material);
-    const int side = scene.enriched.element_side[at(op.element)];
+    const MandelMatrix& elastic = scene.stiffness(op.element);
+    const int material = scene.enriched.material_of(op.element), side = scene.enriched.element_side[at(op.element)];
+    const Elasticity &of_tip = scene.elastic(about), &here = scene.elastic(op.element);
+    const bool is_of_tips_metal = scene.materials.are_alike(about.material, material);
     const ElementForm<Operator> zero(op);
     std::vector<std::array<ElementForm<Operator>, 3>> forms(entered.size(), {zero, zero, zero});
     std::vector<Eigen::Vector3d> turning(entered.size(), Eigen::Vector3d::Zero());
@@ -121,10 +124,17 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
         const IntegrationPoint& point = op.points[q];
         const std::array<AuxiliaryField, 3> fields = auxiliary.at(point.x, point.side != 0 ? point.side : side);
         const CornerGradients& gradients = corner_gradients(op, scene.enriched, q);
+        std::array<Mandel, 3> stress_slopes;
+        if (!is_of_tips_metal) stress_slopes = auxiliary.stress_slopes(point.x, point.side != 0 ? point.side : side);
         for (std::size_t k = 0; k < entered.size(); ++k) {
             const Vec2 dq = gradients.transpose() * entered[k].q;
             for (std::size_t mode = 0; mode < 3; ++mode) {
-                const MutualWeights weights(fields[mode], about.direction, dq);
+                MutualWeights weights(fields[mode], about.direction, dq);
+                if (!is_of_tips_metal) {
+                    const double value = shape_values(point.xi).dot(entered[k].q), ahead = about.direction.dot(dq);
+                    const Mandel slope = weighted_slope(fields[mode], stress_slopes[mode], value, ahead);
+                    weights += of_tip.strain_in_plane(slope) - here.strain_in_plane(slope);
+                }
                 forms[k][mode].add(op, q, elastic, weights, about.direction);
                 turning[k][static_cast<Eigen::Index>(mode)] +=
                     point.weight * weights.slope.dot(turned(about.direction));
@@ -189,18 +199,20 @@ std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseEl
     const Scene& scene = elements.scene();
     const Tip& about = scene.enriched.tips[at(tip_)];
     const Elasticity& elastic = scene.elastic(about);
-    const MandelMatrix& stiffness = scene.materials.stiffness(about.material);
     constexpr bool with_inside = true;
     RingSums sums(scene.enriched, about, elastic, rings_, elements.near(), with_inside);
     elements.for_each(sums.elements(), [&](const auto& op) {
         sums.enter(op.element);
         const auto local = gather(u, op.unknowns);
+        const MandelMatrix& stiffness = scene.stiffness(op.element);
+        const int material = scene.enriched.material_of(op.element);
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Vec2& x = op.points[q].x;
             const Mandel stress = stiffness * op.strain(local, q) + scene.initial_stress(op.element, x);
             sums.add(op.points[q], stress, op.displacement_gradient(local, q), elastic.energy(stress));
-            sums.add_initial(op.points[q], stress,
-                             scene.initial_stress().slope(x, scene.mesh.material_of(op.element), sums.direction()));
+            sums.add_initial(op.points[q], stress, scene.initial_stress().slope(x, about.material, about.direction));
+            if (!scene.materials.are_alike(about.material, material))
+                sums.add_mismatch(op.points[q], scene.materials.mismatch(about.material, material, x, stress));
         }
         sums.forget_points();
     });

@@ -13,9 +13,13 @@ namespace stria::coarse {
 namespace {
 
 /// Over the outer radius of the largest ring. The second is there for plastic zones that reach into the first.
-constexpr std::array<Annulus, most_rings> family{Annulus{0.5, 1.0}, Annulus{0.75, 1.0}, Annulus{0.35, 0.7},
-                                                 Annulus{0.25, 0.5}, Annulus{0.175, 0.35}};
+constexpr std::array family{Annulus{0.5, 1.0}, Annulus{0.75, 1.0}, Annulus{0.35, 0.7}, Annulus{0.25, 0.5},
+                            Annulus{0.175, 0.35}};
 constexpr double elements_across = 2.0;
+
+/// In elements across the radius. In a smaller ring of one metal T is off by several percent: K and T are told across
+/// metals instead.
+constexpr double least_for_T = 4.0;
 
 /// Longest element edge with an end inside each ring, mm; zero where there is none.
 std::vector<double> longest_edges(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings) {
@@ -46,6 +50,15 @@ std::vector<double> longest_edges(const EnrichedMesh& mesh, const Tip& tip, std:
 
 }  // namespace
 
+double largest_ring_of_one_metal(const Scene& scene, int tip) {
+    return 0.95 * distance_to_interface(scene.enriched, scene.materials, scene.enriched.tips[at(tip)]);
+}
+
+bool tells_J(const Scene& scene, int tip) {
+    const double edge = tip_element_edge(scene.enriched, scene.enriched.tips[at(tip)]);
+    return largest_ring_of_one_metal(scene, tip) >= least_for_J * edge;
+}
+
 double largest_ring(const Scene& scene, int tip_index) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(tip_index)];
@@ -57,19 +70,24 @@ double largest_ring(const Scene& scene, int tip_index) {
     };
     keep_off(scene.loads.main);
     for (const Loads& of_case : scene.loads.cases) keep_off(of_case);
-    radius = std::min(radius, distance_to_interface(mesh, tip));
-    return 0.95 * radius;
+    radius *= 0.95;
+    const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
+    return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);
 }
 
 std::vector<Annulus> rings_about(const Scene& scene, int tip) {
     const double radius = largest_ring(scene, tip);
-    std::array<Annulus, family.size()> all = family;
-    for (auto& [inner, outer] : all) inner *= radius, outer *= radius;
+    auto all = family;
+    const double of_one_metal = largest_ring_of_one_metal(scene, tip);
+    const bool one_metal = radius <= of_one_metal;
+    for (Annulus& ring : all) ring = {ring.inner * radius, ring.outer * radius, one_metal};
     const std::vector<double> sizes = longest_edges(scene.enriched, scene.enriched.tips[at(tip)], all);
     std::vector<Annulus> rings;
+    if (!one_metal && tells_J(scene, tip)) rings.push_back({family[0].inner * of_one_metal, of_one_metal});
+    const std::size_t first = rings.size();
     for (std::size_t k = 0; k < all.size(); ++k) {
         const bool is_thick = sizes[k] > 0.0 && all[k].outer - all[k].inner >= elements_across * sizes[k];
-        if (rings.empty() || is_thick) rings.push_back(all[k]);
+        if (rings.size() == first || is_thick) rings.push_back(all[k]);
     }
     return rings;
 }

@@ -8,13 +8,22 @@
 
 namespace stria::coarse {
 
-inline constexpr std::size_t most_rings = 5;
-
-/// Outer radius of the largest ring around a tip: within its reach, off forces, and inside the tip's material.
+/// Outer radius of the largest ring around a tip, mm: within its reach, off forces, and inside the tip's metal, unless
+/// that leaves less than four elements.
 double largest_ring(const Scene& scene, int tip);
 
-/// Concentric rings within the largest one. The first is the thickest: J is taken there. Of the others those are left
-/// that are at least two elements thick, which also keeps them two elements off the tip's own.
+/// Of the largest one that other metals allow (Materials::are_alike()), mm; infinite where there are none.
+double largest_ring_of_one_metal(const Scene& scene, int tip);
+
+/// Elements across the radius of a ring of one metal: in a smaller one J is off by one percent or more.
+inline constexpr double least_for_J = 2.0;
+
+/// Whether there is a ring that J can be taken in, for it is not known across metals.
+bool tells_J(const Scene& scene, int tip);
+
+/// Concentric rings within the largest one, of one metal all of them or none. The first is the thickest: J is taken
+/// there. Of the others those are left that are at least two elements thick, which also keeps them two elements off the
+/// tip's own. Where they are not of one metal, one that is stands in front of them if it tells J.
 std::vector<Annulus> rings_about(const Scene& scene, int tip);
 
 }  // namespace stria::coarse

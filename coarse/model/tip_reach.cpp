@@ -23,10 +23,10 @@ double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
     return distance;
 }
 
-double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip) {
+double distance_to_interface(const EnrichedMesh& mesh, const Materials& materials, const Tip& tip) {
     double distance = std::numeric_limits<double>::infinity();
     for (int e = 0; e < std::ssize(mesh.material); ++e) {
-        if (mesh.material_of(e) == tip.material) continue;
+        if (materials.are_alike(tip.material, mesh.material_of(e))) continue;
         const std::array<int, 4>& nodes = mesh.elements[at(e)];
         for (std::size_t k = 0; k < 4; ++k)
             distance = std::min(distance, distance_to_segment(tip.position, mesh.nodes[at(nodes[k])],

@@ -7,6 +7,7 @@
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
+#include "common/material/materials.hpp"
 
 namespace stria::coarse {
 
@@ -21,8 +22,9 @@ double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std:
 /// The last of these alone; infinite where the crack does not leave it.
 double straight_length(const CrackSection& crack, const Tip& tip, double band);
 
-/// Distance from a tip to the nearest element of another material than its own, mm; infinite where there is none.
-double distance_to_interface(const EnrichedMesh& mesh, const Tip& tip);
+/// Distance from a tip to the nearest element of a material that is not like its own (Materials::are_alike()), mm;
+/// infinite where there is none.
+double distance_to_interface(const EnrichedMesh& mesh, const Materials& materials, const Tip& tip);
 
 /// mm.
 double distance_to_boundary(const Mesh& mesh, const Vec2& x);

@@ -20,7 +20,6 @@ namespace {
 constexpr double across_zone = 5.0;       // elements, the forward zone
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
-constexpr double of_one_material = 4.0;   // likewise, where an interface may bound it
 constexpr double elements_to_bend = 2.0;  // from the tip
 
 bool asks_for_opening_loads(const Case& input) {
@@ -71,15 +70,25 @@ std::optional<std::string> bend_warning(const Scene& scene, std::size_t t) {
                        t, straight, straight / element, element, elements_to_bend);
 }
 
-/// Rings stay inside the body and the material of the tip, and clear of bends and other tips.
+/// Rings stay inside the body and clear of bends and other tips.
 std::optional<std::string> ring_warning(const Scene& scene, std::size_t t) {
-    const double wanted = scene.input.regions.empty() ? elements_in_ring : of_one_material;
     const double radius = largest_ring(scene, static_cast<int>(t));
     const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-    if (radius >= wanted * element) return std::nullopt;
-    return fmt::format("tip {}: the largest ring inside its material, off edges, bends and other tips, has a radius of "
-                       "{:.3g} mm, {:.2g} elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
-                       t, radius, radius / element, element, wanted);
+    if (radius >= elements_in_ring * element) return std::nullopt;
+    return fmt::format("tip {}: the largest ring off edges, bends and other tips has a radius of {:.3g} mm, {:.2g} "
+                       "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
+                       t, radius, radius / element, element, elements_in_ring);
+}
+
+/// K and T are taken across metals, J is not.
+std::optional<std::string> metal_warning(const Scene& scene, std::size_t t) {
+    if (tells_J(scene, static_cast<int>(t))) return std::nullopt;
+    const double distance = largest_ring_of_one_metal(scene, static_cast<int>(t));
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
+    return fmt::format(
+        "tip {}: the ring of one metal about it has a radius of {:.3g} mm, {:.2g} elements of {:.3g} mm; "
+        "J wants {:g} or more and is not told: smaller elements there",
+        t, distance, distance / element, element, least_for_J);
 }
 
 }  // namespace
@@ -95,6 +104,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         std::optional<std::string> warning = bend_warning(scene, t);
         if (!warning) warning = ring_warning(scene, t);
+        if (!warning) warning = metal_warning(scene, t);
         if (warning) warnings.push_back(std::move(*warning));
     }
     if (!asks_for_opening_loads(input)) return warnings;

@@ -169,9 +169,10 @@ coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const 
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
         const std::vector<Annulus> rings = rings_about(scene, t);
         for (int k = 0; k < std::ssize(rings); ++k) {
-            const auto& [inner, outer] = rings[at(k)];
-            // An initial stress counts inside of a ring too.
-            if (scene.initial_stress().any() || reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
+            const auto& [inner, outer, one_metal] = rings[at(k)];
+            // An initial stress counts inside of a ring too, and another metal.
+            if (scene.initial_stress().any() || !one_metal ||
+                reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
                 patch.rings.push_back({t, k, inner, outer});
         }
     }

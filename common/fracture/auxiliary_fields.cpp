@@ -1,7 +1,10 @@
 #include "common/fracture/auxiliary_fields.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
+
+#include "common/enrichment/tip_functions.hpp"
 
 namespace stria {
 namespace {
@@ -66,6 +69,26 @@ std::array<AuxiliaryField, 3> AuxiliaryFields::at(const Vec2& x, int side) const
     return {in_global_axes(kc * (1.0 - s * s3), kc * (1.0 + s * s3), ks * c * c3, -0.5 * turning_ * ks),
             in_global_axes(-ks * (2.0 + c * c3), ks * c * c3, kc * (1.0 - s * s3), -0.5 * turning_ * kc),
             in_global_axes(radial * cos * cos, radial * sin * sin, radial * cos * sin, 0.25 * turning_ * force * sin)};
+}
+
+// Of Kolosov's functions: trace = 4 Re phi', deviator yy - xx + 2i xy = 2 (conj(z) phi'' + psi'), where free faces ask
+// for psi' = -z phi'' (I) or -2 phi' - z phi'' (II); the force alone makes radial stress, deviator (1/z + conj(z)/z^2)
+// / (2 pi). Along the tip z and conj(z) change by 1.
+std::array<Mandel, 3> AuxiliaryFields::stress_slopes(const Vec2& x, int side) const {
+    using Complex = std::complex<double>;
+    const TipPolar polar = tip_polar(tip_, x, side);
+    const Complex z = std::polar(polar.r, polar.theta), mirrored = std::conj(z);
+    const Complex first = 0.5 / (std::sqrt(2.0 * std::numbers::pi) * std::polar(std::sqrt(polar.r), 0.5 * polar.theta));
+    const Complex second = -0.5 * first / z, third = -1.5 * second / z, by_minus_i(0.0, -1.0);
+    const Complex to_global(cos_twice_, -sin_twice_);
+    const auto in_global = [&](double trace, const Complex& deviator) -> Mandel {
+        const Complex turned = to_global * deviator;
+        return {0.5 * (trace - turned.real()), 0.5 * (trace + turned.real()), 0.0, turned.imag() / std::numbers::sqrt2};
+    };
+    const Complex shearing = by_minus_i * second;
+    return {in_global(4.0 * second.real(), 2.0 * (mirrored - z) * third),
+            in_global(4.0 * shearing.real(), 2.0 * (by_minus_i * (mirrored - z) * third - 2.0 * shearing)),
+            in_global((1.0 / (z * z)).real() / std::numbers::pi, -mirrored / (z * z * z) / std::numbers::pi)};
 }
 
 }  // namespace stria

@@ -25,6 +25,9 @@ public:
     /// at the tip itself.
     [[nodiscard]] std::array<AuxiliaryField, 3> at(const Vec2& x, int side) const;
 
+    /// Derivatives of their stresses along the tip: xx, yy, 0, sqrt(2) xy, MPa/mm.
+    [[nodiscard]] std::array<Mandel, 3> stress_slopes(const Vec2& x, int side) const;
+
 private:
     /// Stresses in the tip's axes and the rotation of the field, radians.
     [[nodiscard]] AuxiliaryField in_global_axes(double along, double across, double shear, double rotation) const;

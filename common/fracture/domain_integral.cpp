@@ -89,6 +89,20 @@ void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, 
     }
 }
 
+void RingSums::add_mismatch(const IntegrationPoint& point, const Mandel& mismatch) {
+    if (mismatch.isZero(0.0)) return;
+    const ShapeQ4 shape = shape_q4(corners_, point.xi);
+    const std::array<Mandel, 3> slopes = auxiliary_.stress_slopes(point.x, point.side != 0 ? point.side : side_);
+    const std::array<AuxiliaryField, 3>& fields = fields_[visited_ - 1];
+    for (const auto& [ring, q] : entered_) {
+        const double here = shape.value.dot(q), ahead = tip_.direction.dot(shape.gradient.transpose() * q);
+        const auto share = [&](std::size_t mode) {
+            return point.weight * mismatch.dot(weighted_slope(fields[mode], slopes[mode], here, ahead));
+        };
+        sums_[ring] += {.interaction_I = share(0), .interaction_II = share(1), .interaction_T = share(2)};
+    }
+}
+
 // With the tractions +-T on the faces, -(T . u_,1) q of both adds up to -T . d(jump)/dx_1 q (J), and likewise with the
 // auxiliary jump (interaction). That of the point force is constant: it adds nothing.
 void RingSums::add_faces(const FaceStation& station, const FaceLoad& load) {

@@ -33,9 +33,23 @@ struct MutualWeights {
         xy = field.slope.y() * dq.x() + field.slope.x() * dq.y() - field.shear * ahead;
     }
 
+    /// Of the stress, dotted with a strain in the plane.
+    MutualWeights& operator+=(const Mandel& strain) {
+        xx += strain[0];
+        yy += strain[1];
+        xy += std::numbers::sqrt2 * strain[3];
+        return *this;
+    }
+
     double xx, yy, xy;
     Vec2 slope;
 };
+
+/// The derivative along the tip of q times an auxiliary stress: xx, yy, 0, sqrt(2) xy. `ahead`: of q.
+inline Mandel weighted_slope(const AuxiliaryField& field, const Mandel& stress_slope, double q, double ahead) {
+    return q * stress_slope +
+           ahead * Mandel(field.stress_xx, field.stress_yy, 0.0, std::numbers::sqrt2 * field.stress_xy);
+}
 
 /// What u_,1 is where the body turns by 1.
 inline Vec2 turned(const Vec2& along) { return {-along.y(), along.x()}; }
@@ -77,6 +91,10 @@ public:
     /// the auxiliary fields (docs/equations.md, initial stress).
     void add_initial(const IntegrationPoint& point, const Mandel& stress, const Mandel& slope);
 
+    /// At the same point, of another material: what the tip's would be strained more there, Materials::mismatch(),
+    /// dotted with the derivative of q sigma^aux along the tip (docs/equations.md). J has no such form.
+    void add_mismatch(const IntegrationPoint& point, const Mandel& mismatch);
+
     /// Tractions that the faces transmit at a station of the tip's crack: pressure p and shear tau, so that p n - tau t
     /// acts on the plus face and its opposite on the minus face. Slopes: of opening and slip along its tangent.
     struct FaceLoad {
@@ -85,8 +103,7 @@ public:
     };
     void add_faces(const FaceStation& station, const FaceLoad& load);
 
-    /// Of the tip.
-    [[nodiscard]] const Vec2& direction() const { return tip_.direction; }
+    [[nodiscard]] const Tip& tip() const { return tip_; }
 
     [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
 

@@ -30,7 +30,7 @@ struct DomainIntegral {
     /// tell how the body is held.
     [[nodiscard]] DomainIntegral without_rotation() const {
         DomainIntegral left = *this;
-        const double mean = area > 0.0 ? rotation / area : 0.0;
+        const double mean = rotation / area;
         left.interaction_I -= mean * turned_I;
         left.interaction_II -= mean * turned_II;
         left.interaction_T -= mean * turned_T;

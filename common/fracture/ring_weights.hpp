@@ -12,7 +12,8 @@ namespace stria {
 /// A ring about a tip: q is 1 at nodes up to the inner radius, falls linearly with the distance to 0 at the outer
 /// radius, and is interpolated by the standard functions in between, in the bulk and on the faces alike.
 struct Annulus {
-    double inner, outer;  // mm
+    double inner, outer;    // mm
+    bool one_metal = true;  // nothing in it answers otherwise than the tip's material (Materials::are_alike())
 
     [[nodiscard]] double weight(double r) const { return std::clamp((outer - r) / (outer - inner), 0.0, 1.0); }
 };

@@ -13,6 +13,8 @@ struct Elasticity {
     double poisson;
     PlaneState plane = PlaneState::Strain;
 
+    bool operator==(const Elasticity&) const = default;
+
     [[nodiscard]] double shear_modulus() const { return young / (2.0 * (1.0 + poisson)); }
     [[nodiscard]] double bulk_modulus() const { return young / (3.0 * (1.0 - 2.0 * poisson)); }
     /// E': E / (1 - nu^2) in plane strain, E in plane stress.
@@ -22,6 +24,12 @@ struct Elasticity {
     /// Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu) / (1 + nu) in plane stress.
     [[nodiscard]] double kolosov() const {
         return plane == PlaneState::Strain ? 3.0 - 4.0 * poisson : (3.0 - poisson) / (1.0 + poisson);
+    }
+
+    /// Strain in the plane, of one in it: xx, yy, 0, sqrt(2) xy.
+    [[nodiscard]] Mandel strain_in_plane(const Mandel& stress) const {
+        const double all_round = 0.25 * (3.0 - kolosov()) * (stress[0] + stress[1]);
+        return Mandel(stress[0] - all_round, stress[1] - all_round, 0.0, stress[3]) / (2.0 * shear_modulus());
     }
 
     /// Largest von Mises stress of a strain of unit size.

@@ -29,6 +29,23 @@ public:
 
     [[nodiscard]] const InitialStress& initial_stress() const { return initial_stress_; }
 
+    /// Both answer a stress alike as long as nothing flows.
+    [[nodiscard]] bool are_alike(int one, int other) const {
+        return one == other || (elastic(one) == elastic(other) && !initial_stress_.any());
+    }
+
+    /// Elastic strain in the plane, xx, yy, 0, sqrt(2) xy, that material `of` would have at x under the stress of an
+    /// element of `material`, less the one that is there. Zero where both are alike.
+    [[nodiscard]] Mandel mismatch(int of, int material, const Vec2& x, const Mandel& stress) const {
+        if (are_alike(of, material)) return Mandel::Zero();
+        Mandel as_of = stress, as_is = stress;
+        if (initial_stress_.any()) {
+            as_of -= initial_stress_.at(x, of);
+            as_is -= initial_stress_.at(x, material);
+        }
+        return elastic(of).strain_in_plane(as_of) - elastic(material).strain_in_plane(as_is);
+    }
+
     /// MPa; infinite where the material never yields.
     [[nodiscard]] double yield_stress(int material) const {
         return section(material).yield_stress.value_or(std::numeric_limits<double>::infinity());

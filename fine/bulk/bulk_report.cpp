@@ -4,15 +4,20 @@
 
 namespace stria::fine {
 void add_to(RingSums& rings, const Bulk& bulk) {
-    const InitialStress& initial = bulk.elements().materials().initial_stress();
+    const Materials& materials = bulk.elements().materials();
+    const InitialStress& initial = materials.initial_stress();
+    const Tip& tip = rings.tip();
     for (const int e : rings.elements()) {
         rings.enter(e);
+        const int material = bulk.elements().mesh().material_of(e);
         const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
         bulk.for_each_committed_state(e, [&](std::size_t q, const Bulk::PointState& state) {
             rings.add(points[q], state.stress, state.gradient, state.work);
+            const Vec2& x = points[q].x;
             if (initial.any())
-                rings.add_initial(points[q], state.stress,
-                                  initial.slope(points[q].x, bulk.elements().mesh().material_of(e), rings.direction()));
+                rings.add_initial(points[q], state.stress, initial.slope(x, tip.material, tip.direction));
+            if (!materials.are_alike(tip.material, material))
+                rings.add_mismatch(points[q], materials.mismatch(tip.material, material, x, state.stress));
         });
     }
 }

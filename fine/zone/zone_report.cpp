@@ -101,9 +101,9 @@ std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& ma
             annuli.push_back({ring.inner_radius, ring.outer_radius});
             numbers.push_back(ring.number);
         }
-        const bool initially = materials.initial_stress().any();
+        const bool with_inside = materials.initial_stress().any() || materials.count() > 1;
         all.push_back(
-            {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, initially},
+            {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, with_inside},
              .numbers = std::move(numbers),
              .stations = {}});
         const CrackSection& crack = cracks[at(tip.crack)];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <map>
 #include <semaphore>
@@ -166,17 +167,12 @@ private:
     const Deadline deadline_{std::chrono::seconds(120)};
 };
 
+/// Zero where another metal is too close: nothing equals a NaN.
+double J_of(const coarse::TipResult& tip) { return std::isnan(tip.J) ? 0.0 : tip.J; }
+
 std::vector<double> numbers_of(const coarse::TipResult& tip) {
-    return {tip.a,
-            tip.K_I,
-            tip.K_II,
-            tip.J,
-            tip.T_stress,
-            tip.CTOD,
-            tip.CMOD,
-            tip.contact_length,
-            tip.plastic_zone,
-            tip.plastic_zone_axis};
+    return {tip.a,    tip.K_I,  tip.K_II,           J_of(tip),        tip.T_stress,
+            tip.CTOD, tip.CMOD, tip.contact_length, tip.plastic_zone, tip.plastic_zone_axis};
 }
 
 std::vector<double> numbers_of(const coupling::StepReport& report) {
@@ -247,7 +243,7 @@ TEST_P(Modes, MonolithicIsTheSameToRounding) {
         if (std::exchange(rested, a.zone.work.points_at_rest) == a.zone.work.points_at_rest) {
             EXPECT_EQ(a.newton.count(), b.newton.count()) << "increment " << k + 1;
         }
-        EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J);
+        EXPECT_NEAR(J_of(p), J_of(q), 1e-9 * J_of(scale));
         EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I);
         EXPECT_NEAR(p.K_II, q.K_II, 1e-9 * scale.K_I);  // zero by symmetry
         EXPECT_NEAR(p.CMOD, q.CMOD, 1e-9 * scale.CMOD);
@@ -267,7 +263,7 @@ void expect_same_to_rounding(const RunHistory& one, const RunHistory& other) {
     for (std::size_t k = 0; k < one.increments.size(); ++k) {
         const Followed &a = one.increments[k], &b = other.increments[k];
         const coarse::TipResult &p = a.tips[0], &q = b.tips[0];
-        EXPECT_NEAR(p.J, q.J, 1e-9 * scale.J) << "increment " << k + 1;
+        EXPECT_NEAR(J_of(p), J_of(q), 1e-9 * J_of(scale)) << "increment " << k + 1;
         EXPECT_NEAR(p.K_I, q.K_I, 1e-9 * scale.K_I);
         EXPECT_NEAR(p.K_II, q.K_II, 1e-9 * scale.K_I);
         EXPECT_NEAR(p.CMOD, q.CMOD, 1e-9 * scale.CMOD);

@@ -58,6 +58,33 @@ TEST_P(Auxiliary, FieldsAreThoseOfTheAngle) {
     }
 }
 
+// Against differences between two places along the tip.
+TEST_P(Auxiliary, StressSlopesAreTheDerivativesOfTheStresses) {
+    for (const Tip& tip : inclined_tips()) {
+        const AuxiliaryFields fields(tip, elastic);
+        for_each_place(tip, [&](const Vec2& x, int side) {
+            const double r = (x - tip.position).norm(), step = 1e-5 * r;
+            const double along = (x - tip.position).dot(tip.direction);
+            if (side == 0 && along < -0.9999999 * r) return;        // on which face?
+            if (side != 0 && std::abs(along) < 2.0 * step) return;  // a face ends there
+            const auto stresses = [&](double ahead) {
+                std::array<Mandel, 3> found;
+                std::ranges::transform(
+                    fields.at(x + ahead * tip.direction, side), found.begin(),
+                    [](const AuxiliaryField& field) -> Mandel {
+                        return {field.stress_xx, field.stress_yy, 0.0, std::numbers::sqrt2 * field.stress_xy};
+                    });
+                return found;
+            };
+            const std::array<Mandel, 3> before = stresses(-step), after = stresses(step);
+            const std::array<Mandel, 3> slopes = fields.stress_slopes(x, side);
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_LT((slopes[k] - (after[k] - before[k]) / (2.0 * step)).norm(),
+                          1e-9 * std::pow(r, k < 2 ? -1.5 : -2.0));
+        });
+    }
+}
+
 TEST_P(Auxiliary, WeightsOfTheMutualPartAreThoseOfItsDefinition) {
     const Eigen::Matrix2d gradient{{0.3, -0.2}, {0.5, 0.1}}, stress{{2.0, -1.5}, {-1.5, 0.7}};
     const Vec2 dq(0.4, -0.9);
