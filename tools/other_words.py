@@ -69,6 +69,8 @@ def mapped(case, mesh, point, vector, names=None):
     twin, names = copy.deepcopy(case), names or {}
     for crack in twin["crack"]:
         crack["points"] = [point(at) for at in crack["points"]]
+    for region in twin.get("region", []):
+        region["outline"] = [point(at) for at in region["outline"]]
     for boundary in twin["boundary"]:
         boundary["on"] = names.get(boundary["on"], boundary["on"])
         for key in ("traction", "force"):
@@ -156,7 +158,7 @@ def twins_of(case, mesh, folder, rng):
         twins["mirrored left to right"] = mirrored(case, mesh, 0)
     if specimen == "mt" and case["load"].get("control") != "K":
         twins["reversed"] = reversed_cracks(case, mesh)
-    if mesh and "initial_stress" not in case:
+    if mesh and not any("initial_stress" in part for part in [case] + case.get("region", [])):
         twins["renumbered"] = renumbered(case, mesh, rng)
         twins["turned"] = turned(case, mesh, rng.uniform(-3.0, 3.0), [rng.uniform(-50.0, 50.0) for _ in range(2)])
     return twins

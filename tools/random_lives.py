@@ -3,11 +3,11 @@
 
     tools/random_lives.py SEED COUNT [--programs build/release/bin] [--keep DIR] [--jobs 2]
 
-A life is a coarse specimen that flows, with one crack or two, and random material, friction, load, growth, refinement and
-opening loads; five to seven cycles. It runs undisturbed; stopped again and again after a random time, and resumed in one
-process or over MPI; a cycle or two shorter, and made longer; and on two or three fine ranks. Resumed and made longer the
-tables are the same to the last digit. On several ranks numbers of `history.csv` agree within 1e-8 of the largest of
-their column. Runs that end with 2 or 3 do so alike. Exit code 1 where a life does neither.
+A life is a coarse specimen that flows, with one crack or two, in one metal or two, and random material, friction, load,
+growth, refinement and opening loads; five to seven cycles. It runs undisturbed; stopped again and again after a random
+time, and resumed in one process or over MPI; a cycle or two shorter, and made longer; and on two or three fine ranks.
+Resumed and made longer the tables are the same to the last digit. On several ranks numbers of `history.csv` agree within
+1e-8 of the largest of their column. Runs that end with 2 or 3 do so alike. Exit code 1 where a life does neither.
 """
 
 import argparse
@@ -86,6 +86,7 @@ def life(rng):
     rest += growth_of(refine, rng) + (closure_of(steps, refine, rng) if contact and rng.random() < 0.7 else "")
     rest += '[output]\nfields = "none"\nfaces = "%s"\n' % rng.choice(["extremes", "all"])
     rest += 'history = "%s"\ncheckpoint_every = %d\n' % (rng.choice(["all", "all", "cycles"]), rng.choice([1, 2, 3]))
+    rest += scenes.region_of(rng) if specimen != "ct" and rng.random() < 0.25 else ""
     block = lambda count, factor: "{ cycles = %d, max = %.6g, ratio = %.3g }" % (count, factor * unit, ratio)
     peak = lambda count: ", ".join([block(1, 1.0), block(1, 1.4), block(count - 2, 1.0)])
     return lambda count: text + (peak(count) if overload else block(count, 1.0)) + rest, rng.randint(5, 7)

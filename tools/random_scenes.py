@@ -39,10 +39,11 @@ COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], 
 # What a run may warn of, and what the scene then has.
 EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)",  # of a plate that a crack half parts
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
-             r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])",
+             r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])|\[growth\](.|\n)*yield_stress|contact(.|\n)*yield_stress",
              r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
              r"nothing yields there": r"contact(.|\n)*\[growth\]",
-             r"turns sharply": r"\[growth\]"}
+             r"turns sharply": r"\[growth\]",
+             r"the ring of one metal|its outline runs through": r"\[\[region\]\]"}
 
 
 def crack_of(specimen, rng):
@@ -69,6 +70,21 @@ def hardening_of(rng):
     if terms:
         lines.append("kinematic = [" + ", ".join("{ C = %.5g, gamma = %.4g }" % term for term in terms) + "]")
     return "\n".join(lines)
+
+
+def region_of(rng):
+    """Another metal beside the crack or ahead of it, with an upright or an inclined edge."""
+    text, at = "", rng.uniform(3.0, 8.0)
+    edge = rng.choice(["[%.6g, -1.0], [20.0, -1.0], [20.0, 31.0], [%.6g, 31.0]" % (at, at),
+                       "[%.6g, -1.0], [20.0, -1.0], [20.0, 31.0], [%.6g, 31.0]" % (at + 2.0, at - 2.0),
+                       "[-1.0, %.6g], [11.0, %.6g], [11.0, 31.0], [-1.0, 31.0]" % (8.0 + at, 8.0 + at)])
+    text += "[[region]]\noutline = [%s]\n" % edge
+    if rng.random() < 0.3:
+        text += "initial_stress = { xx = %.4g, yy = %.4g }\n" % (rng.uniform(-30.0, 30.0), rng.uniform(-30.0, 30.0))
+    material = "young = %g, poisson = %g" % (rng.choice([70e3, 200e3, 400e3]), rng.choice([0.0, 0.3]))
+    if rng.random() < 0.7:
+        material += ", yield_stress = %.6g, isotropic = { modulus = 2000.0 }" % rng.uniform(150.0, 400.0)
+    return text + "material = { %s }\n" % material
 
 
 def scene(rng):
@@ -108,6 +124,7 @@ def scene(rng):
         text += "substeps = 3\n"
     if growing:
         text += "[growth]\nincrement = %.3g\n" % rng.uniform(0.2, 0.6)
+    text += region_of(rng) if specimen != "ct" and rng.random() < 0.25 else ""
     return text + '[solver]\ntolerance = 1e-12\n[output]\nfields = "none"\ncheckpoint_every = 0\n'
 
 

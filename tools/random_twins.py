@@ -142,13 +142,15 @@ def numbers(folder, change):
 
 
 def first_difference(one, other, without):
+    largest_K = max((abs(row[key]) for rows in one.values() for row in rows for key in row
+                     if kind_of(key) == "K" and row[key] == row[key]), default=0.0)
     for name, rows in one.items():
         if len(rows) != len(other.get(name, [])):
             return f"{name}: {len(rows)} rows and {len(other.get(name, []))}"
         size = {}
         for key in rows[0] if rows else ():
             size[kind_of(key)] = max([size.get(kind_of(key), 0.0)] + [abs(row[key]) for row in rows if row[key] == row[key]])
-        size["trials"] = max(size.get("trials", 0.0), size.get("K", 0.0))
+        size["trials"] = max(size.get("trials", 0.0), largest_K)
         for k, (a, b) in enumerate(zip(rows, other[name])):
             for key in a.keys() - without:
                 kind = kind_of(key)

@@ -6,6 +6,7 @@
 
 #include "common/error.hpp"
 #include "common/geometry/clipping.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
 
@@ -47,6 +48,22 @@ void snap(const Mesh& mesh, const std::array<int, 4>& element, const Vec2& x, Ve
     }
 }
 
+/// An end that lies on the outline to rounding is a mouth. On a slanted edge few places are numbers: it is put a little
+/// beyond.
+void reach_outline(const Mesh& mesh, Vec2& end) {
+    constexpr double rounding = 1e-9;  // of an edge
+    for (const auto& [name, edges] : mesh.boundary)
+        for (const BoundaryEdge& edge : edges) {
+            const std::array<int, 4>& nodes = mesh.elements[at(edge.element)];
+            const Vec2 &from = mesh.nodes[at(nodes[at(edge.edge)])],
+                       &to = mesh.nodes[at(nodes[at((edge.edge + 1) % 4)])];
+            const double length = (to - from).norm(), distance = distance_to_segment(end, from, to);
+            if (distance > rounding * length || orientation(from, to, end) <= 0) continue;
+            end += (distance / length + rounding) * Vec2(to.y() - from.y(), from.x() - to.x());
+            return;
+        }
+}
+
 /// A little larger than an element.
 Eigen::AlignedBox2d box_about(const Mesh& mesh, int element) {
     Eigen::AlignedBox2d box;
@@ -74,6 +91,8 @@ std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& p
         for (std::size_t k = 0; k < points.size(); ++k)
             if (box.contains(points[k])) snap(mesh, element, points[k], snapped[k]);
     }
+    reach_outline(mesh, snapped.front());
+    reach_outline(mesh, snapped.back());
     snapped.erase(std::ranges::unique(snapped).begin(), snapped.end());
     return snapped.size() > 1 ? snapped : points;
 }

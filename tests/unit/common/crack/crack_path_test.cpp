@@ -189,6 +189,19 @@ TEST(CrackPath, PutsPointsBesideAnEdgeOntoIt) {
     EXPECT_EQ(resolve_crack(square_mesh(4), 0, {{0.1, 0.3}, tip}).points.back(), tip);
 }
 
+// In a body that is turned, the ends of a crack across it lie on the outline to rounding only.
+TEST(CrackPath, AnEndOnASlantedOutlineIsAMouth) {
+    for (int k = 0; k < 200; ++k) {
+        Mesh mesh = square_mesh(4);
+        const Eigen::Rotation2Dd turn(0.031 * k);
+        for (Vec2& node : mesh.nodes) node = turn * node;
+        const CrackPath path = resolve_crack(mesh, 0, {turn * Vec2(0.0, 0.3 + 1e-3 * k), turn * Vec2(0.55, 0.4)});
+        EXPECT_FALSE(path.tip_at_start) << k;
+        EXPECT_TRUE(path.tip_at_end);
+        EXPECT_GE(path.pieces.front().entry, 0.0);
+    }
+}
+
 TEST(CrackPath, BothTipsInsideOneElement) {
     const CrackPath path = resolve_crack(square_mesh(3), 0, {{0.4, 0.5}, {0.6, 0.55}});
     ASSERT_EQ(path.pieces.size(), 1U);
