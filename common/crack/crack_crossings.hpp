@@ -32,8 +32,8 @@ inline constexpr double snap_fraction = 1e-3;
 
 /// The same polyline, with points that are that near to a node put onto it, each once: a tip or a kink beside the node
 /// at which the crack crosses would leave a piece between both that runs anywhere. Points that are a millionth of an
-/// edge's length beside it are put onto it: what a crack along the edge would cut off there has no stiffness. Ends on the outline, to
-/// rounding, are put a little beyond it.
+/// edge's length beside it are put onto it: what a crack along the edge would cut off there has no stiffness. Ends on
+/// the outline, to rounding, are put a little beyond it.
 std::vector<Vec2> snapped_onto_mesh(const Mesh& mesh, const std::vector<Vec2>& points);
 
 class CrackCrossings {
