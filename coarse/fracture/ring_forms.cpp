@@ -49,6 +49,7 @@ public:
         for (Eigen::Index f = 0; f < gradients.rows(); ++f)
             values_.template segment<2>(2 * f) += gradients(f, 0) * by_x + gradients(f, 1) * by_y;
         pressure_[at(op.points[q].region)] += weight * pressure;
+        slope_ += slope;
     }
 
     /// Once all points are there.
@@ -61,9 +62,13 @@ public:
         return values;
     }
 
+    /// Where the body turns by 1.
+    [[nodiscard]] double of_turning(const Vec2& along) const { return slope_.dot(turned(along)); }
+
 private:
     typename Operator::Values values_;
     std::array<double, most_regions> pressure_{};
+    Vec2 slope_ = Vec2::Zero();
 };
 
 /// Strains and displacement gradients at the points of an element, with what they share worked out once.
@@ -119,7 +124,6 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
     const bool is_of_tips_metal = scene.materials.are_alike(about.material, material);
     const ElementForm<Operator> zero(op);
     std::vector<std::array<ElementForm<Operator>, 3>> forms(entered.size(), {zero, zero, zero});
-    std::vector<Eigen::Vector3d> turning(entered.size(), Eigen::Vector3d::Zero());
     for (std::size_t q = 0; q < op.points.size(); ++q) {
         const IntegrationPoint& point = op.points[q];
         const std::array<AuxiliaryField, 3> fields = auxiliary.at(point.x, point.side != 0 ? point.side : side);
@@ -136,18 +140,16 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
                     weights += of_tip.strain_in_plane(slope) - here.strain_in_plane(slope);
                 }
                 forms[k][mode].add(op, q, elastic, weights, about.direction);
-                turning[k][static_cast<Eigen::Index>(mode)] +=
-                    point.weight * weights.slope.dot(turned(about.direction));
             }
         }
     }
     first_.push_back(forms_.size());
-    for (std::size_t k = 0; k < forms.size(); ++k) {
-        for (const ElementForm<Operator>& form : forms[k]) {
+    for (const std::array<ElementForm<Operator>, 3>& of_ring : forms) {
+        for (const ElementForm<Operator>& form : of_ring) {
             const typename Operator::Values values = form.values(op);
             forms_.insert(forms_.end(), values.begin(), values.end());
         }
-        forms_.insert(forms_.end(), turning[k].begin(), turning[k].end());
+        for (const ElementForm<Operator>& form : of_ring) forms_.push_back(form.of_turning(about.direction));
     }
 }
 
