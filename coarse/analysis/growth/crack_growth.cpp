@@ -96,6 +96,18 @@ TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, dou
     return steps;
 }
 
+std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const {
+    const std::vector<double> rates = rates_.present();
+    std::vector<double> of_tips;
+    for (const Tip& tip : tips) {
+        double sum = 0.0, ends = 0.0;
+        for (std::size_t t = 0; t < rates.size(); ++t)
+            if (tips[t].crack == tip.crack) sum += rates[t], ends += 1.0;
+        of_tips.push_back(ends > 0.0 ? sum / ends : 0.0);
+    }
+    return of_tips;
+}
+
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
@@ -108,10 +120,10 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    const double increment =
-        growth_.increment.is_auto()
-            ? increment_.next(growth_, last, rates, steps_about(fastest_of(rates), present, turn, elements))
-            : growth_.increment.value();
+    const double increment = growth_.increment.is_auto()
+                                 ? increment_.next(growth_, last, rates, lengthening(tips),
+                                                   steps_about(fastest_of(rates), present, turn, elements))
+                                 : growth_.increment.value();
     const double resolved = elements_behind_turn * element;
     if (turn > sharp_turn && increment < resolved)
         note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "

@@ -61,6 +61,8 @@ private:
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
     [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
                                            const std::vector<CycleResult>& last);
+    /// By which `a` of each tip grows, mm per cycle: half of a crack with two tips by the mean of theirs.
+    [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const;

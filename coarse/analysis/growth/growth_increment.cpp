@@ -27,7 +27,8 @@ double largest_increment(const GrowthSection& growth, double forward_zone, doubl
 }
 
 double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last,
-                             const std::vector<double>& rates, const TipSteps& steps) {
+                             const std::vector<double>& rates, const std::vector<double>& lengthening,
+                             const TipSteps& steps) {
     const CycleResult& fastest = last[fastest_of(rates)];
     const double largest_rate = fastest_rate(rates);
     const GrowthPoint now = point_of(largest_rate, fastest);
@@ -41,7 +42,8 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     double increment = from_edge_to_edge(memory_.increment, steps);
     if (growth.until)
         for (std::size_t t = 0; t < last.size(); ++t)
-            if (rates[t] > 0.0) increment = std::min(increment, (*growth.until - last[t].a) * largest_rate / rates[t]);
+            if (lengthening[t] > 0.0)
+                increment = std::min(increment, (*growth.until - last[t].a) * largest_rate / lengthening[t]);
     return increment;
 }
 

@@ -42,10 +42,11 @@ class GrowthIncrement {
 public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}
 
-    /// The next one, mm. `last`: the cycle that has ended; `rates`, mm per cycle, of which one at least is not zero:
-    /// one per tip. Only an end of growth is nearer than the least.
+    /// The next one, mm. One per tip: `last`, the cycle that has ended; `rates`, mm per cycle, of which one at least is
+    /// not zero; `lengthening`, mm per cycle by which its `a` grows, that of half a crack with two tips. Only an end of
+    /// growth is nearer than the least.
     double next(const GrowthSection& growth, const std::vector<CycleResult>& last, const std::vector<double>& rates,
-                const TipSteps& steps);
+                const std::vector<double>& lengthening, const TipSteps& steps);
 
     [[nodiscard]] const GrowthIncrementMemory& memory() const { return memory_; }
 

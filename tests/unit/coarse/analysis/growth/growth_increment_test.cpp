@@ -34,7 +34,8 @@ CycleResult tip_at(double a, double closure) {
 
 double next(GrowthIncrement& increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
             const TipSteps& by = steps) {
-    return increment.next(growth, last, growth_rates(growth, last), by);
+    const std::vector<double> rates = growth_rates(growth, last);
+    return increment.next(growth, last, rates, rates, by);
 }
 
 double first(GrowthIncrement increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
@@ -138,6 +139,9 @@ TEST(GrowthIncrement, NoTipPassesUntil) {
     const double ratio = growth_rate(growth, both[0]) / growth_rate(growth, both[1]);
     ASSERT_GT(ratio, 1.0);
     EXPECT_NEAR(first(GrowthIncrement(), growth, both, far), 0.05 * ratio, 1e-14);
+    // Half of a crack whose other tip stands still grows half as fast.
+    const std::vector<CycleResult> ends{tip_at(10.0, 0.1), tip_at(10.0, 0.4)};
+    EXPECT_NEAR(GrowthIncrement().next(growth, ends, {0.01, 0.0}, {0.005, 0.005}, far), 0.1, 1e-14);
 }
 
 TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
