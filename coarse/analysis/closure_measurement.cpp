@@ -58,7 +58,11 @@ std::vector<ExpectedCrossing> ClosureMeasurement::expected(const std::vector<dou
 
 std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report,
                                                const std::vector<OpeningChange>& changes, double unit) {
-    std::vector<double> now = memory_.signal = meter_.signal(report, memory_.signal);
+    std::vector<double> now = meter_.signal(report, memory_.signal);
+    for (const OpeningChange& change : changes)  // may have been on the way, and be seen no more
+        if (at(change.signal) >= meter_.signals().first_slip())
+            now[at(change.tip) * meter_.signals().all() + at(change.signal)] = 1.0;
+    memory_.signal = now;
     if (step.reversal) meter_.forget_slip(memory_.signal);
     for (std::vector<double>* loads : {&memory_.opened, &memory_.closed}) loads->resize(now.size(), NAN);
     for (std::vector<double>* rates : {&memory_.opening_rates, &memory_.closing_rates})

@@ -77,6 +77,12 @@ std::vector<double> ClosureMeter::signal(const NewtonReport& report, const std::
     return signal;
 }
 
+void ClosureMeter::remember_slip(const std::vector<double>& before, std::vector<double>& signal) const {
+    const Signals count = signals();
+    for (std::size_t k = 0; k < signal.size(); ++k)
+        if (k % count.all() >= count.first_slip()) signal[k] = std::max(signal[k], before[k]);
+}
+
 void ClosureMeter::forget_slip(std::vector<double>& signal) const {
     const Signals count = signals();
     for (std::size_t k = 0; k < signal.size(); ++k)
@@ -89,7 +95,8 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
     std::vector<OpeningChange> changes;
     std::vector<ClosureStation> way{std::move(before), std::move(after)};
     const auto crossing_of = [&](std::size_t i, std::size_t k) {
-        return crossing(way, i, k, precision, k < expected.size() ? expected[k] : ExpectedCrossing());
+        const Crossing found = crossing(way, i, k, precision, k < expected.size() ? expected[k] : ExpectedCrossing());
+        return found.known ? seen_closed(found, way[i], way[i + 1], k, precision) : found;
     };
     for (std::size_t i = 0; i + 1 < way.size();) {
         const std::vector<std::size_t> changed = changed_signals(way[i], way[i + 1]);
@@ -98,6 +105,7 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         if (!found) {
             if (auto between = try_between(way[i], way[i + 1], crossing_of(i, *unknown).share, solve)) {
                 way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
+                for (std::size_t j = i + 2; j < way.size(); ++j) remember_slip(way[j - 1].signal, way[j].signal);
                 continue;
             }
         }
@@ -115,6 +123,16 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         ++i;
     }
     return changes;
+}
+
+Crossing ClosureMeter::seen_closed(const Crossing& found, const ClosureStation& before, const ClosureStation& after,
+                                   std::size_t k, double precision) const {
+    const std::size_t kind = k % signals().all(), slip = k + signals().first_slip();
+    if (!slip_ || kind >= signals().contact || before.signal[slip] > 0.0 || after.signal[slip] > 0.0) return found;
+    const double width = std::abs(after.target - before.target), back = 0.5 * precision / width;
+    const bool closes = is_closed(after.signal[k]);
+    if ((closes ? 1.0 - found.share : found.share) * width <= precision) return found;
+    return {closes ? found.share + back : found.share - back, false};
 }
 
 std::optional<ClosureStation> ClosureMeter::try_between(const ClosureStation& before, const ClosureStation& after,

@@ -92,6 +92,13 @@ private:
     [[nodiscard]] std::optional<ClosureStation> try_between(const ClosureStation& before, const ClosureStation& after,
                                                             double share, const Solve& solve) const;
 
+    /// Faces that slide and part within one increment are seen to slide at neither end of it: where slip is measured a
+    /// load at which contact comes or goes is known once a state beside it is, to `precision`, with the faces closed.
+    [[nodiscard]] Crossing seen_closed(const Crossing& found, const ClosureStation& before, const ClosureStation& after,
+                                       std::size_t k, double precision) const;
+
+    void remember_slip(const std::vector<double>& before, std::vector<double>& signal) const;
+
     std::vector<std::vector<double>> distance_;  // per tip, mm
     bool tension_ = false, slip_ = false;
 };

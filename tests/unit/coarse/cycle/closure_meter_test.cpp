@@ -289,6 +289,29 @@ TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
     EXPECT_NEAR(back[1].load_factor, 32.7, 0.1);
 }
 
+// At either end of the increment they do not slide: before, they stick, and behind, they are apart.
+TEST(ClosureMeter, FindsSlipOfFacesThatPartInTheSameIncrement) {
+    const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
+    const auto state = [](double target) {
+        const double press = 37.3 - target;
+        NewtonReport report = with_slip({static_cast<std::int8_t>(target > 34.0 && press > 0.0), 0});
+        report.iterations.back().residual.faces = {{press, press - 20.0}};
+        return ClosureMeter::Trial{report, target};
+    };
+    const auto station = [&](double target) {
+        return ClosureStation{target, target, meter.signal(state(target).report, {})};
+    };
+    const auto parting = meter.locate(station(30.0), station(40.0), 0.1, state);
+    ASSERT_EQ(parting.size(), 2U);
+    EXPECT_EQ(parting[0].signal, 2);
+    EXPECT_NEAR(parting[0].load_factor, 34.0, 0.1);
+    EXPECT_EQ(parting[1].signal, 0);
+    EXPECT_NEAR(parting[1].load_factor, 37.3, 0.1);
+    const auto meeting = meter.locate(station(40.0), station(30.0), 0.1, state);
+    ASSERT_EQ(meeting.size(), 2U);
+    for (const OpeningChange& change : meeting) EXPECT_NEAR(change.load_factor, 37.3, 0.1);
+}
+
 // A load that is as far off as the increment is long is none.
 TEST(ClosureMeter, GivesNoLoadWhereNoTrialSucceeds) {
     const ClosureMeter meter(loaded().closure, {300.0}, loaded().cracks, {500.0});
