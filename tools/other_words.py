@@ -18,7 +18,7 @@ COLUMNS = {
     "load": ("load", (1, 1), 1e-3),  # under control of K it is as exact as K of the unit load
     "factor": ("load_factor", (0, 0), 1e-3),
     "work": ("external_work stored_energy released_energy dissipation frictional_dissipation", (2, 1), 1e-3),
-    "place": ("a da", (1, 0), 1e-5),  # by a law of da/dN slower tips go by K
+    "place": ("a da", (1, 0), 1e-6),
     "opening": ("CMOD opening opening_range displacement", (1, 0), 1e-3),
     "life": ("dN N", (0, 0), 5e-3),
 }
