@@ -43,7 +43,7 @@ EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)", 
              r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
              r"nothing yields there": r"contact(.|\n)*\[growth\]",
              r"turns sharply": r"\[growth\]",
-             r"the ring of one metal|its outline runs through": r"\[\[region\]\]"}
+             r"ring in its own metal|its outline runs through": r"\[\[region\]\]"}
 
 
 def crack_of(specimen, rng):

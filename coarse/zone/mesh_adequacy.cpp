@@ -21,6 +21,7 @@ constexpr double across_zone = 5.0;       // elements, the forward zone
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
 constexpr double elements_to_bend = 2.0;  // from the tip
+constexpr double least_for_K = 0.3;       // elements to another metal
 
 bool asks_for_opening_loads(const Case& input) {
     const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
@@ -83,12 +84,12 @@ std::optional<std::string> ring_warning(const Scene& scene, std::size_t t) {
 /// K and T are taken across metals, J is not.
 std::optional<std::string> metal_warning(const Scene& scene, std::size_t t) {
     if (tells_J(scene, static_cast<int>(t))) return std::nullopt;
-    const double distance = largest_ring_of_one_metal(scene, static_cast<int>(t));
+    const double radius = largest_ring_of_one_metal(scene, static_cast<int>(t));
     const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-    return fmt::format(
-        "tip {}: the ring of one metal about it has a radius of {:.3g} mm, {:.2g} elements of {:.3g} mm; "
-        "J wants {:g} or more and is not told: smaller elements there",
-        t, distance, distance / element, element, least_for_J);
+    return fmt::format("tip {}: the largest ring in its own metal has a radius of {:.3g} mm, {:.2g} elements of {:.3g} "
+                       "mm; J wants {:g} or more and is not told{}: smaller elements there",
+                       t, radius, radius / element, element, least_for_J,
+                       radius < least_for_K * element ? ", and K is off by more than one percent" : "");
 }
 
 }  // namespace

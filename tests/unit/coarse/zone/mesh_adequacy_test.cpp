@@ -91,10 +91,15 @@ TEST_F(Advice, MindsTheRoomForJInsideAMetal) {
     input.regions[0].outline[0].x() = 10.3;
     const auto warnings = at(600.0);
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(
-        warnings[0].find("the ring of one metal about it has a radius of 1.9 mm, 1.9 elements of 1.02 mm; J wants 2"),
-        std::string::npos)
+    EXPECT_NE(warnings[0].find(
+                  "the largest ring in its own metal has a radius of 1.9 mm, 1.9 elements of 1.02 mm; J wants 2"),
+              std::string::npos)
         << warnings[0];
+    EXPECT_EQ(warnings[0].find("K is off"), std::string::npos);
+    input.cracks[0].points.back().x() = 10.1;  // 0.2 elements from it
+    ASSERT_EQ(at(600.0).size(), 1U);
+    EXPECT_NE(at(600.0)[0].find("J wants 2 or more and is not told, and K is off"), std::string::npos);
+    input.cracks[0].points.back().x() = 8.3;
     input.regions[0].material = input.material;  // what yields elsewhere is as stiff
     input.regions[0].material.yield_stress = 500.0;
     EXPECT_TRUE(at(600.0).empty());
