@@ -20,10 +20,10 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double K, boo
     }
 }
 
-/// Where a crack grows at its minimum loading begins with the longer one, whose K that load gives.
-void begin_loading_again(CycleResult& cycle) {
+/// Where a crack grows at its minimum loading begins with the longer one, whose K that load gives if no K is asked for.
+void begin_loading_again(CycleResult& cycle, bool K_is_asked) {
     constexpr CycleResult none;
-    cycle.K_min = none.K_min;
+    if (!K_is_asked) cycle.K_min = none.K_min;
     cycle.CTOD.least = none.CTOD.least;
     cycle.opening_behind.least = none.opening_behind.least;
 }
@@ -85,7 +85,7 @@ void CycleMeter::add(const Increment& increment) {
         Tip& tip = now_.tips[t];
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, !loading && !growing);
-        if (increment.tips[t].a > tip.cycle.a && !K_is_asked_) begin_loading_again(tip.cycle);
+        if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
         take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())

@@ -30,7 +30,7 @@ protected:
                                   .J = load,
                                   .CTOD = 1e-3 * load,
                                   .CMOD = load,
-                                  .opening = 2e-3 * load,
+                                  .opening = 2e-3 * load + opening_at_tip,
                                   .plastic_zone = 0.01 * load});
         meter.add(increment);
     }
@@ -39,6 +39,7 @@ protected:
     ClosureMeter closure;
     CycleMeter meter;
     double initial_K = 0.0, way = 1.0;  // of the tip, over the length that the crack is said to have
+    double opening_at_tip = 0.0;        // beside what the load makes
 };
 
 TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
@@ -122,6 +123,21 @@ TEST_F(CycleMeterTest, UnderControlOfKGrowthAtAMinimumLeavesTheKAskedFor) {
     const CycleResult cycle = meter.finish().at(0);
     EXPECT_EQ(cycle.K_max, 200.0);
     EXPECT_EQ(cycle.K_min, 100.0);
+}
+
+// A distance behind the tip is another place once it has moved.
+TEST_F(CycleMeterTest, RangesBehindATipThatGrowsAtAMinimumAreOfTheLongerCrack) {
+    for (const Control control : {Control::Load, Control::StressIntensity}) {
+        input.load.control = control;
+        meter = CycleMeter(input, closure, 1);
+        go(0, 20.0, 1.0, false);
+        go(1, 8.0, 1.0, false);
+        opening_at_tip = 3e-3;    // of new faces
+        go(1, 8.0, 1.25, false);  // grows
+        go(1, 16.0, 1.25, false);
+        EXPECT_NEAR(meter.finish().at(0).opening_range(), 0.016, 1e-15);
+        opening_at_tip = 0.0;
+    }
 }
 
 // An overload counts once, in the cycle that reaches it. Nor does a crack count that grows at the load which was for
