@@ -143,10 +143,12 @@ struct TipReport {
 
 /// The zone's share in the balance of work, N (per mm of thickness).
 struct EnergyReport {
-    double stored = 0;     // elastic and by hardening, in all points: a state; zero in brief
-    double released = 0;   // in this increment by faces that a growth has opened (docs/equations.md, work balance)
-    double friction = 0;   // dissipated in this increment by faces that slide
-    double load_path = 0;  // mm: displacement in this increment that the zone's own unit loads do work on
+    double stored = 0;    // elastic and by hardening, in all points: a state; zero in brief
+    double released = 0;  // in this increment by faces that a growth has opened (docs/equations.md, work balance)
+    double friction = 0;  // dissipated in this increment by faces that slide
+    // N: in this increment, what a trapezoid says that pressures do which faces gain or lose. They do none on the way.
+    double contact = 0;
+    double load_path = 0;             // mm: displacement in this increment that the zone's own unit loads do work on
     Eigen::VectorXd case_paths = {};  // likewise, one per load case; empty where none loads the zone itself
 };
 

@@ -1,5 +1,8 @@
 #include "coarse/equilibrium/work_balance.hpp"
 
+#include <cmath>
+#include <vector>
+
 #include "common/index.hpp"
 #include "common/integration/element_operator.hpp"
 
@@ -26,28 +29,42 @@ LoadDisplacements load_displacements(const Structure& structure, const Eigen::Ve
     return all;
 }
 
-/// In an increment.
-struct CaseWork {
-    Eigen::VectorXd each;
-    double total;
+/// In an increment, of one load or several: trapezoids of load and displacement, and of what is moved and what it
+/// costs. `half_rise`: of their area, what is above the load that it starts from. A way that bends changes this part.
+struct Trapezoid {
+    double area = 0.0, half_rise = 0.0;
+
+    void add(double from, double to, double path) {
+        area += 0.5 * (from + to) * path;
+        half_rise += 0.5 * std::abs((to - from) * path);
+    }
 };
 
-/// By load cases: trapezoids of load and displacement, and of what is moved and what it costs. Before the first
-/// increment everything is zero.
-CaseWork work_of_cases(const WorkBalance& before, const LoadFactors& factors, const Eigen::VectorXd& displacements,
-                       const Eigen::VectorXd& forces, const Eigen::VectorXd& zone_paths) {
+/// By load cases. Before the first increment everything is zero.
+std::vector<Trapezoid> work_of_cases(const WorkBalance& before, const LoadFactors& factors,
+                                     const Eigen::VectorXd& displacements, const Eigen::VectorXd& forces,
+                                     const Eigen::VectorXd& zone_paths) {
     const auto of = [](const Eigen::VectorXd& all, Eigen::Index k) { return k < all.size() ? all[k] : 0.0; };
-    CaseWork work{Eigen::VectorXd(displacements.size()), 0.0};
+    std::vector<Trapezoid> work(at(displacements.size()));
     for (Eigen::Index k = 0; k < displacements.size(); ++k) {
-        const double path = displacements[k] - of(before.case_displacements, k) + of(zone_paths, k);
-        const double of_loads = 0.5 * (of(before.cases, k) + factors.of_case(k)) * path;
-        const double of_imposed =
-            0.5 * (of(before.case_forces, k) + forces[k]) * (factors.of_case(k) - of(before.cases, k));
-        work.each[k] = of_loads + of_imposed;
-        work.total += of_loads;
-        work.total += of_imposed;
+        const double from = of(before.cases, k), to = factors.of_case(k);
+        work[at(k)].add(from, to, displacements[k] - of(before.case_displacements, k) + of(zone_paths, k));
+        work[at(k)].add(of(before.case_forces, k), forces[k], to - from);
     }
     return work;
+}
+
+/// `contact`: what the trapezoids of all loads lack, for faces part or meet on the way. Each lacks its share.
+void add_work(WorkBalance& balance, const Trapezoid& main, const std::vector<Trapezoid>& cases, double contact) {
+    if (balance.by_cases.size() == 0) balance.by_cases.setZero(std::ssize(cases));
+    double half_rise = main.half_rise;
+    for (const Trapezoid& each : cases) half_rise += each.half_rise;
+    balance.external += main.area + contact;
+    for (Eigen::Index k = 0; k < std::ssize(cases); ++k) {
+        const double share = half_rise > 0.0 ? cases[at(k)].half_rise / half_rise : 0.0;
+        balance.external += cases[at(k)].area;
+        balance.by_cases[k] += cases[at(k)].area + share * contact;
+    }
 }
 
 }  // namespace
@@ -56,14 +73,12 @@ void add_increment(WorkBalance& balance, const Structure& structure, const Eigen
                    const LoadFactors& factors, const MachineReading& machine, const coupling::StepReport& zone) {
     const auto [path, case_paths] = load_displacements(structure, u, factors);
     const double load_factor = factors.main, imposed_force = machine.imposed_force;
-    balance.external +=
-        0.5 * (balance.load_factor + load_factor) * (path - balance.load_displacement + zone.energy.load_path);
-    balance.external += 0.5 * (balance.imposed_force + imposed_force) * (load_factor - balance.load_factor);
-    const CaseWork of_cases =
-        work_of_cases(balance, factors, case_paths, machine.imposed_forces_of_cases, zone.energy.case_paths);
-    balance.external += of_cases.total;
-    if (balance.by_cases.size() == 0) balance.by_cases.setZero(of_cases.each.size());
-    balance.by_cases += of_cases.each;
+    Trapezoid main;
+    main.add(balance.load_factor, load_factor, path - balance.load_displacement + zone.energy.load_path);
+    main.add(balance.imposed_force, imposed_force, load_factor - balance.load_factor);
+    add_work(balance, main,
+             work_of_cases(balance, factors, case_paths, machine.imposed_forces_of_cases, zone.energy.case_paths),
+             zone.energy.contact);
     balance.released += zone.energy.released;
     balance.stored = structure.loads().stored_energy(structure.tangent(), on_free_places(structure, u), factors) +
                      zone.energy.stored;

@@ -84,6 +84,7 @@ void add_counters(StepReport& whole, const StepReport& part) {
     whole.energy.stored += part.energy.stored;
     whole.energy.released += part.energy.released;
     whole.energy.friction += part.energy.friction;
+    whole.energy.contact += part.energy.contact;
     whole.energy.load_path += part.energy.load_path;
     add_paths(whole.energy.case_paths, part.energy.case_paths);
     whole.points += part.points;

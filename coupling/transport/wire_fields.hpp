@@ -129,8 +129,8 @@ void fields(auto& wire, Is<TipReport> auto& m) {
 }
 
 void fields(auto& wire, Is<EnergyReport> auto& m) {
-    auto& [stored, released, friction, load_path, case_paths] = m;
-    wire(stored, released, friction, load_path, case_paths);
+    auto& [stored, released, friction, contact, load_path, case_paths] = m;
+    wire(stored, released, friction, contact, load_path, case_paths);
 }
 
 void fields(auto& wire, Is<WorkCounts> auto& m) {

@@ -209,6 +209,16 @@ double FaceOperators::gap(int k, const Eigen::VectorXd& u) const {
     return std::abs(sum) > rounding_of_gap * size ? sum / weight_[k] : 0.0;
 }
 
+double FaceOperators::work_by_trapezoid(const End& from, const End& to) const {
+    double sum = 0.0;
+    for (int k = 0; k < multipliers(); ++k) {
+        const double before = from.traction[k], after = to.traction[k];
+        if (before > 0.0 && after <= 0.0) sum += 0.5 * weight_[k] * before * gap(k, to.u);
+        if (before <= 0.0 && after > 0.0) sum -= 0.5 * weight_[k] * after * gap(k, from.u);
+    }
+    return sum;
+}
+
 double FaceOperators::slip(int k, const Eigen::VectorXd& u) const {
     return (T_.row(k).dot(u) + fixed_slip_[k]) / weight_[k];
 }

@@ -57,6 +57,14 @@ public:
     /// other.
     void add_force(const Eigen::VectorXd& traction, Eigen::VectorXd& force) const;
 
+    /// What pressures would do by a trapezoid on the way from one state to another, N per mm of thickness. It is not
+    /// zero where faces part or meet, and those do no work: either the pressure or the gap is none all the way.
+    struct End {
+        const Eigen::VectorXd& u;
+        const Eigen::VectorXd& traction;
+    };
+    [[nodiscard]] double work_by_trapezoid(const End& from, const End& to) const;
+
     /// The unknowns of the mesh that a multiplier acts on: those of its row of B, then the others of its row of T.
     [[nodiscard]] std::vector<int> acts_on(int k) const;
 

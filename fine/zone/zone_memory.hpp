@@ -14,6 +14,8 @@ namespace stria::fine {
 struct ZoneUnknowns {
     Eigen::VectorXd displacement;  // of all unknowns of the mesh, mm
     Eigen::VectorXd traction;      // of all multipliers, MPa: ContactInterface
+
+    [[nodiscard]] FaceOperators::End at_faces() const { return {displacement, traction}; }
 };
 
 struct ZoneMemory {

@@ -226,8 +226,10 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
-    memory_.committed = trial_;
     const bool counts = !memory_.opening.any(), begins = bulk_->history().half_cycle_ended();
+    const double contact =  // while cracks grow the loads are held, and do their work by no trapezoid
+        counts ? contact_->operators().work_by_trapezoid(memory_.committed.at_faces(), trial_.at_faces()) : 0.0;
+    memory_.committed = trial_;
     const double dissipated = summary_->dissipation();
     bulk_->commit(what.reversal, counts);
     contact_->commit(memory_.committed.displacement);
@@ -237,6 +239,7 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     report.energy = {.stored = summary_->stored_energy() + at_rest_.energy(moved_since_rest()),
                      .released = memory_.opening.release(move.displacement, held_),
                      .friction = friction,
+                     .contact = contact,
                      .load_path = patch_.unit_load.dot(move.displacement)};
     if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
     memory_.increments.push(move);

@@ -43,20 +43,49 @@ Case cycled(double element, int cycles, int steps, double growth = 0.05) {
 }
 
 TEST(WorkBalance, ClosesOverTenGrownCycles) {
-    const Balance balance = balance_of(cycled(0.2, 10, 30));
+    const Balance balance = balance_of(cycled(0.2, 10, 40));
     EXPECT_LT(balance.relative_error(), 1e-3);
-    // What is released is a three-hundredth of the work, so the error is a good part of it: the increments' trapezoids,
-    // and the straight path by which each release is counted (EnergyRelease.*).
-    EXPECT_LT(balance.largest_error, 0.3 * balance.end.released);
+    // What is released is a hundredth of the work. 6 % of it are missing however short the increments are, for the path
+    // by which each release is counted (EnergyRelease.*).
+    EXPECT_LT(balance.largest_error, 0.1 * balance.end.released);
 }
 
 TEST(WorkBalance, ClosesTheBetterTheSmallerTheIncrements) {
     double before = 1e300;
     for (const int steps : {12, 24, 48}) {
         const double error = balance_of(cycled(0.4, 2, steps, 0.0)).relative_error();
-        EXPECT_LT(error, 0.6 * before);
+        EXPECT_LT(error, 0.35 * before);  // of second order, though faces part and meet
         before = error;
     }
+}
+
+// From pressed to open in one increment the load over the displacement is two straight lines. A trapezoid lacks up to a
+// third of the work there.
+TEST(WorkBalance, ClosesInAnElasticBodyWhoseFacesPartAndMeetInOneIncrement) {
+    Case input = cycled(0.4, 2, 2, 0.0);
+    input.material.yield_stress.reset();
+    input.solver.tolerance = 1e-12;
+    input.load.blocks[0].min = -30.0;
+    const Balance balance = balance_of(input);
+    EXPECT_LT(balance.relative_error(), 1e-9);
+}
+
+// A dead load that presses the faces together, beside one that opens them.
+TEST(WorkBalance, SharesOfLoadCasesDoNotDependOnTheIncrementsInWhichFacesPart) {
+    std::vector<Eigen::VectorXd> shares;
+    for (const int steps : {2, 32}) {
+        Case input = cycled(0.4, 2, steps, 0.0);
+        input.material.yield_stress.reset();
+        input.solver.tolerance = 1e-12;
+        LoadCaseSection& dead = input.load_cases.emplace_back();
+        dead.name = "dead";
+        dead.constant = -30.0;
+        for (std::size_t k : {0U, 1U}) input.boundaries.push_back(input.boundaries[k]);
+        for (std::size_t k : {2U, 3U}) input.boundaries[k].load_case = "dead";
+        const coarse::WorkBalance end = balance_of(input).end;
+        shares.emplace_back(Eigen::Vector2d(end.external, end.by_cases[0]));
+    }
+    EXPECT_LT((shares[0] - shares[1]).norm(), 1e-9 * shares[1].norm());
 }
 
 TEST(WorkBalance, CountsHardeningInPlaneStressAndBothKinds) {

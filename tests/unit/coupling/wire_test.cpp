@@ -83,7 +83,7 @@ StepReport small_report() {
     report.faces = {{.crack = 0, .s = 0.5, .opening = 1e-3, .pressure = 20.0, .status = 2}, {.crack = 1}};
     report.contact_length = {0.1, 0.2};
     report.mouth_opening = {std::numeric_limits<double>::quiet_NaN(), 0.3};
-    report.energy = {.stored = 7.0, .released = 0.5, .load_path = 0.25};
+    report.energy = {.stored = 7.0, .released = 0.5, .contact = -0.125, .load_path = 0.25};
     report.points = 1'000'000'000'000;
     for (std::int64_t value = 100; const NamedWorkCount& count : named_work_counts) report.work.*count.value = ++value;
     report.factor_s = 0.25;
@@ -221,6 +221,7 @@ TEST(Wire, Report) {
     EXPECT_TRUE(std::isnan(copy.mouth_opening.at(0)));
     EXPECT_EQ(copy.energy.stored, 7.0);
     EXPECT_EQ(copy.energy.released, 0.5);
+    EXPECT_EQ(copy.energy.contact, -0.125);
     EXPECT_EQ(copy.energy.load_path, 0.25);
     EXPECT_EQ(copy.points, 1'000'000'000'000);
     for (const NamedWorkCount& count : named_work_counts)

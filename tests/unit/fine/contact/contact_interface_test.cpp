@@ -328,6 +328,21 @@ TEST(ContactInterface, SlidingDissipatesTheMeanBoundTimesTheSlip) {
     EXPECT_EQ(contact.dissipated(all(2.0, 0.0), all(6.0, 0.0), slipped), 0.0);
 }
 
+// Pressed by 2 MPa and then 0.01 mm apart: a trapezoid sees a triangle of work on 8 mm, though nothing is done.
+TEST(ContactInterface, TrapezoidsSeeWorkWhereFacesPartOrMeet) {
+    const Cut cut;
+    const ContactInterface interface = cut.contact();
+    const fine::FaceOperators& contact = interface.operators();
+    const Eigen::VectorXd touching = Eigen::VectorXd::Zero(cut.mesh.unknowns),
+                          apart = cut.opened([](const Vec2&) { return Vec2(0.0, 0.01); }),
+                          pressed = Eigen::VectorXd::Constant(contact.tractions(), 2.0),
+                          free = Eigen::VectorXd::Zero(contact.tractions());
+    EXPECT_NEAR(contact.work_by_trapezoid({touching, pressed}, {apart, free}), 0.5 * 2.0 * 0.01 * 8.0, 1e-13);
+    EXPECT_NEAR(contact.work_by_trapezoid({apart, free}, {touching, pressed}), -0.5 * 2.0 * 0.01 * 8.0, 1e-13);
+    EXPECT_EQ(contact.work_by_trapezoid({touching, pressed}, {touching, 3.0 * pressed}), 0.0);
+    EXPECT_EQ(contact.work_by_trapezoid({apart, free}, {2.0 * apart, free}), 0.0);
+}
+
 // Faces that stuck come free at a load of zero, on their way back: whether they part then or slide is rounding.
 TEST(ContactInterface, FacesThatComeFreeDissipateTheSameWhetherTheyPartOrSlide) {
     const Cut cut(2.4, 2.4, 0.0, 0.4);
