@@ -277,6 +277,8 @@ TipEnrichment choose_enrichment(const Case& input) {
     case Enrichment::Auto:
         break;
     }
+    // What a function leaves on the faces moves opening loads, and a life by these is off by several times as much.
+    if (leaves_faces && grows_by_opening_loads(*input.growth)) return none;
     if (may_yield(input)) return input.growth ? growing : single;
     if (has_friction(input.cracks)) return near_sliding;
     return needs_fine(input) ? linear : geometrical;

@@ -28,7 +28,8 @@ struct TipEnrichment {
 /// `auto`: within a fixed radius where nothing yields or touches; six functions with n = 1 of the tip's element where
 /// faces may touch; two elements around it where they have friction, which turns errors of the pressure at the tip into
 /// errors of K_II; the single function with plasticity, and none where a crack that is plastic or touches grows through
-/// small elements (docs/method.md, section 2). Their n is that of a power law where no crack grows, else 1.
+/// small elements, or one that touches grows by its opening loads (docs/method.md, section 2). Their n is that of a
+/// power law where no crack grows, else 1.
 TipEnrichment choose_enrichment(const Case& input);
 
 /// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError

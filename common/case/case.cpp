@@ -14,6 +14,10 @@ bool has_initial_stress(const Case& scene) {
     return scene.initial_stress || std::ranges::any_of(scene.regions, misfits);
 }
 
+bool grows_by_opening_loads(const GrowthSection& growth) {
+    return growth.law == GrowthLaw::Paris && growth.driving == GrowthDriving::EffectiveRange;
+}
+
 bool needs_fine(const Case& scene) {
     const bool contact =
         std::ranges::any_of(scene.cracks, [](const CrackSection& crack) { return crack.contact.has_value(); });

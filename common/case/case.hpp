@@ -277,11 +277,9 @@ struct Case {
     bool operator==(const Case&) const = default;
 };
 
-/// Some material has a yield stress.
-bool may_yield(const Case& scene);
-
-/// There is stress before any load.
-bool has_initial_stress(const Case& scene);
+bool may_yield(const Case& scene);           // some material has a yield stress
+bool has_initial_stress(const Case& scene);  // there is stress before any load
+bool grows_by_opening_loads(const GrowthSection& growth);
 
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);

@@ -71,6 +71,25 @@ TEST(LoadHistories, ALifeAtConstantKIsThatOfTheLaw) {
     }
 }
 
+// A linear body closes its crack where the load is gone, however long it has become. So dK_eff is K_max.
+TEST(LoadHistories, ALifeByOpeningLoadsOfALinearBodyIsThatOfKMax) {
+    constexpr double C = 1e-12, m = 3.0;
+    Case input = elastic_plate();
+    input.cracks[0].contact.emplace();
+    input.load.steps = 4;
+    input.load.blocks = {{.cycles = 6, .max = 100.0, .min = -50.0}};
+    input.growth = GrowthSection{
+        .law = GrowthLaw::Paris, .increment = 0.031, .C = C, .m = m, .driving = GrowthDriving::EffectiveRange};
+    double grown = 0.0, cycles = 0.0;
+    for (const coarse::Increment& increment : run_direct(input).increments)
+        for (const coarse::CycleResult& cycle : increment.cycles) {
+            EXPECT_NEAR(cycle.opening.K_op, 0.0, 0.002 * 100.0);  // how well it is located
+            if (cycle.dN > 0.0) grown += cycle.da, cycles += cycle.dN;
+        }
+    EXPECT_GT(grown, 0.12);
+    EXPECT_NEAR(cycles, grown / (C * std::pow(100.0, m)), 0.006 * cycles);
+}
+
 // Between constant loads: the life is that of the law to the second order of the increment, wherever in the cycle the
 // crack grows. At R = 0.7 a K_min of the shorter crack would make the range by a quarter too large.
 TEST(LoadHistories, ALifeBetweenConstantLoadsIsTheSameWhereverItGrows) {

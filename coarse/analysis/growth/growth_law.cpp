@@ -24,9 +24,9 @@ double driving_range(GrowthDriving driving, const CycleResult& cycle) {
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
-    const bool by_K_op = growth.law == GrowthLaw::Paris && growth.driving == GrowthDriving::EffectiveRange;
-    const bool unread =
-        by_K_op ? cycle.opening.lost : growth.law == GrowthLaw::Ctod && std::isnan(cycle.opening_range());
+    const bool unread = grows_by_opening_loads(growth)
+                            ? cycle.opening.lost
+                            : growth.law == GrowthLaw::Ctod && std::isnan(cycle.opening_range());
     if (unread) return std::numeric_limits<double>::quiet_NaN();
     const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.opening_range();
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
