@@ -4,8 +4,8 @@
     tools/cross_check.py RESULTS
 
 RESULTS is the folder of a run with output.history = "all" and one history of loads. Made anew are the columns that
-docs/notation.md defines by increments: a, da, K ratios, ranges, plastic zones, J_max, iterations, U, dK_eff, N; and of
-history.csv what is left of the balance of work. Exit code 1 where something differs.
+docs/notation.md defines by increments or by one another: a, da, ranges, plastic zones, J_max, iterations, U, dK_eff, N;
+and of history.csv what is left of the balance of work. Exit code 1 where something differs.
 """
 
 import csv

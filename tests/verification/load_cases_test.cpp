@@ -46,7 +46,8 @@ void expect_its_share(const RunHistory& with_dead, std::size_t k, double dead) {
     if (before.step.target.cases[0] != dead) return;
     const double mean = dead + 0.5 * (now.load_factor + before.load_factor);
     EXPECT_NEAR((now.work.by_cases[0] - before.work.by_cases[0]) * mean,
-                (now.work.external - before.work.external - now.zone.energy.contact) * dead, 1e-9 * now.work.external * dead)
+                (now.work.external - before.work.external - now.zone.energy.contact) * dead,
+                1e-9 * now.work.external * dead)
         << k;
 }
 
