@@ -94,6 +94,28 @@ void spare_insert(const CrackSection& crack, const std::string& key, const Mesh&
     }
 }
 
+std::vector<Vec2> points_in(const Body& body, const std::vector<BoundarySection>& boundaries) {
+    std::vector<Vec2> points;
+    for (const BoundarySection& boundary : boundaries)
+        if (boundary.on == "point" && boundary.at && body.holds(*boundary.at)) points.push_back(*boundary.at);
+    return points;
+}
+
+/// A point that is a node already changes nothing.
+Mesh mesh_with_points(const Specimen& specimen, const MeshSection& section, MeshLines lines,
+                      const std::vector<Vec2>& points) {
+    Mesh mesh = specimen.mesh(section, lines);
+    bool all_nodes = true;
+    for (const Vec2& point : points) {
+        if (is_at(mesh, nearest_node(mesh, point), point)) continue;
+        all_nodes = false;
+        for (const int axis : {0, 1}) lines[at(axis)].push_back(point[axis]);
+    }
+    if (all_nodes) return mesh;
+    keep_each_once(lines);
+    return specimen.mesh(section, lines);
+}
+
 }  // namespace
 
 std::span<const Specimen> specimens() { return catalogue; }
@@ -109,11 +131,11 @@ const Specimen& find_specimen(std::string_view name) {
 }
 
 Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks,
-               const std::vector<RegionSection>& regions) {
+               const std::vector<RegionSection>& regions, const std::vector<BoundarySection>& boundaries) {
     if (section.file) return read_mesh_file(*section.file);
     const Specimen& specimen = find_specimen(section.specimen);
-    Mesh mesh = specimen.mesh(section, lines_of(regions));
     const Body body = specimen.body(section);
+    Mesh mesh = mesh_with_points(specimen, section, lines_of(regions), points_in(body, boundaries));
     for (std::size_t k = 0; k < cracks.size(); ++k) {
         const std::string key = fmt::format("crack[{}].points", k + 1);
         validate(cracks[k], key, body);

@@ -66,11 +66,15 @@ MeshLines lines_of(const std::vector<RegionSection>& regions) {
                 if (const double here = polygon[k][axis]; here == polygon[(k + 1) % polygon.size()][axis])
                     lines[at(axis)].push_back(here);
     }
+    keep_each_once(lines);
+    return lines;
+}
+
+void keep_each_once(MeshLines& lines) {
     for (std::vector<double>& along : lines) {
         std::ranges::sort(along);
         along.erase(std::ranges::unique(along).begin(), along.end());
     }
-    return lines;
 }
 
 std::vector<int> materials_of_elements(const Mesh& mesh, const std::vector<RegionSection>& regions) {

@@ -13,6 +13,9 @@ namespace stria::coarse {
 /// Coordinates along x and y, mm, at which a structured mesh is to have lines of nodes.
 using MeshLines = std::array<std::vector<double>, 2>;
 
+/// Ascending.
+void keep_each_once(MeshLines& lines);
+
 /// Those of the axis-parallel edges of all outlines, ascending, each once.
 [[nodiscard]] MeshLines lines_of(const std::vector<RegionSection>& regions);
 

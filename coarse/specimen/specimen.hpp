@@ -38,9 +38,10 @@ std::span<const Specimen> specimens();
 /// Throws CaseError listing the available names.
 const Specimen& find_specimen(std::string_view name);
 
-/// Mesh of the case's file; or of its specimen, with node lines along the axis-parallel outlines of regions. Validates
-/// the mesh section and that every crack meets the specimen and spares the inserts around pins; throws CaseError.
+/// Mesh of the case's file; or of its specimen, with node lines along the axis-parallel outlines of regions and through
+/// the points of boundaries that would be no nodes. Validates the mesh section and that every crack meets the specimen
+/// and spares the inserts around pins; throws CaseError.
 Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& cracks,
-               const std::vector<RegionSection>& regions = {});
+               const std::vector<RegionSection>& regions = {}, const std::vector<BoundarySection>& boundaries = {});
 
 }  // namespace stria::coarse

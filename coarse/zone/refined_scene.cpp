@@ -9,7 +9,8 @@
 namespace stria::coarse {
 
 Scene refined_scene(const Case& input, const std::function<void(const Scene&)>& before_solving) {
-    Scene scene = make_scene(input, make_mesh(input.mesh, input.cracks, input.regions), input.fine.refine);
+    Scene scene =
+        make_scene(input, make_mesh(input.mesh, input.cracks, input.regions, input.boundaries), input.fine.refine);
     if (input.fine.refine == 1) return scene;
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
     if (!input.fine.radius || input.growth) {

@@ -249,7 +249,9 @@ Section<BoundarySection> boundary_section() {
         .must_be_given()
         .says("A named edge of the specimen: top, bottom, left, right; a pin of ct: pin-top, pin-bottom; a group of "
               "mesh.file, or its \"unnamed\" edges; or \"point\".");
-    s.value("at", &BoundarySection::at).in("mm").says("The point, with on = \"point\".");
+    s.value("at", &BoundarySection::at)
+        .in("mm")
+        .says("The point, with on = \"point\": a node of mesh.file; in a specimen one is put there.");
     s.value("displacement", &BoundarySection::displacement).in("mm").says("Displacement per unit load factor.");
     s.value("traction", &BoundarySection::traction).in("MPa").says("Traction per unit load factor.");
     s.value("traction_gradient", &BoundarySection::traction_gradient)

@@ -58,6 +58,10 @@ struct Mesh {
     }
 };
 
+[[nodiscard]] int nearest_node(const Mesh& mesh, const Vec2& place);
+/// Whether a node is at a place, to a millionth of the shortest edge around it.
+[[nodiscard]] bool is_at(const Mesh& mesh, int node, const Vec2& place);
+
 /// For each node the elements around it, in element order; around a hanging node then the larger one.
 IndexLists elements_around_nodes(const Mesh& mesh);
 

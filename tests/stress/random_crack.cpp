@@ -59,13 +59,11 @@ Vec2 mouth(const CrackedPlate& plate, Dice& dice) {
     }
 }
 
-const Vec2& nearest_node(const Mesh& mesh, const Vec2& x) {
-    return *std::ranges::min_element(mesh.nodes, {}, [&](const Vec2& node) { return (node - x).squaredNorm(); });
-}
+const Vec2& place_of_nearest_node(const Mesh& mesh, const Vec2& x) { return mesh.nodes[at(nearest_node(mesh, x))]; }
 
 /// A place on the edge of some element beside the nearest node.
 Vec2 on_an_edge(const Mesh& mesh, const Vec2& x, Dice& dice) {
-    const Vec2& node = nearest_node(mesh, x);
+    const Vec2& node = place_of_nearest_node(mesh, x);
     std::vector<Vec2> neighbours;
     for (const auto& element : mesh.elements)
         for (std::size_t k = 0; k < 4; ++k)
@@ -80,9 +78,9 @@ Vec2 attracted(const CrackedPlate& plate, const Vec2& x, Dice& dice) {
     const Vec2 hair = plate.h * dice.decade(-13.0, -1.0) * Vec2(std::cos(angle), std::sin(angle));
     switch (dice.below(8)) {
     case 0:
-        return nearest_node(plate.mesh, x);
+        return place_of_nearest_node(plate.mesh, x);
     case 1:
-        return nearest_node(plate.mesh, x) + hair;
+        return place_of_nearest_node(plate.mesh, x) + hair;
     case 2:
         return on_an_edge(plate.mesh, x, dice);
     case 3:

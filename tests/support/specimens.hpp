@@ -70,6 +70,21 @@ inline Case compact_tension(double a) {
     return input;
 }
 
+/// SE(B): three points at which it is held and loaded, four widths apart; the crack is opposite the load.
+inline Case bent_bar(double a) {
+    constexpr double overhang = 0.25, span = 4.0, height = span + 2.0 * overhang;
+    Case input = specimen("plate", height, {{0.0, height / 2.0}, {a, height / 2.0}});
+    input.boundaries.resize(3);
+    for (BoundarySection& point : input.boundaries) point.on = "point";
+    input.boundaries[0].at = Vec2(1.0, height / 2.0);
+    input.boundaries[0].force = Vec2(-1.0, 0.0);
+    input.boundaries[1].at = Vec2(0.0, overhang);
+    input.boundaries[1].displacement = {0.0, 0.0};
+    input.boundaries[2].at = Vec2(0.0, height - overhang);
+    input.boundaries[2].displacement[0] = 0.0;
+    return input;
+}
+
 /// 41 equal elements across.
 inline Case uniform(Case input) {
     input.mesh.size = (input.mesh.specimen == "ct" ? 1.25 : 1.0) * input.mesh.width / 41.0;

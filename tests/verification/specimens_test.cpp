@@ -138,6 +138,20 @@ TEST(Specimens, CompactTension) {
     }
 }
 
+/// SE(B), span 4 W: K B sqrt(W) / P. J. E. Srawley, Int. J. Fracture 12 (1976) 475, as in ASTM E399; 0.5 %.
+double bent_bar_factor(double x) {
+    return 6.0 * std::sqrt(x) * (1.99 - x * (1.0 - x) * (2.15 - 3.93 * x + 2.7 * x * x)) /
+           ((1.0 + 2.0 * x) * std::pow(1.0 - x, 1.5));
+}
+
+TEST(Specimens, ThreePointBending) {
+    for (const double x : {0.3, 0.5, 0.7}) {
+        const ElasticSolution solution(graded_to_tips(bent_bar(x)));
+        expect_within(1.0, fmt::format("SE(B) a/W {}, graded", x), "Srawley 1976, ASTM E399 (2.2)", solution,
+                      solution.tips[0], bent_bar_factor(x), 1.0);
+    }
+}
+
 TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     const ElasticSolution solution(graded_to_tips(compact_tension(0.5)));
     EXPECT_EQ(solution.scene.free_motions.pins.size(), 3U);

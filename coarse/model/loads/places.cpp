@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
 #include <set>
 
 #include "common/error.hpp"
@@ -12,31 +10,13 @@
 namespace stria::coarse {
 namespace {
 
-const Vec2& place_of_node(const Mesh& mesh, int node) { return mesh.nodes[at(node)]; }
-
-/// Shortest edge of the elements around a node: the scale on which a point is or is not that node.
-double local_size(const Mesh& mesh, int node) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& element : mesh.elements) {
-        if (std::find(element.begin(), element.end(), node) == element.end()) continue;
-        for (std::size_t k = 0; k < 4; ++k) {
-            shortest = std::min(shortest,
-                                (place_of_node(mesh, element[(k + 1) % 4]) - place_of_node(mesh, element[k])).norm());
-        }
-    }
-    return shortest;
-}
-
 int node_of_point(const Mesh& mesh, const Vec2& point, const std::string& key) {
-    constexpr double coincidence = 1e-6;
     if (!point.allFinite()) throw CaseError(key + ".at: the point is not finite");
-    const auto nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](const Vec2& a, const Vec2& b) {
-        return (a - point).squaredNorm() < (b - point).squaredNorm();
-    });
-    const int node = static_cast<int>(nearest - mesh.nodes.begin());
-    if ((*nearest - point).norm() > coincidence * local_size(mesh, node)) {
+    const int node = nearest_node(mesh, point);
+    if (!is_at(mesh, node, point)) {
+        const Vec2& nearest = mesh.nodes[at(node)];
         throw CaseError(fmt::format("{}.at: no mesh node at ({}, {}), the nearest is ({}, {})", key, point.x(),
-                                    point.y(), nearest->x(), nearest->y()));
+                                    point.y(), nearest.x(), nearest.y()));
     }
     return node;
 }

@@ -115,6 +115,28 @@ TEST(GradedAxis, RefusesMoreCellsThanMemoryHolds) {
     EXPECT_THROW(static_cast<void>(graded_axis(1.0, 1e-9, {})), CaseError);
 }
 
+BoundarySection point_at(double x, double y) {
+    BoundarySection section;
+    section.on = "point";
+    section.at = Vec2(x, y);
+    return section;
+}
+
+TEST(RectangleMesh, HasANodeAtEachPointOfABoundary) {
+    Case scene = plain_case();
+    scene.mesh.grading = {Grading{.at = {{20.0, 100.0}}, .size = 0.2, .outer_size = 0.4, .radius = 2.0}};
+    const std::vector<BoundarySection> points{point_at(50.0, 100.0), point_at(0.0, 13.7), point_at(31.4, 171.9)};
+    const Mesh without = make_mesh(scene.mesh, scene.cracks);
+    const Mesh mesh = make_mesh(scene.mesh, scene.cracks, {}, points);
+    for (const BoundarySection& point : points) {
+        EXPECT_FALSE(is_at(without, nearest_node(without, *point.at), *point.at));
+        EXPECT_TRUE(is_at(mesh, nearest_node(mesh, *point.at), *point.at));
+    }
+    const std::vector<BoundarySection> nodes{
+        point_at(0.0, 0.0), point_at(without.nodes[500].x(), without.nodes[500].y()), point_at(60.0, 1.0)};
+    EXPECT_EQ(make_mesh(scene.mesh, scene.cracks, {}, nodes).nodes, without.nodes) << "nodes, and outside of the body";
+}
+
 TEST(RectangleMesh, HasPositiveElementsThatFillTheBodyAndNamedEdges) {
     Case scene = plain_case();
     scene.mesh.grading = {Grading{.at = {{20.0, 100.0}}, .size = 0.2, .outer_size = 0.4, .radius = 2.0}};
