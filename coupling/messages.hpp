@@ -131,14 +131,21 @@ struct RingReport {
     DomainIntegral sums;
 };
 
+/// Elements with metal that has flowed, by their distances from the tip that is nearest to it. Each begins within twice
+/// the distance at which those before it end.
+struct FlowShell {
+    double begin = 0, end = 0;  // mm, of the elements
+    double reach = 0;           // mm, largest distance of a point that has flowed
+    double axis = 0;            // mm, likewise, within 15 degrees of the crack's line ahead
+};
+
 /// What a tip shows inside the zone.
 struct TipReport {
     double CTOD = -1;  // mm; negative: the 90 degree intercept is not in the zone
     // mm, at the distance behind it that the patch asks for; NaN: not in the zone
     double opening = std::numeric_limits<double>::quiet_NaN();
-    double plastic_zone = 0;       // mm, largest distance of a point that flowed in this half cycle
-    double plastic_zone_axis = 0;  // mm, within 15 degrees of the crack's line ahead
-    double plastic_reach = 0;      // mm, largest distance of a point that has ever flowed
+    // Ascending, apart from one another (flow_shells.hpp): in this half cycle, and ever.
+    std::vector<FlowShell> flow = {}, flow_ever = {};
 };
 
 /// The zone's share in the balance of work, N (per mm of thickness).

@@ -6,8 +6,10 @@
 #include <tuple>
 
 #include "coarse/model/crack_front.hpp"
+#include "coarse/model/tip_reach.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
+#include "coupling/flow_shells.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -59,12 +61,15 @@ double spread(std::span<const RingValues> rings, double RingValues::*value, doub
 /// J from the first ring, whatever has flowed in it, if it is of one metal. K and T from the first ring in which
 /// nothing has flowed, or, failing that, from the one that begins farthest out, of those across metals where there are
 /// such; their spread over such rings alone.
-void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>& values, double plastic_reach,
-               TipResult& result) {
+void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>& values,
+               const std::vector<coupling::FlowShell>& flow_ever, TipResult& result) {
     std::vector<RingValues> of_one_metal, elastic;
     for (std::size_t k = 0; k < rings.size(); ++k) {
         if (rings[k].one_metal) of_one_metal.push_back(values[k]);
-        if (rings[k].one_metal == rings.back().one_metal && rings[k].inner >= plastic_reach)
+        const auto misses = [&](const coupling::FlowShell& shell) {
+            return shell.reach <= rings[k].inner || shell.begin >= rings[k].outer;
+        };
+        if (rings[k].one_metal == rings.back().one_metal && std::ranges::all_of(flow_ever, misses))
             elastic.push_back(values[k]);
     }
     result.J = of_one_metal.empty() ? std::nan("") : of_one_metal.front().J;
@@ -94,8 +99,9 @@ void put_openings(const EnrichedMesh& mesh, int t, const Eigen::VectorXd& u, con
     const coupling::TipReport& zone = report.tips[at(t)];
     if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
     result.opening = zone.opening;
-    result.plastic_zone = zone.plastic_zone;
-    result.plastic_zone_axis = zone.plastic_zone_axis;
+    const coupling::FlowShell own = coupling::shell_at_tip(zone.flow, tip_element_size(mesh, tip));
+    result.plastic_zone = own.reach;
+    result.plastic_zone_axis = own.axis;
     result.contact_length = report.contact_length[at(tip.crack)];
     if (std::isfinite(report.mouth_opening[at(tip.crack)])) result.CMOD = report.mouth_opening[at(tip.crack)];
 }
@@ -128,8 +134,8 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
         result.CTOD = std::nan("");
         result.CMOD = mouth_opening(rings.elements(), tip.crack, u);
         put_openings(scene.enriched, t, u, report, behind, result);
-        const double plastic_reach = report.tips.empty() ? 0.0 : report.tips[at(t)].plastic_reach;
-        put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), plastic_reach, result);
+        const auto flow_ever = report.tips.empty() ? std::vector<coupling::FlowShell>() : report.tips[at(t)].flow_ever;
+        put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), flow_ever, result);
         results.push_back(result);
     }
     return results;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "common/index.hpp"
 #include "coupling/append.hpp"
+#include "coupling/flow_shells.hpp"
 
 namespace stria::coupling {
 namespace {
@@ -41,14 +43,18 @@ void add_digest(Digest& whole, const Digest& part, const std::vector<int>& eleme
     }
 }
 
+void add_flow(std::vector<FlowShell>& whole, const std::vector<FlowShell>& part) {
+    append(whole, part);
+    whole = joined(std::move(whole));
+}
+
 void add_tips(StepReport& whole, const StepReport& part) {
     widen(whole.tips, part.tips.size());
     for (std::size_t t = 0; t < part.tips.size(); ++t) {
         raise(whole.tips[t].CTOD, part.tips[t].CTOD);
         if (std::isfinite(part.tips[t].opening)) whole.tips[t].opening = part.tips[t].opening;
-        raise(whole.tips[t].plastic_zone, part.tips[t].plastic_zone);
-        raise(whole.tips[t].plastic_zone_axis, part.tips[t].plastic_zone_axis);
-        raise(whole.tips[t].plastic_reach, part.tips[t].plastic_reach);
+        add_flow(whole.tips[t].flow, part.tips[t].flow);
+        add_flow(whole.tips[t].flow_ever, part.tips[t].flow_ever);
     }
 }
 

@@ -123,9 +123,14 @@ void fields(auto& wire, Is<RingReport> auto& m) {
     wire(tip, number, sums);
 }
 
+void fields(auto& wire, Is<FlowShell> auto& m) {
+    auto& [begin, end, reach, axis] = m;
+    wire(begin, end, reach, axis);
+}
+
 void fields(auto& wire, Is<TipReport> auto& m) {
-    auto& [CTOD, opening, plastic_zone, plastic_zone_axis, plastic_reach] = m;
-    wire(CTOD, opening, plastic_zone, plastic_zone_axis, plastic_reach);
+    auto& [CTOD, opening, flow, flow_ever] = m;
+    wire(CTOD, opening, flow, flow_ever);
 }
 
 void fields(auto& wire, Is<EnergyReport> auto& m) {

@@ -4,6 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <ranges>
+#include <span>
+#include <utility>
+
+#include "coupling/flow_shells.hpp"
 
 namespace stria::fine {
 namespace {
@@ -21,7 +26,7 @@ BulkSummary::BulkSummary(const Bulk& bulk)
 // What has yielded in the half cycle before counts no more, at rest or not.
 void BulkSummary::update(const Bulk& bulk, bool half_cycle_begins) {
     if (half_cycle_begins)
-        for (PlasticExtent& extent : extents_) extent.zone = extent.axis = 0.0;
+        for (Extent& extent : extents_) extent.zone = extent.axis = 0.0;
     for (const int e : bulk.resting().awake()) look_at(bulk, e);
 }
 
@@ -30,7 +35,7 @@ void BulkSummary::look_at(const Bulk& bulk, int e) {
     const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
     const std::vector<Tip>& tips = bulk.elements().mesh().tips;
     const std::span extents = std::span(extents_).subspan(tips_ * at(e), tips_);
-    std::ranges::fill(extents, PlasticExtent());
+    std::ranges::fill(extents, Extent());
     dissipation_[at(e)] = stored_[at(e)] = 0.0;
     for (std::size_t q = 0; q < points.size(); ++q) {
         dissipation_[at(e)] += points[q].weight * history.dissipation(e, q);
@@ -50,13 +55,20 @@ double BulkSummary::sum(const std::vector<double>& of_elements) {
     return std::accumulate(of_elements.begin(), of_elements.end(), 0.0);
 }
 
-std::vector<PlasticExtent> BulkSummary::plastic_extents() const {
+std::vector<BulkSummary::PlasticExtent> BulkSummary::plastic_extents(const EnrichedMesh& mesh) const {
     std::vector<PlasticExtent> all(tips_);
     for (std::size_t i = 0; i < extents_.size(); ++i) {
-        raise(all[i % tips_].ever, extents_[i].ever);
-        raise(all[i % tips_].zone, extents_[i].zone);
-        raise(all[i % tips_].axis, extents_[i].axis);
+        const Extent& extent = extents_[i];
+        if (extent.ever == 0.0) continue;
+        const std::size_t e = i / tips_, t = i % tips_;
+        const auto distance = [&](int node) { return (mesh.nodes[at(node)] - mesh.tips[t].position).norm(); };
+        const auto [nearest, farthest] = std::ranges::minmax(mesh.elements[e] | std::views::transform(distance));
+        all[t].flow_ever.push_back({nearest, farthest, extent.ever, 0.0});
+        if (extent.zone > 0.0) all[t].flow.push_back({nearest, farthest, extent.zone, extent.axis});
     }
+    for (PlasticExtent& extent : all)
+        for (std::vector<coupling::FlowShell>* shells : {&extent.flow, &extent.flow_ever})
+            *shells = coupling::joined(std::move(*shells));
     return all;
 }
 

@@ -2,19 +2,12 @@
 // those are looked at again whose points may have changed.
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 
 namespace stria::fine {
-
-/// How far plasticity reaches from a tip. A point belongs to the tip that is nearest to it, and to no other one.
-struct PlasticExtent {
-    double ever = 0.0;  // largest distance of a point that has ever yielded, mm
-    double zone = 0.0;  // of one that has yielded in this half cycle, mm
-    double axis = 0.0;  // of these, within 15 degrees of the line ahead, mm
-};
 
 /// Of the committed states of the points, per mm of thickness.
 class BulkSummary {
@@ -31,15 +24,25 @@ public:
     [[nodiscard]] double dissipation() const { return sum(dissipation_); }  // N
     /// But for what elements at rest have stored since they came to rest, N.
     [[nodiscard]] double stored_energy() const { return sum(stored_); }
-    /// One per tip of the mesh.
-    [[nodiscard]] std::vector<PlasticExtent> plastic_extents() const;
+    /// How far plasticity reaches from a tip of the mesh. A point belongs to the tip that is nearest to it, and to no
+    /// other one.
+    struct PlasticExtent {
+        std::vector<coupling::FlowShell> flow, flow_ever;  // joined
+    };
+    /// One per tip. `mesh`: of the bulk.
+    [[nodiscard]] std::vector<PlasticExtent> plastic_extents(const EnrichedMesh& mesh) const;
 
 private:
     [[nodiscard]] static double sum(const std::vector<double>& of_elements);
 
+    struct Extent {
+        double ever = 0.0;  // largest distance of a point that has ever yielded, mm
+        double zone = 0.0;  // of one that has yielded in this half cycle, mm
+        double axis = 0.0;  // of these, within 15 degrees of the line ahead, mm
+    };
     std::size_t tips_;
     std::vector<double> dissipation_, stored_;  // per element, N
-    std::vector<PlasticExtent> extents_;        // per element, tip by tip
+    std::vector<Extent> extents_;               // per element, tip by tip
 };
 
 }  // namespace stria::fine

@@ -74,15 +74,14 @@ void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
 std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     const EnrichedMesh& mesh = zone.patch.mesh;
     std::vector<coupling::TipReport> reports(mesh.tips.size());
-    const std::vector<PlasticExtent> extents = zone.summary.plastic_extents();
+    std::vector<BulkSummary::PlasticExtent> extents = zone.summary.plastic_extents(mesh);
     for (std::size_t t = 0; t < reports.size(); ++t) {
         reports[t].CTOD = opening_at_intercept(mesh, mesh.tips[t],
                                                [&](const FaceStation& station) { return opening(zone, station); });
         if (!zone.patch.opening_at.empty())
             reports[t].opening = opening_behind(zone.patch, zone.frozen, zone.displacement, t);
-        reports[t].plastic_zone = extents[t].zone;
-        reports[t].plastic_zone_axis = extents[t].axis;
-        reports[t].plastic_reach = extents[t].ever;
+        reports[t].flow = std::move(extents[t].flow);
+        reports[t].flow_ever = std::move(extents[t].flow_ever);
     }
     return reports;
 }

@@ -183,7 +183,10 @@ std::vector<double> numbers_of(const coupling::StepReport& report) {
                                 static_cast<double>(report.unknowns),
                                 static_cast<double>(report.multipliers)};
     for (const coupling::TipReport& tip : report.tips) {
-        numbers.insert(numbers.end(), {tip.CTOD, tip.plastic_zone, tip.plastic_zone_axis, tip.plastic_reach});
+        numbers.push_back(tip.CTOD);
+        for (const auto* shells : {&tip.flow, &tip.flow_ever})
+            for (const coupling::FlowShell& shell : *shells)
+                numbers.insert(numbers.end(), {shell.begin, shell.end, shell.reach, shell.axis});
     }
     for (const coupling::RingReport& ring : report.rings) {
         const DomainIntegral& sums = ring.sums;

@@ -137,11 +137,38 @@ TEST(Rings, PlasticityWithinThem) {
             "load {:+.0f}: K_I {:.2f}, J {:.5f}, T {:.2f}; spread of J {:.3f} %, of K {:.3f} %; flow reaches "
             "{:.2f} mm\n",
             increment->load_factor, tip.K_I, tip.J, tip.T_stress, 100.0 * tip.J_spread, 100.0 * tip.K_spread,
-            increment->zone.tips[0].plastic_reach);
+            increment->zone.tips[0].flow_ever.back().reach);
         EXPECT_FALSE(tip.rings_flow);
     }
     EXPECT_LT(run.at_maximum().tips[0].J_spread, 0.005);
     EXPECT_LT(run.at_maximum().tips[0].K_spread, 0.005);
+}
+
+// A bar in bending yields under its load, twelve plastic zones away from the tip, if that is not told to stay elastic.
+TEST(Rings, AndZonesAreThoseOfTheTipWhereMetalFlowsElsewhereToo) {
+    Case input = graded_to_tips(bent_bar(0.4), 0.02);
+    input.material.yield_stress = 400.0;
+    input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
+    input.fine.refine = 8;
+    input.load.blocks = {{.cycles = 1, .max = 17.5, .min = 1.75}};
+    Case spared = input;
+    for (const BoundarySection& point : input.boundaries) {
+        RegionSection stays_elastic;
+        for (const double sign : {-1.0, 1.0}) stays_elastic.outline.push_back(*point.at + sign * Vec2(0.05, 0.1));
+        stays_elastic.material = {
+            .young = young, .poisson = poisson, .yield_stress = {}, .isotropic = {}, .kinematic = {}};
+        spared.regions.push_back(stays_elastic);
+    }
+    const RunHistory run = run_direct(input), alone = run_direct(spared);
+    const coarse::TipResult &tip = run.at_maximum().tips[0], &expected = alone.at_maximum().tips[0];
+    EXPECT_GT(run.at_maximum().zone.tips[0].flow_ever.back().reach, 0.5);
+    EXPECT_LT(alone.at_maximum().zone.tips[0].flow_ever.back().reach, 0.02);
+    EXPECT_GT(expected.plastic_zone, 0.015);
+    const double between_points = 0.02 / 8.0 / 2.0;  // the meshes are not the same
+    EXPECT_NEAR(tip.plastic_zone, expected.plastic_zone, between_points);
+    EXPECT_NEAR(tip.plastic_zone_axis, expected.plastic_zone_axis, between_points);
+    EXPECT_NEAR(tip.K_I, expected.K_I, 1e-3 * expected.K_I);
+    EXPECT_FALSE(tip.rings_flow);
 }
 
 }  // namespace

@@ -76,7 +76,10 @@ PatchResponse small_response() {
 
 StepReport small_report() {
     StepReport report;
-    report.tips = {{.CTOD = -1, .opening = 2e-3, .plastic_zone = 4.0, .plastic_reach = 5.0}};
+    report.tips = {{.CTOD = -1,
+                    .opening = 2e-3,
+                    .flow = {{.begin = 0.5, .end = 1.5, .reach = 1.25, .axis = 1.0}},
+                    .flow_ever = {{.begin = 0.25, .end = 5.5, .reach = 5.0}}}};
     report.rings = {{.tip = 0,
                      .number = 2,
                      .sums = {.J = 1.0, .interaction_I = 2.0, .interaction_T = 3.0, .rotation = 4.0, .turned_T = 5.0}}};
@@ -215,7 +218,9 @@ TEST(Wire, Response) {
 TEST(Wire, Report) {
     const StepReport copy = there_and_back(small_report());
     EXPECT_EQ(copy.tips.at(0).opening, 2e-3);
-    EXPECT_EQ(copy.tips.at(0).plastic_zone, 4.0);
+    EXPECT_EQ(copy.tips.at(0).flow_ever.at(0).reach, 5.0);
+    EXPECT_EQ(copy.tips.at(0).flow.at(0).reach, 1.25);
+    EXPECT_EQ(copy.tips.at(0).flow.at(0).axis, 1.0);
     EXPECT_EQ(copy.faces.at(0).status, 2);
     EXPECT_EQ(copy.faces.at(1).crack, 1);
     EXPECT_TRUE(std::isnan(copy.mouth_opening.at(0)));

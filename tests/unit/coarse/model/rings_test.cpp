@@ -50,9 +50,9 @@ TEST(Rings, ThatHoldFlowDoNotTellK) {
     const Structure structure(scene);
     const Eigen::VectorXd u = structure.expand({}, 1.0);
     const double radius = largest_ring(scene, 0);
-    const auto parameters = [&](double plastic_reach) {
+    const auto parameters = [&](double reach, double begin = 0.0) {
         coupling::StepReport report;
-        report.tips = {{.plastic_reach = plastic_reach * radius}};
+        report.tips = {{.flow_ever = {{.begin = begin * radius, .end = reach * radius, .reach = reach * radius}}}};
         report.contact_length = report.mouth_opening = {0.0};
         return fracture_parameters(structure, u, report).front();
     };
@@ -69,6 +69,10 @@ TEST(Rings, ThatHoldFlowDoNotTellK) {
     EXPECT_FALSE(far.rings_flow);
     EXPECT_TRUE(all.rings_flow);
     EXPECT_EQ(all.K_I, far.K_I);
+    const TipResult elsewhere = parameters(2.0, 1.1);  // under a load, say
+    EXPECT_FALSE(elsewhere.rings_flow);
+    EXPECT_EQ(elsewhere.K_I, elastic.K_I);
+    EXPECT_EQ(elsewhere.K_spread, elastic.K_spread);
 }
 
 TEST(Rings, WeightFallsFromOneToNothing) {
