@@ -37,7 +37,7 @@ void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks) {
     }
 }
 
-void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
+void require_room(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined) {
     const double least = smallest_edge * extent_of(mesh);
     for (const Tip& tip : enriched.tips) {
         const double edge = tip_element_size(enriched, tip) / (std::numbers::sqrt2 * refined);
@@ -55,6 +55,11 @@ void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
             throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
                                         "less than an element, {:.4g} mm; a mouth lies on or outside of it; {}",
                                         tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
+        const double to_load = distance_to_loads(mesh, loads, tip.position);
+        if (to_load < edge)
+            throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from a node that "
+                                        "is loaded or held, less than an element, {:.4g} mm; {}",
+                                        tip.crack + 1, tip.position.x(), tip.position.y(), to_load, edge, advice));
     }
 }
 

@@ -1,6 +1,7 @@
 // What a crack needs of the mesh for its results to mean something.
 #pragma once
 
+#include "coarse/model/loads/loads_of_case.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
@@ -12,9 +13,10 @@ namespace stria::coarse {
 void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks);
 
 /// Throws CaseError, naming the crack, where one is shorter than an element at its tip, or a tip lies nearer to the
-/// boundary than an element is long: no ring about the tip could tell K or J. `refined`: an element of the mesh becomes
-/// so many along an edge; they must not be lost in the rounding of the body's coordinates either.
-void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined);
+/// boundary, or to a node that is loaded or held, than an element is long: no ring about the tip could tell K or J.
+/// `refined`: an element of the mesh becomes so many along an edge; they must not be lost in the rounding of the body's
+/// coordinates either.
+void require_room(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined);
 
 /// Throws CaseError, naming the crack, where one of so many has no tip in the body: it cuts the body in two.
 void require_tips(const EnrichedMesh& enriched, int cracks);

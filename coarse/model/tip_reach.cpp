@@ -23,6 +23,19 @@ double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
     return distance;
 }
 
+double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x) {
+    double distance = std::numeric_limits<double>::infinity();
+    const auto keep_off = [&](const Loads& some) {
+        for (const PointForce& load : some.forces)
+            distance = std::min(distance, (mesh.nodes[at(load.node)] - x).norm());
+        for (const PrescribedDisplacement& held : some.displacements)
+            distance = std::min(distance, (mesh.nodes[at(held.node)] - x).norm());
+    };
+    keep_off(loads.main);
+    for (const Loads& of_case : loads.cases) keep_off(of_case);
+    return distance;
+}
+
 double distance_to_interface(const EnrichedMesh& mesh, const Materials& materials, const Tip& tip) {
     double distance = std::numeric_limits<double>::infinity();
     for (int e = 0; e < std::ssize(mesh.material); ++e) {

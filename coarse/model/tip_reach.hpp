@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse/model/loads/loads_of_case.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
@@ -28,6 +29,9 @@ double distance_to_interface(const EnrichedMesh& mesh, const Materials& material
 
 /// mm.
 double distance_to_boundary(const Mesh& mesh, const Vec2& x);
+
+/// Distance to the nearest node on which a force acts or that is held, mm; infinite where there is none.
+double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
 
 /// The end of a crack at which a tip is, of this crack or of a shorter one, and the unit vector in which it gets there.
 Vec2 end_of(const CrackSection& crack, const Tip& tip);

@@ -76,9 +76,10 @@ std::optional<std::string> ring_warning(const Scene& scene, std::size_t t) {
     const double radius = largest_ring(scene, static_cast<int>(t));
     const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
     if (radius >= elements_in_ring * element) return std::nullopt;
-    return fmt::format("tip {}: the largest ring off edges, bends and other tips has a radius of {:.3g} mm, {:.2g} "
-                       "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
-                       t, radius, radius / element, element, elements_in_ring);
+    return fmt::format(
+        "tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
+        "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
+        t, radius, radius / element, element, elements_in_ring);
 }
 
 /// K and T are taken across metals, J is not.

@@ -151,6 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{"crack.0.points=[[0.0, 100.0], [0.1, 100.0]]", "less than an element at its tip"},
         std::pair{"crack.0.points=[[0.0, 100.0], [1e-308, 100.0]]", "less than an element at its tip"},
         std::pair{"crack.0.points=[[0.0, 100.0], [49.0, 100.0]]", "mm from the boundary, less than an element"},
+        std::pair{"boundary.0={on=\"point\", at=[20.0, 100.0], force=[0.0, 1.0]}",
+                  "mm from a node that is loaded or held, less than an element"},
         std::pair{"mesh.grading.0.size=1e-9", "is too small beside the body"},
         std::pair{"fine.refine=4096", "fine.refine = 4096: elements of"},
         std::pair{"load.scale=5e-324", "beyond all use"}));

@@ -128,6 +128,35 @@ TEST(Rings, AnInclinedCrackPushedShutSlides) {
     }
 }
 
+// A point that is moved pulls as a force does. One of two tips has it nearer than the edges of the plate.
+TEST(Rings, EndBeforeAPointThatIsMoved) {
+    Case pulled = specimen("plate", 2.0, {{0.375, 1.0}, {0.625, 1.0}});
+    pulled.mesh.size = 0.025;
+    pulled.boundaries.resize(2);
+    for (const std::size_t k : {0U, 1U}) {
+        pulled.boundaries[k].on = "point";
+        pulled.boundaries[k].at = Vec2(0.675, k == 0 ? 1.075 : 0.925);
+        pulled.boundaries[k].force = Vec2(0.0, k == 0 ? 1.0 : -1.0);
+    }
+    Case moved = pulled;
+    for (BoundarySection& point : moved.boundaries) {
+        point.displacement[1] = point.force->y();
+        point.force = {};
+    }
+    const ElasticSolution expected(pulled), solution(moved);
+    const auto up = [&](const BoundarySection& point) {
+        const int node = nearest_node(expected.scene.mesh, *point.at);
+        return expected.u[expected.scene.enriched.unknown(node, 0, 1)];
+    };
+    const double opening = up(pulled.boundaries[0]) - up(pulled.boundaries[1]);
+    for (const std::size_t t : {0U, 1U}) {
+        const double K = expected.tips[t].K_I * 2.0 / opening;
+        EXPECT_GT(K, 0.0);
+        EXPECT_NEAR(solution.tips[t].K_I, K, 1e-9 * K) << t;
+        EXPECT_NEAR(solution.tips[t].J, expected.tips[t].J * 4.0 / (opening * opening), 1e-9 * solution.tips[t].J) << t;
+    }
+}
+
 // The shipped plate: in tension its plastic zone lies within all rings, in compression the faces bear the load.
 TEST(Rings, PlasticityWithinThem) {
     const RunHistory run = run_direct(sent_case({mesh_at_tip(0.2), "load.steps=16"}));
