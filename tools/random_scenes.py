@@ -37,7 +37,7 @@ SAME = 1e-8
 COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], ["J"], ["CMOD"],
            ["external_work", "stored_energy", "dissipation", "released_energy"]]  # of one scale each
 # What a run may warn of, and what the scene then has.
-EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)",  # of a plate that a crack half parts
+EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on = \"point\"",  # of a plate that a crack half parts, or beside a point
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
              r"forward plastic zone": r"yield_stress(.|\n)*(contact|\[growth\])|\[growth\](.|\n)*yield_stress|contact(.|\n)*yield_stress",
              r"growth.increment = .* at a time": r"yield_stress(.|\n)*\[growth\]",
@@ -87,6 +87,23 @@ def region_of(rng):
     return text + "material = { %s }\n" % material
 
 
+def other_loads(rng):
+    """Of a plate, in place of tractions on its ends: edges that are held or moved, bending, pressures, and points."""
+    boundary = lambda on, **keys: '[[boundary]]\non = "%s"\n' % on + "".join("%s = %s\n" % item for item in keys.items())
+    per_stress = 20.0 / 200e3  # mm of the whole height
+    x, up, down = rng.uniform(1.0, 9.0), rng.uniform(14.0, 19.0), rng.uniform(1.0, 6.0)
+    points = lambda key, size: "".join(boundary("point", at="[%.6g, %.6g]" % (x, y), **{key: "[0.0, %.6g]" % (sign * size)})
+                                       for y, sign in ((up, 1.0), (down, -1.0)))
+    gradient = lambda sign: "[[0.0, 0.0], [%.6g, 0.0]]" % (-0.1 * sign)
+    return rng.choice([
+        boundary("top", traction="[0.1, 1.0]") + boundary("bottom", displacement="[0.0, 0.0]"),
+        boundary("top", displacement='["free", %.6g]' % per_stress) + boundary("bottom", displacement="[0.0, 0.0]"),
+        boundary("top", displacement="[0.0, %.6g]" % per_stress) + boundary("bottom", displacement="[0.0, 0.0]"),
+        "".join(boundary(on, traction="[0.0, %g]" % sign, traction_gradient=gradient(sign)) for on, sign in (("top", 1.0), ("bottom", -1.0))),
+        boundary("top", pressure=-1.0) + boundary("bottom", pressure=-1.0) + boundary("right", pressure=0.3) + boundary("left", pressure=0.3),
+        points("force", 6.0), points("displacement", per_stress)])
+
+
 def scene(rng):
     specimen = rng.choice(["plate", "plate", "sent", "mt", "ct"])
     plane, plastic = rng.choice(["strain", "stress"]), rng.random() < 0.75
@@ -103,6 +120,7 @@ def scene(rng):
     text += "[[crack]]\npoints = %s\n" % crack_of(specimen, rng)
     if contact:
         text += "contact = { friction = %.3g }\n" % friction
+    before_loads = len(text)
     if specimen == "ct":
         for pin, sign in (("pin-top", 1), ("pin-bottom", -1)):
             text += '[[boundary]]\non = "%s"\nforce = [0.0, %d.0]\n' % (pin, sign)
@@ -115,6 +133,7 @@ def scene(rng):
             for edge, sign in (("right", 1.0), ("left", -1.0)):
                 text += '[[boundary]]\non = "%s"\ntraction = [0.0, %.6g]\n' % (edge, sign * shear)
         unit = rng.uniform(20.0, 90.0)
+    behind_loads = len(text)
     text += "[load]\nsteps = %d\nblocks = [ { cycles = 2, max = %.6g, ratio = %.3g } ]\n" % (
         2 * rng.randint(2, 5), unit, rng.choice([-1.0, 0.0, 0.3, rng.uniform(-0.8, 0.5)]))
     text += "[fine]\n" + ("radius = %.4g\n" % rng.uniform(1.2, 2.0) if plastic else "")
@@ -125,6 +144,8 @@ def scene(rng):
     if growing:
         text += "[growth]\nincrement = %.3g\n" % rng.uniform(0.2, 0.6)
     text += region_of(rng) if specimen != "ct" and rng.random() < 0.25 else ""
+    if specimen == "plate" and rng.random() < 0.5:
+        text = text[:before_loads] + other_loads(rng) + text[behind_loads:]
     return text + '[solver]\ntolerance = 1e-12\n[output]\nfields = "none"\ncheckpoint_every = 0\n'
 
 

@@ -173,10 +173,13 @@ std::unique_ptr<FinerScene> CrackedBody::finer_about_ends_of(const std::vector<C
     return asks_for_more(scene_->mesh, disks(Room::None), whole) ? finer(disks(Room::ToGrow), whole) : nullptr;
 }
 
-std::unique_ptr<FinerScene> CrackedBody::finer_about_flow(const std::vector<int>& flowing) const {
+std::unique_ptr<FinerScene> CrackedBody::finer_about_flow(const std::vector<int>& outside,
+                                                          const ElementSet& inside) const {
     if (scene_->input.fine.refine == 1) return nullptr;
+    ElementSet flowed = settled_;
+    flowed |= inside;
     const ElementSet whole = whole_elements();
-    const std::vector<RefinedDisk> disks = disks_about_flow(*scene_, flowing);
+    const std::vector<RefinedDisk> disks = disks_about_flow(*scene_, outside, flowed);
     try {
         return asks_for_more(scene_->mesh, disks, whole) ? finer(disks, whole) : nullptr;
     } catch (const CaseError&) {
@@ -218,10 +221,8 @@ CrackedBody::Outgrown CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd&
 }
 
 void CrackedBody::note_flow(const std::vector<std::int32_t>& yielding_points) {
-    if (yielding_points.empty() || scene_->input.fine.refine == 1) return;  // nothing will ever be split
-    std::size_t place = 0;
-    for (int e = 0; e < in_zone_.size(); ++e)
-        if (in_zone_.contains(e) && yielding_points.at(place++) > 0) settled_.insert(e);
+    if (scene_->input.fine.refine > 1)
+        settled_ |= flowing_in(in_zone_, yielding_points);  // else nothing will ever be split
 }
 
 // Their state is kept.

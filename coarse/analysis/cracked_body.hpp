@@ -51,8 +51,10 @@ public:
     /// not. Elements in which metal has flowed, or tips have been, stay whole.
     [[nodiscard]] std::unique_ptr<FinerScene> finer_about_ends_of(const std::vector<CrackSection>& longer) const;
 
-    /// The same where elements that would flow are larger than a small share of their distance from the tips.
-    [[nodiscard]] std::unique_ptr<FinerScene> finer_about_flow(const std::vector<int>& flowing) const;
+    /// The same where elements outside the zone that would flow are larger than a small share of their distance from
+    /// the tips. `inside`: elements of the zone that flow with them.
+    [[nodiscard]] std::unique_ptr<FinerScene> finer_about_flow(const std::vector<int>& outside,
+                                                               const ElementSet& inside) const;
 
     /// What take_finer() has turned from.
     struct Outgrown {

@@ -133,11 +133,12 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
 }
 
 void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
+    const ElementSet inside = flowing_in(body_.in_zone(), equilibrium_->yielding_points());
     rollback();
     refresh_displacement();
     ++effort_.counts.zone_extensions;
     std::vector<int> joining = yielding;
-    if (std::unique_ptr<FinerScene> finer = body_.finer_about_flow(yielding)) {
+    if (std::unique_ptr<FinerScene> finer = body_.finer_about_flow(yielding, inside)) {
         for (int e = 0; e < std::ssize(finer->part_of); ++e)
             if (std::ranges::binary_search(yielding, finer->part_of[at(e)])) joining.push_back(e);
         split_elements(std::move(*finer));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "coarse/model/crack_front.hpp"
 #include "coarse/model/tip_reach.hpp"
@@ -37,10 +36,10 @@ void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks) {
     }
 }
 
-void require_room(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined) {
+void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
     const double least = smallest_edge * extent_of(mesh);
     for (const Tip& tip : enriched.tips) {
-        const double edge = tip_element_size(enriched, tip) / (std::numbers::sqrt2 * refined);
+        const double edge = tip_element_edge(enriched, tip) / refined;
         const double length = length_in_body(enriched, tip.crack);
         const double distance = distance_to_boundary(mesh, tip.position);
         if (edge < least)
@@ -55,11 +54,17 @@ void require_room(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfC
             throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
                                         "less than an element, {:.4g} mm; a mouth lies on or outside of it; {}",
                                         tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
-        const double to_load = distance_to_loads(mesh, loads, tip.position);
-        if (to_load < edge)
+    }
+}
+
+void require_room_beside_loads(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined) {
+    for (const Tip& tip : enriched.tips) {
+        const double edge = tip_element_edge(enriched, tip) / refined;
+        const double distance = distance_to_loads(mesh, loads, tip.position);
+        if (distance < edge)
             throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from a node that "
                                         "is loaded or held, less than an element, {:.4g} mm; {}",
-                                        tip.crack + 1, tip.position.x(), tip.position.y(), to_load, edge, advice));
+                                        tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
     }
 }
 

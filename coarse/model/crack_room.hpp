@@ -13,10 +13,12 @@ namespace stria::coarse {
 void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks);
 
 /// Throws CaseError, naming the crack, where one is shorter than an element at its tip, or a tip lies nearer to the
-/// boundary, or to a node that is loaded or held, than an element is long: no ring about the tip could tell K or J.
-/// `refined`: an element of the mesh becomes so many along an edge; they must not be lost in the rounding of the body's
-/// coordinates either.
-void require_room(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined);
+/// boundary than an element is long: no ring about the tip could tell K or J. `refined`: an element of the mesh becomes
+/// so many along an edge; they must not be lost in the rounding of the body's coordinates either.
+void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined);
+
+/// Likewise where a node that is loaded or held is as near to a tip.
+void require_room_beside_loads(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined);
 
 /// Throws CaseError, naming the crack, where one of so many has no tip in the body: it cuts the body in two.
 void require_tips(const EnrichedMesh& enriched, int cracks);

@@ -157,8 +157,9 @@ Scene make_scene(const Case& input, Mesh mesh, int refined) {
     if (input.initial_stress) check_initial_stress(*input.initial_stress, scene.mesh);
     require_near(scene.mesh, input.cracks);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
+    if (refined > 0) require_room(scene.mesh, scene.enriched, refined);
     scene.loads = resolve_loads(scene.mesh, input);
-    if (refined > 0) require_room(scene.mesh, scene.enriched, scene.loads, refined);
+    if (refined > 0) require_room_beside_loads(scene.mesh, scene.enriched, scene.loads, refined);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads.main);
     require_balanced_cases(scene);
     put_loads_on_unknowns(scene);

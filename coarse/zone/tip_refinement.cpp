@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <ranges>
+#include <utility>
 
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
+#include "coupling/flow_shells.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -84,17 +87,29 @@ ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I
     return {static_cast<int>(std::ssize(mesh.elements)), static_cast<int>(std::ranges::count_if(mesh.level, is_split))};
 }
 
-std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing) {
+std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing,
+                                          const ElementSet& flowed) {
     constexpr double size_to_distance = 0.25;
-    std::vector<RefinedDisk> disks;
-    for (const Tip& tip : scene.enriched.tips)
-        disks.push_back({tip.position, tip.position, 0.0, levels_of(scene.input.fine),
-                         std::max(scene.input.fine.growth, size_to_distance)});
-    for (const int e : flowing) {
+    const std::vector<Tip>& tips = scene.enriched.tips;
+    if (tips.empty()) return {};
+    std::vector<std::vector<coupling::FlowShell>> flow(tips.size());
+    const auto add = [&](int e, bool now) {
         const Vec2 place = centre(scene.mesh, e);
-        const auto distance = [&](const RefinedDisk& disk) { return (disk.from - place).norm(); };
-        const auto nearest = std::ranges::min_element(disks, {}, distance);
-        if (nearest != disks.end()) nearest->radius = std::max(nearest->radius, distance(*nearest));
+        const auto distance = [](const Tip& tip, const Vec2& x) { return (tip.position - x).norm(); };
+        const auto to_place = [&](const Tip& tip) { return distance(tip, place); };
+        const Tip& own = *std::ranges::min_element(tips, {}, to_place);
+        const auto to_node = [&](int node) { return distance(own, scene.mesh.nodes[at(node)]); };
+        const auto [begin, end] = std::ranges::minmax(scene.mesh.elements[at(e)] | std::views::transform(to_node));
+        flow[at(&own - tips.data())].push_back({begin, end, now ? to_place(own) : 0.0, 0.0});
+    };
+    for (const int e : flowing) add(e, true);
+    for (const int e : flowed.members()) add(e, false);
+    std::vector<RefinedDisk> disks;
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        const double size = tip_element_size(scene.enriched, tips[t]);
+        const double radius = shell_at_tip(coupling::joined(std::move(flow[t])), size).reach;
+        disks.push_back({tips[t].position, tips[t].position, radius, levels_of(scene.input.fine),
+                         std::max(scene.input.fine.growth, size_to_distance)});
     }
     return disks;
 }

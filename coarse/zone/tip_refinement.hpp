@@ -32,9 +32,11 @@ struct ElementsOfAWay {
 };
 ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way);
 
-/// One disk per tip as far as those elements reach that flow and are nearest to it: there no element is larger than a
-/// quarter of its distance from the tip.
-std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing);
+/// One disk per tip as far as those elements reach that flow and belong to it (coupling/flow_shells.hpp), together with
+/// those that have flowed before: there no element is larger than a quarter of its distance from the tip. Flow
+/// elsewhere, under a load or at a hole, asks for no small elements.
+std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<int>& flowing,
+                                          const ElementSet& flowed);
 
 /// Elements whose functions an exact copy on their parts cannot be made of: those that see tip functions, hold a tip,
 /// or have faces that may touch.

@@ -152,6 +152,15 @@ void put_case_loads(const Scene& scene, const std::vector<int>& whole, coupling:
 
 }  // namespace
 
+ElementSet flowing_in(const ElementSet& zone, const std::vector<std::int32_t>& yielding_points) {
+    ElementSet flowing(zone.size());
+    if (yielding_points.empty()) return flowing;
+    std::size_t place = 0;
+    for (const int e : zone.members())
+        if (yielding_points.at(place++) > 0) flowing.insert(e);
+    return flowing;
+}
+
 coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement) {
     coupling::Patch patch;

@@ -32,6 +32,9 @@ ElementSet with_ring(const Scene& scene, ElementSet in_zone, const std::vector<i
 /// get tip functions.
 ElementSet with_changed_functions(ElementSet in_zone, const EnrichedMesh& before, const EnrichedMesh& longer);
 
+/// Elements of a zone in which points yield, from how many do in each, ascending; none where nobody tells.
+ElementSet flowing_in(const ElementSet& zone, const std::vector<std::int32_t>& yielding_points);
+
 /// The message by which the fine component gets its zone. `displacement`: of the whole mesh, committed, mm.
 coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const std::vector<int>& gamma,
                            const Eigen::VectorXd& displacement);

@@ -264,7 +264,7 @@ template <class Check> bool guarded(const char* name, unsigned seed, Tally& tall
 void try_crack(const CrackedPlate& plate, unsigned seed, Tally& tally) {
     const bool legal = guarded("room", seed, tally, [&] {
         const EnrichedMesh enriched = coarse::enrich(plate.mesh, case_of(plate, false).cracks, single);
-        coarse::require_room(plate.mesh, enriched, {}, 1);
+        coarse::require_room(plate.mesh, enriched, 1);
         coarse::require_tips(enriched, 1);
     });
     if (!legal) return;
