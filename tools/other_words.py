@@ -64,6 +64,12 @@ def scaled(case, mesh, length, stress):
     return twin, mesh, lambda column, value: value * power(COLUMNS[kind_of(column)][1]) if kind_of(column) else value
 
 
+def turned_tensor(tensor, vector):
+    """That of vectors which `vector` turns or mirrors."""
+    transposed = lambda rows: [list(row) for row in zip(*rows)]
+    return transposed([vector(row) for row in transposed([vector(row) for row in tensor])])
+
+
 def mapped(case, mesh, point, vector, names=None):
     """Places and vectors elsewhere."""
     twin, names = copy.deepcopy(case), names or {}
@@ -73,9 +79,13 @@ def mapped(case, mesh, point, vector, names=None):
         region["outline"] = [point(at) for at in region["outline"]]
     for boundary in twin["boundary"]:
         boundary["on"] = names.get(boundary["on"], boundary["on"])
-        for key in ("traction", "force"):
-            if key in boundary:
-                boundary[key] = vector(boundary[key])
+        for key in {"traction", "force", "displacement"} & boundary.keys():
+            boundary[key] = vector(boundary[key])
+        if "at" in boundary:
+            boundary["at"] = point(boundary["at"])
+        if "traction_gradient" in boundary:
+            boundary["origin"] = point(boundary.get("origin", [0.0, 0.0]))
+            boundary["traction_gradient"] = turned_tensor(boundary["traction_gradient"], vector)
     return twin, mesh and ([tuple(point(at)) for at in mesh[0]], *mesh[1:])
 
 
@@ -83,7 +93,7 @@ def mirrored(case, mesh, axis):
     specimen, pins = case["mesh"].get("specimen"), {"pin-top": "pin-bottom", "pin-bottom": "pin-top"}
     ends = [{"left": "right", "right": "left"}, {"top": "bottom", "bottom": "top", **pins}][axis]
     twice = WIDTH if axis == 0 else 0.0 if specimen == "ct" else case["mesh"].get("height", 20.0)
-    flip = lambda at, middle: [middle - x if k == axis else x for k, x in enumerate(at)]
+    flip = lambda at, middle: [middle - x if k == axis and x != "free" else x for k, x in enumerate(at)]
     twin, mesh = mapped(case, mesh, lambda at: flip(at, twice), lambda v: flip(v, 0.0), ends)
     if mesh:
         mesh = mesh[0], [quad[::-1] for quad in mesh[1]], [(ends.get(name, name), a, b) for name, a, b in mesh[2]]
@@ -115,8 +125,9 @@ def renumbered(case, mesh, rng):
 def louder(case, mesh, times):
     twin = copy.deepcopy(case)
     for boundary in twin["boundary"]:
-        for key in {"traction", "force"} & boundary.keys() if "case" not in boundary else ():
-            boundary[key] = [times * value for value in boundary[key]]
+        of_load = {"traction", "force", "displacement", "pressure", "traction_gradient"} & boundary.keys()
+        for key in of_load if "case" not in boundary else ():
+            boundary[key] = walked(boundary[key], lambda _key, value: times * value)
     for block in twin["load"]["blocks"] if twin["load"].get("control") != "K" else ():
         block["max"] /= times
     for load_case in twin.get("load_case", []):
@@ -161,5 +172,6 @@ def twins_of(case, mesh, folder, rng):
         twins["reversed"] = reversed_cracks(case, mesh)
     if mesh and not any("initial_stress" in part for part in [case] + case.get("region", [])):
         twins["renumbered"] = renumbered(case, mesh, rng)
+    if "renumbered" in twins and not any("free" in boundary.get("displacement", []) for boundary in case["boundary"]):
         twins["turned"] = turned(case, mesh, rng.uniform(-3.0, 3.0), [rng.uniform(-50.0, 50.0) for _ in range(2)])
     return twins
