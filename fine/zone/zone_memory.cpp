@@ -94,14 +94,17 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
             carry_over(before, committed.displacement, next.mesh,
                        on_parts(before, committed.displacement, next.mesh, next.part_of, next.displacement));
         const std::vector<int> old_place = contact.operators().places_in(old_contact->operators());
+        std::vector<FaceStatus> statuses(at(contact.multipliers()), FaceStatus::Open);
         for (int k = 0; k < contact.multipliers(); ++k) {
             const int old = old_place[at(k)];
             if (old < 0) continue;
             contact.resting().set_changes(k, old_contact->resting().changes(old));
+            statuses[at(k)] = old_contact->committed_statuses()[at(old)];  // faces that press may come to rest
             carried.traction[k] = committed.traction[old];
             if (contact.shear_of(k) >= 0 && old_contact->shear_of(old) >= 0)
                 carried.traction[contact.shear_of(k)] = committed.traction[old_contact->shear_of(old)];
         }
+        contact.restore(std::move(statuses));
     }
     memory.committed = std::move(carried);
     if (old_contact == nullptr) return;

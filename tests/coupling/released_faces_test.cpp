@@ -41,6 +41,28 @@ Case plate_at_rest() {
     return input;
 }
 
+/// Two forces near the other edge open the tip and press the faces at the mouth together, all the time.
+Case plate_that_is_bent() {
+    Case input = specimen("plate", 20.0, {{0.0, 8.9}, {3.0, 9.7}});
+    input.mesh.width = 10.0;
+    input.material.yield_stress = 360.0;
+    input.cracks[0].contact = ContactSection{};
+    for (const double side : {1.0, -1.0}) {
+        BoundarySection pulled;
+        pulled.on = "point";
+        pulled.at = Vec2(8.0, 11.0 + 6.0 * side);
+        pulled.force = Vec2(0.0, 6.0 * side);
+        input.boundaries.push_back(pulled);
+    }
+    input.load.steps = 4;
+    input.load.blocks = {{.cycles = 2, .max = 40.0, .min = 12.0}};
+    input.fine.radius = 1.8;
+    input.fine.refine = 2;
+    input.growth = GrowthSection{.increment = 0.52};
+    input.solver.tolerance = 1e-12;
+    return input;
+}
+
 void expect_same_iterates(const Case& input) {
     MonolithicFactory factory(input);
     const RunHistory one = run_analysis(input, factory), two = run_direct(input);
@@ -64,6 +86,17 @@ TEST(ReleasedFaces, TakeTheSameIteratesInTwoComponentsAsInOneMatrix) { expect_sa
 
 // Forces on new faces are loads, and what bears a load does not rest.
 TEST(ReleasedFaces, DoNotRestWhileForcesHoldThem) { expect_same_iterates(plate_at_rest()); }
+
+// Old faces that press and come to rest do so closed: they had been open until one of them was looked at.
+TEST(ReleasedFaces, RestBesideOthersThatPress) {
+    const Case input = plate_that_is_bent();
+    expect_same_iterates(input);
+    const RunHistory run = run_direct(input);
+    for (const auto& [step, report] : run.attempts) {
+        if (!step.reversal || step.ends_cycle) continue;
+        for (const auto& iteration : report.iterations) EXPECT_EQ(iteration.residual.status_changes, 0);
+    }
+}
 
 // Their points weigh more or less than before the crack was there.
 TEST(ReleasedFaces, TakeNothingOfWhatHasBeenDissipated) {
