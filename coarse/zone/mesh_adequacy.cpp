@@ -30,8 +30,7 @@ bool asks_for_opening_loads(const Case& input) {
 
 bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
     const Tip& tip = scene.enriched.tips[t];
-    return scene.input.growth && scene.input.growth->retain == Retain::Frozen && scene.enriched.tip_functions > 0 &&
-           scene.input.cracks[at(tip.crack)].contact;
+    return scene.input.growth && scene.enriched.tip_functions > 0 && scene.input.cracks[at(tip.crack)].contact;
 }
 
 std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
@@ -50,6 +49,13 @@ std::string linear_warning(std::size_t tip, double small) {
                        "open and closes them too soon; opening loads are some hundredths of K_max too high: "
                        "fine.enrichment = \"none\" leaves nothing behind{}",
                        tip, elements);
+}
+
+std::string retained_warning(std::size_t tip) {
+    return fmt::format("tip {}: nothing yields there, and with growth.retain = \"all\" the functions of old tips hold "
+                       "faces together that would part; after some steps opening loads are wrong, or there are none: "
+                       "\"all\" is for comparison",
+                       tip);
 }
 
 std::string growth_warning(std::size_t tip, double increment, double element) {
@@ -113,9 +119,11 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
         if (!std::isfinite(yield_stress[t])) {
-            if (leaves_functions_in_contact(scene, t))
-                warnings.push_back(linear_warning(t, choose_enrichment(input).none_below *
-                                                         length_in_body(scene.enriched, scene.enriched.tips[t].crack)));
+            if (!leaves_functions_in_contact(scene, t)) continue;
+            const double crack = length_in_body(scene.enriched, scene.enriched.tips[t].crack);
+            warnings.push_back(input.growth->retain == Retain::All
+                                   ? retained_warning(t)
+                                   : linear_warning(t, choose_enrichment(input).none_below * crack));
             continue;
         }
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);

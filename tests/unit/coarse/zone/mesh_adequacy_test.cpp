@@ -121,6 +121,9 @@ TEST_F(Advice, NamesWhatALinearBodyLeavesBehind) {
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].find("\"none\" leaves nothing behind, and so do elements below 0.166 mm"), std::string::npos)
         << warnings[0];
+    input.growth->retain = Retain::All;
+    EXPECT_NE(at(600.0).at(0).find("\"all\" is for comparison"), std::string::npos) << at(600.0)[0];
+    input.growth->retain = Retain::Frozen;
     input.fine.enrichment = Enrichment::None;
     EXPECT_TRUE(at(600.0).empty());
     input.fine.enrichment = Enrichment::Auto;
