@@ -1,6 +1,9 @@
 #include "coupling/flow_shells.hpp"
 
 #include <algorithm>
+#include <ranges>
+
+#include "common/index.hpp"
 
 namespace stria::coupling {
 namespace {
@@ -14,6 +17,13 @@ void join(FlowShell& shell, const FlowShell& next) {
 }
 
 }  // namespace
+
+FlowShell shell_of(const std::array<int, 4>& element, const std::vector<Vec2>& nodes, const Vec2& tip, double reach,
+                   double axis) {
+    const auto distance = [&](int node) { return (nodes[at(node)] - tip).norm(); };
+    const auto [begin, end] = std::ranges::minmax(element | std::views::transform(distance));
+    return {begin, end, reach, axis};
+}
 
 std::vector<FlowShell> joined(std::vector<FlowShell> shells) {
     std::ranges::sort(shells, {}, &FlowShell::begin);

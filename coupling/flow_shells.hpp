@@ -1,12 +1,18 @@
 // What of the flow about a tip is the tip's own: metal may flow elsewhere too, under a load at a point, at a hole, or
-// by 1e-9 in the wake that it has left.
+// by 1e-7 in the wake that it has left.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "common/geometry/vec2.hpp"
 #include "coupling/messages.hpp"
 
 namespace stria::coupling {
+
+/// Of one element. `tip`: its place; `reach`, `axis`: of the element's points, mm.
+[[nodiscard]] FlowShell shell_of(const std::array<int, 4>& element, const std::vector<Vec2>& nodes, const Vec2& tip,
+                                 double reach, double axis = 0.0);
 
 /// Shells one of which begins within twice the end of another become one. Ascending, and apart from one another.
 [[nodiscard]] std::vector<FlowShell> joined(std::vector<FlowShell> shells);

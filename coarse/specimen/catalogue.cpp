@@ -101,17 +101,15 @@ std::vector<Vec2> points_in(const Body& body, const std::vector<BoundarySection>
     return points;
 }
 
-/// A point that is a node already changes nothing.
+/// Points that are all nodes already change nothing. Lines through others would move a node that is where it is by
+/// chance: then all get theirs.
 Mesh mesh_with_points(const Specimen& specimen, const MeshSection& section, MeshLines lines,
                       const std::vector<Vec2>& points) {
     Mesh mesh = specimen.mesh(section, lines);
-    bool all_nodes = true;
-    for (const Vec2& point : points) {
-        if (is_at(mesh, nearest_node(mesh, point), point)) continue;
-        all_nodes = false;
+    const auto is_node = [&](const Vec2& point) { return is_at(mesh, nearest_node(mesh, point), point); };
+    if (std::ranges::all_of(points, is_node)) return mesh;
+    for (const Vec2& point : points)
         for (const int axis : {0, 1}) lines[at(axis)].push_back(point[axis]);
-    }
-    if (all_nodes) return mesh;
     keep_each_once(lines);
     return specimen.mesh(section, lines);
 }

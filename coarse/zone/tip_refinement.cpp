@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "coarse/model/tip_reach.hpp"
@@ -95,12 +94,10 @@ std::vector<RefinedDisk> disks_about_flow(const Scene& scene, const std::vector<
     std::vector<std::vector<coupling::FlowShell>> flow(tips.size());
     const auto add = [&](int e, bool now) {
         const Vec2 place = centre(scene.mesh, e);
-        const auto distance = [](const Tip& tip, const Vec2& x) { return (tip.position - x).norm(); };
-        const auto to_place = [&](const Tip& tip) { return distance(tip, place); };
-        const Tip& own = *std::ranges::min_element(tips, {}, to_place);
-        const auto to_node = [&](int node) { return distance(own, scene.mesh.nodes[at(node)]); };
-        const auto [begin, end] = std::ranges::minmax(scene.mesh.elements[at(e)] | std::views::transform(to_node));
-        flow[at(&own - tips.data())].push_back({begin, end, now ? to_place(own) : 0.0, 0.0});
+        const auto distance = [&](const Tip& tip) { return (tip.position - place).norm(); };
+        const auto own = std::ranges::min_element(tips, {}, distance);
+        flow[at(own - tips.begin())].push_back(coupling::shell_of(scene.mesh.elements[at(e)], scene.mesh.nodes,
+                                                                  own->position, now ? distance(*own) : 0.0));
     };
     for (const int e : flowing) add(e, true);
     for (const int e : flowed.members()) add(e, false);

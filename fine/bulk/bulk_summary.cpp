@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -61,10 +60,11 @@ std::vector<BulkSummary::PlasticExtent> BulkSummary::plastic_extents(const Enric
         const Extent& extent = extents_[i];
         if (extent.ever == 0.0) continue;
         const std::size_t e = i / tips_, t = i % tips_;
-        const auto distance = [&](int node) { return (mesh.nodes[at(node)] - mesh.tips[t].position).norm(); };
-        const auto [nearest, farthest] = std::ranges::minmax(mesh.elements[e] | std::views::transform(distance));
-        all[t].flow_ever.push_back({nearest, farthest, extent.ever, 0.0});
-        if (extent.zone > 0.0) all[t].flow.push_back({nearest, farthest, extent.zone, extent.axis});
+        const auto shell = [&](double reach, double axis) {
+            return coupling::shell_of(mesh.elements[e], mesh.nodes, mesh.tips[t].position, reach, axis);
+        };
+        all[t].flow_ever.push_back(shell(extent.ever, 0.0));
+        if (extent.zone > 0.0) all[t].flow.push_back(shell(extent.zone, extent.axis));
     }
     for (PlasticExtent& extent : all)
         for (std::vector<coupling::FlowShell>* shells : {&extent.flow, &extent.flow_ever})

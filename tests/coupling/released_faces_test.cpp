@@ -10,17 +10,22 @@
 namespace stria::test {
 namespace {
 
+/// Four increments to a cycle, and growth at each of two maxima.
+Case growing_twice(Case input, double max, double min, double radius, double increment) {
+    input.load.steps = 4;
+    input.load.blocks = {{.cycles = 2, .max = max, .min = min}};
+    input.fine.radius = radius;
+    input.growth = GrowthSection{.increment = increment};
+    input.solver.tolerance = 1e-12;
+    return input;
+}
+
 /// Near its limit load; the crack grows twice by most of a large element.
 Case plate_near_its_limit() {
     Case input = pulled_plate(2.0, true, false);
     input.material.kinematic = {{.C = 10e3, .gamma = 0.0}};
-    input.load.steps = 4;
-    input.load.blocks = {{.cycles = 2, .max = 120.0, .min = 0.0}};
-    input.fine.radius = 3.0;
     input.fine.refine = 2;
-    input.growth = GrowthSection{.increment = 0.9};
-    input.solver.tolerance = 1e-12;
-    return input;
+    return growing_twice(input, 120.0, 0.0, 3.0, 0.9);
 }
 
 /// Inclined, without contact. Nothing flows in the second cycle, so all rests when the crack grows again.
@@ -33,12 +38,7 @@ Case plate_at_rest() {
     input.material.isotropic = {.law = "linear", .modulus = 1000.0};
     input.material.kinematic = {{.C = 3407.0, .gamma = 0.0}};
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
-    input.load.steps = 4;
-    input.load.blocks = {{.cycles = 2, .max = 82.2925, .min = 25.84}};
-    input.fine.radius = 1.702;
-    input.growth = GrowthSection{.increment = 0.252};
-    input.solver.tolerance = 1e-12;
-    return input;
+    return growing_twice(input, 82.2925, 25.84, 1.702, 0.252);
 }
 
 /// Two forces near the other edge open the tip and press the faces at the mouth together, all the time.
@@ -54,13 +54,8 @@ Case plate_that_is_bent() {
         pulled.force = Vec2(0.0, 6.0 * side);
         input.boundaries.push_back(pulled);
     }
-    input.load.steps = 4;
-    input.load.blocks = {{.cycles = 2, .max = 40.0, .min = 12.0}};
-    input.fine.radius = 1.8;
     input.fine.refine = 2;
-    input.growth = GrowthSection{.increment = 0.52};
-    input.solver.tolerance = 1e-12;
-    return input;
+    return growing_twice(input, 40.0, 12.0, 1.8, 0.52);
 }
 
 void expect_same_iterates(const Case& input) {

@@ -128,6 +128,12 @@ TEST(RectangleMesh, HasANodeAtEachPointOfABoundary) {
     const std::vector<BoundarySection> points{point_at(50.0, 100.0), point_at(0.0, 13.7), point_at(31.4, 171.9)};
     const Mesh without = make_mesh(scene.mesh, scene.cracks);
     const Mesh mesh = make_mesh(scene.mesh, scene.cracks, {}, points);
+    const Vec2 by_chance(0.0, without.nodes[500].y());  // where the lines of the others move what is between
+    const Mesh with_all = make_mesh(scene.mesh, scene.cracks, {},
+                                    {points[0], points[1], points[2], point_at(by_chance.x(), by_chance.y())});
+    EXPECT_TRUE(is_at(without, nearest_node(without, by_chance), by_chance));
+    EXPECT_FALSE(is_at(mesh, nearest_node(mesh, by_chance), by_chance));
+    EXPECT_TRUE(is_at(with_all, nearest_node(with_all, by_chance), by_chance));
     for (const BoundarySection& point : points) {
         EXPECT_FALSE(is_at(without, nearest_node(without, *point.at), *point.at));
         EXPECT_TRUE(is_at(mesh, nearest_node(mesh, *point.at), *point.at));
