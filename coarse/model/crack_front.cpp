@@ -5,9 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <ranges>
+#include <span>
 #include <utility>
 
+#include "common/fem/quadrature.hpp"
+#include "common/fem/shape_q4.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -44,6 +48,11 @@ std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
     return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])], mesh.nodes[at(n[3])]};
 }
 
+/// Length of the edges of a square of its area, mm.
+double size_of(const std::array<Vec2, 4>& corners) {
+    return std::sqrt(0.5 * cross(corners[2] - corners[0], corners[3] - corners[1]));
+}
+
 bool is_at_node(double place) { return place == std::floor(place); }
 
 /// From one place of an edge to another one of it nothing jumps: its ends hold none, or no whole edge opens.
@@ -69,22 +78,102 @@ Vec2 heading(const std::array<Vec2, 4>& corners, const CrackPiece& last) {
     return nearest;
 }
 
+/// Of the edge that a piece ends on, or the node: nothing jumps there.
+std::set<int> closed_nodes(const Mesh& mesh, const CrackPiece& piece, double place) {
+    const auto& nodes = mesh.elements[at(piece.element)];
+    const auto edge = at(static_cast<int>(place));
+    if (is_at_node(place)) return {nodes[edge % 4]};
+    return {nodes[edge % 4], nodes[(edge + 1) % 4]};
+}
+
+}  // namespace
+
+// What the closed nodes take of the jump, integrated along the crack, is half an element's size where it leaves its
+// last element across from where it came in, and more where it cuts off a corner.
+double lag(const Mesh& mesh, std::span<const CrackPiece> pieces) {
+    const std::set<int> closed = closed_nodes(mesh, pieces.back(), pieces.back().exit);
+    double taken = 0.0;
+    for (const CrackPiece& piece : pieces | std::views::reverse) {
+        const auto& nodes = mesh.elements[at(piece.element)];
+        if (std::ranges::none_of(nodes, [&](int node) { return closed.contains(node); })) break;
+        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
+            const Vec2 middle = 0.5 * (piece.points[k] + piece.points[k + 1]), half = piece.points[k + 1] - middle;
+            for (const auto& [xi, weight] : gauss_line(2)) {
+                const Eigen::Vector4d shape =
+                    shape_values(map_to_parent(corners_of(mesh, piece.element), middle + xi * half));
+                for (std::size_t i = 0; i < nodes.size(); ++i)
+                    if (closed.contains(nodes[i])) taken += weight * half.norm() * shape[static_cast<Eigen::Index>(i)];
+            }
+        }
+    }
+    return 1.4 * (taken - 0.5 * size_of(corners_of(mesh, pieces.back().element)));
+}
+
+namespace {
+
+/// Of so many first pieces, as those that open: as near to the tip as they seem to end, and closing in a short stretch.
+/// As few where two serve alike.
+std::size_t nearest_front(const Mesh& mesh, std::span<const CrackPiece> pieces, double tip) {
+    constexpr double rounding = 1e-6;
+    constexpr std::size_t candidates = 4;  // two behind the tip's element, its end, and that of the next one
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t best = pieces.size();
+    for (std::size_t count = pieces.size() - std::min(candidates, pieces.size()) + 1; count <= pieces.size(); ++count) {
+        const double earlier = lag(mesh, pieces.first(count));
+        const double off = std::abs(pieces[count - 1].s.back() - earlier - tip) + std::max(earlier, 0.0);
+        if (off < (1.0 - rounding) * least) least = off, best = count;
+    }
+    return best;
+}
+
+/// The piece of a straight crack in the next element; none beyond a node, or beside an element of another size.
+std::optional<CrackPiece> straight_on(const Mesh& mesh, const CrackPiece& last, const Vec2& direction) {
+    const std::set<int> shared = closed_nodes(mesh, last, last.exit);
+    if (is_at_node(last.exit)) return std::nullopt;
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const auto& nodes = mesh.elements[at(e)];
+        for (std::size_t k = 0; e != last.element && k < nodes.size(); ++k) {
+            if (!shared.contains(nodes[k]) || !shared.contains(nodes[(k + 1) % 4])) continue;
+            const Vec2 &from = last.points.back(), &first = mesh.nodes[at(nodes[k])];
+            const Exit exit = leaves(corners_of(mesh, e), from, direction);
+            CrackPiece piece;
+            piece.crack = last.crack;
+            piece.element = e;
+            piece.points = {from, exit.position};
+            piece.s = {last.s.back(), last.s.back() + (exit.position - from).norm()};
+            piece.entry =
+                static_cast<double>(k) + (from - first).norm() / (mesh.nodes[at(nodes[(k + 1) % 4])] - first).norm();
+            piece.exit = exit.place;
+            return piece;
+        }
+    }
+    return std::nullopt;
+}
+
 /// The front at the end of the last piece, which holds a tip.
 void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     constexpr double rounding = 1e-6;
     CrackPiece& last = pieces.back();
-    const Vec2& tip = last.points.back();
+    const Vec2 tip = last.points.back();
     const std::array<Vec2, 4> corners = corners_of(mesh, last.element);
-    const Exit exit = leaves(corners, tip, heading(corners, last));
-    const double behind = last.s.back() - last.s.front();
-    const bool ends_behind = behind <= (1.0 + rounding) * exit.distance || returns_to_its_edge(last, exit.place);
-    if (pieces.size() > 1 && ends_behind) {
+    const Vec2 direction = heading(corners, last);
+    const Exit exit = leaves(corners, tip, direction);
+    const double s = last.s.back(), behind = s - last.s.front();
+    const double least = last.neighbour >= 0 ? 1.0 + rounding : rounding;  // along an edge nothing is cut off
+    if (pieces.size() > 1 && (behind <= least * exit.distance || returns_to_its_edge(last, exit.place))) {
         pieces.pop_back();
         return;
     }
     last.s.back() += (exit.position - tip).norm();
     last.points.back() = exit.position;
     last.exit = exit.place;
+    if (pieces.size() == 1 || last.neighbour >= 0) return;
+    // Not far: a crack that turns at its tip would not open it.
+    constexpr double far = 0.5;
+    const std::optional<CrackPiece> next = straight_on(mesh, last, direction);
+    if (next && next->s.back() - next->s.front() < far * size_of(corners) && !returns_to_its_edge(*next, next->exit))
+        pieces.push_back(*next);
+    pieces.resize(nearest_front(mesh, pieces, s));
 }
 
 void turn_round(std::vector<CrackPiece>& pieces, double length) {
@@ -125,10 +214,7 @@ double length_in_body(const EnrichedMesh& mesh, int crack) {
 std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start) {
     const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
     const double place = start ? piece.entry : piece.exit;
-    const auto& nodes = mesh.elements[at(piece.element)];
-    const auto edge = at(static_cast<int>(place));
-    if (is_at_node(place)) return {nodes[edge % 4]};
-    return {nodes[edge % 4], nodes[(edge + 1) % 4]};
+    return closed_nodes(mesh, piece, place);
 }
 
 }  // namespace stria::coarse

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 
 #include "common/crack/crack_path.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
@@ -9,11 +10,16 @@
 
 namespace stria::coarse {
 
-/// Moves each tip of a path along the crack's last direction to the nearest boundary of its element, as a crack in
-/// conventional elements ends at a node: half an element at most. The way back where both are as near. A crack inside a
-/// single element reaches both of its edges. Arc lengths stay those from the crack's first point: a front before it has
-/// a negative one.
+/// Moves each tip of a path along the crack's last direction to the boundary of an element nearby, as a crack in
+/// conventional elements ends at a node: to where its faces seem to end nearest to the tip, about half an element off
+/// at most. The way back where both are as near. A crack inside a single element reaches both of its edges. Arc lengths
+/// stay those from the crack's first point: a front before it has a negative one.
 [[nodiscard]] CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path);
+
+/// By how much faces that open behind the end of these pieces, on an element edge, seem to end earlier, mm: by K of an
+/// elastic crack, beside one that leaves its last element across from where it came in (docs/method.md, section 2).
+/// Negative where they seem to end later.
+[[nodiscard]] double lag(const Mesh& mesh, std::span<const CrackPiece> pieces);
 
 /// Of the part of a crack in the body, from the mouth or a tip to its other end, mm of arc.
 [[nodiscard]] double length_in_body(const EnrichedMesh& mesh, int crack);

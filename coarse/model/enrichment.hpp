@@ -15,7 +15,7 @@ namespace stria::coarse {
 enum class TipSupport { Topological, Nodal, Gathered };
 
 struct TipEnrichment {
-    int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on the edge nearest to its tip
+    int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on an edge near its tip
     double exponent = 0.5;  // 1/(n+1)
     TipSupport support = TipSupport::Topological;
     std::optional<double> radius = {};  // mm, of fixed-radius supports; absent: 3/4 of the tip's reach, at most

@@ -6,7 +6,7 @@
 namespace stria {
 
 /// Crack tip with its frame: theta = 0 ahead of the tip. `upper` = +1 where theta > 0 is the crack's plus side, else
-/// -1. Without tip functions the faces end on the element edge nearest to the tip.
+/// -1. Without tip functions the faces end on an element edge near the tip.
 struct Tip {
     int crack;
     Vec2 position;

@@ -140,7 +140,7 @@ std::array<double, 2> mean_openings(const MeshSection& mesh) {
     return sum;
 }
 
-// Faces end on the element edge nearest to the tip, so a distance behind it is good to half an element, 0.03 mm.
+// Faces end on an element edge near the tip, so a distance behind it is good to half an element, 0.03 mm.
 TEST(MeshFiles, UnstructuredMeshesGiveTheSpecimensOpeningLoadsLong) {
     MeshSection own = sent_plate().mesh;
     own.grading[0].size = 0.45;  // as large as those of the files

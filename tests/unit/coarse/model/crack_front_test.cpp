@@ -1,4 +1,4 @@
-// A crack without tip functions ends on the element edge nearest to its tip.
+// A crack without tip functions ends on an element edge near its tip.
 #include "coarse/model/crack_front.hpp"
 
 #include <gtest/gtest.h>
@@ -73,6 +73,21 @@ TEST(CrackFront, StaysWhereTheTipLiesAHairBeyondTheEdge) {
     EXPECT_LT((last.points.back() - Vec2(0.61, 0.5)).norm(), 1e-8);
     EXPECT_NEAR(last.s.back() - last.s.front(), 0.11, 1e-5);
     EXPECT_LT(last.neighbour, 0);
+}
+
+// Down across a row of elements, out of one beside its node at (0.75, 0.5): nothing would open before the edge that it
+// leaves there but a corner, for the other node of that edge is far from the crack.
+TEST(CrackFront, PassesANodeRatherThanEndsBesideIt) {
+    const Vec2 mouth(0.0, 0.652), past(0.745, 0.5);
+    const Vec2 way = (past - mouth).normalized();
+    for (const double beyond : {-0.1, -0.02, 0.003}) {  // the edge at 0.745, of the tip
+        const EnrichedMesh mesh = ending_on_edges({mouth, past + beyond * way});
+        const Vec2 front = mesh.pieces.back().points.back();
+        EXPECT_NEAR(front.x(), 0.75, 1e-12) << beyond;
+        EXPECT_NEAR((front - past).dot(way), (0.75 - 0.745) / way.x(), 1e-12);
+        EXPECT_EQ(jumping_nodes(mesh), 8);  // all but the ends of the upright edge below that node
+        EXPECT_NEAR(mesh.tips[0].s + mesh.tips[0].beyond, (past + beyond * way - mouth).norm(), 1e-12);
+    }
 }
 
 // From a kink on an edge the last piece runs beside that edge, and beyond the tip it meets the edge's node: nothing
