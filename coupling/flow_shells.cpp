@@ -8,8 +8,6 @@
 namespace stria::coupling {
 namespace {
 
-constexpr double apart = 2.0;  // where the next one begins, over where the last one ends
-
 void join(FlowShell& shell, const FlowShell& next) {
     shell.end = std::max(shell.end, next.end);
     shell.reach = std::max(shell.reach, next.reach);
@@ -22,14 +20,14 @@ FlowShell shell_of(const std::array<int, 4>& element, const std::vector<Vec2>& n
                    double axis) {
     const auto distance = [&](int node) { return (nodes[at(node)] - tip).norm(); };
     const auto [begin, end] = std::ranges::minmax(element | std::views::transform(distance));
-    return {begin, end, reach, axis};
+    return {begin, end + (end - begin), reach, axis};  // an element may lie between
 }
 
 std::vector<FlowShell> joined(std::vector<FlowShell> shells) {
     std::ranges::sort(shells, {}, &FlowShell::begin);
     std::vector<FlowShell> all;
     for (const FlowShell& next : shells) {
-        if (all.empty() || next.begin > apart * all.back().end)
+        if (all.empty() || next.begin > all.back().end)
             all.push_back(next);
         else
             join(all.back(), next);
@@ -38,9 +36,9 @@ std::vector<FlowShell> joined(std::vector<FlowShell> shells) {
 }
 
 FlowShell shell_at_tip(const std::vector<FlowShell>& shells, double element_size) {
-    FlowShell own;
+    FlowShell own{.end = 2.0 * element_size};
     for (const FlowShell& next : shells) {
-        if (next.begin > apart * std::max(own.end, element_size)) break;
+        if (next.begin > own.end) break;
         join(own, next);
     }
     return own;

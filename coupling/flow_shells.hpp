@@ -14,10 +14,11 @@ namespace stria::coupling {
 [[nodiscard]] FlowShell shell_of(const std::array<int, 4>& element, const std::vector<Vec2>& nodes, const Vec2& tip,
                                  double reach, double axis = 0.0);
 
-/// Shells one of which begins within twice the end of another become one. Ascending, and apart from one another.
+/// Shells that overlap become one: flow, as seen from the tip, with less than an element between. Ascending, and apart
+/// from one another.
 [[nodiscard]] std::vector<FlowShell> joined(std::vector<FlowShell> shells);
 
-/// The shell about a tip, from joined ones: it begins within two elements of it, or there is none (zeros).
+/// The shell about a tip, from joined ones: it begins within two elements of it, or there is none (its reach is zero).
 /// `element_size`: at the tip, mm.
 [[nodiscard]] FlowShell shell_at_tip(const std::vector<FlowShell>& shells, double element_size);
 

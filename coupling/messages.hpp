@@ -131,10 +131,10 @@ struct RingReport {
     DomainIntegral sums;
 };
 
-/// Elements with metal that has flowed, by their distances from the tip that is nearest to it. Each begins within twice
-/// the distance at which those before it end.
+/// Elements with metal that has flowed, by their distances from the tip that is nearest to it. Each begins less than an
+/// element's size beyond those before it.
 struct FlowShell {
-    double begin = 0, end = 0;  // mm, of the elements
+    double begin = 0, end = 0;  // mm, of the elements, and how far flow may begin that goes on from there
     double reach = 0;           // mm, largest distance of a point that has flowed
     double axis = 0;            // mm, likewise, within 15 degrees of the crack's line ahead
 };

@@ -56,7 +56,7 @@ TEST(TipRefinement, ReachesWhatFlows) {
     EXPECT_EQ(disks_about_flow(scene, {flowing}, nothing).at(0).radius, 0.0) << "flow elsewhere";
     ElementSet between = nothing;
     for (int e = 0; e < std::ssize(scene.mesh.elements); ++e)
-        if (centre(scene.mesh, e).y() > tip.y() && (centre(scene.mesh, e) - tip).norm() < 2.0) between.insert(e);
+        if (centre(scene.mesh, e).y() > tip.y() && (centre(scene.mesh, e) - tip).norm() < 3.0) between.insert(e);
     const std::vector<RefinedDisk> disks = disks_about_flow(scene, {flowing}, between);
     EXPECT_DOUBLE_EQ(disks.at(0).radius, (centre(scene.mesh, flowing) - tip).norm());
     const Mesh finer = refine(scene.mesh, disks).mesh;
