@@ -33,7 +33,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     effort_.counts = from->counts;
 }
 
-bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->ended() && growth_->is_driven(); }
+bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->life_is_over(); }
 
 AnalysisState FatigueAnalysis::state() const {
     if (before_growth_) return *before_growth_;

@@ -25,7 +25,7 @@ public:
     /// Nothing is left to do.
     [[nodiscard]] bool finished() const { return due_growth_.tips.empty() && release_.held == 0.0 && !next(); }
 
-    /// Growth has ended the run, and not by arrest: the cycles up to now are the life.
+    /// Growth has ended the run, and neither arrest nor the mesh: the cycles up to now are the life.
     [[nodiscard]] bool life_is_over() const;
 
     /// Between increments: where the listener is told that a load has been reached or that none will be, and after

@@ -5,6 +5,7 @@
 
 #include "coarse/model/crack_front.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/crack/crack_path.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
 
@@ -62,9 +63,9 @@ void require_room_beside_loads(const Mesh& mesh, const EnrichedMesh& enriched, c
         const double edge = tip_element_edge(enriched, tip) / refined;
         const double distance = distance_to_loads(mesh, loads, tip.position);
         if (distance < edge)
-            throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from a node that "
-                                        "is loaded or held, less than an element, {:.4g} mm; {}",
-                                        tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
+            throw CrackOffMesh(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from a node "
+                                           "that is loaded or held, less than an element, {:.4g} mm; {}",
+                                           tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
     }
 }
 

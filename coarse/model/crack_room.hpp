@@ -17,7 +17,7 @@ void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks);
 /// so many along an edge; they must not be lost in the rounding of the body's coordinates either.
 void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined);
 
-/// Likewise where a node that is loaded or held is as near to a tip.
+/// Throws CrackOffMesh where a node that is loaded or held is as near to a tip.
 void require_room_beside_loads(const Mesh& mesh, const EnrichedMesh& enriched, const LoadsOfCase& loads, int refined);
 
 /// Throws CaseError, naming the crack, where one of so many has no tip in the body: it cuts the body in two.

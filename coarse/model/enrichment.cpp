@@ -174,9 +174,9 @@ private:
                    std::ranges::any_of(other.points, is_ahead);
         };
         if (into.dot(tip.direction) >= 0.0 && std::ranges::none_of(path.pieces, hooks)) return;
-        throw CaseError(fmt::format("crack {}: it turns by more than 90 degrees within two elements of its tip at "
-                                    "({:.6g}, {:.6g}); use smaller elements there",
-                                    tip.crack + 1, tip.position.x(), tip.position.y()));
+        throw CrackOffMesh(fmt::format("crack {}: it turns by more than 90 degrees within two elements of its tip at "
+                                       "({:.6g}, {:.6g}); use smaller elements there",
+                                       tip.crack + 1, tip.position.x(), tip.position.y()));
     }
 
     void note_met_edges(const CrackPath& path) {

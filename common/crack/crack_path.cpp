@@ -104,7 +104,7 @@ private:
     }
 
     [[noreturn]] void refuse_partial_edge(const Vec2& x) const {
-        throw CaseError(
+        throw CrackOffMesh(
             fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
                         "change the mesh size a little",
                         crack_ + 1, x.x(), x.y()));
@@ -197,7 +197,7 @@ private:
         for (const CrackPiece& p : path.pieces) {
             if (p.neighbour >= 0) continue;
             if (!crossed.insert(p.element).second) {
-                throw CaseError(
+                throw CrackOffMesh(
                     fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there",
                                 crack_ + 1, p.points[0].x(), p.points[0].y()));
             }

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "common/crack/crack_piece.hpp"
+#include "common/error.hpp"
 #include "common/fem/mesh.hpp"
 
 namespace stria {
+
+/// It is the mesh, its loads or its supports that cannot hold a crack, and not the body: another mesh may.
+class CrackOffMesh : public CaseError {
+public:
+    using CaseError::CaseError;
+};
 
 /// What resolving a crack leaves: its pieces in order, and which of its two ends are tips (strictly inside the body).
 struct CrackPath {
@@ -19,8 +26,8 @@ struct CrackPath {
 };
 
 /// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, leaves
-/// it between its ends, turns by more than a right angle, enters an element twice, or leaves an element edge between
-/// its nodes after running along it.
+/// it between its ends or turns by more than a right angle, CrackOffMesh where it enters an element twice, or leaves an
+/// element edge between its nodes after running along it.
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points);
 
 }  // namespace stria

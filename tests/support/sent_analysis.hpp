@@ -40,6 +40,7 @@ struct RunHistory {
     std::vector<coarse::TipResult> nominal;  // elastic, for the load factor 1
     int cuts = 0, extensions = 0, yield_warnings = 0, mesh_splits = 0;
     std::int64_t full_checks = 0, checks_by_bound = 0;
+    bool life_is_over = false;
 
     [[nodiscard]] const Followed& at_load(double factor) const {  // for the first time
         for (const Followed& increment : increments) {
@@ -76,6 +77,7 @@ inline RunHistory run_analysis(coarse::EquilibriumFactory& factory, const coarse
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
+    history.life_is_over = analysis.life_is_over();
     history.nominal = analysis.nominal();
     history.cuts = analysis.cuts();
     const coarse::CoarseEffort effort = analysis.effort();

@@ -112,6 +112,24 @@ TEST(CrackGrowth, EndsBeforeTheCrackLeavesTheBody) {
     EXPECT_NEAR(run.increments.back().tips[0].a, 0.86, 1e-12);  // the next tip is nearer to the edge than an element
 }
 
+// A point that is held on the way of a crack stops the run, as no ring fits in beside it, and not the crack.
+TEST(CrackGrowth, IsNoLifeBeforeAHeldNode) {
+    Case input = edge_crack(0.7, 3.0, End::Pulled);
+    input.mesh.size = 1.0 / 11.0;
+    input.load = {.steps = 2, .blocks = {{.cycles = 20, .max = 1.0, .min = 0.0}}};
+    input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.04, .C = 1e-13, .m = 3.0};
+    const RunHistory free = run_direct(input);
+    EXPECT_TRUE(free.life_is_over);  // at the far edge
+    BoundarySection held;
+    held.on = "point";
+    held.at = Vec2(0.9, 1.5);
+    held.displacement[0] = 0.0;
+    input.boundaries.push_back(held);
+    const RunHistory stopped = run_direct(input);
+    EXPECT_LT(stopped.increments.back().tips[0].a, free.increments.back().tips[0].a);
+    EXPECT_FALSE(stopped.life_is_over);
+}
+
 /// A crack in the middle of a square, at about 37 degrees to the normal of the load, that grows at both tips.
 Case inclined_crack(double growth, int cycles) {
     Case input = specimen("plate", 50.0, {{21.0, 22.0}, {29.0, 28.0}});

@@ -9,6 +9,7 @@
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/crack/crack_path.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
 
@@ -174,16 +175,20 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal) const {
 }
 
 // The first way that the mesh can hold.
-GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const {
+GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) {
     std::string why;
+    bool left_the_mesh = false;
     for (const Cracks& cracks : ways) {
         try {
             return with_cracks(body, cracks);
         } catch (const CaseError& error) {
-            if (why.empty()) why = error.what();
+            if (!why.empty()) continue;
+            why = error.what();
+            left_the_mesh = dynamic_cast<const CrackOffMesh*>(&error) != nullptr;
         }
     }
-    note_(fmt::format("growth ends here: {}", why));
+    left_the_mesh_ = left_the_mesh;
+    note_(fmt::format("growth ends here{}: {}", left_the_mesh ? ", and not the life" : "", why));
     return {};
 }
 

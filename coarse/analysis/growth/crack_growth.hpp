@@ -29,6 +29,8 @@ public:
 
     /// Growth has ended the run.
     [[nodiscard]] bool ended() const { return ended_; }
+    /// And a tip is driven, in a body that holds no longer crack: not on a mesh alone that holds none.
+    [[nodiscard]] bool life_is_over() const { return ended_ && !left_the_mesh_ && is_driven(); }
 
     /// A tip grows by the law, from what the tips have gone through.
     [[nodiscard]] bool is_driven() const;
@@ -65,13 +67,14 @@ private:
     [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
-    [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) const;
+    [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
     GrowthSection growth_;
     bool takes_mean_;
     const Note& note_;
     bool ended_;
+    bool left_the_mesh_ = false;
     GrowthIncrement increment_;
     PeriodRates rates_;
     LifeCount life_;
