@@ -115,7 +115,7 @@ namespace {
 /// As few where two serve alike.
 std::size_t nearest_front(const Mesh& mesh, std::span<const CrackPiece> pieces, double tip) {
     constexpr double rounding = 1e-6;
-    constexpr std::size_t candidates = 4;  // two behind the tip's element, its end, and that of the next one
+    constexpr std::size_t candidates = 4;  // the ends of the last pieces: farther back none is as near
     double least = std::numeric_limits<double>::infinity();
     std::size_t best = pieces.size();
     for (std::size_t count = pieces.size() - std::min(candidates, pieces.size()) + 1; count <= pieces.size(); ++count) {
