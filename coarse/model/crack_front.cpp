@@ -86,31 +86,6 @@ std::set<int> closed_nodes(const Mesh& mesh, const CrackPiece& piece, double pla
     return {nodes[edge % 4], nodes[(edge + 1) % 4]};
 }
 
-}  // namespace
-
-// What the closed nodes take of the jump, integrated along the crack, is half an element's size where it leaves its
-// last element across from where it came in, and more where it cuts off a corner.
-double lag(const Mesh& mesh, std::span<const CrackPiece> pieces) {
-    const std::set<int> closed = closed_nodes(mesh, pieces.back(), pieces.back().exit);
-    double taken = 0.0;
-    for (const CrackPiece& piece : pieces | std::views::reverse) {
-        const auto& nodes = mesh.elements[at(piece.element)];
-        if (std::ranges::none_of(nodes, [&](int node) { return closed.contains(node); })) break;
-        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
-            const Vec2 middle = 0.5 * (piece.points[k] + piece.points[k + 1]), half = piece.points[k + 1] - middle;
-            for (const auto& [xi, weight] : gauss_line(2)) {
-                const Eigen::Vector4d shape =
-                    shape_values(map_to_parent(corners_of(mesh, piece.element), middle + xi * half));
-                for (std::size_t i = 0; i < nodes.size(); ++i)
-                    if (closed.contains(nodes[i])) taken += weight * half.norm() * shape[static_cast<Eigen::Index>(i)];
-            }
-        }
-    }
-    return 1.4 * (taken - 0.5 * size_of(corners_of(mesh, pieces.back().element)));
-}
-
-namespace {
-
 /// Of so many first pieces, as those that open: as near to the tip as they seem to end, and closing in a short stretch.
 /// As few where two serve alike.
 std::size_t nearest_front(const Mesh& mesh, std::span<const CrackPiece> pieces, double tip) {
@@ -128,8 +103,8 @@ std::size_t nearest_front(const Mesh& mesh, std::span<const CrackPiece> pieces, 
 
 /// The piece of a straight crack in the next element; none beyond a node, or beside an element of another size.
 std::optional<CrackPiece> straight_on(const Mesh& mesh, const CrackPiece& last, const Vec2& direction) {
-    const std::set<int> shared = closed_nodes(mesh, last, last.exit);
     if (is_at_node(last.exit)) return std::nullopt;
+    const std::set<int> shared = closed_nodes(mesh, last, last.exit);
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const auto& nodes = mesh.elements[at(e)];
         for (std::size_t k = 0; e != last.element && k < nodes.size(); ++k) {
@@ -200,6 +175,28 @@ CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path) {
         turn_round(path.pieces, length);
     }
     return path;
+}
+
+// What the closed nodes take of the jump, integrated along the crack, is half an element's size where it leaves its
+// last element across from where it came in, and more where it cuts off a corner.
+double lag(const Mesh& mesh, std::span<const CrackPiece> pieces) {
+    const std::set<int> closed = closed_nodes(mesh, pieces.back(), pieces.back().exit);
+    double taken = 0.0;
+    for (const CrackPiece& piece : pieces | std::views::reverse) {
+        const auto& nodes = mesh.elements[at(piece.element)];
+        if (std::ranges::none_of(nodes, [&](int node) { return closed.contains(node); })) break;
+        for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
+            const Vec2 middle = 0.5 * (piece.points[k] + piece.points[k + 1]), half = piece.points[k + 1] - middle;
+            for (const auto& [xi, weight] : gauss_line(2)) {
+                const Eigen::Vector4d shape =
+                    shape_values(map_to_parent(corners_of(mesh, piece.element), middle + xi * half));
+                for (std::size_t i = 0; i < nodes.size(); ++i)
+                    if (closed.contains(nodes[i])) taken += weight * half.norm() * shape[static_cast<Eigen::Index>(i)];
+            }
+        }
+    }
+    constexpr double of_K = 1.4;  // measured: verification.CrackFronts
+    return of_K * (taken - 0.5 * size_of(corners_of(mesh, pieces.back().element)));
 }
 
 double length_in_body(const EnrichedMesh& mesh, int crack) {
