@@ -104,11 +104,13 @@ std::size_t nearest_front(const Mesh& mesh, std::span<const CrackPiece> pieces, 
 /// The piece of a straight crack in the next element; none beyond a node, or beside an element of another size.
 std::optional<CrackPiece> straight_on(const Mesh& mesh, const CrackPiece& last, const Vec2& direction) {
     if (is_at_node(last.exit)) return std::nullopt;
-    const std::set<int> shared = closed_nodes(mesh, last, last.exit);
+    const auto& own = mesh.elements[at(last.element)];
+    const auto edge = at(static_cast<int>(last.exit));
+    const int begins = own[edge % 4], ends = own[(edge + 1) % 4];
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const auto& nodes = mesh.elements[at(e)];
-        for (std::size_t k = 0; e != last.element && k < nodes.size(); ++k) {
-            if (!shared.contains(nodes[k]) || !shared.contains(nodes[(k + 1) % 4])) continue;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            if (nodes[k] != ends || nodes[(k + 1) % 4] != begins) continue;  // all run counter-clockwise
             const Vec2 &from = last.points.back(), &first = mesh.nodes[at(nodes[k])];
             const Exit exit = leaves(corners_of(mesh, e), from, direction);
             CrackPiece piece;
