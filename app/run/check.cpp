@@ -36,8 +36,8 @@ void print_load_cases(const Case& input, std::size_t t, const coarse::TipResult&
     if (tip.K_I_of_cases.empty()) return;
     std::size_t k = 0;
     for (const LoadCaseSection& load_case : input.load_cases) {
-        fmt::print("# tip {}: K_I = {:.5g}, K_II = {:.5g} MPa sqrt(mm) at the factor 1 of the load case \"{}\"\n",
-                   t + 1, tip.K_I_of_cases[k], tip.K_II_of_cases[k], load_case.name);
+        fmt::print("# tip {}: K_I = {:.5g}, K_II = {:.5g} MPa sqrt(mm) at the factor 1 of the load case \"{}\"\n", t,
+                   tip.K_I_of_cases[k], tip.K_II_of_cases[k], load_case.name);
         ++k;
     }
     const auto positions = static_cast<std::size_t>(coarse::positions_of_travel(input.load));
@@ -49,7 +49,7 @@ void print_load_cases(const Case& input, std::size_t t, const coarse::TipResult&
         const auto I = extremes(tip.K_I_of_cases), II = extremes(tip.K_II_of_cases);
         fmt::print("# tip {}: K_I = {:.5g} to {:.5g}, K_II = {:.5g} to {:.5g} MPa sqrt(mm) under the pressure that "
                    "travels on {}, faces without tractions\n",
-                   t + 1, I.min, I.max, II.min, II.max, boundary.on);
+                   t, I.min, I.max, II.min, II.max, boundary.on);
         k += positions;
     }
 }
@@ -60,8 +60,8 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
     const std::vector<double> K_I =
         coarse::largest_K_I(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
     for (std::size_t t = 0; t < K_I.size(); ++t) {
-        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free faces)\n",
-                   t + 1, K_I[t], largest, nominal.tips[t].K_I_of_cases.empty() ? "" : " and the largest load cases");
+        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free faces)\n", t,
+                   K_I[t], largest, nominal.tips[t].K_I_of_cases.empty() ? "" : " and the largest load cases");
         if (scene.initial_stress().any())
             fmt::print("#   of it {:.5g} MPa sqrt(mm) by the initial stress\n", unit.K_initial[t]);
         if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {

@@ -23,6 +23,12 @@ constexpr double elements_in_ring = 3.0;  // across the radius of the largest on
 constexpr double elements_to_bend = 2.0;  // from the tip
 constexpr double least_for_K = 0.3;       // elements to another metal
 
+/// (K / sigma_y)^2, mm; zero under pressure.
+double length_of_flow(double K_I, double yield_stress) {
+    const double ratio = std::max(K_I, 0.0) / yield_stress;
+    return ratio * ratio;
+}
+
 bool asks_for_opening_loads(const Case& input) {
     const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
     return input.growth || std::ranges::any_of(input.cracks, touches);
@@ -33,13 +39,13 @@ bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
     return scene.input.growth && scene.enriched.tip_functions > 0 && scene.input.cracks[at(tip.crack)].contact;
 }
 
-std::string zone_warning(std::size_t tip, double zone, double element, int refine) {
+std::string zone_warning(std::size_t tip, double zone, bool grows, double element, int refine) {
     const double finer = std::exp2(std::ceil(std::log2(across_zone * element / zone)));
     const std::string advice = refine * finer <= most_refined ? fmt::format(": fine.refine = {:g}", refine * finer)
                                                               : ", which no fine.refine gives: hardly anything yields";
-    return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm, spans {:.2g} elements of {:.3g} mm; opening "
-                       "loads want {:g} or more{}",
-                       tip, zone, zone / element, element, across_zone, advice);
+    return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm{}, spans {:.2g} elements of {:.3g} mm; "
+                       "opening loads want {:g} or more{}",
+                       tip, zone, grows ? " ahead of it" : "", zone / element, element, across_zone, advice);
 }
 
 /// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.
@@ -102,8 +108,11 @@ std::optional<std::string> metal_warning(const Scene& scene, std::size_t t) {
 }  // namespace
 
 double forward_zone(double K_I, double yield_stress, PlaneState plane) {
-    const double ratio = std::max(K_I, 0.0) / yield_stress;
-    return ratio * ratio * (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.157);
+    return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.157) * length_of_flow(K_I, yield_stress);
+}
+
+double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane) {
+    return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.04) * length_of_flow(K_I, yield_stress);
 }
 
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I) {
@@ -127,9 +136,11 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
             continue;
         }
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-        const double zone = forward_zone(largest_K_I[t], yield_stress[t], input.model.plane);
+        const bool grows = input.growth.has_value();
+        const double zone =
+            (grows ? forward_zone_ahead : forward_zone)(largest_K_I[t], yield_stress[t], input.model.plane);
         if (zone > 0.0 && zone < across_zone * element)
-            warnings.push_back(zone_warning(t, zone, element, input.fine.refine));
+            warnings.push_back(zone_warning(t, zone, grows, element, input.fine.refine));
         const double at_a_time = input.growth ? input.growth->increment.value_or(0.0) : 0.0;
         if (at_a_time >= most_at_a_time * element) warnings.push_back(growth_warning(t, at_a_time, element));
     }

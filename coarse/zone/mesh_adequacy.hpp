@@ -12,12 +12,16 @@ namespace stria::coarse {
 /// (K / sigma_y)^2 in plane strain, at 71 degrees to the crack (Levy et al., Int. J. Fracture Mech. 7, 1971).
 double forward_zone(double K_I, double yield_stress, PlaneState plane);
 
+/// Its extent straight ahead of the tip, mm: the same in plane stress, 0.04 (K / sigma_y)^2 in plane strain
+/// (docs/verification.md, opening loads). There the faces close that a growing tip leaves.
+double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
+
 /// One sentence per region whose outline elements do not follow; per tip less than two elements from a bend behind it,
 /// or about which no ring of three elements lies, or, of several materials, none of four in its own; per tip whose
-/// forward zone spans fewer than five elements where contact or growth is asked for, with the `fine.refine` that would
-/// do; per tip that grows by two elements or more at a time; and per tip that grows between faces that may touch where
-/// nothing yields, and leaves functions behind.
-/// `largest_K_I`: one per tip, MPa sqrt(mm), of the load history. Of zones nothing where nothing flows.
+/// forward zone spans fewer than five elements where contact is asked for, or straight ahead where it grows, with the
+/// `fine.refine` that would do; per tip that grows by two elements or more at a time; and per tip that grows between
+/// faces that may touch where nothing yields, and leaves functions behind. `largest_K_I`: one per tip, MPa sqrt(mm), of
+/// the load history. Of zones nothing where nothing flows.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I);
 
 }  // namespace stria::coarse

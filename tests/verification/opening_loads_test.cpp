@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -12,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/index.hpp"
 #include "tests/support/comparison.hpp"
@@ -29,15 +32,19 @@ const std::vector<double> distances{0.0125, 0.025, 0.05, 0.1, 0.2, 0.4};
 // the distance: whether one at the distance itself counts is up to half an element. These are half way between crests.
 const std::vector<double> between{0.0125, 0.025, 0.075, 0.125, 0.175, 0.225, 0.325, 0.425};
 
-/// K_op / K_max in the last cycle of cases/sent-closure, by contact beyond each distance.
-std::vector<double> openings(int refine, std::vector<std::string> settings,
-                             const std::vector<double>& beyond = distances) {
+/// cases/sent-closure
+Case sent_closure(int refine, std::vector<std::string> settings, const std::vector<double>& beyond) {
     settings.insert(settings.end(),
                     {fmt::format("closure.distance={}", beyond[0]),
                      fmt::format("closure.profile=[{}]", fmt::join(beyond.begin() + 1, beyond.end(), ", ")),
                      "fine.beta=2.0", fmt::format("fine.refine={}", refine)});
-    const coarse::CycleResult last =
-        run_cycles(read_case(std::string(source_folder) + "/cases/sent-closure/case.toml", std::move(settings))).back();
+    return read_case(std::string(source_folder) + "/cases/sent-closure/case.toml", std::move(settings));
+}
+
+/// K_op / K_max in its last cycle, by contact beyond each distance.
+std::vector<double> openings(int refine, std::vector<std::string> settings,
+                             const std::vector<double>& beyond = distances) {
+    const coarse::CycleResult last = run_cycles(sent_closure(refine, std::move(settings), beyond)).back();
     std::vector<double> found;
     std::cout << fmt::format("elements of {} mm: K_op/K_max", 1.6 / refine);
     for (std::size_t d = 0; d < beyond.size(); ++d) {
@@ -129,6 +136,17 @@ TEST(OpeningLoads, InPlaneStrainConvergeLong) {
     for (std::size_t d = 0; d < between.size(); ++d) EXPECT_NEAR(fine[d], medium[d], 0.01) << between[d];
     EXPECT_GT(fine[0], 0.15);
     EXPECT_LT(fine[0], 0.27);
+    const auto is_warned_of = [&](int refine) {
+        const coarse::Scene scene = coarse::refined_scene(sent_closure(refine, plane, between));
+        const auto is_of_the_zone = [](const std::string& text) {
+            return text.find("forward plastic zone") != std::string::npos;
+        };
+        return std::ranges::any_of(coarse::mesh_warnings(scene, {501.0}), is_of_the_zone);
+    };
+    EXPECT_FALSE(is_warned_of(128));
+    EXPECT_TRUE(is_warned_of(32));
+    const std::vector<double> too_large = openings(32, plane, between);
+    for (std::size_t d = 2; d < 5; ++d) EXPECT_GT(std::abs(too_large[d] - fine[d]), 0.03) << between[d];
 }
 
 /// Means over the last six cycles of cases/sent-closure.

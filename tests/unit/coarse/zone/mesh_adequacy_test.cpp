@@ -14,6 +14,9 @@ TEST(MeshAdequacy, KnowsTheForwardZone) {
     EXPECT_NEAR(coarse::forward_zone(300.0, 300.0, PlaneState::Stress), 0.3183099, 1e-7);
     EXPECT_NEAR(coarse::forward_zone(300.0, 300.0, PlaneState::Strain), 0.157, 1e-7);
     EXPECT_EQ(coarse::forward_zone(-300.0, 300.0, PlaneState::Strain), 0.0);
+    EXPECT_NEAR(coarse::forward_zone_ahead(300.0, 300.0, PlaneState::Stress), 0.3183099, 1e-7);
+    EXPECT_NEAR(coarse::forward_zone_ahead(300.0, 300.0, PlaneState::Strain), 0.04, 1e-7);
+    EXPECT_EQ(coarse::forward_zone_ahead(-300.0, 300.0, PlaneState::Strain), 0.0);
 }
 
 class Advice : public testing::Test {
@@ -68,6 +71,19 @@ TEST_F(Advice, NamesTheRefinementThatWouldDo) {
     EXPECT_TRUE(at(2100.0).empty());  // 7.7 mm
 }
 
+// In plane strain metal flows to the sides, four times as far as ahead; a wake is of what has flowed ahead.
+TEST_F(Advice, MindsTheFlowAheadOfATipThatGrows) {
+    input.growth = GrowthSection{.increment = 0.5};
+    const auto warnings = at(2100.0);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("about 1.96 mm ahead of it, spans 2 elements of 1 mm"), std::string::npos)
+        << warnings[0];
+    EXPECT_NE(warnings[0].find("fine.refine = 4"), std::string::npos) << warnings[0];
+    EXPECT_TRUE(at(3400.0).empty());  // 5.1 mm
+    input.model.plane = PlaneState::Stress;
+    EXPECT_TRUE(at(1200.0).empty());  // 5.1 mm to any side
+}
+
 TEST_F(Advice, NamesNoRefinementThatIsNotAllowed) {
     const auto warnings = at(5.0);  // 0.000044 mm: 2^17 would do
     ASSERT_EQ(warnings.size(), 1U);
@@ -107,9 +123,9 @@ TEST_F(Advice, MindsTheRoomForJInsideAMetal) {
 
 TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {
     input.growth = GrowthSection{.increment = 1.9};
-    EXPECT_TRUE(at(2100.0).empty());
+    EXPECT_TRUE(at(3400.0).empty());
     input.growth->increment = 2.5;
-    const auto warnings = at(2100.0);
+    const auto warnings = at(3400.0);
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].find("crosses 2.5 elements"), std::string::npos) << warnings[0];
 }
