@@ -18,6 +18,8 @@ namespace stria::coarse {
 namespace {
 
 constexpr double across_zone = 5.0;       // elements, the forward zone
+constexpr double ahead_in_stress = 10.0;  // elements, ahead of a tip that grows
+constexpr double ahead_in_strain = 5.0;
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
 constexpr double elements_to_bend = 2.0;  // from the tip
@@ -39,13 +41,28 @@ bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
     return scene.input.growth && scene.enriched.tip_functions > 0 && scene.input.cracks[at(tip.crack)].contact;
 }
 
-std::string zone_warning(std::size_t tip, double zone, bool grows, double element, int refine) {
-    const double finer = std::exp2(std::ceil(std::log2(across_zone * element / zone)));
+/// How far metal flows that closes the faces, and how many elements opening loads want there.
+struct WantedZone {
+    double length;  // mm
+    double elements;
+    const char* place;
+};
+
+WantedZone wanted_zone(const Case& input, double K_I, double yield_stress) {
+    const PlaneState plane = input.model.plane;
+    if (!input.growth) return {forward_zone(K_I, yield_stress, plane), across_zone, ""};
+    return {forward_zone_ahead(K_I, yield_stress, plane),
+            plane == PlaneState::Stress ? ahead_in_stress : ahead_in_strain, " ahead of it"};
+}
+
+std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone, double element, int refine) {
+    if (zone.length <= 0.0 || zone.length >= zone.elements * element) return std::nullopt;
+    const double finer = std::exp2(std::ceil(std::log2(zone.elements * element / zone.length)));
     const std::string advice = refine * finer <= most_refined ? fmt::format(": fine.refine = {:g}", refine * finer)
                                                               : ", which no fine.refine gives: hardly anything yields";
     return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm{}, spans {:.2g} elements of {:.3g} mm; "
                        "opening loads want {:g} or more{}",
-                       tip, zone, grows ? " ahead of it" : "", zone / element, element, across_zone, advice);
+                       tip, zone.length, zone.place, zone.length / element, element, zone.elements, advice);
 }
 
 /// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.
@@ -136,11 +153,9 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
             continue;
         }
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-        const bool grows = input.growth.has_value();
-        const double zone =
-            (grows ? forward_zone_ahead : forward_zone)(largest_K_I[t], yield_stress[t], input.model.plane);
-        if (zone > 0.0 && zone < across_zone * element)
-            warnings.push_back(zone_warning(t, zone, grows, element, input.fine.refine));
+        if (auto warning =
+                zone_warning(t, wanted_zone(input, largest_K_I[t], yield_stress[t]), element, input.fine.refine))
+            warnings.push_back(std::move(*warning));
         const double at_a_time = input.growth ? input.growth->increment.value_or(0.0) : 0.0;
         if (at_a_time >= most_at_a_time * element) warnings.push_back(growth_warning(t, at_a_time, element));
     }

@@ -81,7 +81,8 @@ TEST_F(Advice, MindsTheFlowAheadOfATipThatGrows) {
     EXPECT_NE(warnings[0].find("fine.refine = 4"), std::string::npos) << warnings[0];
     EXPECT_TRUE(at(3400.0).empty());  // 5.1 mm
     input.model.plane = PlaneState::Stress;
-    EXPECT_TRUE(at(1200.0).empty());  // 5.1 mm to any side
+    EXPECT_EQ(at(1650.0).size(), 1U);  // 9.6 mm
+    EXPECT_TRUE(at(1700.0).empty());   // 10.2 mm
 }
 
 TEST_F(Advice, NamesNoRefinementThatIsNotAllowed) {
