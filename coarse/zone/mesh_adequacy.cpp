@@ -20,6 +20,7 @@ namespace {
 constexpr double across_zone = 5.0;       // elements, the forward zone
 constexpr double ahead_in_stress = 10.0;  // elements, ahead of a tip that grows
 constexpr double ahead_in_strain = 5.0;
+constexpr double most_of_zone = 0.1;      // at a time, in plane stress
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
 constexpr double elements_to_bend = 2.0;  // from the tip
@@ -81,11 +82,21 @@ std::string retained_warning(std::size_t tip) {
                        tip);
 }
 
-std::string growth_warning(std::size_t tip, double increment, double element) {
+std::optional<std::string> growth_warning(std::size_t tip, double increment, double element) {
+    if (increment < most_at_a_time * element) return std::nullopt;
     return fmt::format(
         "tip {}: growth.increment = {:g} mm crosses {:.2g} elements of {:.3g} mm at a time; opening loads swing from "
         "step to step beyond one",
         tip, increment, increment / element, element);
+}
+
+/// In plane stress faces part last at the end of the last step: the longer it is, the sooner.
+std::optional<std::string> step_warning(std::size_t tip, double increment, double zone) {
+    if (zone <= 0.0 || increment <= most_of_zone * zone) return std::nullopt;
+    return fmt::format(
+        "tip {}: growth.increment = {:g} mm is {:.2g} of its forward plastic zone, about {:.3g} mm; opening loads near "
+        "the tip fall with the steps beyond {:g} of it: growth.increment = {:.2g}, or \"auto\"",
+        tip, increment, increment / zone, zone, most_of_zone, most_of_zone * zone);
 }
 
 /// Rings about a tip pass over a bend that is nearer to it than they are.
@@ -135,11 +146,14 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane) {
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I) {
     const Case& input = scene.input;
     std::vector<std::string> warnings = region_warnings(scene.mesh, input.regions);
+    const auto add = [&](std::optional<std::string> warning) {
+        if (warning) warnings.push_back(std::move(*warning));
+    };
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         std::optional<std::string> warning = bend_warning(scene, t);
         if (!warning) warning = ring_warning(scene, t);
         if (!warning) warning = metal_warning(scene, t);
-        if (warning) warnings.push_back(std::move(*warning));
+        add(std::move(warning));
     }
     if (!asks_for_opening_loads(input)) return warnings;
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
@@ -153,11 +167,12 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
             continue;
         }
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-        if (auto warning =
-                zone_warning(t, wanted_zone(input, largest_K_I[t], yield_stress[t]), element, input.fine.refine))
-            warnings.push_back(std::move(*warning));
-        const double at_a_time = input.growth ? input.growth->increment.value_or(0.0) : 0.0;
-        if (at_a_time >= most_at_a_time * element) warnings.push_back(growth_warning(t, at_a_time, element));
+        const WantedZone zone = wanted_zone(input, largest_K_I[t], yield_stress[t]);
+        add(zone_warning(t, zone, element, input.fine.refine));
+        if (!input.growth || input.growth->increment.is_auto()) continue;
+        const double at_a_time = input.growth->increment.value();
+        add(growth_warning(t, at_a_time, element));
+        if (input.model.plane == PlaneState::Stress) add(step_warning(t, at_a_time, zone.length));
     }
     return warnings;
 }

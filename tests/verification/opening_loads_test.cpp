@@ -98,6 +98,9 @@ TEST(OpeningLoads, InPlaneStressAreThoseOfAHalfModelWithoutAFunctionLong) {
     EXPECT_FALSE(is_warned_of(32, plane));
     EXPECT_TRUE(is_warned_of(16, plane));
     EXPECT_LT(openings(16, plane, between)[0], fine[0] - 0.03);
+    std::vector<std::string> of_long_steps = plane;
+    of_long_steps.insert(of_long_steps.end(), {"growth.increment=0.1", "load.blocks.0.cycles=15"});
+    EXPECT_LT(openings(64, of_long_steps, between)[0], medium[0] - 0.03) << "0.11 of the zone, 4 elements";
 }
 
 /// K_op / K_max with elements of 0.05, 0.025 and 0.0125 mm.

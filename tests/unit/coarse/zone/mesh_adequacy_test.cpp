@@ -131,6 +131,21 @@ TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {
     EXPECT_NE(warnings[0].find("crosses 2.5 elements"), std::string::npos) << warnings[0];
 }
 
+// A tenth of 10.2 mm in plane stress; in plane strain nothing is seen of it.
+TEST_F(Advice, MindsHowMuchOfItsZoneTheCrackGrowsAtATime) {
+    input.model.plane = PlaneState::Stress;
+    input.growth = GrowthSection{.increment = 1.0};
+    EXPECT_TRUE(at(1700.0).empty());
+    input.growth->increment = 1.1;
+    const auto warnings = at(1700.0);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("1.1 mm is 0.11 of its forward plastic zone, about 10.2 mm"), std::string::npos)
+        << warnings[0];
+    EXPECT_NE(warnings[0].find("growth.increment = 1, or \"auto\""), std::string::npos) << warnings[0];
+    input.model.plane = PlaneState::Strain;
+    EXPECT_TRUE(at(3400.0).empty());
+}
+
 TEST_F(Advice, NamesWhatALinearBodyLeavesBehind) {
     input.material.yield_stress.reset();
     input.growth = GrowthSection{.increment = 0.5};
