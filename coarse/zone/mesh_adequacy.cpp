@@ -90,13 +90,13 @@ std::optional<std::string> growth_warning(std::size_t tip, double increment, dou
         tip, increment, increment / element, element);
 }
 
-/// In plane stress faces part last at the end of the last step: the longer it is, the sooner.
-std::optional<std::string> step_warning(std::size_t tip, double increment, double zone) {
-    if (zone <= 0.0 || increment <= most_of_zone * zone) return std::nullopt;
+/// In plane stress faces part last at the end of the last step, or at the distance that is looked at.
+std::optional<std::string> step_warning(std::size_t tip, double increment, double distance, double zone) {
+    if (zone <= 0.0 || increment <= std::max(most_of_zone * zone, distance)) return std::nullopt;
     return fmt::format(
-        "tip {}: growth.increment = {:g} mm is {:.2g} of its forward plastic zone, about {:.3g} mm; opening loads near "
-        "the tip fall with the steps beyond {:g} of it: growth.increment = {:.2g}, or \"auto\"",
-        tip, increment, increment / zone, zone, most_of_zone, most_of_zone * zone);
+        "tip {}: growth.increment = {:g} mm is {:.2g} of its forward plastic zone, about {:.3g} mm; nearer to the tip "
+        "than such a step opening loads fall with it: growth.increment = {:.2g}, or a closure.distance no smaller",
+        tip, increment, increment / zone, zone, most_of_zone * zone);
 }
 
 /// Rings about a tip pass over a bend that is nearer to it than they are.
@@ -172,7 +172,8 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
         if (!input.growth || input.growth->increment.is_auto()) continue;
         const double at_a_time = input.growth->increment.value();
         add(growth_warning(t, at_a_time, element));
-        if (input.model.plane == PlaneState::Stress) add(step_warning(t, at_a_time, zone.length));
+        if (input.model.plane == PlaneState::Stress)
+            add(step_warning(t, at_a_time, input.closure.distance.value_or(0.0), zone.length));
     }
     return warnings;
 }

@@ -141,7 +141,11 @@ TEST_F(Advice, MindsHowMuchOfItsZoneTheCrackGrowsAtATime) {
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].find("1.1 mm is 0.11 of its forward plastic zone, about 10.2 mm"), std::string::npos)
         << warnings[0];
-    EXPECT_NE(warnings[0].find("growth.increment = 1, or \"auto\""), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("growth.increment = 1, or"), std::string::npos) << warnings[0];
+    input.closure.distance = 1.1;
+    EXPECT_TRUE(at(1700.0).empty());
+    input.closure.distance = 1.0;
+    EXPECT_EQ(at(1700.0).size(), 1U);
     input.model.plane = PlaneState::Strain;
     EXPECT_TRUE(at(3400.0).empty());
 }
