@@ -15,13 +15,13 @@ namespace stria::fine {
 /// proportion to a share h of what they were, h F . u(1) + (1 - h) F . integral of u dt is released. Where metal flows
 /// the jumps open late on it: u(t) is the parabola that ends at u(1) and begins with Newton's first step, which takes
 /// the tangent before anything flows. Where faces come to press that step says little: no more than a parabola that
-/// goes on from zero to u(1) is made of it.
+/// goes on from zero to u(1) is made of it. Each crack has a path of its own.
 class OpeningFaces {
 public:
     OpeningFaces() = default;
 
-    /// As held() gave it.
-    explicit OpeningFaces(const Eigen::VectorXd& held);
+    /// `held`: as held() gave it. `crack_of`: per unknown, cracks_of_unknowns().
+    OpeningFaces(const Eigen::VectorXd& held, const std::vector<int>& crack_of);
 
     /// `held`: on the unknowns of `next`, the forces in need of balance at the displacement that both meshes share;
     /// those of jumps that `before` lacks are held. May be called again before equilibrium.
@@ -34,7 +34,7 @@ public:
     void hold(double share, Eigen::VectorXd& load) const;
 
     /// Forces are held back.
-    [[nodiscard]] bool any() const { return !jumps_.empty(); }
+    [[nodiscard]] bool any() const { return !of_cracks_.empty(); }
 
     /// Newton's first step on the way to an equilibrium, of all unknowns, mm.
     void begin(const Eigen::VectorXd& first_step);
@@ -46,8 +46,17 @@ public:
     [[nodiscard]] Eigen::VectorXd held(int unknowns) const;
 
 private:
-    std::vector<int> jumps_;             // unknowns of the new jumps
-    Eigen::VectorXd held_, first_step_;  // on them; the step empty where none was taken
+    struct NewFaces {
+        std::vector<int> jumps;            // unknowns of the new jumps
+        Eigen::VectorXd held, first_step;  // on them; the step empty where none was taken
+
+        double release(const Eigen::VectorXd& opening, double share);
+    };
+
+    std::vector<NewFaces> of_cracks_;  // of those that have some
 };
+
+/// Of each unknown of a mesh the crack that its function belongs to; -1: of a standard one.
+std::vector<int> cracks_of_unknowns(const EnrichedMesh& mesh);
 
 }  // namespace stria::fine

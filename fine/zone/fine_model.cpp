@@ -144,9 +144,12 @@ bool FineModel::is_time_to_check_rest(const coupling::PatchResponse& response) c
            residual <= margin * std::max(system_.tolerance() * response.interior_force, asked_.last_below);
 }
 
-// True where something has been woken: then the trial state is to be evaluated again.
+// True where something has been woken: then the trial state is to be evaluated again. Where nothing has moved yet there
+// is nothing to see: what lies on the yield surface would flow by what the last increment has left out of balance.
 bool FineModel::wake_what_would_yield() {
-    const Restless restless = system_.follow(tree_.fronts().follow(system_.moved_since_rest()));
+    const Eigen::VectorXd moved = system_.moved_since_rest();
+    if (moved.isZero(0.0)) return false;
+    const Restless restless = system_.follow(tree_.fronts().follow(moved));
     if (restless.elements.empty() && restless.multipliers.empty()) return false;
     Resting still = tree_.resting();
     const int before = still.elements.count();

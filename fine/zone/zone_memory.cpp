@@ -167,7 +167,8 @@ void take_up_rest(ContactInterface& contact, const coupling::ZoneSnapshot& snaps
 
 }  // namespace
 
-void take_up(ZoneMemory& memory, ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
+void take_up(ZoneMemory& memory, ContactInterface& contact, const EnrichedMesh& mesh,
+             const coupling::ZoneSnapshot& snapshot) {
     require(std::ssize(snapshot.multipliers) == contact.multipliers(), "a snapshot has the multipliers of its zone");
     memory.committed = {snapshot.displacement, Eigen::VectorXd(contact.tractions())};
     std::vector<ZoneUnknowns> increments;
@@ -188,7 +189,7 @@ void take_up(ZoneMemory& memory, ContactInterface& contact, const coupling::Zone
     }
     memory.increments.clear();
     for (ZoneUnknowns& increment : increments | std::views::reverse) memory.increments.push(std::move(increment));
-    memory.opening = OpeningFaces(snapshot.held);
+    memory.opening = OpeningFaces(snapshot.held, cracks_of_unknowns(mesh));
     take_up_rest(contact, snapshot);
 }
 

@@ -39,6 +39,7 @@ void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::
 
 /// Takes up all but the frozen tips, which the faces have to know before. Throws std::logic_error where the multipliers
 /// of a snapshot are not those of `contact`.
-void take_up(ZoneMemory& memory, ContactInterface& contact, const coupling::ZoneSnapshot& snapshot);
+void take_up(ZoneMemory& memory, ContactInterface& contact, const EnrichedMesh& mesh,
+             const coupling::ZoneSnapshot& snapshot);
 
 }  // namespace stria::fine

@@ -289,7 +289,7 @@ coupling::ZoneSnapshot ZoneSystem::snapshot() const {
 void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) {
     memory_.frozen = FrozenTips(snapshot.frozen_tips);
     make_contact(patch);
-    take_up(memory_, *contact_, snapshot);
+    take_up(memory_, *contact_, patch.mesh, snapshot);
     const coupling::WorkCounts so_far = bulk_ ? bulk_->counts() : coupling::WorkCounts();
     bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), snapshot);
     bulk_->count_on_from(so_far);

@@ -2,6 +2,7 @@
 // iterate, so that two components go the same way as one matrix. What has flowed where it cuts stays dissipated.
 #include <gtest/gtest.h>
 
+#include "app/run/fine_side.hpp"
 #include "app/run/monolithic/monolithic.hpp"
 #include "tests/support/pulled_plate.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -58,9 +59,40 @@ Case plate_that_is_bent() {
     return growing_twice(input, 40.0, 12.0, 1.8, 0.52);
 }
 
-void expect_same_iterates(const Case& input) {
-    MonolithicFactory factory(input);
-    const RunHistory one = run_analysis(input, factory), two = run_direct(input);
+/// Two metals: of two ranks the one that the crack does not cross has points on the yield surface when it grows.
+Case plate_of_two_metals() {
+    Case input = specimen("sent", 20.0, {{0.0, 8.03855}, {2.26393, 8.50924}, {3.76393, 8.6352}});
+    input.mesh.width = 10.0;
+    input.mesh.size = 0.9091;
+    input.material.yield_stress = 313.0;
+    input.material.isotropic = {.law = "power", .n = 4.522, .alpha = 0.9854};
+    input.regions = {
+        {.outline = {{5.8, -1.0}, {20.0, -1.0}, {20.0, 31.0}, {1.8, 31.0}}, .material = {}, .initial_stress = {}}};
+    input.regions[0].material.young = 70e3;
+    input.regions[0].material.poisson = 0.0;
+    input.cracks[0].contact = ContactSection{};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.fine.refine = 2;
+    return growing_twice(input, 80.0, 24.0, 1.462, 0.318);
+}
+
+/// Each with a rank of its own. They grow where the faces of both press.
+Case plate_with_two_cracks() {
+    Case input = specimen("plate", 20.0, {{0.0, 9.87475}, {3.08922, 9.97591}, {4.58922, 10.3991}});
+    input.cracks.push_back({.points = {{10.0, 16.0622}, {7.74967, 15.6426}}, .contact = {}});
+    for (CrackSection& crack : input.cracks) crack.contact = ContactSection{};
+    input.mesh.width = 10.0;
+    input.mesh.size = 0.8333;
+    input.material.yield_stress = 253.0;
+    input.material.isotropic = {.law = "linear", .modulus = 1000.0};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.fine.refine = 2;
+    Case growing = growing_twice(input, 42.4, 1.2, 1.551, 0.173);
+    growing.growth->at = GrowthAt::Minimum;
+    return growing;
+}
+
+void expect_same_iterates(const RunHistory& one, const RunHistory& two) {
     ASSERT_EQ(two.attempts.size(), one.attempts.size());
     for (std::size_t k = 0; k < one.attempts.size(); ++k) {
         const auto& [step, report] = one.attempts[k];
@@ -75,6 +107,17 @@ void expect_same_iterates(const Case& input) {
     EXPECT_GT(scale, 0.0);
     for (std::size_t k = 0; k < one.increments.size(); ++k)
         EXPECT_NEAR(two.increments[k].work.released, one.increments[k].work.released, 1e-9 * scale) << k;
+}
+
+void expect_same_iterates(const Case& input) {
+    MonolithicFactory factory(input);
+    expect_same_iterates(run_analysis(input, factory), run_direct(input));
+}
+
+void expect_same_iterates_of_ranks(const Case& input, int ranks) {
+    FineSide fine(input, ranks);
+    coarse::CondensedFactory factory(&fine.scale(), input);
+    expect_same_iterates(run_direct(input), run_analysis(input, factory));
 }
 
 TEST(ReleasedFaces, TakeTheSameIteratesInTwoComponentsAsInOneMatrix) { expect_same_iterates(plate_near_its_limit()); }
@@ -92,6 +135,14 @@ TEST(ReleasedFaces, RestBesideOthersThatPress) {
         for (const auto& iteration : report.iterations) EXPECT_EQ(iteration.residual.status_changes, 0);
     }
 }
+
+// Nothing has moved when a release begins, and nothing else says to a rank which opens no faces that it has begun: what
+// lies on the yield surface there is not to flow by what the last increment has left out of balance.
+TEST(ReleasedFaces, TakeTheSameIteratesOnRanksBeside) {
+    for (const int ranks : {2, 3}) expect_same_iterates_of_ranks(plate_of_two_metals(), ranks);
+}
+
+TEST(ReleasedFaces, OfTwoCracksReleaseTheSameOnTwoRanks) { expect_same_iterates_of_ranks(plate_with_two_cracks(), 2); }
 
 // Their points weigh more or less than before the crack was there.
 TEST(ReleasedFaces, TakeNothingOfWhatHasBeenDissipated) {
