@@ -125,7 +125,7 @@ private:
         equilibrium.apply();
     }
     report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
-    return true;
+    return !guessed;
 }
 
 }  // namespace
