@@ -48,6 +48,19 @@ void note_slip(double& K_slip, const OpeningChange& change, double K) {
     if (change.closes && std::isnan(K_slip)) K_slip = K;
 }
 
+/// At the end of an increment. No change tells what comes or goes at that load itself: faces that rounding parts where
+/// nothing is loaded, and those behind the longer crack. `K`: there.
+void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double K, bool loading) {
+    OpeningLoads& loads = tip.signal[signal];
+    const bool changed = tip.changed[signal] != 0;
+    if (is_open && changed && std::isnan(loads.K_op) && !loads.lost) loads.K_op = K;
+    if (!is_open && !changed && tip.was_open[signal] != 0 && !loading) {
+        loads.K_cl = K;
+        tip.changed[signal] = 1;
+    }
+    if (is_open) tip.was_open[signal] = 1;
+}
+
 }  // namespace
 
 CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, std::size_t tips)
@@ -84,7 +97,7 @@ void CycleMeter::add(const Increment& increment) {
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         Tip& tip = now_.tips[t];
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
-        measure(tip, increment, t, !loading && !growing);
+        measure(tip, increment, t);
         if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
         take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
@@ -110,7 +123,9 @@ void CycleMeter::add(const Increment& increment) {
     }
 }
 
-void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const {
+void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t) const {
+    const double rise = increment.step.target.value - now_.last_target;
+    const bool unloading = rise < 0.0;
     CycleResult& cycle = tip.cycle;
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
@@ -123,8 +138,10 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, bo
         note_change(tip.signal[s], change, increment.K_at(t, change), unloading);
         tip.changed[s] = 1;
     }
-    for (std::size_t s = 0; s < tip.was_open.size(); ++s)
-        if (increment.signal.empty() || increment.signal[t * signals_.all() + s] <= 0.0) tip.was_open[s] = 1;
+    for (std::size_t s = 0; s < tip.was_open.size(); ++s) {
+        const bool is_open = increment.signal.empty() || increment.signal[t * signals_.all() + s] <= 0.0;
+        note_state(tip, s, is_open, increment.K_at_end(t), rise > 0.0);
+    }
 }
 
 // A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.

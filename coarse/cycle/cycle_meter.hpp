@@ -49,7 +49,7 @@ public:
 private:
     using Tip = CycleMemory::Tip;
     void begin(int cycle);
-    void measure(Tip& tip, const Increment& increment, std::size_t t, bool unloading) const;
+    void measure(Tip& tip, const Increment& increment, std::size_t t) const;
     [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;

@@ -207,6 +207,40 @@ TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
     EXPECT_EQ(cycle.opening.K_cl, 60.0);
 }
 
+// Closed on the way down, and open at the minimum, where rounding says so or a growth has put the tip elsewhere.
+TEST_F(CycleMeterTest, OpensAtTheMinimumWhereNoLoadTellsSo) {
+    go(0, 20.0, 1.0, false);
+    go(1, 0.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 2.0}});
+    go(1, 20.0, 1.0, false);
+    const OpeningLoads by_rounding = meter.finish().at(0).opening;
+    EXPECT_EQ(by_rounding.K_cl, 20.0);
+    EXPECT_EQ(by_rounding.K_op, 0.0);
+    go(2, 5.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 8.0}});
+    go(2, 5.0, 2.0, false);  // grows
+    go(2, 20.0, 2.0, false);
+    const CycleResult grown = meter.finish().at(0);
+    EXPECT_EQ(grown.K_min, 100.0);
+    EXPECT_EQ(grown.opening.K_op, 100.0);
+    go(3, 5.0, 2.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 8.0}});
+    go(3, 20.0, 2.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 6.0}});
+    EXPECT_EQ(meter.finish().at(0).opening.K_op, 120.0);
+}
+
+TEST_F(CycleMeterTest, ClosesAtTheMinimumWhereNoLoadTellsSo) {
+    go(0, 20.0, 1.0, false);
+    go(1, 10.0, 1.0, false);
+    go(1, 0.0, 1.0, true);
+    go(1, 20.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 1.0}});
+    const OpeningLoads loads = meter.finish().at(0).opening;
+    EXPECT_EQ(loads.K_cl, 0.0);
+    EXPECT_EQ(loads.K_op, 10.0);
+    go(2, 5.0, 1.0, false);
+    go(2, 5.0, 2.0, true);  // grows
+    go(2, 20.0, 2.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 6.0}});
+    const CycleResult grown = meter.finish().at(0);
+    EXPECT_EQ(grown.opening.K_cl, grown.K_min);
+}
+
 TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
     input.closure.profile = {0.5};
     input.cracks.resize(1);
