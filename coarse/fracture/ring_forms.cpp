@@ -119,7 +119,7 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
                              const AuxiliaryFields& auxiliary, const Scene& scene) {
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.stiffness(op.element);
-    const int material = scene.enriched.material_of(op.element), side = scene.enriched.element_side[at(op.element)];
+    const int material = scene.enriched.material_of(op.element), side = branch_side(scene.enriched, op.element);
     const Elasticity &of_tip = scene.elastic(about), &here = scene.elastic(op.element);
     const bool is_of_tips_metal = scene.materials.are_alike(about.material, material);
     const ElementForm<Operator> zero(op);

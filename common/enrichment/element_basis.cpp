@@ -10,9 +10,8 @@ namespace stria {
 
 ElementBasis::ElementBasis(const EnrichedMesh& mesh, int element, bool cut)
     : mesh_(&mesh), nodes_(mesh.elements[at(element)]), own_side_(cut ? 0 : mesh.element_side[at(element)]),
-      tip_side_(own_side_) {
+      tip_side_(cut ? 0 : branch_side(mesh, element)) {
     for (int corner = 0; corner < 4; ++corner) add_corner(corner, cut);
-    if (cut) tip_side_ = 0;
     number_functions();
     for (int tip = 0; tip < std::ssize(mesh.tips); ++tip) {
         int functions = 0;
@@ -34,7 +33,6 @@ void ElementBasis::add_corner(int corner, bool cut) {
     for (int k = 0; k < std::ssize(terms); ++k) {
         const Term& term = terms[at(k)];
         if (term.kind == Term::Kind::Heaviside) {
-            if (tip_side_ == 0) tip_side_ = static_cast<int>(term.shift);
             if (!cut && (own_side_ == 0 || own_side_ == static_cast<int>(term.shift))) continue;
         } else {
             singular_ = true;

@@ -104,6 +104,14 @@ bool has_mouth(const EnrichedMesh& mesh, int crack) {
     return std::ranges::none_of(mesh.tips, [&](const Tip& tip) { return tip.crack == crack && tip.upper < 0; });
 }
 
+int branch_side(const EnrichedMesh& mesh, int element) {
+    if (const int side = mesh.element_side[at(element)]; side != 0) return side;
+    for (const int node : mesh.elements[at(element)])
+        for (const Term& term : mesh.terms[at(node)])
+            if (term.kind == Term::Kind::Heaviside) return static_cast<int>(term.shift);
+    return 0;
+}
+
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh) {
     std::vector<int> result(mesh.elements.size(), -1);
     for (std::size_t p = 0; p < mesh.pieces.size(); ++p) {

@@ -117,6 +117,10 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
 /// Whether a crack begins at the boundary, and not at a tip.
 bool has_mouth(const EnrichedMesh& mesh, int crack);
 
+/// Side of the crack of an uncut element that touches it, or has a node beside it, +1 or -1; else 0. Behind a tip it
+/// chooses the branch of theta: where a crack turns, the line behind its tip passes through such elements.
+int branch_side(const EnrichedMesh& mesh, int element);
+
 /// The piece inside each element (not along its edges): index into mesh.pieces, or -1.
 std::vector<int> piece_of_elements(const EnrichedMesh& mesh);
 

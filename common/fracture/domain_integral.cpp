@@ -15,7 +15,7 @@ bool RingSums::enter(int element) {
     const auto found = std::ranges::lower_bound(elements(), element);
     if (found == elements().end() || *found != element) return false;
     entered_ = weights_.of(at(found - elements().begin()));
-    side_ = mesh_.element_side[at(element)];
+    side_ = branch_side(mesh_, element);
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh_.elements[at(element)][k];
         corners_[k] = mesh_.nodes[at(node)];

@@ -11,6 +11,7 @@
 #include "coarse/model/rings.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "tests/support/cracked_mesh.hpp"
+#include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -132,6 +133,26 @@ TEST(BentCracks, CutAlikeThroughElementsAndAlongEdges) {
                              100.0 * (through.K_I - along.K_I) / K, 100.0 * (through.K_II - along.K_II) / K);
     EXPECT_NEAR(through.K_I, along.K_I, 0.003 * K);
     EXPECT_NEAR(through.K_II, along.K_II, 0.003 * K);
+}
+
+// The line behind the tip leaves the crack at the bend and passes through elements that it does not cut. With the
+// points across that line on the wrong branch K_II depended on how many there are: by 8e-4 of K.
+TEST(BentCracks, BesideThemAuxiliaryFieldsAreThoseOfTheirSide) {
+    const auto at_tip = [](int subcells) {
+        Case input = specimen("plate", 20.0, {{0.0, 9.99}, {3.0, 9.99}, {3.3, 9.945}});
+        input.mesh.width = 10.0;
+        input.mesh.size = 0.5;
+        input.cracks[0].contact = ContactSection{};
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        input.load.steps = 2;
+        input.load.blocks = {{.cycles = 1, .max = 50.0, .min = 0.0}};
+        input.fine.radius = 2.0;
+        input.fine.refine = 2;
+        input.fine.subcells = subcells;
+        return run_direct(input).at_maximum().tips.front();
+    };
+    const coarse::TipResult few = at_tip(2), many = at_tip(4);
+    EXPECT_NEAR(few.K_II, many.K_II, 1e-4 * many.K_I);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, BentCrack, ::testing::Values(kinked, zigzag, arc(0.6, 50.0, 5), arc(0.6, 50.0, 10)),
