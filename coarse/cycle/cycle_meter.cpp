@@ -92,12 +92,12 @@ void CycleMeter::add(const Increment& increment) {
     if (now_.tips.empty()) return;
     if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_.first_slip())
         begin(increment.step.cycle);
-    const bool loading = increment.step.target.value > now_.last_target;
-    const bool growing = increment.step.target.value == now_.last_target;
+    const double rise = increment.step.target.value - now_.last_target;
+    const bool loading = rise > 0.0, growing = rise == 0.0;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         Tip& tip = now_.tips[t];
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
-        measure(tip, increment, t);
+        measure(tip, increment, t, rise);
         if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
         take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
@@ -123,8 +123,7 @@ void CycleMeter::add(const Increment& increment) {
     }
 }
 
-void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t) const {
-    const double rise = increment.step.target.value - now_.last_target;
+void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, double rise) const {
     const bool unloading = rise < 0.0;
     CycleResult& cycle = tip.cycle;
     for (const OpeningChange& change : increment.opening_changes) {

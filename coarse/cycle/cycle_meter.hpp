@@ -49,7 +49,8 @@ public:
 private:
     using Tip = CycleMemory::Tip;
     void begin(int cycle);
-    void measure(Tip& tip, const Increment& increment, std::size_t t) const;
+    /// `rise`: of the load, over the increment; zero where the crack grows.
+    void measure(Tip& tip, const Increment& increment, std::size_t t, double rise) const;
     [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;

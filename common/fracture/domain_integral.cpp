@@ -15,12 +15,17 @@ bool RingSums::enter(int element) {
     const auto found = std::ranges::lower_bound(elements(), element);
     if (found == elements().end() || *found != element) return false;
     entered_ = weights_.of(at(found - elements().begin()));
-    side_ = branch_side(mesh_, element);
+    element_ = element;
     for (std::size_t k = 0; k < 4; ++k) {
         const int node = mesh_.elements[at(element)][k];
         corners_[k] = mesh_.nodes[at(node)];
     }
     return true;
+}
+
+// Where the fields are known already nobody asks.
+int RingSums::side_of(const IntegrationPoint& point) const {
+    return point.side != 0 ? point.side : branch_side(mesh_, element_);
 }
 
 void RingSums::look_at(const IntegrationPoint& point) {
@@ -29,7 +34,7 @@ void RingSums::look_at(const IntegrationPoint& point) {
         fields_.reserve(points * elements().size());
         weighted_.reserve(points * weights_.entries());
     }
-    fields_.push_back(auxiliary_.at(point.x, point.side != 0 ? point.side : side_));
+    fields_.push_back(auxiliary_.at(point.x, side_of(point)));
     const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_, point.xi).gradient;
     const Vec2 turn = turned(tip_.direction);
     std::array<Vec2, 3> back;
@@ -92,7 +97,7 @@ void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, 
 void RingSums::add_mismatch(const IntegrationPoint& point, const Mandel& mismatch) {
     if (mismatch.isZero(0.0)) return;
     const ShapeQ4 shape = shape_q4(corners_, point.xi);
-    const std::array<Mandel, 3> slopes = auxiliary_.stress_slopes(point.x, point.side != 0 ? point.side : side_);
+    const std::array<Mandel, 3> slopes = auxiliary_.stress_slopes(point.x, side_of(point));
     const std::array<AuxiliaryField, 3>& fields = fields_[visited_ - 1];
     for (const auto& [ring, q] : entered_) {
         const double here = shape.value.dot(q), ahead = tip_.direction.dot(shape.gradient.transpose() * q);

@@ -108,6 +108,8 @@ public:
     [[nodiscard]] std::span<const DomainIntegral> values() const { return sums_; }
 
 private:
+    /// Of the crack: a bent one leaves the tip's line, where the auxiliary fields jump.
+    [[nodiscard]] int side_of(const IntegrationPoint& point) const;
     void look_at(const IntegrationPoint& point);
 
     const EnrichedMesh& mesh_;
@@ -126,7 +128,7 @@ private:
     // Of the element entered.
     std::array<Vec2, 4> corners_;
     std::span<const RingWeights::Entered> entered_;
-    int side_ = 0;  // of a crack along its edges: a bent one leaves the tip's line, where the auxiliary fields jump
+    int element_ = -1;  // that was entered
 };
 
 }  // namespace stria
