@@ -140,7 +140,7 @@ int check(const RunOptions& options) {
     print_handbook(nominal);
     const std::vector<double> K_I =
         coarse::largest_K_I(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
-    print_warnings(scene, K_I);
+    print_warnings(scene, coarse::common_K_I(input, coarse::unit_response(nominal)));
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

@@ -43,6 +43,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
     largest_K_I_at_start_ = largest_K_I_;
+    common_K_I_at_start_ = common_K_I(scene.input, unit_response(nominal_, unit_displacement_));
     if (from != nullptr) go_on_from(*from);
     in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());

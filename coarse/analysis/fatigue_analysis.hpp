@@ -36,9 +36,10 @@ public:
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip: nominal K of docs/method.md,
     /// section 9.
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return body_.nominal(); }
-    /// Of the load history, one per tip, MPa sqrt(mm); for the cracks there are, and for those that the run began with.
+    /// Of the load history, one per tip, MPa sqrt(mm), for the cracks there are.
     [[nodiscard]] const std::vector<double>& largest_K_I() const { return body_.largest_K_I(); }
-    [[nodiscard]] const std::vector<double>& largest_K_I_at_start() const { return body_.largest_K_I_at_start(); }
+    /// Of the cycles that growth is made of, for the cracks that the run began with (load_scale.hpp).
+    [[nodiscard]] const std::vector<double>& common_K_I_at_start() const { return body_.common_K_I_at_start(); }
     [[nodiscard]] const ClosureMeter& closure() const { return closure_.meter(); }
     /// Increments that were halved.
     [[nodiscard]] int cuts() const { return controller_.cuts() + effort_.counts.release_cuts; }

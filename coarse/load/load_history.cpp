@@ -1,6 +1,8 @@
 #include "coarse/load/load_history.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace stria::coarse {
 namespace {
@@ -71,6 +73,23 @@ double largest_value(const LoadSection& load) {
     double largest = 0.0;
     for (const LoadBlock& block : load.blocks)
         largest = std::max({largest, load.scale * block.max, load.scale * block.min});
+    return largest;
+}
+
+double median_maximum(const LoadSection& load, double m) {
+    const double largest = largest_value(load);
+    std::map<double, double> growth;  // by maxima
+    double all = 0.0;
+    for (const LoadBlock& block : load.blocks) {
+        const double max = std::max(load.scale * block.max, 0.0), min = std::max(load.scale * block.min, 0.0);
+        if (max == 0.0) continue;
+        const double part = block.cycles * std::pow((max - min) / largest, m);
+        growth[max] += part;
+        all += part;
+    }
+    double below = 0.0;
+    for (const auto& [max, part] : growth)
+        if ((below += part) >= 0.5 * all) return max;
     return largest;
 }
 

@@ -6,6 +6,21 @@
 #include "common/error.hpp"
 
 namespace stria::coarse {
+namespace {
+
+/// Of the range of K, in da/dN.
+double exponent_of_K(const GrowthSection& growth) {
+    switch (growth.law) {
+    case GrowthLaw::Paris:
+        return growth.m;
+    case GrowthLaw::Ctod:
+        return 2.0 * growth.m;  // openings go with its square
+    default:
+        return 0.0;
+    }
+}
+
+}  // namespace
 
 double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown) {
     if (load.control != Control::StressIntensity) return 1.0;
@@ -34,6 +49,12 @@ std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nom
             K_I.back() += cases.largest_sum(nominal.K_of_cases[t], target_of_unit(load, nominal.K_I, grown));
     }
     return K_I;
+}
+
+std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
+    LoadSection load = input.load;
+    if (input.growth) load.blocks = {{.max = median_maximum(load, exponent_of_K(*input.growth)) / load.scale}};
+    return largest_K_I(load, nominal, 0.0, CaseHistories(input));
 }
 
 }  // namespace stria::coarse

@@ -36,4 +36,9 @@ double largest_load_factor(const LoadSection& load, const UnitResponse& nominal,
 std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
                                 const CaseHistories& cases = {});
 
+/// The K_I of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip: by a maximum up to which the
+/// cycles make half of the growth (median_maximum), so that a few peaks do not stand for all. Without growth
+/// largest_K_I.
+std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal);
+
 }  // namespace stria::coarse

@@ -45,6 +45,7 @@ bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
 
 /// How far metal flows that closes the faces, and how many elements opening loads want there.
 struct WantedZone {
+    double K_I;     // MPa sqrt(mm)
     double length;  // mm
     double elements;
     const char* place;
@@ -52,8 +53,8 @@ struct WantedZone {
 
 WantedZone wanted_zone(const Case& input, double K_I, double yield_stress) {
     const PlaneState plane = input.model.plane;
-    if (!input.growth) return {forward_zone(K_I, yield_stress, plane), across_zone, ""};
-    return {forward_zone_ahead(K_I, yield_stress, plane),
+    if (!input.growth) return {K_I, forward_zone(K_I, yield_stress, plane), across_zone, ""};
+    return {K_I, forward_zone_ahead(K_I, yield_stress, plane),
             plane == PlaneState::Stress ? ahead_in_stress : ahead_in_strain, " ahead of it"};
 }
 
@@ -62,9 +63,9 @@ std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone,
     const double finer = std::exp2(std::ceil(std::log2(zone.elements * element / zone.length)));
     const std::string advice = refine * finer <= most_refined ? fmt::format(": fine.refine = {:g}", refine * finer)
                                                               : ", which no fine.refine gives: hardly anything yields";
-    return fmt::format("tip {}: its forward plastic zone, about {:.3g} mm{}, spans {:.2g} elements of {:.3g} mm; "
-                       "opening loads want {:g} or more{}",
-                       tip, zone.length, zone.place, zone.length / element, element, zone.elements, advice);
+    return fmt::format("tip {}: its forward plastic zone at K_I = {:.4g} MPa sqrt(mm), about {:.3g} mm{}, spans {:.2g} "
+                       "elements of {:.3g} mm; opening loads want {:g} or more{}",
+                       tip, zone.K_I, zone.length, zone.place, zone.length / element, element, zone.elements, advice);
 }
 
 /// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.
@@ -147,7 +148,7 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane) {
     return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.04) * length_of_flow(K_I, yield_stress);
 }
 
-std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& largest_K_I) {
+std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I) {
     const Case& input = scene.input;
     std::vector<std::string> warnings = region_warnings(scene.mesh, input.regions);
     const auto add = [&](std::optional<std::string> warning) {
@@ -161,7 +162,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     }
     if (!asks_for_opening_loads(input)) return warnings;
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
-    for (std::size_t t = 0; t < largest_K_I.size(); ++t) {
+    for (std::size_t t = 0; t < K_I.size(); ++t) {
         if (!std::isfinite(yield_stress[t])) {
             if (!leaves_functions_in_contact(scene, t)) continue;
             const double crack = length_in_body(scene.enriched, scene.enriched.tips[t].crack);
@@ -171,7 +172,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
             continue;
         }
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-        const WantedZone zone = wanted_zone(input, largest_K_I[t], yield_stress[t]);
+        const WantedZone zone = wanted_zone(input, K_I[t], yield_stress[t]);
         add(zone_warning(t, zone, element, input.fine.refine));
         if (!input.growth || input.growth->increment.is_auto()) continue;
         const double at_a_time = input.growth->increment.value();

@@ -36,6 +36,18 @@ TEST(LoadHistory, RepeatsAndScales) {
     EXPECT_EQ(largest_value(load), 40.0);
 }
 
+// Ranges of 60, 40, 100 and 10 above zero, 9, 40, 1 and 400 times.
+TEST(LoadHistory, KnowsTheMaximumUpToWhichHalfOfAGrowthIsMade) {
+    const LoadSection load{
+        .blocks = {{9, 30.0, -10.0}, {40, 20.0, 0.0}, {1, 50.0, 0.0}, {400, 45.0, 40.0}, {5, -1.0, -90.0}},
+        .scale = 2.0};
+    EXPECT_EQ(median_maximum(load, 0.0), 90.0);  // 400 of 450 cycles
+    EXPECT_EQ(median_maximum(load, 1.0), 90.0);
+    EXPECT_EQ(median_maximum(load, 3.0), 60.0);
+    EXPECT_EQ(median_maximum(load, 20.0), 100.0);
+    EXPECT_EQ(median_maximum({.blocks = {{3, -10.0, -20.0}}}, 3.0), 0.0);
+}
+
 TEST(LoadHistory, TurnsOnlyWhereTheLoadDoes) {
     const std::vector<Leg> all = legs({.blocks = {{1, 20.0, 10.0}, {1, 5.0, 0.0}}});
     ASSERT_EQ(all.size(), 5U);  // 20, 10, 5, 0, 5: down all the way from 20 to 0

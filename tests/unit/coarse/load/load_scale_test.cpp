@@ -23,6 +23,23 @@ TEST(LoadScale, OfLoadsIsOne) {
     EXPECT_EQ(largest_K_I(load, nominal), (std::vector<double>{4000.0, 6000.0}));
 }
 
+// One peak in ten cycles makes more than half of the growth where its exponent is 4: 16 of 25 parts.
+TEST(LoadScale, APeakStandsForTheCyclesWhereItMakesHalfOfTheGrowth) {
+    Case input;
+    input.load = {.blocks = {{9, 50.0, 0.0}, {1, 100.0, 0.0}}, .scale = 2.0};
+    EXPECT_EQ(common_K_I(input, nominal), (std::vector<double>{4000.0, 6000.0}));  // nothing grows
+    input.growth = GrowthSection{.increment = 0.1};
+    EXPECT_EQ(common_K_I(input, nominal), (std::vector<double>{2000.0, 3000.0}));
+    input.growth->law = GrowthLaw::Paris;
+    input.growth->m = 3.0;
+    EXPECT_EQ(common_K_I(input, nominal).front(), 2000.0);
+    input.growth->m = 4.0;
+    EXPECT_EQ(common_K_I(input, nominal).front(), 4000.0);
+    input.growth->law = GrowthLaw::Ctod;
+    input.growth->m = 2.0;
+    EXPECT_EQ(common_K_I(input, nominal).front(), 4000.0);
+}
+
 TEST(LoadScale, OfDisplacementsIsThatOfTheNominalBody) {
     const LoadSection load = history(Control::Displacement);
     EXPECT_EQ(target_of_unit(load, nominal.K_I, 1.0), 1.0);  // a target is a displacement
