@@ -56,20 +56,24 @@ void print_load_cases(const Case& input, std::size_t t, const coarse::TipResult&
 
 void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
     const coarse::UnitResponse unit = coarse::unit_response(nominal);
-    const double largest = coarse::largest_load_factor(scene.input.load, unit);
-    const std::vector<double> K_I =
-        coarse::largest_K_I(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
-    for (std::size_t t = 0; t < K_I.size(); ++t) {
-        fmt::print("# tip {}: K_I = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free faces)\n", t,
-                   K_I[t], largest, nominal.tips[t].K_I_of_cases.empty() ? "" : " and the largest load cases");
-        if (scene.initial_stress().any())
-            fmt::print("#   of it {:.5g} MPa sqrt(mm) by the initial stress\n", unit.K_initial[t]);
+    const double largest = coarse::largest_value(scene.input.load);
+    const double factor = coarse::load_factor_at(largest > 0.0 ? largest : coarse::smallest_value(scene.input.load),
+                                                 scene.input.load, unit);
+    const std::vector<double> K = coarse::largest_K(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
+    for (std::size_t t = 0; t < K.size(); ++t) {
+        const double initial = scene.initial_stress().any() ? unit.K_initial[t] : 0.0;
+        fmt::print(
+            "# tip {}: K_I = {:.5g}, K_II = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free "
+            "faces)\n",
+            t, unit.K_I[t] * factor + initial, unit.K_II[t] * factor, factor,
+            nominal.tips[t].K_I_of_cases.empty() ? "" : " without load cases");
+        if (scene.initial_stress().any()) fmt::print("#   of K_I {:.5g} by the initial stress\n", initial);
         if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {
-            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm\n",
-                       coarse::subdivision_radius(scene.input.fine.beta, K_I[t], yield_stress));
+            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm by K = {:.5g} MPa sqrt(mm)\n",
+                       coarse::subdivision_radius(scene.input.fine.beta, K[t], yield_stress), K[t]);
         }
     }
-    const int elements = coarse::select_zone(scene, K_I).count();
+    const int elements = coarse::select_zone(scene, K).count();
     const int subcells = subcells_elsewhere(scene.input.fine);
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
@@ -139,8 +143,8 @@ int check(const RunOptions& options) {
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
     const std::vector<double> K_I =
-        coarse::largest_K_I(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
-    print_warnings(scene, coarse::common_K_I(input, coarse::unit_response(nominal)));
+        coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
+    print_warnings(scene, coarse::common_K(input, coarse::unit_response(nominal)));
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

@@ -130,7 +130,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     note_sizes(analysis.structure());
     warnings_ = coarse::material_warnings(scene_.input);
     std::ranges::move(coarse::growth_warnings(scene_.input), std::back_inserter(warnings_));
-    std::ranges::move(coarse::mesh_warnings(scene_, analysis.common_K_I_at_start()), std::back_inserter(warnings_));
+    std::ranges::move(coarse::mesh_warnings(scene_, analysis.common_K_at_start()), std::back_inserter(warnings_));
     for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
     if (analysis.finished()) {
         progress_.note(fmt::format("nothing is left to do: results in {}", directory_.string()));

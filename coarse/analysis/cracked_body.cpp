@@ -42,10 +42,10 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
         structure_ = take_nominal_of(scene);
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
-    largest_K_I_at_start_ = largest_K_I_;
-    common_K_I_at_start_ = common_K_I(scene.input, unit_response(nominal_, unit_displacement_));
+    largest_K_at_start_ = largest_K_;
+    common_K_at_start_ = common_K(scene.input, unit_response(scene, nominal_, unit_displacement_));
     if (from != nullptr) go_on_from(*from);
-    in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_I_);
+    in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_);
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());
     if (structure_ && !serves(in_zone_)) structure_.reset();  // two factors at once would take twice the memory
     condense_onto(in_zone_, from != nullptr ? &from->still : nullptr);
@@ -71,7 +71,7 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
     still_of_nominal_ = state.still_of_nominal;
     nominal_ = state.nominal;
     unit_displacement_ = state.unit_displacement;
-    if (!nominal_.empty()) find_largest_K_I();
+    if (!nominal_.empty()) find_largest_K(*scene_);
 }
 
 void CrackedBody::write(AnalysisState& state) const {
@@ -132,7 +132,7 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
     nominal_ = nominal.tips;
     rings_ = std::move(nominal.rings);
     unit_displacement_ = unit_displacement(nominal.fields);
-    find_largest_K_I();
+    find_largest_K(scene);
     nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
     nominal_fields_.reset();
     if (known) nominal_fields_ = {std::move(nominal.fields), still_of_nominal_};
@@ -140,10 +140,9 @@ std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
 }
 
 // Of what is ahead as well, which a run that goes on may know better.
-void CrackedBody::find_largest_K_I() {
-    const Case& input = scene_->input;
-    largest_K_I_ = stria::coarse::largest_K_I(input.load, unit_response(nominal_, unit_displacement_), grown(),
-                                              CaseHistories(input));
+void CrackedBody::find_largest_K(const Scene& scene) {
+    largest_K_ = stria::coarse::largest_K(scene.input.load, unit_response(scene, nominal_, unit_displacement_), grown(),
+                                          CaseHistories(scene.input));
 }
 
 // `far_known`: a far body that was there before: the guard knows how it answers.
@@ -170,7 +169,7 @@ ElementSet CrackedBody::whole_elements() const {
 std::unique_ptr<FinerScene> CrackedBody::finer_about_ends_of(const std::vector<CrackSection>& longer) const {
     if (scene_->input.fine.refine == 1) return nullptr;
     const ElementSet whole = whole_elements();
-    const auto disks = [&](Room room) { return disks_about_tips(*scene_, longer, largest_K_I_, room); };
+    const auto disks = [&](Room room) { return disks_about_tips(*scene_, longer, largest_K_, room); };
     return asks_for_more(scene_->mesh, disks(Room::None), whole) ? finer(disks(Room::ToGrow), whole) : nullptr;
 }
 
@@ -232,19 +231,19 @@ ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
 }
 
 ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_least) const {
-    if (has_zone()) at_least |= select_zone(longer, expected_K_I(largest_K_I_));
+    if (has_zone()) at_least |= select_zone(longer, expected_K(largest_K_));
     return at_least;
 }
 
 // What was expected holds the disk of any smaller K.
 ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet expected) {
-    const std::vector<double> expected_K = expected_K_I(largest_K_I_);
+    const std::vector<double> at_most = expected_K(largest_K_);
     still_ = still_elements(longer, expected, still_);
     choose_behind(longer);
     std::unique_ptr<Structure> body = take_nominal_of(longer);
     if (!has_zone()) structure_ = std::move(body);
-    if (!has_zone() || !std::ranges::equal(largest_K_I_, expected_K, std::ranges::less_equal()))
-        expected |= select_zone(longer, largest_K_I_);
+    if (!has_zone() || !std::ranges::equal(largest_K_, at_most, std::ranges::less_equal()))
+        expected |= select_zone(longer, largest_K_);
     return expected;
 }
 
@@ -256,7 +255,7 @@ void CrackedBody::choose_behind(const Scene& longer) {
     const int few = longer.input.fine.refine > 1 ? 700 : 300;
     const auto others = std::ssize(longer.mesh.elements) - still_.far.count() - still_.middle.count();
     if (!has_zone() || !still_of_nominal_.behind.none() || others < few) return;
-    const ElementSet soon = elements_to_split_soon(longer, largest_K_I_, whole_elements());
+    const ElementSet soon = elements_to_split_soon(longer, largest_K_, whole_elements());
     still_of_nominal_.behind = elements_behind(longer, still_, soon);
 }
 

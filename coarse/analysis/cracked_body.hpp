@@ -37,11 +37,11 @@ public:
     /// That solution's displacement of the whole mesh, mm; empty where the guard knows this far body already.
     [[nodiscard]] const Eigen::VectorXd& nominal_displacement() const { return nominal_displacement_; }
     /// The K of eq. (3), MPa sqrt(mm), one per tip: the largest of the load history.
-    [[nodiscard]] const std::vector<double>& largest_K_I() const { return largest_K_I_; }
+    [[nodiscard]] const std::vector<double>& largest_K() const { return largest_K_; }
     /// The same of the cracks that the run began with.
-    [[nodiscard]] const std::vector<double>& largest_K_I_at_start() const { return largest_K_I_at_start_; }
+    [[nodiscard]] const std::vector<double>& largest_K_at_start() const { return largest_K_at_start_; }
     /// Likewise, of the cycles that growth is made of (load_scale.hpp).
-    [[nodiscard]] const std::vector<double>& common_K_I_at_start() const { return common_K_I_at_start_; }
+    [[nodiscard]] const std::vector<double>& common_K_at_start() const { return common_K_at_start_; }
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;
 
@@ -111,7 +111,7 @@ private:
     [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known);
     [[nodiscard]] bool nominal_serves(const Scene& scene) const;
     void go_on_from(const AnalysisState& state);
-    void find_largest_K_I();
+    void find_largest_K(const Scene& scene);
     void note_if_large(const char* phase) const;
 
     const Scene* scene_;
@@ -133,7 +133,7 @@ private:
     };
     std::optional<FieldsBesideFar> nominal_fields_;  // of the present scene; none: not known near the tips alone
     UnitDisplacement unit_displacement_;             // of the nominal body
-    std::vector<double> largest_K_I_, largest_K_I_at_start_, common_K_I_at_start_;
+    std::vector<double> largest_K_, largest_K_at_start_, common_K_at_start_;
     double first_length_ = 0.0;  // of the crack of the first tip at the start, mm
 };
 

@@ -75,17 +75,20 @@ std::vector<double> stress_intensities(const std::vector<TipResult>& tips) {
     return K_I;
 }
 
-UnitResponse unit_response(const std::vector<TipResult>& tips, const UnitDisplacement& displacement) {
-    std::vector<double> K_initial;
-    std::vector<std::vector<double>> K_of_cases;
+UnitResponse unit_response(const Scene& scene, const std::vector<TipResult>& tips,
+                           const UnitDisplacement& displacement) {
+    UnitResponse unit{.K_I = stress_intensities(tips), .displacement = displacement};
     for (const TipResult& tip : tips) {
-        K_initial.push_back(tip.K_initial);
-        K_of_cases.push_back(tip.K_I_of_cases);
+        unit.K_II.push_back(tip.K_II);
+        unit.K_initial.push_back(tip.K_initial);
+        unit.K_I_of_cases.push_back(tip.K_I_of_cases);
+        unit.K_II_of_cases.push_back(tip.K_II_of_cases);
     }
-    return {.K_I = stress_intensities(tips),
-            .K_initial = std::move(K_initial),
-            .K_of_cases = std::move(K_of_cases),
-            .displacement = displacement};
+    for (const Tip& tip : scene.enriched.tips) {
+        const std::optional<ContactSection>& contact = scene.input.cracks[at(tip.crack)].contact;
+        unit.friction.push_back(contact ? std::optional(contact->friction) : std::nullopt);
+    }
+    return unit;
 }
 
 UnitDisplacement unit_displacement(const NominalFields& fields) {
@@ -93,7 +96,7 @@ UnitDisplacement unit_displacement(const NominalFields& fields) {
 }
 
 UnitResponse unit_response(const NominalSolution& nominal) {
-    return unit_response(nominal.tips, unit_displacement(nominal.fields));
+    return unit_response(nominal.structure->scene(), nominal.tips, unit_displacement(nominal.fields));
 }
 
 }  // namespace stria::coarse

@@ -44,7 +44,8 @@ struct NominalSolution {
 
 /// What scales a load history. `displacement`: of the same body as K.
 [[nodiscard]] UnitDisplacement unit_displacement(const NominalFields& fields);
-[[nodiscard]] UnitResponse unit_response(const std::vector<TipResult>& tips, const UnitDisplacement& displacement);
+[[nodiscard]] UnitResponse unit_response(const Scene& scene, const std::vector<TipResult>& tips,
+                                         const UnitDisplacement& displacement);
 [[nodiscard]] UnitResponse unit_response(const NominalSolution& nominal);
 
 }  // namespace stria::coarse

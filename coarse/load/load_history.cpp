@@ -76,6 +76,13 @@ double largest_value(const LoadSection& load) {
     return largest;
 }
 
+double smallest_value(const LoadSection& load) {
+    double smallest = 0.0;
+    for (const LoadBlock& block : load.blocks)
+        smallest = std::min({smallest, load.scale * block.max, load.scale * block.min});
+    return smallest;
+}
+
 double median_maximum(const LoadSection& load, double m) {
     const double largest = largest_value(load);
     std::map<double, double> growth;  // by maxima

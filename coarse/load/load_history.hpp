@@ -29,6 +29,9 @@ std::vector<Leg> legs(const LoadSection& load);
 /// The largest value of the history, not below zero.
 [[nodiscard]] double largest_value(const LoadSection& load);
 
+/// The smallest one, not above zero.
+[[nodiscard]] double smallest_value(const LoadSection& load);
+
 /// The least maximum up to which cycles make half of a growth, each in proportion to its range above zero to the power
 /// `m`; not below zero.
 [[nodiscard]] double median_maximum(const LoadSection& load, double m);

@@ -1,5 +1,6 @@
 #include "coarse/load/load_scale.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coarse/load/load_history.hpp"
@@ -20,6 +21,15 @@ double exponent_of_K(const GrowthSection& growth) {
     }
 }
 
+/// Of one tip, MPa sqrt(mm). `friction`: none where faces never touch.
+double equivalent_K(double K_I, double K_II, const std::optional<double>& friction) {
+    double sheared = std::abs(K_II);
+    if (friction && K_I < 0.0) sheared = std::max(sheared + *friction * K_I, 0.0);
+    return std::sqrt(std::pow(std::max(K_I, 0.0), 2) + 3.0 * sheared * sheared);
+}
+
+double value_at(const std::vector<double>& values, std::size_t t) { return t < values.size() ? values[t] : 0.0; }
+
 }  // namespace
 
 double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown) {
@@ -29,32 +39,43 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
     return std::exp(load.K_gradient * grown) / K_I.front();
 }
 
-double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown) {
-    double per_load_factor = 1.0 / target_of_unit(load, nominal.K_I, grown);
-    if (load.control == Control::Displacement) {
-        per_load_factor = nominal.displacement.mean;
-        if (std::abs(per_load_factor) <= 1e-9 * nominal.displacement.largest)
-            throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
-    }
-    return largest_value(load) / per_load_factor;
+double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown) {
+    if (load.control != Control::Displacement) return value * target_of_unit(load, nominal.K_I, grown);
+    if (std::abs(nominal.displacement.mean) <= 1e-9 * nominal.displacement.largest)
+        throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
+    return value / nominal.displacement.mean;
 }
 
-std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown,
-                                const CaseHistories& cases) {
-    const double largest = largest_load_factor(load, nominal, grown);
-    std::vector<double> K_I;
+std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown,
+                              const CaseHistories& cases) {
+    const double scale = target_of_unit(load, nominal.K_I, grown);
+    const auto largest_of_cases = [&](std::vector<double> K, double sign) {
+        for (double& of_case : K) of_case *= sign;
+        return cases.largest_sum(K, scale);
+    };
+    std::vector<double> K;
     for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
-        K_I.push_back(nominal.K_I[t] * largest + (nominal.K_initial.empty() ? 0.0 : nominal.K_initial[t]));
-        if (cases.count() > 0)
-            K_I.back() += cases.largest_sum(nominal.K_of_cases[t], target_of_unit(load, nominal.K_I, grown));
+        double added_I = value_at(nominal.K_initial, t), added_II = 0.0;
+        if (cases.count() > 0) {
+            const std::vector<double>& of_cases = nominal.K_II_of_cases[t];
+            added_I += largest_of_cases(nominal.K_I_of_cases[t], 1.0);
+            added_II = std::max(largest_of_cases(of_cases, 1.0), largest_of_cases(of_cases, -1.0));
+        }
+        const auto at = [&](double value) {
+            const double factor = load_factor_at(value, load, nominal, grown);
+            return equivalent_K(nominal.K_I[t] * factor + added_I,
+                                std::abs(value_at(nominal.K_II, t) * factor) + added_II,
+                                t < nominal.friction.size() ? nominal.friction[t] : std::nullopt);
+        };
+        K.push_back(std::max(at(largest_value(load)), at(smallest_value(load))));
     }
-    return K_I;
+    return K;
 }
 
-std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
+std::vector<double> common_K(const Case& input, const UnitResponse& nominal) {
     LoadSection load = input.load;
     if (input.growth) load.blocks = {{.max = median_maximum(load, exponent_of_K(*input.growth)) / load.scale}};
-    return largest_K_I(load, nominal, 0.0, CaseHistories(input));
+    return largest_K(load, nominal, 0.0, CaseHistories(input));
 }
 
 }  // namespace stria::coarse

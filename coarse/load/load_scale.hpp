@@ -1,6 +1,7 @@
 // From the values of a load history to load factors.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "coarse/load/case_histories.hpp"
@@ -16,9 +17,10 @@ struct UnitDisplacement {
 
 /// What a load history asks of the nominal body, at the load factor 1.
 struct UnitResponse {
-    std::vector<double> K_I = {};        // MPa sqrt(mm), one per tip
-    std::vector<double> K_initial = {};  // likewise, of the initial stress without load; empty: there is none
-    std::vector<std::vector<double>> K_of_cases = {};  // likewise of each load case at its factor 1; or empty
+    std::vector<double> K_I = {}, K_II = {};  // MPa sqrt(mm), one per tip
+    std::vector<double> K_initial = {};       // K_I of the initial stress without load; empty: there is none
+    std::vector<std::vector<double>> K_I_of_cases = {}, K_II_of_cases = {};  // of each at its factor 1; or empty
+    std::vector<std::optional<double>> friction = {};  // of each tip's crack; none: its faces never touch
     UnitDisplacement displacement = {};
 };
 
@@ -27,18 +29,20 @@ struct UnitResponse {
 /// nominal body, one per tip. Throws CaseError where the load does not open the first tip.
 double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, double grown);
 
-/// Largest load factor of a history. Where displacements are controlled it is that of the nominal body; a body that
-/// yields bears less. Throws CaseError where the loads do not move what is controlled.
-double largest_load_factor(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
+/// The load factor at a value of the history. Where displacements are controlled it is that of the nominal body; a body
+/// that yields bears less. Throws CaseError where the loads do not move what is controlled.
+double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown = 0.0);
 
-/// The K_I of eq. (3), MPa sqrt(mm), one per tip: the largest nominal one of a history, that of the initial stress
-/// included. With load cases no less than that: as if all were at their largest at once.
-std::vector<double> largest_K_I(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
-                                const CaseHistories& cases = {});
+/// The K of eq. (3), MPa sqrt(mm), one per tip: sqrt(K_I^2 + 3 K_II^2) at the extreme of the history where it is
+/// larger, for a strip that yields in shear (Dugdale) is three times as long as one that yields in tension. Nominal,
+/// with K_I of the initial stress. Faces that touch under pressure leave no K_I, and friction takes mu |K_I| off
+/// |K_II|, as along a straight crack. With load cases no less than that: as if all were at their largest at once.
+std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
+                              const CaseHistories& cases = {});
 
-/// The K_I of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip: by a maximum up to which the
+/// The same K of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip: by a maximum up to which the
 /// cycles make half of the growth (median_maximum), so that a few peaks do not stand for all. Without growth
-/// largest_K_I.
-std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal);
+/// largest_K.
+std::vector<double> common_K(const Case& input, const UnitResponse& nominal);
 
 }  // namespace stria::coarse

@@ -15,7 +15,7 @@ Scene refined_scene(const Case& input, const std::function<void(const Scene&)>& 
     std::vector<double> K_I(scene.enriched.tips.size(), 0.0);
     if (!input.fine.radius || input.growth) {
         if (before_solving) before_solving(scene);
-        K_I = largest_K_I(input.load, unit_response(solve_nominal(scene)), 0.0, CaseHistories(input));
+        K_I = largest_K(input.load, unit_response(solve_nominal(scene)), 0.0, CaseHistories(input));
     }
     Mesh refined = refine(scene.mesh, disks_about_tips(scene, input.cracks, K_I, Room::ToGrow)).mesh;
     refined.material.clear();  // small elements tell the outlines of regions better

@@ -110,7 +110,7 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     return zone;
 }
 
-std::vector<double> expected_K_I(std::vector<double> K_I) {
+std::vector<double> expected_K(std::vector<double> K_I) {
     for (double& K : K_I) K *= 1.02;
     return K_I;
 }

@@ -22,7 +22,7 @@ double zone_radius(const FineSection& fine, double yield_stress, double K_I);
 ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I);
 
 /// What K_I is expected to be at most after a step of growth: K grows with the cracks.
-std::vector<double> expected_K_I(std::vector<double> K_I);
+std::vector<double> expected_K(std::vector<double> K_I);
 
 /// A zone that some elements join together with their neighbours. The neighbours give a growing plastic zone room, so
 /// that it does not ask again at once.

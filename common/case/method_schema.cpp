@@ -26,7 +26,10 @@ Section<CouplingSection> coupling_section() {
 
 Section<FineSection> fine_section() {
     Section<FineSection> s;
-    s.value("beta", &FineSection::beta).positive().says("Zone radius R_sub = beta (pi/16) K_I^2 / sigma_y^2, eq. (3).");
+    s.value("beta", &FineSection::beta)
+        .positive()
+        .says("Zone radius R_sub = beta (pi/16) K^2 / sigma_y^2, eq. (3); "
+              "K^2 is K_I^2 + 3 K_II^2, the largest of the history.");
     s.value("radius", &FineSection::radius).in("mm").positive().says("A fixed zone radius instead of eq. (3).");
     s.value("refine", &FineSection::refine)
         .power_of_two()

@@ -147,9 +147,9 @@ Part run_part(const Case& input, coarse::EquilibriumFactory& factory, const coar
     };
     listener.reached = [&](const coarse::LoadStep&) { return part.increments.back().number < stop; };
     coarse::FatigueAnalysis analysis(scene, factory, listener, from);
-    part.K_at_start = analysis.largest_K_I();
+    part.K_at_start = analysis.largest_K();
     analysis.run();
-    part.K_at_end = analysis.largest_K_I();
+    part.K_at_end = analysis.largest_K();
     if (!analysis.finished()) part.left = analysis.state();
     return part;
 }

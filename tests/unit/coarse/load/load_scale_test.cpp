@@ -19,38 +19,68 @@ LoadSection history(Control control) {
 TEST(LoadScale, OfLoadsIsOne) {
     const LoadSection load = history(Control::Load);
     EXPECT_EQ(target_of_unit(load, nominal.K_I, 1.0), 1.0);
-    EXPECT_EQ(largest_load_factor(load, nominal), 200.0);
-    EXPECT_EQ(largest_K_I(load, nominal), (std::vector<double>{4000.0, 6000.0}));
+    EXPECT_EQ(load_factor_at(200.0, load, nominal), 200.0);
+    EXPECT_EQ(largest_K(load, nominal), (std::vector<double>{4000.0, 6000.0}));
+}
+
+// Tension opens the crack and shears it; pressure closes it, and what friction leaves of the shear still slides.
+TEST(LoadScale, AZoneIsOfTensionAndShear) {
+    LoadSection load{.blocks = {{.max = 2.0, .min = -5.0}}};
+    UnitResponse sheared{.K_I = {40.0}, .K_II = {-10.0 / std::sqrt(3.0)}};
+    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(80.0, 20.0));
+    sheared.K_I = {4.0};
+    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0);  // at the minimum, of faces that overlap
+    sheared.friction = {0.0};
+    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0);
+    sheared.friction = {0.7};
+    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0 - 14.0 * std::sqrt(3.0));
+    sheared.friction = {1.0};  // slides less than tension opens and shears it
+    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(8.0, 20.0));
+    load.blocks.front().max = 0.0;
+    sheared.friction = {1.5};
+    EXPECT_EQ(largest_K(load, sheared).front(), 0.0);  // sticks
+}
+
+// 10 MPa sqrt(mm) of K_I and of K_II per unit of a load case that goes from 3 to -4.
+TEST(LoadScale, AddsWhatLoadCasesMayAddAtOnce) {
+    Case input;
+    input.load.blocks = {{.max = 1.0, .min = 0.0}};
+    LoadCaseSection& shear = input.load_cases.emplace_back();
+    shear.name = "shear";
+    shear.blocks = {{.cycles = 1, .at_max = 3.0, .at_min = -4.0}};
+    const UnitResponse unit{.K_I = {100.0}, .K_II = {0.0}, .K_I_of_cases = {{10.0}}, .K_II_of_cases = {{10.0}}};
+    EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, CaseHistories(input)).front(),
+                     std::sqrt(130.0 * 130.0 + 3.0 * 40.0 * 40.0));
 }
 
 // One peak in ten cycles makes more than half of the growth where its exponent is 4: 16 of 25 parts.
 TEST(LoadScale, APeakStandsForTheCyclesWhereItMakesHalfOfTheGrowth) {
     Case input;
     input.load = {.blocks = {{9, 50.0, 0.0}, {1, 100.0, 0.0}}, .scale = 2.0};
-    EXPECT_EQ(common_K_I(input, nominal), (std::vector<double>{4000.0, 6000.0}));  // nothing grows
+    EXPECT_EQ(common_K(input, nominal), (std::vector<double>{4000.0, 6000.0}));  // nothing grows
     input.growth = GrowthSection{.increment = 0.1};
-    EXPECT_EQ(common_K_I(input, nominal), (std::vector<double>{2000.0, 3000.0}));
+    EXPECT_EQ(common_K(input, nominal), (std::vector<double>{2000.0, 3000.0}));
     input.growth->law = GrowthLaw::Paris;
     input.growth->m = 3.0;
-    EXPECT_EQ(common_K_I(input, nominal).front(), 2000.0);
+    EXPECT_EQ(common_K(input, nominal).front(), 2000.0);
     input.growth->m = 4.0;
-    EXPECT_EQ(common_K_I(input, nominal).front(), 4000.0);
+    EXPECT_EQ(common_K(input, nominal).front(), 4000.0);
     input.growth->law = GrowthLaw::Ctod;
     input.growth->m = 2.0;
-    EXPECT_EQ(common_K_I(input, nominal).front(), 4000.0);
+    EXPECT_EQ(common_K(input, nominal).front(), 4000.0);
 }
 
 TEST(LoadScale, OfDisplacementsIsThatOfTheNominalBody) {
     const LoadSection load = history(Control::Displacement);
     EXPECT_EQ(target_of_unit(load, nominal.K_I, 1.0), 1.0);  // a target is a displacement
-    EXPECT_EQ(largest_load_factor(load, nominal), 400.0);
-    EXPECT_THROW(static_cast<void>(largest_load_factor(load, {.displacement = {0.0, 0.6}})), CaseError);
+    EXPECT_EQ(load_factor_at(200.0, load, nominal), 400.0);
+    EXPECT_THROW(static_cast<void>(load_factor_at(200.0, load, {.displacement = {0.0, 0.6}})), CaseError);
 }
 
 TEST(LoadScale, OfStressIntensitiesFollowsTheFirstTipAndTheGradient) {
     LoadSection load = history(Control::StressIntensity);
-    EXPECT_EQ(largest_load_factor(load, nominal), 10.0);
-    EXPECT_EQ(largest_K_I(load, nominal).front(), 200.0);
+    EXPECT_EQ(load_factor_at(200.0, load, nominal), 10.0);
+    EXPECT_EQ(largest_K(load, nominal).front(), 200.0);
     load.K_gradient = -0.08;
     EXPECT_DOUBLE_EQ(target_of_unit(load, nominal.K_I, 2.0), std::exp(-0.16) / 20.0);
     EXPECT_THROW(static_cast<void>(target_of_unit(load, {-1.0, 30.0}, 0.0)), CaseError);

@@ -21,7 +21,7 @@ Case growing_plate() {
 }
 
 std::vector<double> K_of(const Scene& scene) {
-    return largest_K_I(scene.input.load, unit_response(solve_nominal(scene)));
+    return largest_K(scene.input.load, unit_response(solve_nominal(scene)));
 }
 
 TEST(TipRefinement, LeavesTheSceneOfATipAloneUntilItHasComeOn) {

@@ -26,7 +26,7 @@ protected:
         const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
         const coarse::CaseHistories histories(input);
         return coarse::estimate_work(nominal,
-                                     coarse::largest_K_I(input.load, coarse::unit_response(nominal), 0.0, histories));
+                                     coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, histories));
     }
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
 };
