@@ -65,7 +65,7 @@ void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSoluti
         fmt::print(
             "# tip {}: K_I = {:.5g}, K_II = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free "
             "faces)\n",
-            t, unit.K_I[t] * factor + initial, unit.K_II[t] * factor, factor,
+            t, unit.K_I[t] * factor + initial, unit.K_II[t] * factor + 0.0, factor,
             nominal.tips[t].K_I_of_cases.empty() ? "" : " without load cases");
         if (scene.initial_stress().any()) fmt::print("#   of K_I {:.5g} by the initial stress\n", initial);
         if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {

@@ -27,6 +27,8 @@ public:
     /// How many unit loads there are beside the main one: the load cases in their order, then for each boundary with a
     /// pressure that travels its positions.
     [[nodiscard]] Eigen::Index count() const;
+    /// Of them, those of load cases.
+    [[nodiscard]] std::size_t load_cases() const { return cases_.size(); }
 
     /// The main history behind the leg in which dead loads and pressures that travel come on, if there are any.
     [[nodiscard]] const std::vector<Leg>& legs() const { return legs_; }

@@ -28,6 +28,18 @@ double equivalent_K(double K_I, double K_II, const std::optional<double>& fricti
     return std::sqrt(std::pow(std::max(K_I, 0.0), 2) + 3.0 * sheared * sheared);
 }
 
+std::optional<double> friction_of(const UnitResponse& nominal, std::size_t t) {
+    return t < nominal.friction.size() ? nominal.friction[t] : std::nullopt;
+}
+
+/// Without positions of a pressure that travels where the faces would overlap.
+std::vector<double> K_II_of_cases(const UnitResponse& nominal, std::size_t t, const CaseHistories& cases) {
+    std::vector<double> K_II = nominal.K_II_of_cases[t];
+    for (std::size_t k = cases.load_cases(); friction_of(nominal, t) && k < K_II.size(); ++k)
+        if (nominal.K_I_of_cases[t][k] < 0.0) K_II[k] = 0.0;
+    return K_II;
+}
+
 double value_at(const std::vector<double>& values, std::size_t t) { return t < values.size() ? values[t] : 0.0; }
 
 }  // namespace
@@ -57,15 +69,14 @@ std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nomin
     for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
         double added_I = value_at(nominal.K_initial, t), added_II = 0.0;
         if (cases.count() > 0) {
-            const std::vector<double>& of_cases = nominal.K_II_of_cases[t];
+            const std::vector<double> K_II = K_II_of_cases(nominal, t, cases);
             added_I += largest_of_cases(nominal.K_I_of_cases[t], 1.0);
-            added_II = std::max(largest_of_cases(of_cases, 1.0), largest_of_cases(of_cases, -1.0));
+            added_II = std::max(largest_of_cases(K_II, 1.0), largest_of_cases(K_II, -1.0));
         }
         const auto at = [&](double value) {
             const double factor = load_factor_at(value, load, nominal, grown);
             return equivalent_K(nominal.K_I[t] * factor + added_I,
-                                std::abs(value_at(nominal.K_II, t) * factor) + added_II,
-                                t < nominal.friction.size() ? nominal.friction[t] : std::nullopt);
+                                std::abs(value_at(nominal.K_II, t) * factor) + added_II, friction_of(nominal, t));
         };
         K.push_back(std::max(at(largest_value(load)), at(smallest_value(load))));
     }

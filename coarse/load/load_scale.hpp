@@ -36,7 +36,9 @@ double load_factor_at(double value, const LoadSection& load, const UnitResponse&
 /// The K of eq. (3), MPa sqrt(mm), one per tip: sqrt(K_I^2 + 3 K_II^2) at the extreme of the history where it is
 /// larger, for a strip that yields in shear (Dugdale) is three times as long as one that yields in tension. Nominal,
 /// with K_I of the initial stress. Faces that touch under pressure leave no K_I, and friction takes mu |K_I| off
-/// |K_II|, as along a straight crack. With load cases no less than that: as if all were at their largest at once.
+/// |K_II|, as along a straight crack. With load cases no less than that: as if all were at their largest at once; of a
+/// pressure that travels K_II counts where it opens the crack, for elsewhere what faces without tractions would do says
+/// nothing.
 std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
                               const CaseHistories& cases = {});
 

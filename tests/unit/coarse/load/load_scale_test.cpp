@@ -53,6 +53,21 @@ TEST(LoadScale, AddsWhatLoadCasesMayAddAtOnce) {
                      std::sqrt(130.0 * 130.0 + 3.0 * 40.0 * 40.0));
 }
 
+// Two of three positions press the faces together.
+TEST(LoadScale, APressureThatTravelsCountsWhereItOpensTheCrack) {
+    Case input;
+    input.load.steps = 2;
+    input.load.blocks = {{.max = 0.0, .min = -1.0}};
+    input.boundaries.emplace_back().travelling.emplace();
+    const CaseHistories cases(input);
+    ASSERT_EQ(cases.count(), 3);
+    UnitResponse unit{
+        .K_I = {0.0}, .K_II = {0.0}, .K_I_of_cases = {{-9.0, 3.0, -1.0}}, .K_II_of_cases = {{50.0, -4.0, 8.0}}};
+    EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, cases).front(), std::sqrt(9.0 + 3.0 * 2500.0));
+    unit.friction = {0.0};
+    EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, cases).front(), std::sqrt(9.0 + 3.0 * 16.0));
+}
+
 // One peak in ten cycles makes more than half of the growth where its exponent is 4: 16 of 25 parts.
 TEST(LoadScale, APeakStandsForTheCyclesWhereItMakesHalfOfTheGrowth) {
     Case input;
