@@ -117,6 +117,8 @@ std::vector<std::string> warnings_of(const RunRecord& run) {
     all.push_back(sentence_on_count(run, "flowing_rings",
                                     "increments in which a tip had no ring outside what has flowed: K_I, K_II and T "
                                     "there are no elastic quantities."));
+    all.push_back(sentence_on_count(run, "overlapping_faces",
+                                    "increments in which faces without contact overlap, and metal flows by it."));
     all.push_back(sentence_on_opening_loads(run));
     all.push_back(sentence_on_balance(run));
     std::erase(all, "");

@@ -208,7 +208,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
         increment.K_initial.push_back(tip.K_initial);
         if (!tip.K_I_of_cases.empty()) increment.K_of_cases.push_back(tip.K_I_of_cases);
     }
-    note_flowing_rings(increment);
+    for (const std::string& doubt : count_doubts(increment, body_.scene(), effort_.counts)) listener_.note(doubt);
     cycle_meter_.add(increment);
     if (step.ends_cycle) end_cycle(increment);
     listener_.accepted(increment, body_.structure());
@@ -220,13 +220,6 @@ void FatigueAnalysis::end_cycle(Increment& increment) {
     increment.nominal = body_.nominal();
     if (growth_) growth_->count_cycles(increment.step.cycle, increment.cycles, body_.scene());
     last_cycle_ = increment.cycles;
-}
-
-void FatigueAnalysis::note_flowing_rings(const Increment& increment) {
-    const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
-    if (tip == increment.tips.end()) return;
-    if (effort_.counts.flowing_rings++ == 0)
-        listener_.note(rings_flow(increment.load_factor, tip - increment.tips.begin()));
 }
 
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium

@@ -59,7 +59,6 @@ private:
     [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(LoadStep step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
     void end_cycle(Increment& increment);
-    void note_flowing_rings(const Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
     /// Both: false where the run is to end.
     bool grow_where_due();

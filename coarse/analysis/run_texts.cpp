@@ -1,10 +1,26 @@
 #include "coarse/analysis/run_texts.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <ranges>
 
 namespace stria::coarse {
+namespace {
+
+std::string rings_flow(double load_factor, std::ptrdiff_t tip) {
+    return fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no elastic "
+                       "ones from here on",
+                       load_factor, tip);
+}
+
+std::string faces_overlap(double load_factor, const coupling::FaceSample& deepest) {
+    return fmt::format("warning: load factor {:.6g}: faces of crack {} overlap, by {:.3g} mm at ({:.6g}, {:.6g}), and "
+                       "metal flows by it: they touch with contact = {{}} in its section",
+                       load_factor, deepest.crack, -deepest.opening, deepest.x, deepest.y);
+}
+
+}  // namespace
 
 std::string last_converged(int increments, const Target& reached, double load_factor, const Target& towards) {
     if (increments == 0) return "no increment has converged before it";
@@ -25,10 +41,15 @@ std::string load_left_empty(const LoadStep& step, const Target& reached, int tip
                        step.cycle, to_text(reached), to_text(step.target), tip, does);
 }
 
-std::string rings_flow(double load_factor, std::ptrdiff_t tip) {
-    return fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no elastic "
-                       "ones from here on",
-                       load_factor, tip);
+std::vector<std::string> count_doubts(const Increment& increment, const Scene& scene, RunCounts& counts) {
+    std::vector<std::string> first;
+    const auto tip = std::ranges::find(increment.tips, true, &TipResult::rings_flow);
+    if (tip != increment.tips.end() && counts.flowing_rings++ == 0)
+        first.push_back(rings_flow(increment.load_factor, tip - increment.tips.begin()));
+    const coupling::FaceSample* deepest = deepest_overlap(increment.zone.faces, scene.input.cracks);
+    if (deepest != nullptr && counts.overlapping_faces++ == 0)
+        first.push_back(faces_overlap(increment.load_factor, *deepest));
+    return first;
 }
 
 std::string elements_stay_elastic(const LoadStep& step, std::size_t elements) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coarse/analysis/analysis_state.hpp"
+#include "coarse/cycle/increment.hpp"
 #include "coarse/equilibrium/newton.hpp"
 
 namespace stria::coarse {
@@ -20,8 +21,9 @@ namespace stria::coarse {
 /// No trial on the way to a step tells where a tip opens, closes or slides (`does`).
 [[nodiscard]] std::string load_left_empty(const LoadStep& step, const Target& reached, int tip, const char* does);
 
-/// Of the rings about a tip, every one.
-[[nodiscard]] std::string rings_flow(double load_factor, std::ptrdiff_t tip);
+/// Counts an increment in which no ring about a tip lies outside what has flowed, or in which faces without contact
+/// overlap. Says so for the first of a kind.
+[[nodiscard]] std::vector<std::string> count_doubts(const Increment& increment, const Scene& scene, RunCounts& counts);
 
 /// Of so many elements outside the zone that are beyond yield.
 [[nodiscard]] std::string elements_stay_elastic(const LoadStep& step, std::size_t elements);

@@ -160,4 +160,17 @@ std::vector<coupling::FaceSample> face_samples(const Structure& structure, const
     return samples;
 }
 
+const coupling::FaceSample* deepest_overlap(const std::vector<coupling::FaceSample>& faces,
+                                            const std::vector<CrackSection>& cracks) {
+    constexpr double rounding = 1e-9, share = 1e-3;  // mm
+    const coupling::FaceSample* deepest = nullptr;
+    double largest = 0.0;
+    for (const coupling::FaceSample& sample : faces) {
+        if (cracks[at(sample.crack)].contact) continue;
+        largest = std::max(largest, std::abs(sample.opening));
+        if (deepest == nullptr || sample.opening < deepest->opening) deepest = &sample;
+    }
+    return deepest != nullptr && -deepest->opening > std::max(rounding, share * largest) ? deepest : nullptr;
+}
+
 }  // namespace stria::coarse

@@ -54,4 +54,9 @@ std::vector<TipResult> fracture_parameters(const Structure& structure, const Eig
 std::vector<coupling::FaceSample> face_samples(const Structure& structure, const Eigen::VectorXd& u,
                                                const coupling::StepReport& report);
 
+/// Where faces without contact overlap the most, beyond rounding and a thousandth of their largest jump; null: they do
+/// not.
+const coupling::FaceSample* deepest_overlap(const std::vector<coupling::FaceSample>& faces,
+                                            const std::vector<CrackSection>& cracks);
+
 }  // namespace stria::coarse

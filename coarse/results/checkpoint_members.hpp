@@ -226,8 +226,8 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
            cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period,
            uncounted_growth, K_reached, due_growth, release, load, work, equilibrium, zone] = m;
-    auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings, mesh_splits] =
-        counts;
+    auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
+           overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
     archive("splits", splits);
     archive("settled", settled);
@@ -248,6 +248,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("warnings", yield_warnings);
     archive("release_cuts", release_cuts);
     archive("flowing_rings", flowing_rings);
+    archive("overlapping_faces", overlapping_faces);
     archive("mesh_splits", mesh_splits);
     archive("growth_ended", growth_ended);
     archive("growth_increment", growth_increment);

@@ -59,6 +59,7 @@ Json to_json(const Summary& summary) {
                         {"zone_extensions", summary.counts.zone_extensions},
                         {"yield_warnings", summary.counts.yield_warnings},
                         {"flowing_rings", summary.counts.flowing_rings},
+                        {"overlapping_faces", summary.counts.overlapping_faces},
                         {"mesh_splits", summary.counts.mesh_splits}};
     for (const coupling::NamedWorkCount& count : coupling::named_work_counts)
         object.push_back({count.name, summary.work.*count.value});

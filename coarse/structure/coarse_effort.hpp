@@ -14,7 +14,8 @@ struct RunCounts {
         0;                  // increments with coarse elements beyond yield that were left elastic (fine.guard = "warn")
     int release_cuts = 0;   // halvings of what holds the faces that growth has opened
     int flowing_rings = 0;  // increments in which some tip had no ring outside what has flowed
-    int mesh_splits = 0;    // how often elements were split, as small ones followed the tips
+    int overlapping_faces = 0;  // increments in which faces without contact overlapped in the zone
+    int mesh_splits = 0;        // how often elements were split, as small ones followed the tips
 };
 
 struct CoarseEffort {
@@ -36,6 +37,7 @@ inline RunCounts& operator+=(RunCounts& sum, const RunCounts& more) {
     sum.yield_warnings += more.yield_warnings;
     sum.release_cuts += more.release_cuts;
     sum.flowing_rings += more.flowing_rings;
+    sum.overlapping_faces += more.overlapping_faces;
     sum.mesh_splits += more.mesh_splits;
     return sum;
 }

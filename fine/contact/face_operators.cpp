@@ -67,12 +67,12 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
     int count = 0;
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const CrackSection& section = cracks[at(crack)];
-        if (!section.contact) continue;
         for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
-            if (station.s < contact_begins(section)) continue;
             station.fixed_jump = frozen.jump(crack, station.x);
-            stations_.push_back(std::move(station));
+            const bool may_touch = section.contact && station.s >= contact_begins(section);
+            (may_touch ? stations_ : free_stations_).push_back(std::move(station));
         }
+        if (!section.contact) continue;
         spaces_.push_back({crack, count, space_on(mesh, boundary, crack, section)});
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();

@@ -72,6 +72,8 @@ public:
     [[nodiscard]] std::array<MultiplierSpace::Value, 2> functions_at(const FaceStation& station) const;
 
     [[nodiscard]] const std::vector<FaceStation>& stations() const { return stations_; }
+    /// Of faces without contact: of cracks that have none, and of notches.
+    [[nodiscard]] const std::vector<FaceStation>& free_stations() const { return free_stations_; }
     [[nodiscard]] std::int64_t interface_elements() const;
 
     /// Identity of each multiplier across a change of zone: crack and place of its node.
@@ -107,7 +109,7 @@ private:
     void keep_open_without_faces();
 
     std::vector<CrackSpace> spaces_;
-    std::vector<FaceStation> stations_;
+    std::vector<FaceStation> stations_, free_stations_;
     std::vector<Key> keys_;
     std::vector<int> with_shear_, shear_of_;  // multiplier of each shear, and back
     SparseRows B_, T_;

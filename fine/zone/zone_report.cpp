@@ -21,14 +21,17 @@ double opening(const CommittedZone& zone, const FaceStation& station) {
 }
 
 coupling::FaceSample sample_at(const CommittedZone& zone, const FaceStation& station) {
+    return {.crack = station.crack,
+            .s = station.s,
+            .x = station.x.x(),
+            .y = station.x.y(),
+            .opening = station.opening(zone.displacement),
+            .slip = station.slip(zone.displacement)};
+}
+
+coupling::FaceSample touching_sample_at(const CommittedZone& zone, const FaceStation& station) {
     const auto [pressure, shear, slides] = zone.contact.traction_at(station, zone.traction);
-    coupling::FaceSample sample;
-    sample.crack = station.crack;
-    sample.s = station.s;
-    sample.x = station.x.x();
-    sample.y = station.x.y();
-    sample.opening = station.opening(zone.displacement);
-    sample.slip = station.slip(zone.displacement);
+    coupling::FaceSample sample = sample_at(zone, station);
     sample.pressure = pressure;
     sample.shear = shear;
     sample.status = pressure > 0.0 ? (slides ? 2 : 1) : 0;
@@ -128,7 +131,9 @@ std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::v
 
 std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone) {
     std::vector<coupling::FaceSample> samples;
-    for (const FaceStation& station : zone.contact.operators().stations()) samples.push_back(sample_at(zone, station));
+    const FaceOperators& faces = zone.contact.operators();
+    for (const FaceStation& station : faces.stations()) samples.push_back(touching_sample_at(zone, station));
+    for (const FaceStation& station : faces.free_stations()) samples.push_back(sample_at(zone, station));
     return samples;
 }
 

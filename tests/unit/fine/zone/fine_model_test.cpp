@@ -395,7 +395,9 @@ TEST(FineModel, WithoutContactSaysNothingOfIt) {
     const PatchResponse response = settled(model, stretched(1e-3));
     EXPECT_TRUE(response.digest.status.empty() && response.digest.multiplier.empty());
     const coupling::StepReport report = model.commit({});
-    EXPECT_TRUE(report.faces.empty());
+    EXPECT_FALSE(report.faces.empty());
+    for (const coupling::FaceSample& face : report.faces)
+        EXPECT_TRUE(face.opening > 0.0 && face.pressure == 0.0 && face.status == 0) << face.s;
     EXPECT_EQ(report.multipliers + report.work.interface_elements + report.work.gaps_evaluated, 0);
 }
 
