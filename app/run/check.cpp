@@ -11,7 +11,7 @@
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
-#include "coarse/zone/material_adequacy.hpp"
+#include "coarse/zone/case_warnings.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 #include "coarse/zone/work_estimate.hpp"
@@ -120,12 +120,6 @@ void print_estimate_of_body(const char* which, const coarse::Scene& scene) {
     std::fflush(stdout);
 }
 
-void print_warnings(const coarse::Scene& scene, const std::vector<double>& K_I) {
-    for (const std::string& warning : coarse::material_warnings(scene.input)) fmt::print("# warning: {}\n", warning);
-    for (const std::string& warning : coarse::growth_warnings(scene.input)) fmt::print("# warning: {}\n", warning);
-    for (const std::string& warning : coarse::mesh_warnings(scene, K_I)) fmt::print("# warning: {}\n", warning);
-}
-
 }  // namespace
 
 int check(const RunOptions& options) {
@@ -144,7 +138,8 @@ int check(const RunOptions& options) {
     print_handbook(nominal);
     const std::vector<double> K_I =
         coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
-    print_warnings(scene, coarse::common_K(input, coarse::unit_response(nominal)));
+    const std::vector<double> common_K_I = coarse::common_K_I(input, coarse::unit_response(nominal));
+    for (const std::string& warning : coarse::case_warnings(scene, common_K_I)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

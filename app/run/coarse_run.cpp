@@ -7,11 +7,9 @@
 #include "app/process/exit_code.hpp"
 #include "app/process/interruption.hpp"
 #include "app/process/version.hpp"
-#include "coarse/load/growth_schedule.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/results/summary.hpp"
-#include "coarse/zone/material_adequacy.hpp"
-#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/zone/case_warnings.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
@@ -128,9 +126,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
     running = &analysis;
     note_sizes(analysis.structure());
-    warnings_ = coarse::material_warnings(scene_.input);
-    std::ranges::move(coarse::growth_warnings(scene_.input), std::back_inserter(warnings_));
-    std::ranges::move(coarse::mesh_warnings(scene_, analysis.common_K_at_start()), std::back_inserter(warnings_));
+    warnings_ = coarse::case_warnings(scene_, analysis.common_K_I_at_start());
     for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
     if (analysis.finished()) {
         progress_.note(fmt::format("nothing is left to do: results in {}", directory_.string()));

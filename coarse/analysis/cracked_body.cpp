@@ -42,8 +42,9 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
         structure_ = take_nominal_of(scene);
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
-    largest_K_at_start_ = largest_K_;
-    common_K_at_start_ = common_K(scene.input, unit_response(scene, nominal_, unit_displacement_));
+    const UnitResponse unit = unit_response(scene, nominal_, unit_displacement_);
+    K_of_closure_ = stria::coarse::K_of_closure(scene.input, unit);
+    common_K_I_at_start_ = common_K_I(scene.input, unit);
     if (from != nullptr) go_on_from(*from);
     in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_);
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());

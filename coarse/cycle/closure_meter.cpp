@@ -22,12 +22,12 @@ std::vector<std::size_t> changed_signals(const ClosureStation& before, const Clo
 }  // namespace
 
 ClosureMeter::ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
-                           const std::vector<CrackSection>& cracks, const std::vector<double>& largest_K)
+                           const std::vector<CrackSection>& cracks, const std::vector<double>& K)
     : tension_(closure.tension || closure.definition == OpeningDefinition::Tension),
       slip_(!closure.profile.empty() && has_friction(cracks)) {
-    for (std::size_t t = 0; t < largest_K.size(); ++t) {
+    for (std::size_t t = 0; t < K.size(); ++t) {
         std::vector<double> distances{
-            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, largest_K[t], yield_stress[t]))};
+            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K[t], yield_stress[t]))};
         distances.insert(distances.end(), closure.profile.begin(), closure.profile.end());
         distance_.push_back(std::move(distances));
     }

@@ -34,10 +34,10 @@ class ClosureMeter {
 public:
     ClosureMeter() = default;
 
-    /// `largest_K`: of the load history, MPa sqrt(mm), one per tip. It gives the default distance, with the yield
+    /// `K`: K_of_closure (load_scale.hpp), MPa sqrt(mm), one per tip. It gives the default distance, with the yield
     /// stress there, MPa, one per tip. Sliding is measured where there is friction and a profile is asked for.
     ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
-                 const std::vector<CrackSection>& cracks, const std::vector<double>& largest_K);
+                 const std::vector<CrackSection>& cracks, const std::vector<double>& K);
 
     /// Signals per tip, in this order: contact beyond each of distances(tip), the default one first; compression ahead
     /// of the tip where it is measured; and where sliding is, whether at each distance faces have slid in this half

@@ -83,10 +83,28 @@ std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nomin
     return K;
 }
 
-std::vector<double> common_K(const Case& input, const UnitResponse& nominal) {
-    LoadSection load = input.load;
-    if (input.growth) load.blocks = {{.max = median_maximum(load, exponent_of_K(*input.growth)) / load.scale}};
-    return largest_K(load, nominal, 0.0, CaseHistories(input));
+namespace {
+
+std::vector<double> largest_K_I(const Case& input, UnitResponse nominal) {
+    nominal.K_II.clear();
+    for (std::vector<double>& of_tip : nominal.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
+    return largest_K(input.load, nominal, 0.0, CaseHistories(input));
+}
+
+}  // namespace
+
+std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal) {
+    const std::vector<double> all = largest_K(input.load, nominal, 0.0, CaseHistories(input));
+    std::vector<double> K = largest_K_I(input, nominal);
+    std::ranges::transform(K, all, K.begin(), [](double opens, double any) { return opens > 0.0 ? opens : any; });
+    return K;
+}
+
+std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
+    if (!input.growth) return largest_K_I(input, nominal);
+    Case common = input;
+    common.load.blocks = {{.max = median_maximum(input.load, exponent_of_K(*input.growth)) / input.load.scale}};
+    return largest_K_I(common, nominal);
 }
 
 }  // namespace stria::coarse

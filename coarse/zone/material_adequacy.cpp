@@ -1,5 +1,7 @@
 #include "coarse/zone/material_adequacy.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -10,6 +12,10 @@ namespace {
 
 // Strain at yield. Metals from soft lead to glassy ones have 1e-4 to 0.02.
 constexpr double least_strain = 1e-5, largest_strain = 0.1;
+
+// mm per cycle. Cracks do not grow by less than an atom's distance, 3e-7 mm, in some hundred cycles; those that grow by
+// more than 0.1 mm in one are about to tear.
+constexpr double slowest_rate = 1e-9, fastest_rate = 0.1;
 
 std::optional<std::string> material_warning(const std::string& key, const MaterialSection& material) {
     if (!material.yield_stress) return std::nullopt;
@@ -33,6 +39,19 @@ std::vector<std::string> material_warnings(const Case& input) {
     for (std::size_t k = 0; k < input.regions.size(); ++k)
         look_at(fmt::format("region[{}].material", k + 1), input.regions[k].material);
     return warnings;
+}
+
+std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K) {
+    if (!input.growth || input.growth->law != GrowthLaw::Paris || K.empty()) return {};
+    const GrowthSection& growth = *input.growth;
+    const double largest = std::ranges::max(K), rate = growth.C * std::pow(largest, growth.m);
+    if (largest <= 0.0 || (rate >= slowest_rate && rate <= fastest_rate)) return {};
+    const double per_root_metre = growth.C * std::pow(1000.0, -0.5 * growth.m);
+    return {
+        fmt::format("growth.C: at dK = {:.4g} MPa sqrt(mm) the law gives da/dN = {:.2g} mm, and no crack grows so{} "
+                    "(1e-8 to 0.1). If C is of mm/cycle and MPa sqrt(m), growth.C = {:.3g}; if of m/cycle and MPa "
+                    "sqrt(m), growth.C = {:.3g}",
+                    largest, rate, rate > fastest_rate ? " fast" : " slowly", per_root_metre, 1000.0 * per_root_metre)};
 }
 
 }  // namespace stria::coarse

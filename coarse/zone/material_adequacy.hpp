@@ -1,4 +1,4 @@
-// Whether a material can be what is meant: a modulus typed in GPa or Pa is a lawful number.
+// Whether a material and its law of growth can be what is meant: a modulus typed in GPa or Pa is a lawful number.
 #pragma once
 
 #include <string>
@@ -11,5 +11,9 @@ namespace stria::coarse {
 /// One sentence for each material whose strain at yield no metal has. Where it is far below, increments are many times
 /// that strain, and a run takes long; where it is far above, strains are not small.
 std::vector<std::string> material_warnings(const Case& input);
+
+/// One sentence where a Paris law gives a rate that no crack has: most are printed for m/cycle or MPa sqrt(m). `K`: of
+/// the cycles that growth is made of, MPa sqrt(mm), one per tip (common_K_I).
+std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K);
 
 }  // namespace stria::coarse

@@ -63,7 +63,7 @@ std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone,
     const double finer = std::exp2(std::ceil(std::log2(zone.elements * element / zone.length)));
     const std::string advice = refine * finer <= most_refined ? fmt::format(": fine.refine = {:g}", refine * finer)
                                                               : ", which no fine.refine gives: hardly anything yields";
-    return fmt::format("tip {}: its forward plastic zone at K = {:.4g} MPa sqrt(mm), about {:.3g} mm{}, spans {:.2g} "
+    return fmt::format("tip {}: its forward plastic zone at K_I = {:.4g} MPa sqrt(mm), about {:.3g} mm{}, spans {:.2g} "
                        "elements of {:.3g} mm; opening loads want {:g} or more{}",
                        tip, zone.K_I, zone.length, zone.place, zone.length / element, element, zone.elements, advice);
 }

@@ -22,7 +22,7 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
 /// ten in plane stress where it grows, with the `fine.refine` that would do; per tip that grows by two elements or
 /// more, or by one and a part, at a time, or in plane stress by more than a tenth of its zone and beyond the distance
 /// of closure; and per tip that grows between faces that may touch where nothing yields, and leaves functions behind.
-/// `K_I`: one per tip, MPa sqrt(mm), of the cycles that opening loads are asked of (common_K, K_II included). Of zones
+/// `K_I`: one per tip, MPa sqrt(mm), of the cycles that opening loads are asked of (common_K_I). Of zones
 /// nothing where nothing flows.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I);
 

@@ -68,21 +68,31 @@ TEST(LoadScale, APressureThatTravelsCountsWhereItOpensTheCrack) {
     EXPECT_DOUBLE_EQ(largest_K(input.load, unit, 0.0, cases).front(), std::sqrt(9.0 + 3.0 * 16.0));
 }
 
+// A crack that turns leaves its K_II behind.
+TEST(LoadScale, OpeningLoadsGoByTensionWhereThereIsAny) {
+    Case input;
+    input.load.blocks = {{.max = 2.0, .min = 0.0}};
+    UnitResponse unit{.K_I = {30.0, -30.0}, .K_II = {30.0, 10.0}};
+    EXPECT_EQ(K_of_closure(input, unit).front(), 60.0);
+    EXPECT_DOUBLE_EQ(K_of_closure(input, unit).back(), 20.0 * std::sqrt(3.0));
+    EXPECT_EQ(common_K_I(input, unit), (std::vector<double>{60.0, 0.0}));
+}
+
 // One peak in ten cycles makes more than half of the growth where its exponent is 4: 16 of 25 parts.
 TEST(LoadScale, APeakStandsForTheCyclesWhereItMakesHalfOfTheGrowth) {
     Case input;
     input.load = {.blocks = {{9, 50.0, 0.0}, {1, 100.0, 0.0}}, .scale = 2.0};
-    EXPECT_EQ(common_K(input, nominal), (std::vector<double>{4000.0, 6000.0}));  // nothing grows
+    EXPECT_EQ(common_K_I(input, nominal), (std::vector<double>{4000.0, 6000.0}));  // nothing grows
     input.growth = GrowthSection{.increment = 0.1};
-    EXPECT_EQ(common_K(input, nominal), (std::vector<double>{2000.0, 3000.0}));
+    EXPECT_EQ(common_K_I(input, nominal), (std::vector<double>{2000.0, 3000.0}));
     input.growth->law = GrowthLaw::Paris;
     input.growth->m = 3.0;
-    EXPECT_EQ(common_K(input, nominal).front(), 2000.0);
+    EXPECT_EQ(common_K_I(input, nominal).front(), 2000.0);
     input.growth->m = 4.0;
-    EXPECT_EQ(common_K(input, nominal).front(), 4000.0);
+    EXPECT_EQ(common_K_I(input, nominal).front(), 4000.0);
     input.growth->law = GrowthLaw::Ctod;
     input.growth->m = 2.0;
-    EXPECT_EQ(common_K(input, nominal).front(), 4000.0);
+    EXPECT_EQ(common_K_I(input, nominal).front(), 4000.0);
 }
 
 TEST(LoadScale, OfDisplacementsIsThatOfTheNominalBody) {

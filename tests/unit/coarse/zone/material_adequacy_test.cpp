@@ -35,6 +35,25 @@ TEST(MaterialAdequacy, AsksForTheUnitsOfOthers) {
     EXPECT_TRUE(warning_of(metal(200e9, 300.0)).ends_with("Increments of many times that strain take long"));
 }
 
+// Barsom and Rolfe's law of ferritic steels, 6.9e-12 m/cycle and MPa sqrt(m), m = 3: 2.18e-13 in mm and MPa sqrt(mm).
+TEST(MaterialAdequacy, AsksForTheUnitsOfALawOfGrowth) {
+    Case input = metal(200e3, 300.0);
+    input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.1, .C = 2.18e-13, .m = 3.0};
+    const std::vector<double> K{20.0, 600.0};
+    EXPECT_TRUE(coarse::rate_warnings(input, K).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, {}).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, {0.0}).empty());
+    input.growth->C = 6.9e-9;  // mm/cycle, MPa sqrt(m)
+    ASSERT_EQ(coarse::rate_warnings(input, K).size(), 1U);
+    EXPECT_NE(coarse::rate_warnings(input, K)[0].find("da/dN = 1.5 mm, and no crack grows so fast"), std::string::npos)
+        << coarse::rate_warnings(input, K)[0];
+    EXPECT_NE(coarse::rate_warnings(input, K)[0].find("MPa sqrt(m), growth.C = 2.18e-13; if"), std::string::npos);
+    input.growth->C = 2.18e-19;
+    EXPECT_NE(coarse::rate_warnings(input, K)[0].find("so slowly"), std::string::npos);
+    input.growth->law = GrowthLaw::Prescribed;
+    EXPECT_TRUE(coarse::rate_warnings(input, K).empty());
+}
+
 TEST(MaterialAdequacy, NamesTheRegion) {
     Case input = metal(200e3, 300.0);
     input.regions.resize(2);

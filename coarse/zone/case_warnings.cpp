@@ -1,0 +1,22 @@
+#include "coarse/zone/case_warnings.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "coarse/load/growth_schedule.hpp"
+#include "coarse/zone/material_adequacy.hpp"
+#include "coarse/zone/mesh_adequacy.hpp"
+
+namespace stria::coarse {
+
+std::vector<std::string> case_warnings(const Scene& scene, const std::vector<double>& K) {
+    std::vector<std::string> all = material_warnings(scene.input);
+    const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
+    add(rate_warnings(scene.input, K));
+    add(growth_warnings(scene.input));
+    add(mesh_warnings(scene, K));
+    return all;
+}
+
+}  // namespace stria::coarse
