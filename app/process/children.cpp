@@ -29,18 +29,44 @@ std::array<Child, most_children> children = {};
 volatile std::sig_atomic_t interruption = 0;
 
 /// Who asks twice does not want to wait for the checkpoint that SIGUSR1 asks for.
+void pass_on(int signal, bool again, const Child& child) {
+    const auto process = static_cast<pid_t>(child.process);
+    if (process <= 0) return;
+    if (child.stands_apart != 0)
+        kill(process, again ? SIGTERM : SIGUSR1);
+    else if (signal == SIGTERM)
+        kill(process, SIGTERM);
+}
+
 void note_signal(int signal) {
     const bool again = interruption != 0;
     interruption = signal;
-    for (const Child& child : children) {
-        const auto process = static_cast<pid_t>(child.process);
-        if (process <= 0) continue;
-        if (child.stands_apart != 0)
-            kill(process, again ? SIGTERM : SIGUSR1);
-        else if (signal == SIGTERM)
-            kill(process, SIGTERM);
-    }
+    for (const Child& child : children) pass_on(signal, again, child);
 }
+
+/// While it lives SIGINT and SIGTERM wait.
+class SignalsWait {
+public:
+    SignalsWait() {
+        sigset_t ours;
+        sigemptyset(&ours);
+        sigaddset(&ours, SIGINT);
+        sigaddset(&ours, SIGTERM);
+        sigprocmask(SIG_BLOCK, &ours, &before_);
+    }
+    ~SignalsWait() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+
+    /// In the child: those that have come end it, for it does not hand them on.
+    void end_in_child() const {
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+        sigprocmask(SIG_SETMASK, &before_, nullptr);
+    }
+
+private:
+    sigset_t before_{};
+};
 
 void listen_for_signals() {
     struct sigaction action {};
@@ -103,9 +129,11 @@ pid_t start_child(const std::vector<std::string>& command, const ChildPlace& pla
     std::fflush(nullptr);
     Child& child = place_of(0);
     listen_for_signals();
+    const SignalsWait until_the_child_is_known;
     const pid_t process = fork();
     if (process < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
     if (process == 0) {
+        until_the_child_is_known.end_in_child();
         prctl(PR_SET_PDEATHSIG, SIGTERM);
         if (place.log.empty())
             stand_apart();
@@ -116,6 +144,7 @@ pid_t start_child(const std::vector<std::string>& command, const ChildPlace& pla
     }
     child.stands_apart = place.log.empty() ? 1 : 0;
     child.process = static_cast<std::sig_atomic_t>(process);
+    if (interruption != 0) pass_on(interruption, false, child);  // it came before there was a child
     return process;
 }
 

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <ctime>
 #include <map>
+#include <unistd.h>
 
 #include "app/process/exit_code.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -55,6 +58,32 @@ TEST(Children, AShellReadsTheWordsBack) {
     EXPECT_EQ(wait_for_child().code, Done);
     EXPECT_EQ(test::text_of(folder / "log"), wanted);
     EXPECT_EQ(quoted("--set"), "--set");
+}
+
+/// How a child ends that would sleep for five seconds where the user asks to end so many microseconds after it is asked
+/// for; -1: before. Signals are listened to from the first child on.
+int code_of_sleeper(const std::string& log, int microseconds) {
+    start_child({"true"}, {.log = log});
+    wait_for_child();
+    if (microseconds < 0) raise(SIGTERM);
+    sigevent end{};
+    end.sigev_notify = SIGEV_SIGNAL;
+    end.sigev_signo = SIGTERM;
+    timer_t timer{};
+    timer_create(CLOCK_MONOTONIC, &end, &timer);
+    const itimerspec then{.it_interval = {}, .it_value = {.tv_sec = 0, .tv_nsec = 1000L * microseconds}};
+    if (microseconds > 0) timer_settime(timer, 0, &then, nullptr);
+    start_child({"sleep", "5"}, {.log = log});
+    return wait_for_child().code;
+}
+
+// The signal comes before there is a child, between its birth and the moment at which we know of it, before it has
+// become its program, or later.
+TEST(ChildrenDeathTest, StartingOnesAreToldOfAnInterruption) {
+    const test::TemporaryFolder folder;
+    for (const int microseconds : {-1, 10, 30, 60, 100, 150, 200, 300, 400, 500, 600, 800, 1000, 1500, 2000})
+        EXPECT_EXIT(_exit(code_of_sleeper(folder / "log", microseconds)), testing::ExitedWithCode(Interrupted), "")
+            << microseconds;
 }
 
 }  // namespace
