@@ -239,7 +239,8 @@ MachineReading CondensedEquilibrium::machine_reading() const {
     Eigen::VectorXd& of_cases = reading.imposed_forces_of_cases;
     for (Eigen::Index k = 0; k < of_cases.size(); ++k)
         of_cases[k] = loads.work_of_cases()[at(k)].imposed_force.at(u, factors);
-    if (fine_ == nullptr) return reading;
+    const bool has_answered = fine_ != nullptr && response_.force.size() > 0;  // not where the first iterate has failed
+    if (!has_answered) return reading;
     for (const auto& [place, prescribed, share] : held_) {
         reading.force += share * response_.force[place];
         reading.imposed_force += prescribed->value * response_.force[place];

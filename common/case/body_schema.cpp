@@ -166,7 +166,12 @@ Section<KinematicHardening> kinematic_section() {
 
 Section<MaterialSection> material_section() {
     Section<MaterialSection> s;
-    s.value("young", &MaterialSection::young).in("MPa").positive().must_be_given().says("Young's modulus.");
+    s.value("young", &MaterialSection::young)
+        .in("MPa")
+        .at_least(1e-6)
+        .at_most(1e12)
+        .must_be_given()
+        .says("Young's modulus.");
     s.value("poisson", &MaterialSection::poisson).at_least(0.0).below(0.5).must_be_given().says("Poisson's ratio.");
     s.value("yield_stress", &MaterialSection::yield_stress)
         .in("MPa")

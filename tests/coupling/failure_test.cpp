@@ -104,5 +104,39 @@ TEST_F(FailureInTheZone, IsTheSameExceptionThroughATransport) {
     server.get();
 }
 
+/// A zone in which nothing can be evaluated.
+class Hopeless final : public coupling::FineScale {
+public:
+    explicit Hopeless(const Case& input) : model_(input) {}
+    void set_patch(const coupling::Patch& patch) override { model_.set_patch(patch); }
+    void request(const coupling::PatchDisplacement&) override {}
+    coupling::PatchResponse collect() override { throw NumericalFailure("hopeless"); }
+    coupling::StepReport commit(const coupling::Commit& what) override { return model_.commit(what); }
+    void rollback() override { model_.rollback(); }
+    coupling::ZoneState state() override { return model_.state(); }
+    coupling::ZoneSnapshot snapshot() override { return model_.snapshot(); }
+    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override {
+        model_.restore(patch, snapshot);
+    }
+
+private:
+    fine::FineModel model_;
+};
+
+// What holds the zone has a force once the zone has answered. The sentence on what failed asks for the displacement.
+TEST(FailureOfTheFirstIterate, IsSaidWhereTheZoneIsHeld) {
+    Case input = sent_case({mesh_at_tip(2.0), "fine.radius=500.0"});
+    input.boundaries.back().traction.reset();
+    input.boundaries.back().displacement = {0.0, 0.0};
+    Hopeless fine(input);
+    coarse::CondensedFactory factory(&fine, input);
+    try {
+        run_analysis(input, factory);
+        FAIL() << "nothing failed";
+    } catch (const NumericalFailure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("no increment has converged"), std::string::npos) << failure.what();
+    }
+}
+
 }  // namespace
 }  // namespace stria::test

@@ -148,6 +148,8 @@ TEST_F(CaseFile, PointsAtTheLineOfAValueOutOfRange) {
     EXPECT_EQ(complaint_about("yield_stress = 300.0", "yield_stress = 1e-308"),
               "case.toml:12: material.yield_stress = 1e-308 MPa must be at least 1e-9 of young");
     EXPECT_EQ(complaint_about("poisson = 0.3", "poisson = 0.5"), "case.toml:11: material.poisson = 0.5 must be < 0.5");
+    EXPECT_EQ(complaint_about("young = 200e3", "young = 1e-308"),
+              "case.toml:10: material.young = 1e-308 MPa must be >= 1e-06");
     EXPECT_EQ(complaint_about("young = 200e3", "young = nan"), "case.toml:10: material.young = nan MPa must be finite");
     EXPECT_EQ(complaint_about("[load]", "[load]\nsteps = 5"), "case.toml:25: load.steps = 5 must be even");
     EXPECT_EQ(complaint_about("[load]", "[load]\nsteps = 0"), "case.toml:25: load.steps = 0 must be >= 2");
