@@ -42,9 +42,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
         structure_ = take_nominal_of(scene);
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
-    const UnitResponse unit = unit_response(scene, nominal_, unit_displacement_);
-    K_of_closure_ = stria::coarse::K_of_closure(scene.input, unit);
-    common_K_I_at_start_ = common_K_I(scene.input, unit);
+    nominal_at_start_ = unit_response(scene, nominal_, unit_displacement_);
     if (from != nullptr) go_on_from(*from);
     in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_);
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());

@@ -38,9 +38,8 @@ public:
     [[nodiscard]] const Eigen::VectorXd& nominal_displacement() const { return nominal_displacement_; }
     /// The K of eq. (3), MPa sqrt(mm), one per tip: the largest of the load history.
     [[nodiscard]] const std::vector<double>& largest_K() const { return largest_K_; }
-    /// Of the cracks that the run began with (load_scale.hpp).
-    [[nodiscard]] const std::vector<double>& K_of_closure() const { return K_of_closure_; }
-    [[nodiscard]] const std::vector<double>& common_K_I_at_start() const { return common_K_I_at_start_; }
+    /// Of the cracks that the run began with.
+    [[nodiscard]] const UnitResponse& nominal_at_start() const { return nominal_at_start_; }
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;
 
@@ -132,7 +131,8 @@ private:
     };
     std::optional<FieldsBesideFar> nominal_fields_;  // of the present scene; none: not known near the tips alone
     UnitDisplacement unit_displacement_;             // of the nominal body
-    std::vector<double> largest_K_, K_of_closure_, common_K_I_at_start_;
+    std::vector<double> largest_K_;
+    UnitResponse nominal_at_start_;
     double first_length_ = 0.0;  // of the crack of the first tip at the start, mm
 };
 

@@ -16,10 +16,10 @@ namespace stria::coarse {
 FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory, Listener listener,
                                  const AnalysisState* from)
     : listener_(std::move(listener)), guard_(scene.input.fine.guard), body_(scene, effort_, listener_.note, from),
-      controller_(scene.input.load, scene.input.solver, CaseHistories(scene.input)),
-      closure_(
-          ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks, body_.K_of_closure()),
-          from != nullptr ? from->closure : ClosureMemory()),
+      controller_(graded_load(scene.input, body_.nominal_at_start()), scene.input.solver, CaseHistories(scene.input)),
+      closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks,
+                            K_of_closure(scene.input, body_.nominal_at_start())),
+               from != nullptr ? from->closure : ClosureMemory()),
       cycle_meter_(scene.input, closure_.meter(), body_.nominal().size()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());

@@ -38,8 +38,8 @@ public:
     [[nodiscard]] const std::vector<TipResult>& nominal() const { return body_.nominal(); }
     /// Of the load history, one per tip, MPa sqrt(mm), for the cracks there are.
     [[nodiscard]] const std::vector<double>& largest_K() const { return body_.largest_K(); }
-    /// Of the cycles that growth is made of, for the cracks that the run began with (load_scale.hpp).
-    [[nodiscard]] const std::vector<double>& common_K_I_at_start() const { return body_.common_K_I_at_start(); }
+    /// Of the cracks that the run began with.
+    [[nodiscard]] const UnitResponse& nominal_at_start() const { return body_.nominal_at_start(); }
     [[nodiscard]] const ClosureMeter& closure() const { return closure_.meter(); }
     /// Increments that were halved.
     [[nodiscard]] int cuts() const { return controller_.cuts() + effort_.counts.release_cuts; }

@@ -21,12 +21,19 @@ double exponent_of_K(const GrowthSection& growth) {
     }
 }
 
-/// Of one tip, MPa sqrt(mm). `friction`: none where faces never touch.
-double equivalent_K(double K_I, double K_II, const std::optional<double>& friction) {
-    double sheared = std::abs(K_II);
-    if (friction && K_I < 0.0) sheared = std::max(sheared + *friction * K_I, 0.0);
-    return std::sqrt(std::pow(std::max(K_I, 0.0), 2) + 3.0 * sheared * sheared);
-}
+/// Of one tip, MPa sqrt(mm).
+struct Modes {
+    double K_I, K_II;
+    std::optional<double> friction;  // none: faces never touch
+
+    [[nodiscard]] bool is_pressed() const { return friction && K_I < 0.0; }
+    [[nodiscard]] double sliding() const {
+        return is_pressed() ? std::max(std::abs(K_II) + *friction * K_I, 0.0) : std::abs(K_II);
+    }
+    [[nodiscard]] double equivalent() const {
+        return std::sqrt(std::pow(std::max(K_I, 0.0), 2) + 3.0 * sliding() * sliding());
+    }
+};
 
 std::optional<double> friction_of(const UnitResponse& nominal, std::size_t t) {
     return t < nominal.friction.size() ? nominal.friction[t] : std::nullopt;
@@ -41,6 +48,46 @@ std::vector<double> K_II_of_cases(const UnitResponse& nominal, std::size_t t, co
 }
 
 double value_at(const std::vector<double>& values, std::size_t t) { return t < values.size() ? values[t] : 0.0; }
+
+double largest_of_cases(const CaseHistories& cases, std::vector<double> K, double sign, double scale) {
+    for (double& of_case : K) of_case *= sign;
+    return cases.largest_sum(K, scale);
+}
+
+/// Of each tip at the two extremes of the history.
+struct Extremes {
+    Modes at_largest, at_smallest;
+};
+std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& nominal, double grown,
+                               const CaseHistories& cases) {
+    const double scale = target_of_unit(load, nominal.K_I, grown);
+    const double largest = load_factor_at(largest_value(load), load, nominal, grown);
+    const double smallest = load_factor_at(smallest_value(load), load, nominal, grown);
+    std::vector<Extremes> all;
+    for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
+        double added_I = value_at(nominal.K_initial, t), added_II = 0.0;
+        if (cases.count() > 0) {
+            const std::vector<double> K_II = K_II_of_cases(nominal, t, cases);
+            added_I += largest_of_cases(cases, nominal.K_I_of_cases[t], 1.0, scale);
+            added_II = std::max(largest_of_cases(cases, K_II, 1.0, scale), largest_of_cases(cases, K_II, -1.0, scale));
+        }
+        const auto at = [&](double factor) -> Modes {
+            return {nominal.K_I[t] * factor + added_I, std::abs(value_at(nominal.K_II, t) * factor) + added_II,
+                    friction_of(nominal, t)};
+        };
+        all.push_back({at(largest), at(smallest)});
+    }
+    return all;
+}
+
+bool slides_under_pressure(const Case& input, const UnitResponse& nominal) {
+    constexpr double rounding = 1e-3;  // of a K_II that symmetry forbids, of K_I
+    const auto slides = [](const Modes& tip) {
+        return tip.is_pressed() && *tip.friction > 0.0 && tip.sliding() > -rounding * tip.K_I;
+    };
+    return std::ranges::any_of(extremes(input.load, nominal, 0.0, CaseHistories(input)),
+                               [&](const Extremes& tip) { return slides(tip.at_largest) || slides(tip.at_smallest); });
+}
 
 }  // namespace
 
@@ -60,27 +107,16 @@ double load_factor_at(double value, const LoadSection& load, const UnitResponse&
 
 std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown,
                               const CaseHistories& cases) {
-    const double scale = target_of_unit(load, nominal.K_I, grown);
-    const auto largest_of_cases = [&](std::vector<double> K, double sign) {
-        for (double& of_case : K) of_case *= sign;
-        return cases.largest_sum(K, scale);
-    };
     std::vector<double> K;
-    for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
-        double added_I = value_at(nominal.K_initial, t), added_II = 0.0;
-        if (cases.count() > 0) {
-            const std::vector<double> K_II = K_II_of_cases(nominal, t, cases);
-            added_I += largest_of_cases(nominal.K_I_of_cases[t], 1.0);
-            added_II = std::max(largest_of_cases(K_II, 1.0), largest_of_cases(K_II, -1.0));
-        }
-        const auto at = [&](double value) {
-            const double factor = load_factor_at(value, load, nominal, grown);
-            return equivalent_K(nominal.K_I[t] * factor + added_I,
-                                std::abs(value_at(nominal.K_II, t) * factor) + added_II, friction_of(nominal, t));
-        };
-        K.push_back(std::max(at(largest_value(load)), at(smallest_value(load))));
-    }
+    for (const auto& [at_largest, at_smallest] : extremes(load, nominal, grown, cases))
+        K.push_back(std::max(at_largest.equivalent(), at_smallest.equivalent()));
     return K;
+}
+
+LoadSection graded_load(const Case& input, const UnitResponse& nominal) {
+    LoadSection load = input.load;
+    if (load.steps.is_auto() && !load.grading && slides_under_pressure(input, nominal)) load.grading = 1.0;
+    return load;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include "common/case/case_file.hpp"
 #include "tests/support/folders.hpp"
 #include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
@@ -43,6 +44,34 @@ TEST(ChosenIncrements, KeepTheAccuracyOfACrackThatGrows) {
 
 TEST(ChosenIncrements, KeepTheAccuracyOfFacesThatAreClosedHalfOfTheTimeLong) {
     expect_accuracy("/cases/sent-closure/case.toml", {"load.blocks.0.ratio=-1.0"}, 0.005, 2e-4);
+}
+
+/// What friction dissipates in three cycles between pulling and pressing a plate with a crack at 45 degrees that grows,
+/// N.
+double work_of_friction(std::optional<int> steps) {
+    Case input = specimen("plate", 80.0, {{32.93, 32.94}, {47.07, 47.06}});
+    input.mesh.width = 80.0;
+    input.mesh.size = 2.0;
+    input.material.young = 200e3;
+    input.material.yield_stress = 300.0;
+    input.material.kinematic = {{.C = 4000.0}};
+    input.cracks[0].contact = ContactSection{.friction = 0.3};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load.blocks = {{.cycles = 3, .max = 80.0, .min = -80.0}};
+    input.growth = GrowthSection{.increment = 0.25};
+    input.fine.refine = 4;
+    if (steps) {
+        input.load.steps = *steps;
+        input.load.grading = 1.0;
+    }
+    return run_direct(input).increments.back().work.by_friction;
+}
+
+// Half of the way in one increment, as in a half cycle without friction, lost a third of it.
+TEST(ChosenIncrements, TellTheWorkOfFacesThatSlideUnderPressure) {
+    const double exact = work_of_friction(96);
+    EXPECT_GT(exact, 1.0);
+    EXPECT_NEAR(work_of_friction({}), exact, 0.01 * exact);
 }
 
 }  // namespace
