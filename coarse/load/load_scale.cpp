@@ -80,13 +80,10 @@ std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& nomi
     return all;
 }
 
-bool slides_under_pressure(const Case& input, const UnitResponse& nominal) {
-    constexpr double rounding = 1e-3;  // of a K_II that symmetry forbids, of K_I
-    const auto slides = [](const Modes& tip) {
-        return tip.is_pressed() && *tip.friction > 0.0 && tip.sliding() > -rounding * tip.K_I;
-    };
+bool presses_rough_faces(const Case& input, const UnitResponse& nominal) {
+    const auto rubs = [](const Modes& tip) { return tip.is_pressed() && *tip.friction > 0.0; };
     return std::ranges::any_of(extremes(input.load, nominal, 0.0, CaseHistories(input)),
-                               [&](const Extremes& tip) { return slides(tip.at_largest) || slides(tip.at_smallest); });
+                               [&](const Extremes& tip) { return rubs(tip.at_largest) || rubs(tip.at_smallest); });
 }
 
 }  // namespace
@@ -115,7 +112,7 @@ std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nomin
 
 LoadSection graded_load(const Case& input, const UnitResponse& nominal) {
     LoadSection load = input.load;
-    if (load.steps.is_auto() && !load.grading && slides_under_pressure(input, nominal)) load.grading = 1.0;
+    if (load.steps.is_auto() && !load.grading && presses_rough_faces(input, nominal)) load.grading = 1.0;
     return load;
 }
 

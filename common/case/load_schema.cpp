@@ -55,7 +55,7 @@ Section<LoadSection> load_section() {
             "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one.");
     s.value("grading", &LoadSection::grading)
         .positive()
-        .or_else("0.4 with steps = \"auto\", 1 where faces then slide under pressure; else 0.6")
+        .or_else("0.4 with steps = \"auto\", 1 where the load then presses faces with friction; else 0.6")
         .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.4: "
               "large where little flows, small where the load turns.");
     s.list("blocks", &LoadSection::blocks, block_section())
