@@ -8,7 +8,6 @@
 #include "app/run/coarse_run.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
-#include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
 #include "coarse/zone/case_warnings.hpp"
@@ -136,18 +135,18 @@ int check(const RunOptions& options) {
     print_estimate_of_body("", scene);
     const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
     print_handbook(nominal);
-    const std::vector<double> K_I =
-        coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, coarse::CaseHistories(input));
-    const std::vector<double> common_K_I = coarse::common_K_I(input, coarse::unit_response(nominal));
+    const coarse::UnitResponse unit = coarse::unit_response(nominal);
+    const std::vector<double> K = coarse::largest_K(input.load, unit, 0.0, coarse::CaseHistories(input));
+    const std::vector<double> common_K_I = coarse::common_K_I(input, unit);
     for (const std::string& warning : coarse::case_warnings(scene, common_K_I)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
     } else {
         print_zone_estimate(scene, nominal);
-        print_way(scene, nominal, K_I);
+        print_way(scene, nominal, K);
     }
-    print_estimate(nominal, K_I);
+    print_estimate(nominal, K);
     return 0;
 }
 

@@ -26,8 +26,8 @@ int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<uns
 
 /// How far ahead of a tip metal flows at its largest load, measured along the crack, mm. In plane strain it flows to
 /// the sides: the elastic stresses reach yield at most 0.47 times as far ahead as away from the tip (nu = 0.3).
-double flow_ahead(PlaneState plane, double K_I, double yield_stress) {
-    const double away = forward_zone(K_I, yield_stress, plane);
+double flow_ahead(PlaneState plane, double K, double yield_stress) {
+    const double away = forward_zone(K, yield_stress, plane);
     return plane == PlaneState::Strain ? 0.47 * away : away;
 }
 
@@ -43,7 +43,7 @@ double way_ahead(const Case& input, double flow, double radius, Room room) {
 }  // namespace
 
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
-                                          const std::vector<double>& K_I, Room room) {
+                                          const std::vector<double>& K, Room room) {
     const EnrichedMesh& mesh = scene.enriched;
     const FineSection& fine = scene.input.fine;
     const int levels = levels_of(fine);
@@ -54,19 +54,19 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
         const int element = piece_at(mesh, tip).element;
         const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
         const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
-        const double radius = std::max(zone_radius(fine, yield_stress[t], K_I[t]), 3.0 * smallest);
-        const double flow = flow_ahead(scene.input.model.plane, K_I[t], yield_stress[t]);
+        const double radius = std::max(zone_radius(fine, yield_stress[t], K[t]), 3.0 * smallest);
+        const double flow = flow_ahead(scene.input.model.plane, K[t], yield_stress[t]);
         const Vec2 ahead = way_ahead(scene.input, flow, radius, room) * direction_of_end(cracks[at(tip.crack)], tip);
         disks.push_back({tip.position, end_of(cracks[at(tip.crack)], tip) + ahead, radius, levels, fine.growth});
     }
     return disks;
 }
 
-ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K_I, const ElementSet& whole) {
+ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K, const ElementSet& whole) {
     constexpr int steps = 10;
     ElementSet soon(scene.mesh.elements.size());
     if (scene.input.fine.refine == 1 || !scene.input.growth) return soon;
-    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K_I, Room::ToGrow);
+    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K, Room::ToGrow);
     for (std::size_t t = 0; t < disks.size(); ++t) {
         const Tip& tip = scene.enriched.tips[t];
         const double step = scene.input.growth->increment.value_or(tip_element_edge(scene.enriched, tip));
@@ -78,8 +78,8 @@ ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>&
     return soon;
 }
 
-ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way) {
-    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K_I, Room::ToGrow);
+ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K, double way) {
+    std::vector<RefinedDisk> disks = disks_about_tips(scene, scene.input.cracks, K, Room::ToGrow);
     for (std::size_t t = 0; t < disks.size(); ++t) disks[t].to += way * scene.enriched.tips[t].direction;
     const Mesh mesh = refine(scene.mesh, disks).mesh;
     const auto is_split = [](int level) { return level > 0; };

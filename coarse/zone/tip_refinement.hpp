@@ -16,13 +16,13 @@ enum class Room {
 
 /// One disk per tip: the radius of its zone, and at least the elements about its own, so that tip functions end within
 /// the smallest elements. How long the run will be does not show: it may be resumed with more cycles. `cracks`: those
-/// of the scene, or longer ones, which the disks follow from the present tips on. `K_I`: the largest of the load
+/// of the scene, or longer ones, which the disks follow from the present tips on. `K`: the largest of the load
 /// history, one per tip, MPa sqrt(mm).
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
-                                          const std::vector<double>& K_I, Room room);
+                                          const std::vector<double>& K, Room room);
 
 /// Elements that may be split as the cracks take their next steps straight ahead. `whole`: that never are.
-[[nodiscard]] ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K_I,
+[[nodiscard]] ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K,
                                                 const ElementSet& whole);
 
 /// How many elements small ones make of a scene's mesh once each tip has gone straight on by `way`, mm, and how many of
@@ -30,7 +30,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
 struct ElementsOfAWay {
     int all, split;
 };
-ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K_I, double way);
+ElementsOfAWay elements_after(const Scene& scene, const std::vector<double>& K, double way);
 
 /// One disk per tip as far as those elements reach that flow and belong to it (coupling/flow_shells.hpp), together with
 /// those that have flowed before: there no element is larger than a quarter of its distance from the tip. Flow

@@ -101,12 +101,12 @@ double bytes_of_body(const Scene& scene) {
            bytes_for_rim * std::pow(rim_of_body(scene), 2) + bytes_of_cycle * cycle_count(scene.input.load);
 }
 
-WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K_I) {
+WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K) {
     const Scene& scene = nominal.structure->scene();
     const Case& input = scene.input;
     const int per_element = 4 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
     const ElementSet yielding = yields(nominal);
-    ElementSet zone = select_zone(scene, K_I);
+    ElementSet zone = select_zone(scene, K);
     for (int e = 0; e < zone.size(); ++e)
         if (yielding.contains(e)) zone.insert(e);
 

@@ -86,23 +86,23 @@ void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
 
 }  // namespace
 
-double subdivision_radius(double beta, double K_I, double yield_stress) {
-    return beta * (std::numbers::pi / 16.0) * (K_I * K_I) / (yield_stress * yield_stress);
+double subdivision_radius(double beta, double K, double yield_stress) {
+    return beta * (std::numbers::pi / 16.0) * (K * K) / (yield_stress * yield_stress);
 }
 
-double zone_radius(const FineSection& fine, double yield_stress, double K_I) {
+double zone_radius(const FineSection& fine, double yield_stress, double K) {
     if (fine.radius) return *fine.radius;
-    return subdivision_radius(fine.beta, std::max(K_I, 0.0), yield_stress);
+    return subdivision_radius(fine.beta, std::max(K, 0.0), yield_stress);
 }
 
-ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
+ElementSet select_zone(const Scene& scene, const std::vector<double>& K) {
     ElementSet zone(scene.mesh.elements.size());
     for (int e = 0; e < zone.size(); ++e)
         if (scene.mesh.is_split(e)) zone.insert(e);
     add_touching_faces(scene, zone);
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
-        add_disk(scene, t, zone_radius(scene.input.fine, yield_stress[at(t)], K_I[at(t)]), zone);
+        add_disk(scene, t, zone_radius(scene.input.fine, yield_stress[at(t)], K[at(t)]), zone);
     add_elements_that_jump(scene, zone);
     const int subcells = subcells_elsewhere(scene.input.fine);
     const double points = 4.0 * subcells * subcells * zone.count();
@@ -110,9 +110,9 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I) {
     return zone;
 }
 
-std::vector<double> expected_K(std::vector<double> K_I) {
-    for (double& K : K_I) K *= 1.02;
-    return K_I;
+std::vector<double> expected_K(std::vector<double> K) {
+    for (double& of_tip : K) of_tip *= 1.02;
+    return K;
 }
 
 ElementSet with_ring(const Scene& scene, ElementSet in_zone, const std::vector<int>& joining) {

@@ -10,19 +10,19 @@
 
 namespace stria::coarse {
 
-/// Eq. (3): R_sub = beta * (pi/16) * K_I^2 / sigma_y^2, mm.
-double subdivision_radius(double beta, double K_I, double yield_stress);
+/// Eq. (3): R_sub = beta * (pi/16) * K^2 / sigma_y^2, mm. `K`: largest_K (load_scale.hpp).
+double subdivision_radius(double beta, double K, double yield_stress);
 
 /// Radius of the zone about a tip, mm: that of the case, or eq. (3). 0 without either. `yield_stress`: at the tip, MPa;
 /// infinite where nothing yields.
-double zone_radius(const FineSection& fine, double yield_stress, double K_I);
+double zone_radius(const FineSection& fine, double yield_stress, double K);
 
-/// The elements of the zone. `K_I`: the largest of the load history, MPa sqrt(mm), one per tip. None in elastic,
+/// The elements of the zone. `K`: the largest of the load history, MPa sqrt(mm), one per tip. None in elastic,
 /// traction-free scenes.
-ElementSet select_zone(const Scene& scene, const std::vector<double>& K_I);
+ElementSet select_zone(const Scene& scene, const std::vector<double>& K);
 
-/// What K_I is expected to be at most after a step of growth: K grows with the cracks.
-std::vector<double> expected_K(std::vector<double> K_I);
+/// What K is expected to be at most after a step of growth: it grows with the cracks.
+std::vector<double> expected_K(std::vector<double> K);
 
 /// A zone that some elements join together with their neighbours. The neighbours give a growing plastic zone room, so
 /// that it does not ask again at once.

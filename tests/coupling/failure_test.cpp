@@ -9,6 +9,7 @@
 #include "coupling/transport/remote_fine_scale.hpp"
 #include "coupling/transport/serve.hpp"
 #include "tests/support/deadline.hpp"
+#include "tests/support/fails_sometimes.hpp"
 #include "tests/support/plates.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -104,31 +105,13 @@ TEST_F(FailureInTheZone, IsTheSameExceptionThroughATransport) {
     server.get();
 }
 
-/// A zone in which nothing can be evaluated.
-class Hopeless final : public coupling::FineScale {
-public:
-    explicit Hopeless(const Case& input) : model_(input) {}
-    void set_patch(const coupling::Patch& patch) override { model_.set_patch(patch); }
-    void request(const coupling::PatchDisplacement&) override {}
-    coupling::PatchResponse collect() override { throw NumericalFailure("hopeless"); }
-    coupling::StepReport commit(const coupling::Commit& what) override { return model_.commit(what); }
-    void rollback() override { model_.rollback(); }
-    coupling::ZoneState state() override { return model_.state(); }
-    coupling::ZoneSnapshot snapshot() override { return model_.snapshot(); }
-    void restore(const coupling::Patch& patch, const coupling::ZoneSnapshot& snapshot) override {
-        model_.restore(patch, snapshot);
-    }
-
-private:
-    fine::FineModel model_;
-};
-
 // What holds the zone has a force once the zone has answered. The sentence on what failed asks for the displacement.
 TEST(FailureOfTheFirstIterate, IsSaidWhereTheZoneIsHeld) {
     Case input = sent_case({mesh_at_tip(2.0), "fine.radius=500.0"});
     input.boundaries.back().traction.reset();
     input.boundaries.back().displacement = {0.0, 0.0};
-    Hopeless fine(input);
+    FailsSometimes fine(input);
+    fine.fails = true;
     coarse::CondensedFactory factory(&fine, input);
     try {
         run_analysis(input, factory);
