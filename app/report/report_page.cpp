@@ -18,7 +18,6 @@ namespace {
 
 using charts::escaped;
 
-constexpr double large_error = 0.01;            // of the work balance
 constexpr std::size_t most_case_text = 200000;  // bytes: a spectrum in the case may be long
 
 double last_of(const NumberTable& table, const std::string& column) {
@@ -52,16 +51,6 @@ std::string sentence_on_opening_loads(const RunRecord& run) {
     return lost > 0
                ? fmt::format("{} rows of cycles.csv have no K_op: closed all cycle, or no trial equilibrium tells it.",
                              lost)
-               : "";
-}
-
-std::string sentence_on_balance(const RunRecord& run) {
-    if (!run.history.columns.contains("external_work")) return "";
-    double most = 0.0;
-    for (const double work : run.history["external_work"]) most = std::fmax(most, std::abs(work));
-    const double share = std::abs(last_of(run.history, "balance_error")) / most;
-    return share > large_error
-               ? fmt::format("The work balance is open by {:.2g} % of the largest work of the loads.", 100.0 * share)
                : "";
 }
 
@@ -120,7 +109,6 @@ std::vector<std::string> warnings_of(const RunRecord& run) {
     all.push_back(sentence_on_count(run, "overlapping_faces",
                                     "increments in which faces without contact overlap, and metal flows by it."));
     all.push_back(sentence_on_opening_loads(run));
-    all.push_back(sentence_on_balance(run));
     std::erase(all, "");
     return all;
 }

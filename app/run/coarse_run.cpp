@@ -7,6 +7,7 @@
 #include "app/process/exit_code.hpp"
 #include "app/process/interruption.hpp"
 #include "app/process/version.hpp"
+#include "coarse/analysis/run_texts.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/results/summary.hpp"
 #include "coarse/zone/case_warnings.hpp"
@@ -142,6 +143,10 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     } catch (const NumericalFailure& failure) {
         summarise("failed", analysis, *recorder, fine);
         throw NumericalFailure(fmt::format("{}; {}", failure.what(), last_checkpoint()));
+    }
+    if (const std::string doubt = coarse::work_out_of_balance(analysis.work()); !doubt.empty()) {
+        progress_.note("warning: " + doubt);
+        warnings_.push_back(doubt);
     }
     const bool done = analysis.finished();
     summarise(done ? "done" : "interrupted", analysis, *recorder, fine);

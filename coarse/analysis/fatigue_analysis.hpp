@@ -28,6 +28,8 @@ public:
     /// Growth has ended the run, and neither arrest nor the mesh: the cycles up to now are the life.
     [[nodiscard]] bool life_is_over() const;
 
+    [[nodiscard]] const WorkBalance& work() const { return model_.work(); }  // of the committed state
+
     /// Between increments: where the listener is told that a load has been reached or that none will be, and after
     /// run() has returned.
     [[nodiscard]] AnalysisState state() const;

@@ -25,6 +25,10 @@ namespace stria::coarse {
 /// overlap. Says so for the first of a kind.
 [[nodiscard]] std::vector<std::string> count_doubts(const Increment& increment, const Scene& scene, RunCounts& counts);
 
+/// Empty where the work that the loads have done is found again: to within a hundredth of it, and of what flow,
+/// friction and growth have taken well enough for that to be a number.
+[[nodiscard]] std::string work_out_of_balance(const WorkBalance& work);
+
 /// Of so many elements outside the zone that are beyond yield.
 [[nodiscard]] std::string elements_stay_elastic(const LoadStep& step, std::size_t elements);
 [[nodiscard]] std::string elements_join_zone(const LoadStep& step, std::size_t elements);

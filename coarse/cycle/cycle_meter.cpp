@@ -34,9 +34,10 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
     const double K = increment.K_at_end(t);
     cycle.a = tip.a;
     cycle.K_initial = increment.initial_K(t);
-    cycle.K_min = std::min(cycle.K_min, K);
+    cycle.K_min = std::isnan(K) ? K : std::min(cycle.K_min, K);
+    if (std::isnan(K)) cycle.K_max = K;
     if (loading) {
-        cycle.K_max = std::max(cycle.K_max, K);
+        cycle.K_max = std::max(cycle.K_max, K);       // NaN stays NaN
         cycle.J_max = std::fmax(cycle.J_max, tip.J);  // NaN where nobody tells J
     }
     cycle.CTOD.include(tip.CTOD, loading);

@@ -17,7 +17,7 @@ struct OpeningLoads {
 /// Of a number in a cycle: the largest that loading reaches, and the smallest. What is no number leaves them as they
 /// are.
 struct Extremes {
-    double most = -1e300, least = 1e300;
+    double most = -std::numeric_limits<double>::infinity(), least = std::numeric_limits<double>::infinity();
 
     void include(double value, bool loading) {
         if (!std::isfinite(value)) return;
@@ -33,7 +33,8 @@ struct Extremes {
 /// crack grows by: the maximum that a cycle starts from belongs to the one before.
 struct CycleResult {
     double a = 0.0, da = 0.0;  // mm; grown since the cycle before ended
-    double K_max = -1e300, K_min = 1e300;
+    // Of all increments so far, infinite before the first; NaN where no ring has told K in one of them.
+    double K_max = -std::numeric_limits<double>::infinity(), K_min = std::numeric_limits<double>::infinity();
     double J_max = std::numeric_limits<double>::quiet_NaN();
     Extremes CTOD, opening_behind;  // mm; the second at closure.distance behind the tip
     double forward = 0.0, cyclic = 0.0, forward_axis = 0.0, cyclic_axis = 0.0;  // plastic zones, mm

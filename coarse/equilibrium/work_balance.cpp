@@ -1,5 +1,6 @@
 #include "coarse/equilibrium/work_balance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +66,7 @@ void add_work(WorkBalance& balance, const Trapezoid& main, const std::vector<Tra
         balance.external += cases[at(k)].area;
         balance.by_cases[k] += cases[at(k)].area + share * contact;
     }
+    balance.largest = std::max(balance.largest, std::abs(balance.external));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Whether the work that goes into the body comes out again: stored, dissipated, or released by its growing cracks.
 #pragma once
 
+#include <cmath>
+
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
@@ -10,6 +12,7 @@ namespace stria::coarse {
 /// Of the whole body so far, N (per mm of thickness). All that must be kept to go on from a converged increment.
 struct WorkBalance {
     double external = 0.0;     // done by loads and imposed displacements
+    double largest = 0.0;      // that it has been, by magnitude
     Eigen::VectorXd by_cases;  // its shares of the load cases; empty before the first increment
     double stored = 0.0;       // elastic energy and what hardening holds: of the present state
     double dissipated = 0.0;   // by plastic flow and friction
@@ -26,6 +29,9 @@ struct WorkBalance {
 
     /// What trapezoids and backward Euler leave over: of second order in the increments.
     [[nodiscard]] double error() const { return external + at_start - stored - dissipated - released; }
+    // Shares that the error has; NaN where there is no such work, or where nobody has seen what was released.
+    [[nodiscard]] double share_of_largest() const { return std::abs(error()) / largest; }
+    [[nodiscard]] double share_of_lost() const { return std::abs(error()) / (dissipated + std::abs(released)); }
 };
 
 /// Adds an increment that ended at `u` (of the whole mesh; Gamma is looked at), with what a testing machine reads

@@ -154,9 +154,10 @@ void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
 }
 
 void members(auto& archive, Is<WorkBalance> auto& m) {
-    auto& [external, by_cases, stored, dissipated, by_friction, released, at_start, load_factor, load_displacement,
-           imposed_force, cases, case_displacements, case_forces] = m;
+    auto& [external, largest, by_cases, stored, dissipated, by_friction, released, at_start, load_factor,
+           load_displacement, imposed_force, cases, case_displacements, case_forces] = m;
     archive("external", external);
+    archive("largest", largest);
     archive("by_cases", by_cases);
     archive("stored", stored);
     archive("dissipated", dissipated);

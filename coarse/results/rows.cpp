@@ -9,9 +9,6 @@
 namespace stria::coarse {
 namespace {
 
-/// A K of a cycle; missing where no ring has told any in it, for then not even its extremes are known.
-double told(const CycleResult& cycle, double K) { return cycle.K_max < cycle.K_min ? missing : K; }
-
 HistoryRow row_of_body(const Increment& increment, double load, double displacement) {
     HistoryRow row;
     row.increment = increment.number;
@@ -70,10 +67,10 @@ CycleRow cycle_row(const Increment& increment, int tip) {
     row.a = cycle.a;
     row.da = cycle.da;
     row.dN = cycle.dN;
-    row.K_max = told(cycle, cycle.K_max);
-    row.K_min = told(cycle, cycle.K_min);
-    row.K_op = told(cycle, cycle.opening.K_op);
-    row.K_cl = told(cycle, cycle.opening.K_cl);
+    row.K_max = cycle.K_max;
+    row.K_min = cycle.K_min;
+    row.K_op = cycle.opening.K_op;
+    row.K_cl = cycle.opening.K_cl;
     row.U = (row.K_max - row.K_op) / (row.K_max - row.K_min);
     row.dK_eff = row.K_max - row.K_op;
     row.J_max = cycle.J_max;
@@ -85,7 +82,7 @@ CycleRow cycle_row(const Increment& increment, int tip) {
     row.fine_unknowns = increment.zone.unknowns;
     row.forward_zone_axis = cycle.forward_axis;
     row.cyclic_zone_axis = cycle.cyclic_axis;
-    row.K_op_contact = told(cycle, cycle.contact.front().K_op);
+    row.K_op_contact = cycle.contact.front().K_op;
     row.K_op_offset = cycle.offset.K_op;
     row.K_op_tension = cycle.tension.K_op;
     row.K_initial = cycle.K_initial;
@@ -97,8 +94,8 @@ std::vector<ClosureRow> closure_rows(const Increment& increment, int tip, const 
     const CycleResult& cycle = increment.cycles[at(tip)];
     for (std::size_t k = 0; k < cycle.contact.size(); ++k) {
         const auto slip = [&](const std::vector<double>& K) { return K.empty() ? missing : K[k]; };
-        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], told(cycle, cycle.contact[k].K_op),
-                        told(cycle, cycle.contact[k].K_cl), slip(cycle.K_slip), slip(cycle.K_slip_unloading)});
+        rows.push_back({increment.step.cycle, tip, closure.distances(tip)[k], cycle.contact[k].K_op,
+                        cycle.contact[k].K_cl, slip(cycle.K_slip), slip(cycle.K_slip_unloading)});
     }
     return rows;
 }

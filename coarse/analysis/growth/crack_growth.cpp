@@ -70,11 +70,10 @@ bool CrackGrowth::is_due(const Increment& reached) {
 GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors, const std::vector<TipResult>& reached,
                              const std::vector<CycleResult>& last) {
     if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
-    require_drive(rates_.present());
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
-    if (!is_over(nominal)) {
+    if (!is_over(nominal, last)) {
         // At minima the first chance to grow has a cycle less behind it, which would leave one out of the mean.
         if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
         const std::vector<TipResult> guides =
@@ -137,7 +136,7 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
 }
 
 // What drives the tips has been measured.
-void CrackGrowth::require_drive(const std::vector<double>& rates) const {
+void CrackGrowth::require_drive(const std::vector<double>& rates, const std::vector<CycleResult>& last) const {
     const auto unread = std::ranges::find_if(rates, [](double rate) { return std::isnan(rate); });
     if (unread == rates.end()) return;
     const auto tip = unread - rates.begin();
@@ -145,6 +144,8 @@ void CrackGrowth::require_drive(const std::vector<double>& rates) const {
         throw NumericalFailure(fmt::format("tip {}: no opening range at closure.distance behind it, which drives the "
                                            "growth: the crack is shorter than that",
                                            tip));
+    if (!grows_by_opening_loads(growth_) || std::isnan(last[at(tip)].K_max))
+        throw NumericalFailure(fmt::format("K drives the growth, and no ring about tip {} tells it", tip));
     throw NumericalFailure(fmt::format(
         "K_op drives the growth, and no equilibrium of {} tells it for tip {}; finer increments (load.steps) may",
         takes_mean_ ? "a cycle since the growth before" : "the last cycle", tip));
@@ -158,19 +159,20 @@ int CrackGrowth::broken_tip() const {
     return tip != K_reached_.end() ? static_cast<int>(tip - K_reached_.begin()) : -1;
 }
 
-bool CrackGrowth::is_over(const std::vector<TipResult>& nominal) const {
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const {
     if (const int tip = broken_tip(); tip >= 0) {
         note_(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", tip, K_reached_[at(tip)]));
         return true;
     }
-    if (!rates_.present().empty() && !is_driven()) {
-        note_("nothing drives a tip any more: the crack is arrested");
-        return true;
-    }
     const auto longest =
         std::ranges::find_if(nominal, [&](const auto& t) { return is_as_long_as_asked(growth_, t.a); });
-    if (longest == nominal.end()) return false;
-    note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", longest - nominal.begin(), longest->a));
+    if (longest != nominal.end()) {
+        note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", longest - nominal.begin(), longest->a));
+        return true;
+    }
+    require_drive(rates_.present(), last);
+    if (rates_.present().empty() || is_driven()) return false;
+    note_("nothing drives a tip any more: the crack is arrested");
     return true;
 }
 

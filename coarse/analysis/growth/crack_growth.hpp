@@ -52,10 +52,10 @@ public:
     void count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present);
 
 private:
-    void require_drive(const std::vector<double>& rates) const;
+    void require_drive(const std::vector<double>& rates, const std::vector<CycleResult>& last) const;
     /// A tip whose K has reached growth.toughness since it grew, or -1.
     [[nodiscard]] int broken_tip() const;
-    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal) const;
+    [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
     /// That the growth at the beginning of the present period took.
     [[nodiscard]] double cycles_of_period(const Scene& present);
     using Cracks = std::vector<CrackSection>;

@@ -20,14 +20,17 @@ double driving_range(GrowthDriving driving, const CycleResult& cycle) {
     return cycle.K_max - cycle.opening.K_op;
 }
 
+/// What drives the tip has not been told.
+bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
+    if (growth.law == GrowthLaw::Ctod) return std::isnan(cycle.opening_range());
+    return std::isnan(cycle.K_max) || (grows_by_opening_loads(growth) && cycle.opening.lost);
+}
+
 }  // namespace
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
-    const bool unread = grows_by_opening_loads(growth)
-                            ? cycle.opening.lost
-                            : growth.law == GrowthLaw::Ctod && std::isnan(cycle.opening_range());
-    if (unread) return std::numeric_limits<double>::quiet_NaN();
+    if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
     const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.opening_range();
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
 }

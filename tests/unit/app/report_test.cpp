@@ -197,19 +197,6 @@ TEST(Report, SaysFirstWhatTheReaderHasToKnow) {
     EXPECT_LT(page.find("a &lt;sentence&gt;"), page.find("<svg"));
 }
 
-TEST(Report, WarnsOfAWorkBalanceThatIsOpenBesideTheLargestWork) {
-    const test::TemporaryFolder folder;
-    const auto warns = [&](const char* error) {
-        std::ofstream(folder / "history.csv")
-            << "increment,cycle,load_factor,tip,a,external_work,balance_error\n1,0,1,0,5,-200,0\n2,1,0,0,5,0.1,"
-            << error << '\n';
-        std::ofstream(folder / "summary.json") << R"({"status": "done"})";
-        return !warnings_of(read_run(folder / "")).empty();
-    };
-    EXPECT_TRUE(warns("-2.1"));
-    EXPECT_FALSE(warns("1.9"));
-}
-
 /// Two squares of 1 mm, one above the other; they part at y = 1 by 0.002 mm.
 coarse::FieldData opened_pair(double strain) {
     coarse::FieldData data;

@@ -21,7 +21,7 @@ protected:
         Increment increment;
         increment.step.cycle = cycle;
         increment.step.target.value = increment.load_factor = load;
-        increment.nominal_K = {10.0 * a};
+        increment.nominal_K = {told ? 10.0 * a : NAN};
         if (initial_K != 0.0) increment.K_initial = {initial_K};
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
@@ -40,6 +40,7 @@ protected:
     CycleMeter meter;
     double initial_K = 0.0, way = 1.0;  // of the tip, over the length that the crack is said to have
     double opening_at_tip = 0.0;        // beside what the load makes
+    bool told = true;                   // K, by a ring
 };
 
 TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
@@ -260,6 +261,23 @@ TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
         EXPECT_TRUE(std::isnan(result.K_slip_unloading.at(1)));
         EXPECT_TRUE(cycle == 1 ? result.K_slip[1] == 120.0 : std::isnan(result.K_slip[1]));
         EXPECT_EQ(result.contact.size(), 2U);
+    }
+}
+
+// They were 1e300 and -1e300, and the crack was arrested.
+TEST_F(CycleMeterTest, KnowsNoExtremesOfKWhereNoRingHasToldOneOfThem) {
+    for (const bool told_at_end : {false, true}) {
+        told = true;
+        go(0, 20.0, 1.0, false);
+        told = false;
+        go(1, 0.0, 1.0, false);
+        go(1, 10.0, 1.0, false);
+        told = told_at_end;
+        go(1, 20.0, 1.0, false);
+        const CycleResult cycle = meter.finish().at(0);
+        for (const double K : {cycle.K_max, cycle.K_min, cycle.opening.K_op, cycle.opening.K_cl})
+            EXPECT_TRUE(std::isnan(K)) << K;
+        meter = CycleMeter(input, closure, 1);
     }
 }
 

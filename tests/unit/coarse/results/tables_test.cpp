@@ -60,21 +60,6 @@ TEST(Tables, LeaveSlipEmptyWhereNobodyMeasuresIt) {
     EXPECT_EQ(closure_rows(increment, 0, closure).at(1).K_slip, 70.0);
 }
 
-// They were written as 1e300: no ring about the tip tells K where it is too near to a load.
-TEST(Tables, LeaveKEmptyWhereNoRingHasToldIt) {
-    Increment increment;
-    increment.cycles.resize(1);
-    CycleResult& cycle = increment.cycles[0];
-    cycle.contact = {{.K_op = cycle.K_min}};
-    cycle.opening = {.K_op = cycle.K_min, .K_cl = cycle.K_min};
-    const CycleRow row = cycle_row(increment, 0);
-    for (const double K : {row.K_max, row.K_min, row.K_op, row.K_cl, row.K_op_contact, row.U, row.dK_eff})
-        EXPECT_TRUE(std::isnan(K)) << K;
-    cycle.K_max = cycle.K_min = 0.0;
-    cycle.opening.K_op = 0.0;
-    EXPECT_EQ(cycle_row(increment, 0).K_op, 0.0);
-}
-
 TEST(Tables, SayHowLoadCasesLoadAndWhereAWheelIs) {
     Case input;
     input.load.steps = 2;

@@ -42,6 +42,13 @@ TEST(GrowthLaw, KnowsNoRateWhereItsDriveIsNotFound) {
     EXPECT_TRUE(std::isnan(growth_rate(growth, cycle)));
     growth.law = GrowthLaw::Ctod;
     EXPECT_TRUE(std::isnan(growth_rate(growth, cycle)));
+    CycleResult no_ring = cycle_with(std::nan(""), std::nan(""), std::nan(""));
+    growth.law = GrowthLaw::Paris;
+    for (const GrowthDriving driving :
+         {GrowthDriving::Range, GrowthDriving::FullRange, GrowthDriving::EffectiveRange}) {
+        growth.driving = driving;
+        EXPECT_TRUE(std::isnan(growth_rate(growth, no_ring)));
+    }
     EXPECT_TRUE(std::isnan(fastest_rate({1.0, std::nan(""), 2.0})));
     EXPECT_EQ(fastest_rate({1.0, 3.0, 2.0}), 3.0);
     EXPECT_EQ(fastest_of({1.0, 3.0, 2.0}), 1U);

@@ -1,0 +1,45 @@
+// What a run says of itself.
+#include "coarse/analysis/run_texts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stria::coarse {
+namespace {
+
+/// Of loads that have done 100 N at most, and 10 N in the end.
+WorkBalance open_by(double error, double dissipated) {
+    WorkBalance work;
+    work.external = 10.0;
+    work.largest = 100.0;
+    work.dissipated = dissipated;
+    work.stored = work.external - dissipated - error;
+    return work;
+}
+
+TEST(RunTexts, WarnOfAWorkBalanceThatIsOpenBesideTheLargestWork) {
+    EXPECT_EQ(work_out_of_balance(open_by(0.9, 50.0)), "");
+    EXPECT_EQ(work_out_of_balance(open_by(-0.9, 50.0)), "");
+    EXPECT_NE(work_out_of_balance(open_by(1.1, 50.0)).find("1.1 % of the largest work"), std::string::npos);
+    EXPECT_NE(work_out_of_balance(open_by(-1.1, 50.0)), "");
+}
+
+TEST(RunTexts, WarnOfAWorkBalanceThatIsOpenBesideWhatIsLost) {
+    EXPECT_EQ(work_out_of_balance(open_by(0.5, 5.0)), "");
+    EXPECT_NE(work_out_of_balance(open_by(0.5, 2.5)).find("20 % of what flow"), std::string::npos);
+    EXPECT_EQ(work_out_of_balance(open_by(1e-5, 2e-5)), "") << "rounding";
+    WorkBalance grown = open_by(0.5, 2.5);
+    grown.released = 2.5, grown.stored -= 2.5;
+    EXPECT_EQ(work_out_of_balance(grown), "");
+}
+
+TEST(RunTexts, SayNothingOfAWorkBalanceThatNobodyCouldClose) {
+    EXPECT_EQ(work_out_of_balance({}), "");
+    WorkBalance unseen = open_by(5.0, 5.0);
+    unseen.released = std::nan("");
+    EXPECT_EQ(work_out_of_balance(unseen), "");
+}
+
+}  // namespace
+}  // namespace stria::coarse
