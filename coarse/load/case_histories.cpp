@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
+#include "common/case/loads/load_increments.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -17,6 +19,10 @@ double way_at(LagPath path, double angle) {
 }
 double angle_at(LagPath path, double way) {
     return path == LagPath::Triangle ? way : std::acos(std::clamp(1.0 - 2.0 * way, -1.0, 1.0)) / std::numbers::pi;
+}
+
+bool lags(const LoadCaseSection& load_case) {
+    return load_case.factor && std::fmod(load_case.phase, half_cycle) != 0.0;
 }
 
 /// Of the repeated sequence, from 1.
@@ -33,6 +39,14 @@ const CaseBlock& block_of_cycle(const std::vector<CaseBlock>& blocks, int cycle)
 
 int positions_of_travel(const LoadSection& load) { return load.first_steps() + 1; }
 
+std::vector<std::string> travel_warnings(const Case& input) {
+    const int steps = input.load.first_steps(), enough = increments_of_travel(input.boundaries, 0.5);
+    if (steps >= enough) return {};
+    return {fmt::format("load.steps = {}: a pressure that travels goes on by more than half of its half width in an "
+                        "increment, and passes over the largest K; \"auto\" takes {}",
+                        steps, increments_of_travel(input.boundaries, 0.25))};
+}
+
 CaseHistories::CaseHistories(const Case& input)
     : load_(input.load), cases_(input.load_cases),
       travelling_(std::ranges::count_if(input.boundaries, [](const auto& b) { return b.travelling.has_value(); })),
@@ -45,13 +59,20 @@ Eigen::Index CaseHistories::count() const { return std::ssize(cases_) + travelli
 
 std::vector<double> CaseHistories::turns() const {
     std::vector<double> turns;
-    for (const LoadCaseSection& load_case : cases_) {
-        const double angle = std::fmod(load_case.phase, half_cycle) / half_cycle;
-        if (load_case.factor && angle > 0.0) turns.push_back(way_at(load_case.path, angle));
-    }
+    for (const LoadCaseSection& load_case : cases_)
+        if (lags(load_case))
+            turns.push_back(way_at(load_case.path, std::fmod(load_case.phase, half_cycle) / half_cycle));
     std::ranges::sort(turns);
     turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
     return turns;
+}
+
+std::vector<double> CaseHistories::at_equal_angles(int increments) const {
+    const auto first = std::ranges::find_if(cases_, lags);
+    const LagPath path = first != cases_.end() ? first->path : LagPath::Triangle;
+    std::vector<double> ways;
+    for (int k = 0; k <= increments; ++k) ways.push_back(way_at(path, static_cast<double>(k) / increments));
+    return ways;
 }
 
 Eigen::VectorXd CaseHistories::at(const LoadPlace& place) const {

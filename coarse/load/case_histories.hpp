@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "coarse/load/load_history.hpp"
@@ -36,6 +37,8 @@ public:
 
     /// Parts of a leg at which a load that lags turns, ascending, between 0 and 1.
     [[nodiscard]] std::vector<double> turns() const;
+    /// Parts of a leg at equal angles of the cycle, by the path of the first load that lags; the first 0.
+    [[nodiscard]] std::vector<double> at_equal_angles(int increments) const;
 
     [[nodiscard]] Eigen::VectorXd at(const LoadPlace& place) const;
 
@@ -58,5 +61,8 @@ private:
 
 /// Positions of a pressure that travels: it is at one of them where a whole increment ends.
 [[nodiscard]] int positions_of_travel(const LoadSection& load);
+
+/// One sentence where a pressure travels in increments that pass over what it does to a crack; else none.
+[[nodiscard]] std::vector<std::string> travel_warnings(const Case& input);
 
 }  // namespace stria::coarse

@@ -62,9 +62,13 @@ std::optional<double> error_of_leg(const OpeningPath& path, const std::vector<Tw
     return largest;
 }
 
-std::vector<double> graded_ways(int increments, double grading, const std::vector<double>& turns) {
+std::vector<double> graded_ways(int increments, double grading) {
     std::vector<double> ways;
     for (int k = 0; k <= increments; ++k) ways.push_back(std::pow(static_cast<double>(k) / increments, grading));
+    return ways;
+}
+
+std::vector<double> through_turns(std::vector<double> ways, const std::vector<double>& turns) {
     for (const double turn : turns) {
         const auto inner = std::span(ways).subspan(1, ways.size() - 2);
         const auto distance = [&](double way) { return std::abs(way - turn); };
@@ -73,9 +77,11 @@ std::vector<double> graded_ways(int increments, double grading, const std::vecto
     return ways;
 }
 
-IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double> turns, bool may_choose)
-    : chooses_(load.steps.is_auto() && may_choose), accuracy_(load.accuracy), grading_(load.power()),
-      turns_(std::move(turns)) {
+IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double> ways)
+    : chooses_(false), accuracy_(load.accuracy), grading_(load.power()), rising_(ways), falling_(std::move(ways)) {}
+
+IncrementSchedule::IncrementSchedule(const LoadSection& load)
+    : chooses_(load.steps.is_auto()), accuracy_(load.accuracy), grading_(load.power()) {
     state_.rising = state_.falling = {.increments = load.first_steps() / 2, .alike = 0, .unmeasured = 13};
     lay_out();
 }
@@ -90,7 +96,7 @@ int IncrementSchedule::increments(const Legs& legs) const {
 // Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
 // Nor do they leave splinters beside other ends, which no pair could judge.
 std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
-    if (!chooses_) return graded_ways(legs.increments, grading_, turns_);
+    if (!chooses_) return graded_ways(legs.increments, grading_);
     const int all = increments(legs), count = std::min(static_cast<int>(state_.meetings.size()), all / 2);
     const auto meetings = std::span(state_.meetings).first(at(count));
     std::vector<double> ways = graded_ways(all - count, grading_);

@@ -32,9 +32,11 @@ struct TwoAsOne {
 /// of the path, or no tip has an opening that changes.
 [[nodiscard]] std::optional<double> error_of_leg(const OpeningPath& path, const std::vector<TwoAsOne>& pairs);
 
-/// Parts of the way at which increments end, the first 0: k of h ends at (k/h)^grading. The one that ends nearest to
-/// one of `turns`, where a load case turns, ends there.
-[[nodiscard]] std::vector<double> graded_ways(int increments, double grading, const std::vector<double>& turns = {});
+/// Parts of the way at which increments end, the first 0: k of h ends at (k/h)^grading.
+[[nodiscard]] std::vector<double> graded_ways(int increments, double grading);
+
+/// The same ways, but that the inner end nearest to each of `turns`, where a load case turns, lies there.
+[[nodiscard]] std::vector<double> through_turns(std::vector<double> ways, const std::vector<double>& turns);
 
 /// Legs that load and legs that unload have numbers of their own, of 4 to 24 increments. How far a leg is off is
 /// measured now and then: each two of its increments are tried as one before they are taken (error_of_leg). It falls
@@ -59,8 +61,10 @@ public:
         std::vector<double> meetings = {};  // likewise: parts of its way, ascending
     };
 
-    /// Chooses only where load.steps is no number, and `may_choose`. `turns`: as for graded_ways.
-    IncrementSchedule(const LoadSection& load, std::vector<double> turns, bool may_choose);
+    /// Chooses where load.steps is no number.
+    explicit IncrementSchedule(const LoadSection& load);
+    /// The same ways in each leg.
+    IncrementSchedule(const LoadSection& load, std::vector<double> ways);
 
     /// Parts of the way at which increments end, the first 0.
     [[nodiscard]] const std::vector<double>& ways(bool rises) const { return rises ? rising_ : falling_; }
@@ -88,7 +92,7 @@ private:
 
     bool chooses_;
     double accuracy_, grading_;
-    std::vector<double> turns_, rising_, falling_;
+    std::vector<double> rising_, falling_;
     State state_;
 };
 

@@ -17,11 +17,21 @@ double in_proportion(const LoadPosition::Taken& next, const LoadPosition::Taken&
     return (way * (next.to - next.from) + cases.dot(next.cases_to - next.cases_from)) / length;
 }
 
+/// Where load cases lag the load is not slow where that of [load] turns.
+IncrementSchedule schedule_of(const LoadSection& load, const CaseHistories& cases) {
+    if (cases.count() == 0) return IncrementSchedule(load);
+    const std::vector<double> turns = cases.turns();
+    const int increments = load.first_steps() / 2;
+    const bool by_angle = !load.grading && !turns.empty();
+    return {load,
+            through_turns(by_angle ? cases.at_equal_angles(increments) : graded_ways(increments, load.power()), turns)};
+}
+
 }  // namespace
 
 LoadController::LoadController(const LoadSection& load, const SolverSection& solver, CaseHistories cases)
     : control_(load.control == Control::Displacement ? Control::Displacement : Control::Load), cases_(std::move(cases)),
-      legs_(cases_.count() > 0 ? cases_.legs() : legs(load)), schedule_(load, cases_.turns(), cases_.count() == 0),
+      legs_(cases_.count() > 0 ? cases_.legs() : legs(load)), schedule_(schedule_of(load, cases_)),
       remembered_(remembered_increments(load.steps)), max_cuts_(solver.max_cuts) {
     position_.cases = Eigen::VectorXd::Zero(cases_.count());
 }

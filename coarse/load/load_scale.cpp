@@ -112,7 +112,8 @@ std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nomin
 
 LoadSection graded_load(const Case& input, const UnitResponse& nominal) {
     LoadSection load = input.load;
-    if (load.steps.is_auto() && !load.grading && presses_rough_faces(input, nominal)) load.grading = 1.0;
+    const bool lags = !CaseHistories(input).turns().empty();  // then increments go by the angle
+    if (!load.grading && !lags && presses_rough_faces(input, nominal)) load.grading = 1.0;
     return load;
 }
 

@@ -42,8 +42,9 @@ double load_factor_at(double value, const LoadSection& load, const UnitResponse&
 std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown = 0.0,
                               const CaseHistories& cases = {});
 
-/// The history with equal increments where the case leaves their size to the program and the load presses faces with
-/// friction together at an extreme (by nominal K_I). What they slide on the way back a trapezoid tells per increment.
+/// The history with equal increments where the case does not grade them, no load case lags and the load presses faces
+/// with friction together at an extreme (by nominal K_I). What they slide on the way back a trapezoid tells per
+/// increment.
 LoadSection graded_load(const Case& input, const UnitResponse& nominal);
 
 /// What the default distance of closure goes by: the K_I of largest_K; where nothing opens the crack, largest_K.

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/zone/material_adequacy.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
@@ -14,6 +15,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const std::vector<dou
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(rate_warnings(scene.input, K));
+    add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(mesh_warnings(scene, K));
     return all;

@@ -3,6 +3,7 @@
 #include "common/case/body_schema.hpp"
 #include "common/case/case_checks.hpp"
 #include "common/case/case_schema.hpp"
+#include "common/case/loads/load_increments.hpp"
 #include "common/case/loads/spectrum.hpp"
 #include "common/case/not_in_this_version.hpp"
 #include "common/error.hpp"
@@ -197,6 +198,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
         scene.initial_stress->grid = read_stress_grid(file);
         scene.initial_stress->file.reset();
     }
+    choose_increments(scene);
     check_load(scene, root, {path, ""});
     return scene;
 }

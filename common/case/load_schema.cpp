@@ -46,7 +46,8 @@ Section<LoadSection> load_section() {
         .even()
         .says("Increments per cycle; the first ramp takes half as many more. auto: 12 in the first cycle, then as many "
               "as accuracy wants, from 4 to 24 between two reversals; 12 always where load cases are there, or no tip "
-              "whose opening is known.");
+              "whose opening is known; 24 where load cases lag; where a pressure travels so many that each takes it on "
+              "by no more than a quarter of its half width.");
     s.value("accuracy", &LoadSection::accuracy)
         .positive()
         .below(1.0)
@@ -55,9 +56,10 @@ Section<LoadSection> load_section() {
             "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one.");
     s.value("grading", &LoadSection::grading)
         .positive()
-        .or_else("0.4 with steps = \"auto\", 1 where the load then presses faces with friction; else 0.6")
+        .or_else("1 where the load presses faces with friction; else 0.4 with steps = \"auto\", 0.6 with a number")
         .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.4: "
-              "large where little flows, small where the load turns.");
+              "large where little flows, small where the load turns. Where load cases lag and this is absent, equal "
+              "angles of the cycle.");
     s.list("blocks", &LoadSection::blocks, block_section())
         .says("Blocks of equal cycles, one after the other. A cycle runs from its maximum to its minimum and on to the "
               "maximum of the next one.");

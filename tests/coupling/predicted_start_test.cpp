@@ -27,6 +27,7 @@ Case plate_with_a_bent_crack() {
         input.boundaries.back().traction = traction;
     }
     input.load.steps = 4;
+    input.load.grading = 0.6;
     input.load.blocks = {{.cycles = 2, .max = 52.6143, .min = -0.666 * 52.6143}};
     input.fine.radius = 1.38;
     input.growth = GrowthSection{.increment = 0.265};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "coarse/load/load_controller.hpp"
 #include "tests/support/load_cases.hpp"
@@ -86,6 +87,33 @@ TEST(CaseHistories, OutOfPhaseItRunsThroughAnEllipse) {
     }
     EXPECT_NEAR(most, 20.0, 1e-12);
     EXPECT_NEAR(all.back().cases[0], 4.0, 1e-12);  // the mean, on its way up
+}
+
+// Chords of an ellipse, all of the same angle: the polygon of n corners encloses the most.
+TEST(CaseHistories, OutOfPhaseIncrementsTakeEqualAngles) {
+    constexpr int n = 16;
+    Case input = cycles(n, {{2, 10.0, -10.0}});
+    input.load.grading.reset();
+    input.load_cases = {test::lagging_load("shear", 1.0, 90.0)};
+    const std::vector<Stop> all = stops(controller(input));
+    double area = 0.0;
+    for (std::size_t k = all.size() - n; k < all.size(); ++k)
+        area += 0.5 * std::abs(all[k - 1].main * all[k].cases[0] - all[k].main * all[k - 1].cases[0]);
+    EXPECT_NEAR(area, 100.0 * 0.5 * n * std::sin(2.0 * std::numbers::pi / n), 1e-9);
+    input.load_cases[0].path = LagPath::Triangle;
+    for (const double way : CaseHistories(input).at_equal_angles(4)) EXPECT_EQ(std::fmod(way, 0.25), 0.0) << way;
+}
+
+TEST(CaseHistories, WarnOfAPressureThatLeapsOverACrack) {
+    Case input = cycles(64, {{2, 0.0, -1.0}});
+    EXPECT_TRUE(travel_warnings(input).empty());
+    input.boundaries = {test::under_wheel("top", {.p0 = 1.0, .half_width = 1.0, .from = -8.0, .to = 8.0})};
+    EXPECT_TRUE(travel_warnings(input).empty());
+    input.load.steps = 32;
+    EXPECT_TRUE(travel_warnings(input).empty());
+    input.load.steps = 30;
+    EXPECT_NE(travel_warnings(input).at(0).find("load.steps = 30: "), std::string::npos);
+    EXPECT_NE(travel_warnings(input).at(0).find("takes 64"), std::string::npos);
 }
 
 TEST(CaseHistories, StraightPathsMakeARhombus) {

@@ -68,13 +68,13 @@ TEST(IncrementSchedule, HearsTheTipThatIsFarthestOff) {
 
 TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
     EXPECT_EQ(graded_ways(4, 1.0), (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
-    EXPECT_EQ(graded_ways(4, 1.0, {0.6}), (std::vector<double>{0.0, 0.25, 0.6, 0.75, 1.0}));
+    EXPECT_EQ(through_turns(graded_ways(4, 1.0), {0.6}), (std::vector<double>{0.0, 0.25, 0.6, 0.75, 1.0}));
     EXPECT_DOUBLE_EQ(graded_ways(2, 0.4)[1], std::pow(0.5, 0.4));
 }
 
 /// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment.
-int after(const LoadSection& load, double c, bool may_choose = true) {
-    IncrementSchedule schedule(load, {}, may_choose);
+int after(const LoadSection& load, double c) {
+    IncrementSchedule schedule(load);
     const OffByTheSquare leg{schedule.ways(true), c};
     const OpeningPath path = leg.path();
     const std::vector<double> falling = schedule.ways(false);
@@ -107,7 +107,7 @@ TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
 
 // Where faces meet an increment ends, and there are no more of them; of two places that are nearly one the first.
 TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
-    IncrementSchedule schedule({}, {}, true);
+    IncrementSchedule schedule{LoadSection()};
     const std::size_t ends = schedule.ways(false).size();
     schedule.meet_at({0.7, 0.415, 0.42});
     const std::vector<double>& ways = schedule.ways(false);
@@ -126,13 +126,21 @@ TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
     EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
     schedule.meet_at({});
     EXPECT_EQ(schedule.ways(false), graded_ways(static_cast<int>(ends) - 1, LoadSection().power()));
-    IncrementSchedule given({.steps = 16, .blocks = {}}, {}, true);
+    IncrementSchedule given(LoadSection{.steps = 16, .blocks = {}});
     given.meet_at({0.415});
     EXPECT_EQ(std::ranges::count(given.ways(false), 0.415), 0) << "a number that is given still means that number";
 }
 
+TEST(IncrementSchedule, ChoosesNoneWhereWaysAreGiven) {
+    IncrementSchedule schedule(LoadSection(), {0.0, 0.3, 1.0});
+    schedule.begin({0.0});
+    for (int legs = 0; legs < 40; ++legs) EXPECT_FALSE(schedule.measures(legs % 2 == 0, true));
+    schedule.meet_at({0.7});
+    for (const bool rises : {true, false}) EXPECT_EQ(schedule.ways(rises), (std::vector<double>{0.0, 0.3, 1.0}));
+}
+
 TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
-    IncrementSchedule schedule({}, {}, true);
+    IncrementSchedule schedule{LoadSection()};
     IncrementSchedule::State state = schedule.state();
     state.rising.increments = 15;
     state.falling.increments = 4;
@@ -153,14 +161,13 @@ TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
     const int begins = LoadSection().first_steps() / 2;
     EXPECT_GT(after({}, 0.05), begins);
     EXPECT_EQ(after({.steps = 16, .blocks = {}}, 0.05), 8);
-    EXPECT_EQ(after({}, 0.05, false), begins);
     EXPECT_EQ(after({}, std::numeric_limits<double>::quiet_NaN()), begins);
 }
 
 // The fourth leg of a block, and one in many: what changes from leg to leg is measured as often.
 TEST(IncrementSchedule, MeasuresNowAndThen) {
     const auto measured = [](const std::function<bool(int)>& alike) {
-        IncrementSchedule schedule({}, {}, true);
+        IncrementSchedule schedule{LoadSection()};
         std::vector<int> legs;
         for (int leg = 1; leg <= 100; ++leg) {
             schedule.begin({0.0});
@@ -178,7 +185,7 @@ TEST(IncrementSchedule, MeasuresNowAndThen) {
         << "an overload";
     EXPECT_EQ(measured([](int leg) { return leg % 10 > 1; }), (std::vector<int>{4, 24, 44, 64, 84})) << "and many";
     EXPECT_EQ(measured([](int) { return false; }), (std::vector<int>{20, 53, 86})) << "a spectrum";
-    IncrementSchedule ramp({}, {}, true);
+    IncrementSchedule ramp{LoadSection()};
     ramp.add(1.0, {1.0});
     EXPECT_FALSE(ramp.measures(true, true)) << "a leg whose start nobody has seen";
 }

@@ -94,8 +94,10 @@ TEST(LoadScale, IncrementsAreEqualWhereTheLoadPressesRoughFaces) {
     EXPECT_TRUE(is_graded());
     input.load.blocks.front().min = -1.0;
     input.load.steps = 20;
-    EXPECT_TRUE(is_graded());
-    input.load.steps = OrAuto<int>();
+    EXPECT_FALSE(is_graded());
+    input.load_cases = {test::lagging_load("shear", 1.0, 90.0)};
+    EXPECT_TRUE(is_graded()) << "by the angle";
+    input.load_cases.clear();
     input.load.grading = 0.7;
     EXPECT_EQ(*graded_load(input, unit).grading, 0.7);
 }
