@@ -1,6 +1,7 @@
 #include "app/run/launch.hpp"
 
 #include "app/process/children.hpp"
+#include "app/process/told_exit.hpp"
 #include "app/run/fine_side.hpp"
 #include "app/run/run_files.hpp"
 #include "common/case/case_file.hpp"
@@ -108,9 +109,10 @@ int launch(const RunOptions& options) {
     for (const auto& [name, value] : environment) setenv(name, value, 0);
     // Under mpirun a component writes into a pipe and cannot see the terminal.
     if (isatty(STDOUT_FILENO) != 0) setenv("STRIA_TERMINAL", "1", 0);
+    const ToldExit told;
     start_child(command, {});
     const EndedChild ended = wait_for_child();
-    if (ended.ours) return ended.code;
+    if (ended.ours) return told.code_or(ended.code);
     throw ComponentLost(fmt::format("a component was lost (exit code {})", ended.code));
 }
 

@@ -61,8 +61,8 @@ std::string work_out_of_balance(const WorkBalance& work) {
     const double of_work = work.share_of_largest(), of_lost = work.share_of_lost();
     if (!(of_work > much_of_work || (of_lost > much_of_lost && of_work > rounding_of_work))) return "";
     return fmt::format("the work balance is open by {:.2g} % of the largest work of the loads, {:.2g} % of what flow "
-                       "and friction dissipate and growth releases: these are not known better; finer increments "
-                       "(load.steps) may close it",
+                       "and friction dissipate and growth releases: one of these is off by so much; finer increments "
+                       "(load.steps, growth.increment) tell",
                        100.0 * of_work, 100.0 * of_lost);
 }
 
