@@ -105,6 +105,7 @@ bool has_mouth(const EnrichedMesh& mesh, int crack) {
 }
 
 int branch_side(const EnrichedMesh& mesh, int element) {
+    if (!mesh.branch.empty()) return mesh.branch[at(element)];
     if (const int side = mesh.element_side[at(element)]; side != 0) return side;
     for (const int node : mesh.elements[at(element)])
         for (const Term& term : mesh.terms[at(node)])

@@ -54,6 +54,9 @@ struct EnrichedMesh {
     int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
     std::vector<std::vector<Term>> terms;   // per node; gathered ones last
     std::vector<signed char> element_side;  // side of an uncut element that touches the crack: +1, -1; else 0
+    // Of a part of a mesh, whose nodes have lost the terms that none of its elements sees: branch_side() of each
+    // element, as the whole tells it. Empty: this is no part.
+    std::vector<signed char> branch;
 
     std::vector<TiedNode> tied;  // ascending by node; their ends are not tied
 

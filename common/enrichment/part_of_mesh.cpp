@@ -62,6 +62,7 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
         part.elements.push_back(corners);
         part.element_ids.push_back(whole.element_ids[index]);
         part.element_side.push_back(whole.element_side[index]);
+        part.branch.push_back(static_cast<signed char>(branch_side(whole, e)));
         if (!whole.material.empty()) part.material.push_back(whole.material[index]);
     }
     for (CrackPiece piece : whole.pieces) {

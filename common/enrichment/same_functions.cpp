@@ -27,7 +27,7 @@ bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {
            std::ranges::equal(mesh.tips, other.tips, same_end) &&
            std::ranges::equal(mesh.pieces, other.pieces, same_piece) && mesh.element_ids == other.element_ids &&
            mesh.node_ids == other.node_ids && mesh.elements == other.elements && mesh.nodes == other.nodes &&
-           mesh.material == other.material && mesh.element_side == other.element_side &&
+           mesh.material == other.material && mesh.element_side == other.element_side && mesh.branch == other.branch &&
            std::ranges::equal(mesh.tied, other.tied, same_tie) &&
            std::ranges::equal(mesh.terms, other.terms, same_terms);
 }

@@ -12,6 +12,10 @@
 namespace stria::fine {
 namespace {
 
+/// Accumulated plastic strain from which on a point has flowed, for rings: rounding decides which of those that come
+/// back to the yield stress flow by 1e-9 of strain, and a ring would come and go with one of them.
+constexpr double least_flow = 1e-6;
+
 void raise(double& largest, double value) { largest = std::max(largest, value); }
 
 }  // namespace
@@ -43,7 +47,7 @@ void BulkSummary::look_at(const Bulk& bulk, int e) {
         const auto distance = [&](const Tip& tip) { return (points[q].x - tip.position).norm(); };
         const auto own = at(std::ranges::min_element(tips, {}, distance) - tips.begin());
         const TipPolar polar = tip_polar(tips[own], points[q].x, 0);
-        raise(extents[own].ever, polar.r);
+        if (history.accumulated(e, q) > least_flow) raise(extents[own].ever, polar.r);
         if (!history.is_plastic(e, q)) continue;
         raise(extents[own].zone, polar.r);
         if (std::abs(polar.theta) <= std::numbers::pi / 12.0) raise(extents[own].axis, polar.r);
@@ -58,12 +62,12 @@ std::vector<BulkSummary::PlasticExtent> BulkSummary::plastic_extents(const Enric
     std::vector<PlasticExtent> all(tips_);
     for (std::size_t i = 0; i < extents_.size(); ++i) {
         const Extent& extent = extents_[i];
-        if (extent.ever == 0.0) continue;
+        if (extent.ever == 0.0 && extent.zone == 0.0) continue;
         const std::size_t e = i / tips_, t = i % tips_;
         const auto shell = [&](double reach, double axis) {
             return coupling::shell_of(mesh.elements[e], mesh.nodes, mesh.tips[t].position, reach, axis);
         };
-        all[t].flow_ever.push_back(shell(extent.ever, 0.0));
+        if (extent.ever > 0.0) all[t].flow_ever.push_back(shell(extent.ever, 0.0));
         if (extent.zone > 0.0) all[t].flow.push_back(shell(extent.zone, extent.axis));
     }
     for (PlasticExtent& extent : all)

@@ -392,6 +392,36 @@ TEST(IdleFineRanks, ForgetWhatOthersHaveTakenOver) {
         EXPECT_NEAR(b.increments[k].tips[0].K_I, a.increments[k].tips[0].K_I, 1e-6 * 300.0) << k;
 }
 
+// The crack turns where it begins to grow, and elements of the rings lie behind the bend.
+TEST(FineRanksBehindABend, TellTheSameK) {
+    Case input = plate_case({{0.0, 8.06896}, {2.37417, 7.4814}});
+    input.mesh = {.specimen = "plate", .width = 10.0, .height = 20.0, .size = 0.9091, .grading = {}};
+    input.material.yield_stress = 248.0;
+    for (const double sign : {1.0, -1.0}) {
+        BoundarySection& end = input.boundaries.emplace_back();
+        end.on = sign > 0.0 ? "top" : "bottom";
+        end.traction = Vec2(0.0, sign);
+    }
+    input.load.steps = 4;
+    input.load.blocks = {{.cycles = 3, .max = 34.0, .min = 10.0}};
+    input.fine.radius = 1.333;
+    input.fine.refine = 8;
+    input.growth.emplace();
+    input.growth->increment = 0.127;
+    input.solver.tolerance = 1e-11;
+    const auto run = [&](int ranks) {
+        Team team(input, ranks);
+        coarse::CondensedFactory factory(team.together.get(), input);
+        return run_analysis(input, factory);
+    };
+    const RunHistory one = run(1), two = run(2);
+    ASSERT_EQ(one.increments.size(), two.increments.size());
+    for (std::size_t k = 0; k < one.increments.size(); ++k) {
+        EXPECT_NEAR(two.increments[k].tips[0].K_I, one.increments[k].tips[0].K_I, 1e-6) << k;
+        EXPECT_NEAR(two.increments[k].tips[0].K_II, one.increments[k].tips[0].K_II, 1e-6) << k;
+    }
+}
+
 TEST(IdleFineRanks, AreAskedForNothing) {
     const Case input = plate_case({{0.0, 4.4}, {5.6, 4.4}});
     const coupling::Patch patch = plate_patch(extract(plate_mesh(11, 9, input), {9, 10}));
