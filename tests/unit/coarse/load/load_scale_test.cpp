@@ -76,6 +76,9 @@ TEST(LoadScale, OpeningLoadsGoByTensionWhereThereIsAny) {
     EXPECT_EQ(K_of_closure(input, unit).front(), 60.0);
     EXPECT_DOUBLE_EQ(K_of_closure(input, unit).back(), 20.0 * std::sqrt(3.0));
     EXPECT_EQ(common_K_I(input, unit), (std::vector<double>{60.0, 0.0}));
+    unit.K_I.back() = 1e-3;  // of the mesh
+    EXPECT_EQ(common_K_I(input, unit), (std::vector<double>{60.0, 0.0}));
+    EXPECT_NEAR(K_of_closure(input, unit).back(), 20.0 * std::sqrt(3.0), 1e-6);
 }
 
 TEST(LoadScale, IncrementsAreEqualWhereTheLoadPressesRoughFaces) {
