@@ -29,7 +29,9 @@ void begin_loading_again(CycleResult& cycle, bool K_is_asked) {
 }
 
 /// `loading`: K rises to the increment's end, or the cycle ends there. With load cases it may rise in any part of it.
-void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, bool loading) {
+/// `touches`: else faces that are pressed overlap, and J is none of a crack. As loading begins it would be that of the
+/// minimum: the larger, the smaller the increments are.
+void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, bool loading, bool touches) {
     const TipResult& tip = increment.tips[t];
     const double K = increment.K_at_end(t);
     cycle.a = tip.a;
@@ -37,8 +39,8 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
     cycle.K_min = std::isnan(K) ? K : std::min(cycle.K_min, K);
     if (std::isnan(K)) cycle.K_max = K;
     if (loading) {
-        cycle.K_max = std::max(cycle.K_max, K);       // NaN stays NaN
-        cycle.J_max = std::fmax(cycle.J_max, tip.J);  // NaN where nobody tells J
+        cycle.K_max = std::max(cycle.K_max, K);                                // NaN stays NaN
+        if (touches || K >= 0.0) cycle.J_max = std::fmax(cycle.J_max, tip.J);  // NaN where nobody tells J
     }
     cycle.CTOD.include(tip.CTOD, loading);
     cycle.opening_behind.include(tip.opening, loading);
@@ -64,17 +66,18 @@ void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double 
 
 }  // namespace
 
-CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, std::size_t tips)
+CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips)
     : definition_(input.closure.definition), K_is_asked_(input.load.control == Control::StressIntensity),
       signals_(closure.signals()) {
-    now_.tips.resize(tips);
+    now_.tips.resize(tips.size());
+    for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
 }
 
 // The maximum that it starts from is that of the cycle before.
 void CycleMeter::begin(int cycle) {
     now_.cycle = cycle;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
-        Tip& tip = now_.tips[t];
+        CycleMemory::Tip& tip = now_.tips[t];
         tip = {};
         tip.changed.assign(signals_.first_slip(), 0);
         tip.was_open.assign(signals_.first_slip(), 0);
@@ -96,11 +99,11 @@ void CycleMeter::add(const Increment& increment) {
     const double rise = increment.step.target.value - now_.last_target;
     const bool loading = rise > 0.0, growing = rise == 0.0;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
-        Tip& tip = now_.tips[t];
+        CycleMemory::Tip& tip = now_.tips[t];
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, rise);
         if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
-        take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle);
+        take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle, touches_[t]);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())
             path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
@@ -124,7 +127,7 @@ void CycleMeter::add(const Increment& increment) {
     }
 }
 
-void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, double rise) const {
+void CycleMeter::measure(CycleMemory::Tip& tip, const Increment& increment, std::size_t t, double rise) const {
     const bool unloading = rise < 0.0;
     CycleResult& cycle = tip.cycle;
     for (const OpeningChange& change : increment.opening_changes) {
@@ -145,7 +148,7 @@ void CycleMeter::measure(Tip& tip, const Increment& increment, std::size_t t, do
 }
 
 // A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.
-OpeningLoads CycleMeter::of_signal(const Tip& tip, std::size_t signal) const {
+OpeningLoads CycleMeter::of_signal(const CycleMemory::Tip& tip, std::size_t signal) const {
     const bool open_all_cycle = tip.changed[signal] == 0 && tip.was_open[signal] != 0;
     return open_all_cycle ? OpeningLoads{tip.cycle.K_min, tip.cycle.K_min} : tip.signal[signal];
 }
@@ -153,7 +156,7 @@ OpeningLoads CycleMeter::of_signal(const Tip& tip, std::size_t signal) const {
 std::vector<CycleResult> CycleMeter::finish() {
     std::vector<CycleResult> results;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
-        Tip& tip = now_.tips[t];
+        CycleMemory::Tip& tip = now_.tips[t];
         CycleResult& cycle = tip.cycle;
         // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
         const double x = now_.last[t].x, y = now_.last[t].y;

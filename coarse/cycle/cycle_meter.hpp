@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coarse/cycle/increment.hpp"
+#include "common/crack/tip.hpp"
 
 namespace stria::coarse {
 
@@ -35,7 +36,7 @@ struct CycleMemory {
 class CycleMeter {
 public:
     CycleMeter() = default;
-    CycleMeter(const Case& input, const ClosureMeter& closure, std::size_t tips);
+    CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips);
 
     /// Every increment, the one that ends a cycle included.
     void add(const Increment& increment);
@@ -47,14 +48,14 @@ public:
     void resume(const CycleMemory& memory) { now_ = memory; }
 
 private:
-    using Tip = CycleMemory::Tip;
     void begin(int cycle);
     /// `rise`: of the load, over the increment; zero where the crack grows.
-    void measure(Tip& tip, const Increment& increment, std::size_t t, double rise) const;
-    [[nodiscard]] OpeningLoads of_signal(const Tip& tip, std::size_t signal) const;
+    void measure(CycleMemory::Tip& tip, const Increment& increment, std::size_t t, double rise) const;
+    [[nodiscard]] OpeningLoads of_signal(const CycleMemory::Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
     bool K_is_asked_ = false;
+    std::vector<bool> touches_;  // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;
     CycleMemory now_;
 };
