@@ -216,7 +216,7 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
 }
 
 void FatigueAnalysis::end_cycle(Increment& increment) {
-    increment.cycles = cycle_meter_.finish();
+    increment.cycles = cycle_meter_.finish(peaks_ahead(increment, controller_.next_quarter()));
     increment.nominal = body_.nominal();
     if (growth_) growth_->count_cycles(increment.step.cycle, increment.cycles, body_.scene());
     last_cycle_ = increment.cycles;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "coarse/cycle/compliance_offset.hpp"
@@ -28,6 +29,11 @@ void begin_loading_again(CycleResult& cycle, bool K_is_asked) {
     cycle.opening_behind.least = none.opening_behind.least;
 }
 
+/// Of the cycle before: a load that lags still lifts K in the first quarter of this one.
+bool is_rest_of_rise(const CycleMemory::Tip& tip, const LoadStep& step) {
+    return !tip.has_fallen && step.moment - (step.cycle - 1) <= 0.25 * (1.0 + 1e-9);
+}
+
 /// `loading`: K rises to the increment's end, or the cycle ends there. With load cases it may rise in any part of it.
 /// `touches`: else faces that are pressed overlap, and J is none of a crack. As loading begins it would be that of the
 /// minimum: the larger, the smaller the increments are.
@@ -44,6 +50,15 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
     }
     cycle.CTOD.include(tip.CTOD, loading);
     cycle.opening_behind.include(tip.opening, loading);
+}
+
+/// Where the cycle before rose no higher than this one does, its rest stands for that of this one, which is to come.
+void take_rest(CycleResult& cycle, const CycleResult& rest) {
+    constexpr double longer_crack = 1.02;
+    if (!(rest.K_max <= longer_crack * cycle.K_max)) return;
+    cycle.J_max = std::fmax(cycle.J_max, rest.J_max);
+    cycle.CTOD.most = std::max(cycle.CTOD.most, rest.CTOD.most);
+    cycle.opening_behind.most = std::max(cycle.opening_behind.most, rest.opening_behind.most);
 }
 
 /// Of the first slip in a half cycle.
@@ -68,7 +83,7 @@ void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double 
 
 CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips)
     : definition_(input.closure.definition), K_is_asked_(input.load.control == Control::StressIntensity),
-      signals_(closure.signals()) {
+      lags_(CaseHistories(input).lag()), signals_(closure.signals()) {
     now_.tips.resize(tips.size());
     for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
 }
@@ -103,7 +118,11 @@ void CycleMeter::add(const Increment& increment) {
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, rise);
         if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
-        take_extremes(tip.cycle, increment, t, rises || increment.step.ends_cycle, touches_[t]);
+        if (!growing && !rises) tip.has_fallen = true;
+        const bool loading_now = rises || increment.step.ends_cycle;
+        const bool of_before = lags_ && is_rest_of_rise(tip, increment.step);
+        take_extremes(tip.cycle, increment, t, loading_now && !of_before, touches_[t]);
+        if (of_before) take_extremes(tip.rest, increment, t, rises, touches_[t]);
         CycleMemory::Path& path = loading ? tip.up : tip.down;
         if (loading && path.load.empty() && !tip.down.load.empty())
             path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
@@ -153,11 +172,26 @@ OpeningLoads CycleMeter::of_signal(const CycleMemory::Tip& tip, std::size_t sign
     return open_all_cycle ? OpeningLoads{tip.cycle.K_min, tip.cycle.K_min} : tip.signal[signal];
 }
 
-std::vector<CycleResult> CycleMeter::finish() {
+std::vector<double> peaks_ahead(const Increment& increment, const std::vector<LoadFactors>& loads) {
+    if (loads.empty()) return {};
+    std::vector<double> peaks(increment.nominal_K.size(), -std::numeric_limits<double>::infinity());
+    for (std::size_t t = 0; t < peaks.size(); ++t)
+        for (std::size_t k = 1; k < loads.size(); ++k) {
+            const double before = increment.K_under(t, loads[k - 1]);
+            if (increment.K_under(t, loads[k]) > before) continue;
+            peaks[t] = before;
+            break;
+        }
+    return peaks;
+}
+
+std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
     std::vector<CycleResult> results;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
         CycleResult& cycle = tip.cycle;
+        if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
+        take_rest(cycle, tip.rest);
         // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
         const double x = now_.last[t].x, y = now_.last[t].y;
         cycle.da = std::hypot(x - now_.x[t], y - now_.y[t]);

@@ -15,6 +15,8 @@ struct CycleMemory {
     };
     struct Tip {
         CycleResult cycle;
+        bool has_fallen = false;  // K, in this cycle
+        CycleResult rest = {};    // extremes of what a load that lags still adds to the rise of the cycle before
         std::vector<char> changed, was_open;  // per signal
         std::vector<OpeningLoads> signal;
         Path down, up;
@@ -33,6 +35,10 @@ struct CycleMemory {
     std::vector<double> x, y;  // of the tips when the last cycle, or the ramp, ended, mm
 };
 
+/// What the nominal K of each tip rises to under loads that follow the end of an increment, MPa sqrt(mm), before it
+/// falls; minus infinity where it does not fall under them. Empty: there are no loads.
+[[nodiscard]] std::vector<double> peaks_ahead(const Increment& increment, const std::vector<LoadFactors>& loads);
+
 class CycleMeter {
 public:
     CycleMeter() = default;
@@ -41,8 +47,9 @@ public:
     /// Every increment, the one that ends a cycle included.
     void add(const Increment& increment);
 
-    /// The cycle that the last increment has ended, one result per tip.
-    std::vector<CycleResult> finish();
+    /// The cycle that the last increment has ended, one result per tip. `peaks`: what K goes on to rise to before it
+    /// falls, one per tip (peaks_ahead); empty: none does.
+    std::vector<CycleResult> finish(const std::vector<double>& peaks = {});
 
     [[nodiscard]] const CycleMemory& memory() const { return now_; }
     void resume(const CycleMemory& memory) { now_ = memory; }
@@ -54,7 +61,7 @@ private:
     [[nodiscard]] OpeningLoads of_signal(const CycleMemory::Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
-    bool K_is_asked_ = false;
+    bool K_is_asked_ = false, lags_ = false;
     std::vector<bool> touches_;  // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;
     CycleMemory now_;

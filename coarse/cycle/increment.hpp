@@ -40,6 +40,11 @@ struct Increment {
                          sum_over_cases(K_of_cases[tip], step.target.cases), way) +
                initial_K(tip);
     }
+    /// Nominal K of a tip under any loads.
+    [[nodiscard]] double K_under(std::size_t tip, const LoadFactors& loads) const {
+        const double of_cases = K_of_cases.empty() ? 0.0 : sum_over_cases(K_of_cases[tip], loads.cases);
+        return nominal_K[tip] * loads.main + of_cases + initial_K(tip);
+    }
     /// Nominal K of a tip at its end, and at a change on the way.
     [[nodiscard]] double K_at_end(std::size_t tip) const { return nominal_K[tip] * load_factor + K_beside(tip); }
     [[nodiscard]] double K_at(std::size_t tip, const OpeningChange& change) const {

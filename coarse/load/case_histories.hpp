@@ -35,6 +35,8 @@ public:
     [[nodiscard]] const std::vector<Leg>& legs() const { return legs_; }
     [[nodiscard]] bool leads() const { return !legs_.empty() && legs_.front().leads; }
 
+    /// Load cases lag, and no pressure travels.
+    [[nodiscard]] bool lag() const { return travelling_ == 0 && !turns().empty(); }
     /// Parts of a leg at which a load that lags turns, ascending, between 0 and 1.
     [[nodiscard]] std::vector<double> turns() const;
     /// Parts of a leg at equal angles of the cycle, by the path of the first load that lags; the first 0.

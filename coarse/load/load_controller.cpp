@@ -106,6 +106,19 @@ std::optional<LoadStep> LoadController::next() const {
     return step;
 }
 
+std::vector<LoadFactors> LoadController::next_quarter() const {
+    constexpr int parts = 64;
+    const std::size_t next = position_.leg + 1;
+    if (control_ != Control::Load || !cases_.lag() || next >= legs_.size()) return {};
+    std::vector<double> ways = cases_.at_equal_angles(2 * parts);
+    ways.resize(parts + 1);
+    std::vector<LoadFactors> loads;
+    for (const double way : ways)
+        loads.emplace_back(scale_ * std::lerp(legs_[next].from, legs_[next].to, way),
+                           cases_.at({.leg = next, .way = way, .scale = scale_}));
+    return loads;
+}
+
 // By twos from the end of the leg: where their number is odd, the first one is the elastic stretch behind a reversal.
 std::optional<LoadStep> LoadController::two_as_one() const {
     const int left = position_.leg < legs_.size() ? increments() - position_.increments : 0;

@@ -7,6 +7,7 @@
 
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/increment_schedule.hpp"
+#include "coarse/load/load_factors.hpp"
 #include "coarse/load/target.hpp"
 #include "common/predictor.hpp"
 
@@ -64,6 +65,10 @@ public:
 
     /// The next target, or nothing when all is done.
     [[nodiscard]] std::optional<LoadStep> next() const;
+
+    /// Where load cases lag, and nothing but load is controlled: the loads of the next quarter of a cycle, for they may
+    /// go on to grow while [load] falls; the first are those of the end of the present leg. Else none.
+    [[nodiscard]] std::vector<LoadFactors> next_quarter() const;
 
     /// The next two increments of a leg as one, before they are taken, where that is to be tried to see how far the leg
     /// is off (IncrementSchedule); and the openings that it came to.

@@ -97,8 +97,10 @@ void members(auto& archive, Is<CycleMemory::Path> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
-    auto& [cycle, changed, was_open, signal, down, up] = m;
+    auto& [cycle, has_fallen, rest, changed, was_open, signal, down, up] = m;
     archive("cycle", cycle);
+    archive("has_fallen", has_fallen);
+    archive("rest", rest);
     archive("changed", changed);
     archive("was_open", was_open);
     archive("signal", signal);

@@ -104,6 +104,22 @@ TEST(CaseHistories, OutOfPhaseIncrementsTakeEqualAngles) {
     for (const double way : CaseHistories(input).at_equal_angles(4)) EXPECT_EQ(std::fmod(way, 0.25), 0.0) << way;
 }
 
+TEST(CaseHistories, TellTheNextQuarterWhereALoadLags) {
+    Case input = cycles(8, {{2, 10.0, -10.0}});
+    EXPECT_TRUE(controller(input).next_quarter().empty());
+    input.load_cases = {test::lagging_load("shear", 2.0, 90.0)};
+    LoadController loads = controller(input);
+    while (!loads.next()->ends_cycle) loads.accepted();  // the ellipse begins behind the ramp
+    const std::vector<LoadFactors> quarter = loads.next_quarter();
+    ASSERT_EQ(quarter.size(), 65);
+    EXPECT_NEAR(quarter.front().main, 10.0, 1e-12);
+    EXPECT_NEAR(quarter.back().main, 0.0, 1e-12);
+    for (const LoadFactors& at : quarter) EXPECT_LE(std::hypot(at.main, at.of_case(0) / 2.0), 10.0 * (1.0 + 1e-12));
+    EXPECT_NEAR(quarter.back().of_case(0), 20.0, 1e-12);
+    input.load.control = Control::Displacement;
+    EXPECT_TRUE(controller(input).next_quarter().empty());
+}
+
 TEST(CaseHistories, WarnOfAPressureThatLeapsOverACrack) {
     Case input = cycles(64, {{2, 0.0, -1.0}});
     EXPECT_TRUE(travel_warnings(input).empty());
