@@ -104,6 +104,25 @@ double CaseHistories::lagging(const LoadCaseSection& load_case, const LoadPlace&
     return *load_case.factor * place.scale * (then.from + (then.to - then.from) * way);
 }
 
+LoadFactors CaseHistories::turning_back(std::size_t leg, double way, double scale) const {
+    LoadFactors loads(scale * std::lerp(legs_[leg].to, legs_[leg].from, way), Eigen::VectorXd(std::ssize(cases_)));
+    for (std::size_t k = 0; k < cases_.size(); ++k)
+        loads.cases[static_cast<Eigen::Index>(k)] = turning_back(cases_[k], leg, way, scale);
+    return loads;
+}
+
+// What it lags behind may still be on its way to the end of the leg.
+double CaseHistories::turning_back(const LoadCaseSection& load_case, std::size_t leg, double way, double scale) const {
+    if (!load_case.factor) return factor(load_case, {.leg = leg, .way = 1.0 - way, .scale = scale});
+    const double angle = static_cast<double>(leg) + 1.0 + angle_at(load_case.path, way) - load_case.phase / half_cycle;
+    const double whole = std::floor(angle);
+    if (whole < (leads() ? 1.0 : 0.0)) return 0.0;
+    const bool has_turned = whole > static_cast<double>(leg);
+    const Leg& then = legs_[has_turned ? leg : static_cast<std::size_t>(whole)];
+    const double part = way_at(load_case.path, angle - whole);
+    return *load_case.factor * scale * std::lerp(then.from, then.to, has_turned ? 1.0 - part : part);
+}
+
 double CaseHistories::of_blocks(const LoadCaseSection& load_case, const LoadPlace& place) const {
     const bool first = place.leg == 0 || legs_[place.leg - 1].leads;
     const double from = first ? 0.0 : at_end_of(load_case, place.leg - 1), to = at_end_of(load_case, place.leg);

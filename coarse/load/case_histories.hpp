@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coarse/load/load_factors.hpp"
 #include "coarse/load/load_history.hpp"
 #include "common/case/case.hpp"
 
@@ -44,6 +45,10 @@ public:
 
     [[nodiscard]] Eigen::VectorXd at(const LoadPlace& place) const;
 
+    /// All loads where [load] turns back at the end of a leg and has gone back by a part of its way. `scale`: as in
+    /// LoadPlace. Of no history with pressures that travel.
+    [[nodiscard]] LoadFactors turning_back(std::size_t leg, double way, double scale) const;
+
     /// What `of_unit` of each unit load can add up to: no less than the largest of the history. `scale`: as in
     /// LoadPlace.
     [[nodiscard]] double largest_sum(const std::vector<double>& of_unit, double scale) const;
@@ -51,6 +56,8 @@ public:
 private:
     [[nodiscard]] double factor(const LoadCaseSection& load_case, const LoadPlace& place) const;
     [[nodiscard]] double lagging(const LoadCaseSection& load_case, const LoadPlace& place) const;
+    [[nodiscard]] double turning_back(const LoadCaseSection& load_case, std::size_t leg, double way,
+                                      double scale) const;
     [[nodiscard]] double of_blocks(const LoadCaseSection& load_case, const LoadPlace& place) const;
     [[nodiscard]] double at_end_of(const LoadCaseSection& load_case, std::size_t leg) const;
     void put_travelling(const LoadPlace& place, Eigen::Index first, Eigen::VectorXd& factors) const;

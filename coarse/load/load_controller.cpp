@@ -108,14 +108,11 @@ std::optional<LoadStep> LoadController::next() const {
 
 std::vector<LoadFactors> LoadController::next_quarter() const {
     constexpr int parts = 64;
-    const std::size_t next = position_.leg + 1;
-    if (control_ != Control::Load || !cases_.lag() || next >= legs_.size()) return {};
+    if (control_ != Control::Load || !cases_.lag()) return {};
     std::vector<double> ways = cases_.at_equal_angles(2 * parts);
     ways.resize(parts + 1);
     std::vector<LoadFactors> loads;
-    for (const double way : ways)
-        loads.emplace_back(scale_ * std::lerp(legs_[next].from, legs_[next].to, way),
-                           cases_.at({.leg = next, .way = way, .scale = scale_}));
+    for (const double way : ways) loads.push_back(cases_.turning_back(position_.leg, way, scale_));
     return loads;
 }
 

@@ -120,6 +120,24 @@ TEST(CaseHistories, TellTheNextQuarterWhereALoadLags) {
     EXPECT_TRUE(controller(input).next_quarter().empty());
 }
 
+// Where the next cycle is like this one, that is what comes.
+TEST(CaseHistories, TurnBackAsInEqualCycles) {
+    for (const LagPath path : {LagPath::Sine, LagPath::Triangle})
+        for (const double phase : {30.0, 90.0, 200.0, 300.0}) {
+            Case input = cycles(8, {{3, 10.0, -4.0}});
+            input.load_cases = {test::lagging_load("late", 2.0, phase, path), test::dead_load("dead", 3.0),
+                                test::own_load("own", {{1, 2.0, -5.0}}), test::lagging_load("beside", 0.5)};
+            const CaseHistories histories(input);
+            constexpr std::size_t at_end = 5;  // behind the dead load, the ramp and three legs
+            ASSERT_TRUE(histories.legs()[at_end].ends_cycle);
+            for (const double way : {0.0, 0.1, 0.3, 0.5, 0.9}) {
+                const LoadFactors found = histories.turning_back(at_end, way, 1.0);
+                EXPECT_NEAR(found.main, 10.0 - 14.0 * way, 1e-12);
+                EXPECT_LT((found.cases - histories.at({.leg = at_end + 1, .way = way})).norm(), 1e-12) << phase;
+            }
+        }
+}
+
 TEST(CaseHistories, WarnOfAPressureThatLeapsOverACrack) {
     Case input = cycles(64, {{2, 0.0, -1.0}});
     EXPECT_TRUE(travel_warnings(input).empty());
