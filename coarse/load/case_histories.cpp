@@ -21,10 +21,6 @@ double angle_at(LagPath path, double way) {
     return path == LagPath::Triangle ? way : std::acos(std::clamp(1.0 - 2.0 * way, -1.0, 1.0)) / std::numbers::pi;
 }
 
-bool lags(const LoadCaseSection& load_case) {
-    return load_case.factor && std::fmod(load_case.phase, half_cycle) != 0.0;
-}
-
 /// Of the repeated sequence, from 1.
 const CaseBlock& block_of_cycle(const std::vector<CaseBlock>& blocks, int cycle) {
     int all = 0;

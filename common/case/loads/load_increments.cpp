@@ -5,6 +5,11 @@
 
 namespace stria {
 
+bool lags(const LoadCaseSection& load_case) {
+    constexpr double half_cycle = 180.0;  // degrees
+    return load_case.factor && std::fmod(load_case.phase, half_cycle) != 0.0;
+}
+
 int increments_of_travel(const std::vector<BoundarySection>& boundaries, double part) {
     constexpr double most = 1000.0;  // each has a unit load of its own
     double increments = 0.0;
@@ -24,11 +29,10 @@ void choose_increments(Case& whole) {
     if (!whole.load.steps.is_auto()) return;
     constexpr double part_of_half_width = 0.25;
     constexpr int along_curve = 24;
-    const bool lags = std::ranges::any_of(
-        whole.load_cases, [](const LoadCaseSection& load_case) { return std::fmod(load_case.phase, 180.0) != 0.0; });
+    const bool curved = std::ranges::any_of(whole.load_cases, lags);
     const int travelling = increments_of_travel(whole.boundaries, part_of_half_width);
-    if (lags || travelling > 0)
-        whole.load.steps = std::max({whole.load.first_steps(), travelling, lags ? along_curve : 0});
+    if (curved || travelling > 0)
+        whole.load.steps = std::max({whole.load.first_steps(), travelling, curved ? along_curve : 0});
 }
 
 }  // namespace stria

@@ -5,6 +5,9 @@
 
 namespace stria {
 
+/// Its load and that of [load] run along a curve, or a polygon, and not along a line.
+[[nodiscard]] bool lags(const LoadCaseSection& load_case);
+
 /// Increments of a cycle in each of which no pressure that travels goes on by more than a `part` of its half width: an
 /// even number. Zero where none travels.
 [[nodiscard]] int increments_of_travel(const std::vector<BoundarySection>& boundaries, double part);
