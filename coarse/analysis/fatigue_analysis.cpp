@@ -20,7 +20,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
       closure_(ClosureMeter(scene.input.closure, scene.yield_stress_at_tips(), scene.input.cracks,
                             K_of_closure(scene.input, body_.nominal_at_start())),
                from != nullptr ? from->closure : ClosureMemory()),
-      cycle_meter_(scene.input, closure_.meter(), scene.enriched.tips),
+      cycle_meter_(scene.input, closure_.meter(), scene.enriched.tips, controller_.looks_ahead()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
     if (scene.input.growth) growth_.emplace(scene.input, listener_.note, from);

@@ -81,9 +81,9 @@ void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double 
 
 }  // namespace
 
-CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips)
+CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips, bool looks_ahead)
     : definition_(input.closure.definition), K_is_asked_(input.load.control == Control::StressIntensity),
-      lags_(CaseHistories(input).lag()), signals_(closure.signals()) {
+      looks_ahead_(looks_ahead), signals_(closure.signals()) {
     now_.tips.resize(tips.size());
     for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
 }
@@ -120,7 +120,7 @@ void CycleMeter::add(const Increment& increment) {
         if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
         if (!growing && !rises) tip.has_fallen = true;
         const bool loading_now = rises || increment.step.ends_cycle;
-        const bool of_before = lags_ && is_rest_of_rise(tip, increment.step);
+        const bool of_before = looks_ahead_ && is_rest_of_rise(tip, increment.step);
         take_extremes(tip.cycle, increment, t, loading_now && !of_before, touches_[t]);
         if (of_before) take_extremes(tip.rest, increment, t, rises, touches_[t]);
         CycleMemory::Path& path = loading ? tip.up : tip.down;

@@ -42,7 +42,9 @@ struct CycleMemory {
 class CycleMeter {
 public:
     CycleMeter() = default;
-    CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips);
+    /// `looks_ahead`: finish() hears of the peaks behind a cycle (LoadController::looks_ahead), which are no part of
+    /// the next one then.
+    CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips, bool looks_ahead = false);
 
     /// Every increment, the one that ends a cycle included.
     void add(const Increment& increment);
@@ -61,7 +63,7 @@ private:
     [[nodiscard]] OpeningLoads of_signal(const CycleMemory::Tip& tip, std::size_t signal) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
-    bool K_is_asked_ = false, lags_ = false;
+    bool K_is_asked_ = false, looks_ahead_ = false;
     std::vector<bool> touches_;  // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;
     CycleMemory now_;

@@ -108,7 +108,7 @@ std::optional<LoadStep> LoadController::next() const {
 
 std::vector<LoadFactors> LoadController::next_quarter() const {
     constexpr int parts = 64;
-    if (control_ != Control::Load || !cases_.lag()) return {};
+    if (!looks_ahead()) return {};
     std::vector<double> ways = cases_.at_equal_angles(2 * parts);
     ways.resize(parts + 1);
     std::vector<LoadFactors> loads;

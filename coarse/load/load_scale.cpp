@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coarse/load/load_history.hpp"
+#include "common/case/loads/load_increments.hpp"
 #include "common/error.hpp"
 
 namespace stria::coarse {
@@ -112,41 +113,46 @@ std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nomin
 
 LoadSection graded_load(const Case& input, const UnitResponse& nominal) {
     LoadSection load = input.load;
-    const bool lags = !CaseHistories(input).turns().empty();  // then increments go by the angle
-    if (!load.grading && !lags && presses_rough_faces(input, nominal)) load.grading = 1.0;
+    const bool curved = std::ranges::any_of(input.load_cases, lags);  // then increments go by the angle
+    if (!load.grading && !curved && presses_rough_faces(input, nominal)) load.grading = 1.0;
     return load;
 }
 
 namespace {
 
+/// Of each tip: largest_K, and that of K_I alone.
+struct LargestK {
+    std::vector<double> any, opening;
+};
+
 // Beside a K_II that slides what is left of K_I opens nothing: of a crack that is sheared, on a mesh that is not quite
 // symmetric.
-std::vector<double> largest_K_I(const Case& input, UnitResponse nominal) {
+LargestK largest_of(const Case& input, UnitResponse nominal) {
     constexpr double negligible = 0.01;
     const CaseHistories cases(input);
-    const std::vector<double> all = largest_K(input.load, nominal, 0.0, cases);
+    LargestK K{.any = largest_K(input.load, nominal, 0.0, cases), .opening = {}};
     nominal.K_II.clear();
     for (std::vector<double>& of_tip : nominal.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
-    std::vector<double> K = largest_K(input.load, nominal, 0.0, cases);
-    std::ranges::transform(K, all, K.begin(),
-                           [](double opens, double any) { return opens > negligible * any ? opens : 0.0; });
+    K.opening = largest_K(input.load, nominal, 0.0, cases);
+    for (std::size_t t = 0; t < K.any.size(); ++t)
+        if (K.opening[t] <= negligible * K.any[t]) K.opening[t] = 0.0;
     return K;
 }
 
 }  // namespace
 
 std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal) {
-    const std::vector<double> all = largest_K(input.load, nominal, 0.0, CaseHistories(input));
-    std::vector<double> K = largest_K_I(input, nominal);
-    std::ranges::transform(K, all, K.begin(), [](double opens, double any) { return opens > 0.0 ? opens : any; });
+    auto [any, K] = largest_of(input, nominal);
+    for (std::size_t t = 0; t < K.size(); ++t)
+        if (K[t] == 0.0) K[t] = any[t];
     return K;
 }
 
 std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
-    if (!input.growth) return largest_K_I(input, nominal);
+    if (!input.growth) return largest_of(input, nominal).opening;
     Case common = input;
     common.load.blocks = {{.max = median_maximum(input.load, exponent_of_K(*input.growth)) / input.load.scale}};
-    return largest_K_I(common, nominal);
+    return largest_of(common, nominal).opening;
 }
 
 }  // namespace stria::coarse

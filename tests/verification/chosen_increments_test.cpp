@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "common/case/case_file.hpp"
-#include "common/case/loads/load_increments.hpp"
 #include "tests/support/folders.hpp"
-#include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -76,33 +74,16 @@ TEST(ChosenIncrements, TellTheWorkOfFacesThatSlideUnderPressure) {
     EXPECT_NEAR(work_of_friction({}), exact, 0.01 * exact);
 }
 
-/// What is dissipated in two cycles of a plate with a central crack, pulled and pressed, and sheared a quarter of a
-/// cycle later, N. No `steps`: what the program chooses.
-double dissipated_out_of_phase(std::optional<int> steps) {
-    Case input = specimen("plate", 60.0, {{22.0, 30.03}, {38.0, 30.03}});
-    input.mesh.width = 60.0;
-    input.mesh.size = 4.0;
-    input.material.young = 200e3;
-    input.material.yield_stress = 300.0;
-    input.material.kinematic = {{.C = 20e3, .gamma = 100.0}};
-    input.cracks[0].contact = ContactSection{.friction = 0.3};
-    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
-    for (const auto& [side, traction] : std::vector<std::pair<std::string, Vec2>>{
-             {"top", {1.0, 0.0}}, {"bottom", {-1.0, 0.0}}, {"left", {0.0, -1.0}}, {"right", {0.0, 1.0}}})
-        input.boundaries.push_back(pulled_in_case("shear", side, traction));
-    input.load_cases = {lagging_load("shear", 0.5, 90.0)};
-    input.load.blocks = {{.cycles = 2, .max = 60.0, .min = -60.0}};
-    input.fine.refine = 4;
-    if (steps)
-        input.load.steps = *steps;
-    else
-        choose_increments(input);
-    return run_direct(input).increments.back().work.dissipated;
+/// What is dissipated in two cycles of tension and, a quarter of a cycle later, shear, N.
+double dissipated_out_of_phase(std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"mesh.size=4", "load.blocks.0.cycles=2"});
+    const std::string file = std::string(source_folder) + "/bench/out_of_phase/case.toml";
+    return run_direct(read_case(file, settings)).increments.back().work.dissipated;
 }
 
 // By 12 increments that were large where the load turns, 8 % were missing.
 TEST(ChosenIncrements, TellTheWorkOfLoadsThatRunAlongACurve) {
-    const double exact = dissipated_out_of_phase(96);
+    const double exact = dissipated_out_of_phase({"load.steps=96"});
     EXPECT_GT(exact, 1.0);
     EXPECT_NEAR(dissipated_out_of_phase({}), exact, 0.015 * exact);
 }

@@ -159,8 +159,10 @@ TEST(LoadCases, TheLargestKOfACycleIsThatOfTheCurve) {
     ASSERT_EQ(few.size(), 6);
     for (std::size_t k = 0; k < few.size(); ++k) {
         EXPECT_NEAR(few[k].K_max, many[k].K_max, 2e-4 * many[k].K_max) << "cycle " << k + 1;
-        const double J = few[k].K_max * few[k].K_max * few[0].J_max / (few[0].K_max * few[0].K_max);
-        EXPECT_NEAR(few[k].J_max, J, 0.35 * J) << "cycle " << k + 1;
+        // Those of the overload and of the cycle behind it are told at their ends, below the peak that is to come: 1.5
+        // of 1.71, squared. The cycle before has risen less high, or higher.
+        const double J = many[k].K_max * many[k].K_max * many[0].J_max / (many[0].K_max * many[0].K_max);
+        EXPECT_NEAR(many[k].J_max, (k == 1 || k == 2 ? 0.77 : 1.0) * J, 0.02 * J) << "cycle " << k + 1;
     }
     // (1 + cos x) / 2 and (1 + sin x) / 2 add up to 1 + sqrt(1/2) at 45 degrees, and to 1.5 at the end of a cycle.
     const double at_end = many[5].K_max * 1.5 / (1.0 + std::sqrt(0.5));

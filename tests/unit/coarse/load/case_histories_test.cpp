@@ -106,6 +106,7 @@ TEST(CaseHistories, OutOfPhaseIncrementsTakeEqualAngles) {
 
 TEST(CaseHistories, TellTheNextQuarterWhereALoadLags) {
     Case input = cycles(8, {{2, 10.0, -10.0}});
+    EXPECT_FALSE(controller(input).looks_ahead());
     EXPECT_TRUE(controller(input).next_quarter().empty());
     input.load_cases = {test::lagging_load("shear", 2.0, 90.0)};
     LoadController loads = controller(input);
