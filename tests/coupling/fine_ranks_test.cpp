@@ -13,6 +13,7 @@
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/plates.hpp"
 #include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
@@ -367,11 +368,7 @@ TEST(IdleFineRanks, ForgetWhatOthersHaveTakenOver) {
     input.model.plane = PlaneState::Stress;
     input.mesh = {.specimen = "plate", .width = 10.0, .height = 20.0, .size = 0.7143, .grading = {}};
     input.material.yield_stress = 368.8;
-    for (const double sign : {1.0, -1.0}) {
-        BoundarySection& end = input.boundaries.emplace_back();
-        end.on = sign > 0.0 ? "top" : "bottom";
-        end.traction = Vec2(0.0, sign);
-    }
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.load.steps = 8;
     input.load.blocks = {{.cycles = 6, .max = 73.0, .min = -73.0}};
     input.fine.radius = 1.565;
@@ -397,11 +394,7 @@ TEST(FineRanksBehindABend, TellTheSameK) {
     Case input = plate_case({{0.0, 8.06896}, {2.37417, 7.4814}});
     input.mesh = {.specimen = "plate", .width = 10.0, .height = 20.0, .size = 0.9091, .grading = {}};
     input.material.yield_stress = 248.0;
-    for (const double sign : {1.0, -1.0}) {
-        BoundarySection& end = input.boundaries.emplace_back();
-        end.on = sign > 0.0 ? "top" : "bottom";
-        end.traction = Vec2(0.0, sign);
-    }
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.load.steps = 4;
     input.load.blocks = {{.cycles = 3, .max = 34.0, .min = 10.0}};
     input.fine.radius = 1.333;
