@@ -103,10 +103,9 @@ std::vector<std::string> warnings_of(const RunRecord& run) {
     if (const auto found = run.summary.lists.find("warnings"); found != run.summary.lists.end())
         all.insert(all.end(), found->second.begin(), found->second.end());
     all.push_back(sentence_on_count(run, "yield_warnings", "increments with yield outside the zone."));
-    all.push_back(
-        sentence_on_count(run, "flowing_rings",
-                          "increments in which a tip had no ring outside what has flowed: K_I, K_II and T "
-                          "there are no elastic quantities, and J of a tip that grows is not what the loads bring."));
+    all.push_back(sentence_on_count(run, "flowing_rings",
+                                    "increments in which a tip had no ring outside what has flowed: K_I, K_II and T "
+                                    "there are no elastic quantities."));
     all.push_back(sentence_on_count(run, "overlapping_faces",
                                     "increments in which faces without contact overlap, and metal flows by it."));
     all.push_back(sentence_on_opening_loads(run));

@@ -12,7 +12,7 @@ constexpr double rounding_of_work = 1e-6;  // of the largest: Newton's tolerance
 
 std::string rings_flow(double load_factor, std::ptrdiff_t tip) {
     return fmt::format("load factor {:.6g}: no ring about tip {} lies outside what has flowed: K and T are no elastic "
-                       "ones from here on, and J of a tip that grows is not what the loads bring",
+                       "ones from here on",
                        load_factor, tip);
 }
 

@@ -84,7 +84,7 @@ public:
     /// Elements that have something to add, ascending.
     [[nodiscard]] const std::vector<int>& elements() const { return weights_.elements(); }
 
-    /// A point of the element entered: stress, displacement gradient (row: component), stress work density so far.
+    /// A point of the element entered: stress, displacement gradient (row: component), and W, N/mm2.
     void add(const IntegrationPoint& point, const Mandel& stress, const Eigen::Matrix2d& gradient, double work);
 
     /// What an initial stress adds at the same point: its derivative along the tip, on the strains of the stress and of

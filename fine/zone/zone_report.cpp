@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "common/index.hpp"
-#include "fine/bulk/bulk_report.hpp"
 
 namespace stria::fine {
 namespace {
@@ -44,6 +43,16 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
         const auto [pressure, shear, slides] = zone.contact.traction_at(station, zone.traction);
         if (pressure > 0.0) sums.add_faces(station, {pressure, shear, station.opening_slope(u), station.slip_slope(u)});
     }
+}
+
+/// By more than a mesh moves a tip onto itself (docs/notation.md), and a ring can see.
+bool has_grown(const Tip& tip, const CrackSection& at_first, const std::vector<Annulus>& rings) {
+    constexpr double seen = 2e-3;
+    const auto has_left = [&](const Vec2& end) {
+        return std::ranges::all_of(
+            rings, [&](const Annulus& ring) { return (tip.position - end).norm() > seen * ring.outer; });
+    };
+    return has_left(at_first.points.front()) && has_left(at_first.points.back());
 }
 
 }  // namespace
@@ -104,11 +113,14 @@ std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& ma
             numbers.push_back(ring.number);
         }
         const bool with_inside = materials.initial_stress().any() || materials.count() > 1;
+        const CrackSection& crack = cracks[at(tip.crack)];
+        const EnergyDensity density =
+            has_grown(tip, crack, annuli) ? EnergyDensity::Elastic : EnergyDensity::StressWork;
         all.push_back(
             {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, with_inside},
              .numbers = std::move(numbers),
-             .stations = {}});
-        const CrackSection& crack = cracks[at(tip.crack)];
+             .stations = {},
+             .density = density});
         if (!crack.contact) continue;
         std::vector<FaceStation>& stations = all.back().stations = face_stations_about(patch.mesh, tip, subcells, 4);
         std::erase_if(stations, [&](const FaceStation& station) { return station.s < contact_begins(crack); });
@@ -119,10 +131,10 @@ std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& ma
 std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::vector<TipRings>& rings) {
     std::vector<coupling::RingReport> reports;
     for (int t = 0; t < std::ssize(rings); ++t) {
-        auto& [sums, numbers, stations] = rings[at(t)];
+        auto& [sums, numbers, stations, density] = rings[at(t)];
         if (numbers.empty()) continue;
         sums.clear();
-        add_to(sums, zone.bulk);
+        add_to(sums, zone.bulk, density);
         add_tractions(sums, zone, stations);
         for (std::size_t k = 0; k < numbers.size(); ++k) reports.push_back({t, numbers[k], sums.values()[k]});
     }

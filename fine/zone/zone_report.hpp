@@ -6,6 +6,7 @@
 
 #include "common/fracture/domain_integral.hpp"
 #include "coupling/messages.hpp"
+#include "fine/bulk/bulk_report.hpp"
 #include "fine/bulk/bulk_summary.hpp"
 #include "fine/contact/contact_interface.hpp"
 
@@ -46,8 +47,10 @@ struct TipRings {
     RingSums sums;
     std::vector<int> numbers;  // coupling::Ring::number
     std::vector<FaceStation> stations;
+    EnergyDensity density;
 };
-/// One per tip of the patch, which must outlive them. `subcells`: of the faces.
+/// One per tip of the patch, which must outlive them. `cracks`: those that the run began with. `subcells`: of the
+/// faces.
 [[nodiscard]] std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
                                              const std::vector<CrackSection>& cracks, int subcells);
 

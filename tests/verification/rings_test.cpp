@@ -200,5 +200,50 @@ TEST(Rings, AndZonesAreThoseOfTheTipWhereMetalFlowsElsewhereToo) {
     EXPECT_FALSE(tip.rings_flow);
 }
 
+/// Plane strain, edge crack of 1 mm in a plate of 20 x 40, elements of 0.125 mm at the tip.
+Case short_crack(std::vector<std::string> more) {
+    std::vector<std::string> all = {"mesh.width=20.0",       "mesh.height=40.0",   "mesh.size=0.5", "mesh.grading=[]",
+                                    "closure.distance=0.25", "load.control=\"K\"", "fine.refine=4", "load.steps=8"};
+    all.insert(all.end(), more.begin(), more.end());
+    return sent_case(std::move(all));
+}
+
+// The wake grows from nothing to 2.4 mm, and the largest ring from 0.5 to 1 mm about the tip to 1.6 to 3.2. With the
+// stress work J falls from 1.03 to 0.76 of K^2 / E' meanwhile.
+TEST(Rings, OfAGrownTipTellTheSameJWhateverItsWakeHolds) {
+    const RunHistory run = run_direct(
+        short_crack({"crack.0.points=[[0.0, 20.03], [1.0, 20.03]]", "crack.0.notch=0.0",
+                     "load.blocks=[{cycles=20, max=400.0, min=0.0}]", "growth.increment=0.125", "growth.every=1"}));
+    double largest = 0.0, least = 1e9;
+    for (const coarse::Increment& increment : run.increments) {
+        if (!increment.step.at_maximum) continue;
+        const coarse::TipResult& tip = increment.tips[0];
+        const double K = increment.K_at_end(0), share = tip.J * 200e3 / (1.0 - 0.3 * 0.3) / (K * K);
+        largest = std::max(largest, share);
+        least = std::min(least, share);
+    }
+    const double spread = run.increments.back().tips[0].J_spread;
+    std::cout << fmt::format("J / (K^2 / E') {:.4f} to {:.4f}, spread of rings at the end {:.4f}\n", least, largest,
+                             spread);
+    EXPECT_GT(least, 1.0);
+    EXPECT_LT(largest, 1.06);
+    EXPECT_LT(spread, 0.02);
+}
+
+// All rings lie between the tip and the bend, in metal that flows to and fro. With the stress work J falls to -3.2 of
+// K^2 / E'.
+TEST(Rings, OfAGrownTipBehindABendTellAPartOfWhatTheLoadsBring) {
+    const RunHistory run = run_direct(
+        short_crack({"crack.0.points=[[0.0, 18.03], [2.0, 20.03]]", "crack.0.notch=0.0",
+                     "load.blocks=[{cycles=4, max=400.0, min=-400.0}]", "growth.increment=0.125", "growth.every=1"}));
+    for (const coarse::Increment& increment : run.increments) {
+        if (!increment.step.at_maximum || increment.step.cycle < 2) continue;
+        const double K = increment.K_at_end(0), share = increment.tips[0].J * 200e3 / (1.0 - 0.3 * 0.3) / (K * K);
+        std::cout << fmt::format("cycle {}: J / (K^2 / E') {:.4f}\n", increment.step.cycle, share);
+        EXPECT_GT(share, 0.4);
+        EXPECT_LT(share, 1.0);
+    }
+}
+
 }  // namespace
 }  // namespace stria::test
