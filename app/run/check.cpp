@@ -138,7 +138,7 @@ int check(const RunOptions& options) {
     const coarse::UnitResponse unit = coarse::unit_response(nominal);
     const std::vector<double> K = coarse::largest_K(input.load, unit, 0.0, coarse::CaseHistories(input));
     const std::vector<double> common_K_I = coarse::common_K_I(input, unit);
-    for (const std::string& warning : coarse::case_warnings(scene, common_K_I)) fmt::print("# warning: {}\n", warning);
+    for (const std::string& warning : coarse::case_warnings(scene, unit)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");

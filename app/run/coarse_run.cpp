@@ -127,7 +127,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
     running = &analysis;
     note_sizes(analysis.structure());
-    warnings_ = coarse::case_warnings(scene_, coarse::common_K_I(scene_.input, analysis.nominal_at_start()));
+    warnings_ = coarse::case_warnings(scene_, analysis.nominal_at_start());
     for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
     if (analysis.finished()) {
         progress_.note(fmt::format("nothing is left to do: results in {}", directory_.string()));

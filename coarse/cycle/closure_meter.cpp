@@ -10,8 +10,6 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double share_of_radius = 0.1;
-
 std::vector<std::size_t> changed_signals(const ClosureStation& before, const ClosureStation& after) {
     std::vector<std::size_t> changed;
     for (std::size_t k = 0; k < before.signal.size(); ++k)
@@ -25,9 +23,8 @@ ClosureMeter::ClosureMeter(const ClosureSection& closure, const std::vector<doub
                            const std::vector<CrackSection>& cracks, const std::vector<double>& K)
     : tension_(closure.tension || closure.definition == OpeningDefinition::Tension),
       slip_(!closure.profile.empty() && has_friction(cracks)) {
-    for (std::size_t t = 0; t < K.size(); ++t) {
-        std::vector<double> distances{
-            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K[t], yield_stress[t]))};
+    for (const double distance : closure_distances(closure, K, yield_stress)) {
+        std::vector<double> distances{distance};
         distances.insert(distances.end(), closure.profile.begin(), closure.profile.end());
         distance_.push_back(std::move(distances));
     }

@@ -8,16 +8,20 @@
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/zone/material_adequacy.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/zone/zone_selection.hpp"
 
 namespace stria::coarse {
 
-std::vector<std::string> case_warnings(const Scene& scene, const std::vector<double>& K) {
+std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& nominal) {
+    const std::vector<double> K = common_K_I(scene.input, nominal),
+                              distance = closure_distances(scene.input.closure, K_of_closure(scene.input, nominal),
+                                                           scene.yield_stress_at_tips());
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(rate_warnings(scene.input, K));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
-    add(mesh_warnings(scene, K));
+    add(mesh_warnings(scene, K, distance));
     return all;
 }
 

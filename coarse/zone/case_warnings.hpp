@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "coarse/load/load_scale.hpp"
 #include "coarse/model/scene.hpp"
 
 namespace stria::coarse {
 
-/// One sentence each. `K`: of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip (common_K_I).
-std::vector<std::string> case_warnings(const Scene& scene, const std::vector<double>& K);
+/// One sentence each. `nominal`: of the scene.
+std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& nominal);
 
 }  // namespace stria::coarse

@@ -20,6 +20,7 @@ namespace {
 constexpr double across_zone = 5.0;       // elements, the forward zone
 constexpr double ahead_in_stress = 10.0;  // elements, ahead of a tip that grows
 constexpr double ahead_in_strain = 5.0;
+constexpr double to_distance = 1.2;       // elements, from the tip to where closure is looked at
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double part_of_element = 0.05;  // by which growth may miss a whole number of them
 constexpr double most_of_zone = 0.1;      // at a time, in plane stress
@@ -58,14 +59,31 @@ WantedZone wanted_zone(const Case& input, double K_I, double yield_stress) {
             plane == PlaneState::Stress ? ahead_in_stress : ahead_in_strain, " ahead of it"};
 }
 
+/// With which a length spans at least so many elements. `element`: as large as they are now, mm.
+double refine_for(double elements, double length, double element, int refine) {
+    return refine * std::exp2(std::ceil(std::log2(elements * element / length)));
+}
+
 std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone, double element, int refine) {
     if (zone.length <= 0.0 || zone.length >= zone.elements * element) return std::nullopt;
-    const double finer = std::exp2(std::ceil(std::log2(zone.elements * element / zone.length)));
-    const std::string advice = refine * finer <= most_refined ? fmt::format(": fine.refine = {:g}", refine * finer)
-                                                              : ", which no fine.refine gives: hardly anything yields";
+    const double finer = refine_for(zone.elements, zone.length, element, refine);
+    const std::string advice = finer <= most_refined ? fmt::format(": fine.refine = {:g}", finer)
+                                                     : ", which no fine.refine gives: hardly anything yields";
     return fmt::format("tip {}: its forward plastic zone at K_I = {:.4g} MPa sqrt(mm), about {:.3g} mm{}, spans {:.2g} "
                        "elements of {:.3g} mm; opening loads want {:g} or more{}",
                        tip, zone.K_I, zone.length, zone.place, zone.length / element, element, zone.elements, advice);
+}
+
+/// Openings nearer to the tip are those of its own element (docs/verification.md, what opening loads are good to).
+std::optional<std::string> distance_warning(std::size_t tip, double distance, double element, int refine) {
+    constexpr double with_room = 1.3;  // elements, for an advice of two digits
+    if (distance <= 0.0 || distance >= to_distance * element) return std::nullopt;
+    const double finer = refine_for(to_distance, distance, element, refine);
+    const std::string advice = finer <= most_refined ? fmt::format("fine.refine = {:g}, or ", finer) : "";
+    return fmt::format("tip {}: closure is looked at {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; nearer than "
+                       "{:g} the opening range is a tenth or more too small and K_op some hundredths of K_max off: "
+                       "{}closure.distance = {:.2g}",
+                       tip, distance, distance / element, element, to_distance, advice, with_room * element);
 }
 
 /// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.
@@ -148,7 +166,8 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane) {
     return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.04) * length_of_flow(K_I, yield_stress);
 }
 
-std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I) {
+std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,
+                                       const std::vector<double>& distance) {
     const Case& input = scene.input;
     std::vector<std::string> warnings = region_warnings(scene.mesh, input.regions);
     const auto add = [&](std::optional<std::string> warning) {
@@ -174,11 +193,11 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
         const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
         const WantedZone zone = wanted_zone(input, K_I[t], yield_stress[t]);
         add(zone_warning(t, zone, element, input.fine.refine));
+        if (zone.length > 0.0) add(distance_warning(t, distance[t], element, input.fine.refine));
         if (!input.growth || input.growth->increment.is_auto()) continue;
         const double at_a_time = input.growth->increment.value();
         add(growth_warning(t, at_a_time, element));
-        if (input.model.plane == PlaneState::Stress)
-            add(step_warning(t, at_a_time, input.closure.distance.value_or(0.0), zone.length));
+        if (input.model.plane == PlaneState::Stress) add(step_warning(t, at_a_time, distance[t], zone.length));
     }
     return warnings;
 }

@@ -222,7 +222,8 @@ double change_by_units(const CrackedPlate& plate, double length) {
 /// What a run says of tips whose K is not resolved.
 std::vector<std::string> warnings_of(const CrackedPlate& plate) {
     const Case input = case_of(plate, false);
-    return coarse::mesh_warnings(scene_of(plate, input, coarse::choose_enrichment(input), Eigen::Matrix2d::Zero()), {});
+    return coarse::mesh_warnings(scene_of(plate, input, coarse::choose_enrichment(input), Eigen::Matrix2d::Zero()), {},
+                                 {});
 }
 
 void try_intensities(const CrackedPlate& plate, unsigned seed, Tally& tally) {

@@ -61,7 +61,7 @@ bool is_warned_of(int refine, const std::vector<std::string>& settings) {
     const auto is_of_the_zone = [](const std::string& text) {
         return text.find("forward plastic zone") != std::string::npos;
     };
-    return std::ranges::any_of(coarse::mesh_warnings(scene, {501.0}), is_of_the_zone);
+    return std::ranges::any_of(coarse::mesh_warnings(scene, {501.0}, {between[0]}), is_of_the_zone);
 }
 
 /// An independent half model that releases nodes gives 0.490, 0.480 and 0.475 by contact anywhere behind the tip.

@@ -31,9 +31,10 @@ protected:
     }
     [[nodiscard]] std::vector<std::string> at(double K_I) const {
         const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
-        return coarse::mesh_warnings(coarse::make_scene(input, mesh), {K_I});
+        return coarse::mesh_warnings(coarse::make_scene(input, mesh), {K_I}, {closure_at});
     }
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
+    double closure_at = 1.3;  // distance of closure, mm
 };
 
 // Elements of 1 mm: a bend of 45 degrees is seen where the crack has left the tip's line by 0.35 mm.
@@ -145,17 +146,30 @@ TEST_F(Advice, MindsHowMuchOfItsZoneTheCrackGrowsAtATime) {
     input.growth = GrowthSection{.increment = 1.0};
     EXPECT_TRUE(at(1700.0).empty());
     input.growth->increment = 1.04;
+    EXPECT_TRUE(at(1700.0).empty()) << "no more than the distance";
+    closure_at = 1.0;
     const auto warnings = at(1700.0);
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings[0].find("1.04 mm is 0.1 of its forward plastic zone, about 10.2 mm"), std::string::npos)
-        << warnings[0];
-    EXPECT_NE(warnings[0].find("growth.increment = 1, or"), std::string::npos) << warnings[0];
-    input.closure.distance = 1.04;
-    EXPECT_TRUE(at(1700.0).empty());
-    input.closure.distance = 1.0;
-    EXPECT_EQ(at(1700.0).size(), 1U);
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_NE(warnings[1].find("1.04 mm is 0.1 of its forward plastic zone, about 10.2 mm"), std::string::npos)
+        << warnings[1];
+    EXPECT_NE(warnings[1].find("growth.increment = 1, or"), std::string::npos) << warnings[1];
     input.model.plane = PlaneState::Strain;
-    EXPECT_TRUE(at(3400.0).empty());
+    EXPECT_EQ(at(3400.0).size(), 1U) << "of the distance";
+}
+
+// Elements of 1 mm: what is read nearer than the second is the opening of the tip's own.
+TEST_F(Advice, MindsHowManyElementsLieBetweenTheTipAndWhereClosureIsLookedAt) {
+    closure_at = 1.21;
+    EXPECT_TRUE(at(2100.0).empty());
+    closure_at = 0.3;
+    const auto warnings = at(2100.0);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find("0.3 mm behind it, 0.3 elements of 1 mm"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("fine.refine = 4, or closure.distance = 1.3"), std::string::npos) << warnings[0];
+    closure_at = 1e-5;  // 2^17 elements
+    EXPECT_NE(at(2100.0).at(0).find("K_max off: closure.distance = 1.3"), std::string::npos) << at(2100.0)[0];
+    input.material.yield_stress.reset();
+    EXPECT_TRUE(at(2100.0).empty());
 }
 
 TEST_F(Advice, NamesWhatALinearBodyLeavesBehind) {
