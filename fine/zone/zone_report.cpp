@@ -45,13 +45,13 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
     }
 }
 
-/// By more than a mesh moves a tip onto itself (docs/notation.md), and a ring can see.
-bool has_grown(const Tip& tip, const CrackSection& at_first, const std::vector<Annulus>& rings) {
-    constexpr double seen = 2e-3;
-    const auto has_left = [&](const Vec2& end) {
-        return std::ranges::all_of(
-            rings, [&](const Annulus& ring) { return (tip.position - end).norm() > seen * ring.outer; });
-    };
+/// By more than a mesh moves a tip onto itself, which is a thousandth of an edge (docs/notation.md).
+bool has_grown(const Tip& tip, const CrackSection& at_first) {
+    constexpr double seen = 1e-3;
+    double length = 0.0;
+    for (std::size_t k = 1; k < at_first.points.size(); ++k)
+        length += (at_first.points[k] - at_first.points[k - 1]).norm();
+    const auto has_left = [&](const Vec2& end) { return (tip.position - end).norm() > seen * length; };
     return has_left(at_first.points.front()) && has_left(at_first.points.back());
 }
 
@@ -114,8 +114,7 @@ std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& ma
         }
         const bool with_inside = materials.initial_stress().any() || materials.count() > 1;
         const CrackSection& crack = cracks[at(tip.crack)];
-        const EnergyDensity density =
-            has_grown(tip, crack, annuli) ? EnergyDensity::Elastic : EnergyDensity::StressWork;
+        const EnergyDensity density = has_grown(tip, crack) ? EnergyDensity::Elastic : EnergyDensity::StressWork;
         all.push_back(
             {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, with_inside},
              .numbers = std::move(numbers),
