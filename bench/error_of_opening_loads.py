@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """What opening loads are good to: plates that grow by an element a cycle, on meshes from coarse to fine, against the finest.
 
-    bench/error_of_opening_loads.py build/release/bin/stria [--plates 24] [--seed 1]
+    bench/error_of_opening_loads.py build/release/bin/stria [--plates 16] [--seed 1]
 
 Each plate is that of bench/growing_cycle with a plane state, a K_max, a ratio and a metal by chance; it grows by four fifths of
 its plastic zone. Closure is looked at at its default distance, and at twice that. Prints a Markdown table by how many elements
 lie between the tip and that distance: errors of K_op / K_max, of the opening range and of J_max in the last quarter of the cycles,
-their median and the largest. All is counted, not timed: it may run beside other work. 24 plates take a quarter of an hour.
+their median and the largest. All is counted, not timed: it may run beside other work. 16 plates take a quarter of an hour.
 """
 
 import argparse
@@ -84,7 +84,7 @@ def errors_of(plate, program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("stria")
-    parser.add_argument("--plates", type=int, default=24)
+    parser.add_argument("--plates", type=int, default=16)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     chance = random.Random(options.seed)
