@@ -183,6 +183,49 @@ TEST(CrackGrowth, TurnsThroughFlowedMetal) {
     for (const coarse::TipResult& tip : last) EXPECT_LT(std::abs(tip.K_II), 0.1 * tip.K_I);
 }
 
+/// An edge crack that has come over an edge into the next row by a part of an element, and that shear turns back.
+Case turned_back(double beyond_edge, int elements, bool yields) {
+    const double size = 50.0 / elements, row = std::round(30.0 / (50.0 / 61.0)) * (50.0 / 61.0);
+    const double beyond = beyond_edge * 50.0 / 61.0;
+    Case input = specimen("plate", 50.0, {{0.0, row - 6.0 + beyond}, {12.3, row + beyond}});
+    input.mesh.width = 50.0;
+    input.mesh.size = size;
+    const auto pulled = [&](const char* on, double along, double across) {
+        BoundarySection side = at_end(on, End::Pulled, 1.0);
+        side.traction = Vec2(along, across);
+        input.boundaries.push_back(side);
+    };
+    input.boundaries.clear();
+    pulled("top", 0.4, 1.0);
+    pulled("bottom", -0.4, -1.0);
+    pulled("left", 0.0, -0.4);
+    pulled("right", 0.0, 0.4);
+    input.load = {.steps = 4, .blocks = {{.cycles = 3, .max = 40.0, .min = 0.0}}};
+    input.growth.emplace().increment = 1.0;
+    if (yields) {
+        input.material.yield_stress = 300.0;
+        input.material.kinematic = {{.C = 4000.0, .gamma = 0.0}};
+        input.cracks[0].contact = ContactSection{};
+    }
+    return input;
+}
+
+// Growth ended after a step there: the crack would enter an element twice.
+TEST(CrackGrowth, TurnsBackOverAnEdge) {
+    for (const bool yields : {false, true}) {
+        for (const double beyond : {0.03, 0.1, 0.2}) {
+            const coarse::TipResult tip = run_direct(turned_back(beyond, 61, yields)).increments.back().tips[0],
+                                    fine = run_direct(turned_back(beyond, 127, yields)).increments.back().tips[0];
+            std::cout << fmt::format("{} of an element beyond the edge: ends at {:.4f}, {:.4f}, K {:.2f}; {:.4f}, "
+                                     "{:.4f}, {:.2f} on other elements\n",
+                                     beyond, tip.x, tip.y, tip.K_I, fine.x, fine.y, fine.K_I);
+            EXPECT_NEAR(tip.a, fine.a, 0.1);
+            EXPECT_LT(std::hypot(tip.x - fine.x, tip.y - fine.y), 0.1);
+            EXPECT_NEAR(tip.K_I, fine.K_I, 0.02 * fine.K_I);
+        }
+    }
+}
+
 /// Plane stress, R = 0: twelve cycles of growth through elements of 0.1 mm at the tip.
 Case growing_plate(PlaneState plane) {
     Case input =

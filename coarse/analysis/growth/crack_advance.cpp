@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "coarse/model/tip_reach.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -21,6 +22,21 @@ double last_stretch(const CrackSection& crack, const Tip& tip) {
     const auto& points = crack.points;
     const std::size_t end = tip.upper > 0 ? points.size() - 1 : 0, before = tip.upper > 0 ? points.size() - 2 : 1;
     return (points[end] - points[before]).norm();
+}
+
+/// From the edge over which a crack has come into the element of its tip to the tip, mm; that of faces that end there,
+/// too. Infinite where it has come over none.
+double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
+    if (tip.beyond > 0.0) return tip.beyond;
+    const double way = tip.upper > 0 ? 1.0 : -1.0, place = tip.s + way * tip.beyond;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const CrackPiece& piece : mesh.pieces) {
+        const double s = tip.upper > 0 ? piece.s.front() : piece.s.back();
+        const bool comes_in = (tip.upper > 0 ? piece.entry : piece.exit) >= 0.0;
+        if (piece.crack == tip.crack && comes_in && way * (place - s) > 0.0)
+            nearest = std::min(nearest, way * (place - s));
+    }
+    return nearest;
 }
 
 }  // namespace
@@ -60,6 +76,18 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
         crack.points.insert(at_end ? crack.points.end() : crack.points.begin(), next);
     else
         (at_end ? crack.points.back() : crack.points.front()) = next;
+}
+
+bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip) {
+    constexpr double before_edge = 0.02;  // elements
+    auto& points = longer.points;
+    const bool at_end = tip.upper > 0;
+    const std::size_t bend = at_end ? points.size() - 2 : 1, before = at_end ? bend - 1 : bend + 1;
+    if (points.size() < 3 || points[bend] != tip.position) return false;
+    const double back = behind_edge(mesh, tip) + before_edge * tip_element_edge(mesh, tip);
+    if (2.0 * back > (points[bend] - points[before]).norm()) return false;
+    points[bend] -= back * tip.direction;
+    return true;
 }
 
 std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,

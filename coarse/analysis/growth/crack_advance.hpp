@@ -29,6 +29,11 @@ inline constexpr double sharp_turn = std::numbers::pi / 18.0;
 /// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
 
+/// Moves the bend that an advance has made at a tip of `mesh` back to a little before the edge over which the crack has
+/// come into the tip's element: turned back over that edge, it would enter the element before it a second time. Its end
+/// stays. False, and nothing is done: it went straight on, or there is no room before the edge.
+[[nodiscard]] bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip);
+
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces with friction touch, the K
 /// of the solution that has been reached, which knows the shear that they transmit. Not where that is nothing, as
 /// without a load; nor where no ring of the tip lies outside what has flowed: then it is no elastic K. One per tip

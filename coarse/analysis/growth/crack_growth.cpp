@@ -108,8 +108,8 @@ std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const
     return of_tips;
 }
 
-std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
-                                                   const std::vector<CycleResult>& last) {
+std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
+                                                const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
     const std::vector<double> rates = rates_.present();
     std::vector<double> elements;
@@ -129,9 +129,18 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
         note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
                           "mm: K is not resolved until it is as far behind the bend",
                           increment, element));
-    std::vector<Cracks> ways{by(increment, growth_.direction)};
+    const std::vector<CrackSection> turned = by(increment, growth_.direction);
+    std::vector<Way> ways{{turned, nullptr}};
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
-    if (largest_turn(tips, ways.front()) < small_turn) ways.push_back(by(increment, GrowthDirection::Straight));
+    if (largest_turn(tips, turned) < small_turn) ways.push_back({by(increment, GrowthDirection::Straight), nullptr});
+    std::vector<CrackSection> all = turned;
+    for (const Tip& tip : tips) {
+        Way one{turned, "a crack bends a little before its tip: at the tip it would enter an element twice"};
+        if (!bend_before_edge(one.cracks[at(tip.crack)], present.enriched, tip)) continue;
+        (void)bend_before_edge(all[at(tip.crack)], present.enriched, tip);
+        ways.push_back(std::move(one));
+    }
+    if (ways.size() > 2) ways.push_back({std::move(all), ways.back().what});
     return ways;
 }
 
@@ -177,12 +186,14 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
 }
 
 // The first way that the mesh can hold.
-GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) {
+GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Way>& ways) {
     std::string why;
     bool left_the_mesh = false;
-    for (const Cracks& cracks : ways) {
+    for (const auto& [cracks, what] : ways) {
         try {
-            return with_cracks(body, cracks);
+            GrownScene grown = with_cracks(body, cracks);
+            if (what != nullptr) note_(what);
+            return grown;
         } catch (const CaseError& error) {
             if (!why.empty()) continue;
             why = error.what();
@@ -194,7 +205,7 @@ GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vecto
     return {};
 }
 
-GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& cracks) const {
+GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const std::vector<CrackSection>& cracks) const {
     const Scene& present = body.scene();
     Case input = present.input;
     input.cracks = cracks;

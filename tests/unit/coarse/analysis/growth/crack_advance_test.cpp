@@ -28,6 +28,30 @@ TEST(CrackAdvance, MovesTheFirstPointOfACrackThatStartsAtATip) {
     EXPECT_EQ(crack.points.front(), Vec2(0.75, 1.0));
 }
 
+// Elements of 1 mm; the tip lies 0.3 mm along the crack beyond the edge y = 1 of the row that it has come from.
+TEST(CrackAdvance, BendsBeforeTheEdgeThatItHasComeOver) {
+    EnrichedMesh mesh;
+    mesh.nodes = {{2.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {2.0, 1.0}, {3.0, 2.0}, {2.0, 2.0}};
+    mesh.elements = {{0, 1, 2, 3}, {3, 2, 4, 5}};
+    const double s = 2.0 * std::numbers::sqrt2;
+    const Vec2 along = Vec2(1.0, 1.0).normalized(), tip = Vec2(2.2, 1.0) + 0.3 * along, end = tip + Vec2(1.0, -0.5);
+    mesh.pieces = {
+        {.crack = 0, .element = 0, .neighbour = -1, .points = {}, .s = {0.5, s}, .entry = 3.2, .exit = 2.8},
+        {.crack = 0, .element = 1, .neighbour = -1, .points = {}, .s = {s, s + 1.0}, .entry = 0.2, .exit = 1.8}};
+    for (const double beyond : {0.3, -0.7}) {  // faces end before the tip, or ahead of it
+        const bool opened = beyond < 0.0;
+        Tip of_crack{.crack = 0, .position = tip, .direction = along, .s = s + (opened ? 1.0 : 0.0), .upper = 1};
+        of_crack.beyond = beyond;
+        CrackSection crack{.points = {tip - (s + 0.3) * along, tip, end}, .contact = {}};
+        ASSERT_TRUE(bend_before_edge(crack, mesh, of_crack));
+        EXPECT_LT((crack.points[1] - (tip - 0.32 * along)).norm(), 1e-12) << beyond;
+        EXPECT_EQ(crack.points[2], end);
+        EXPECT_FALSE(bend_before_edge(crack, mesh, of_crack)) << "it has gone straight on";
+        CrackSection of_short{.points = {tip - 0.6 * along, tip, end}, .contact = {}};
+        EXPECT_FALSE(bend_before_edge(of_short, mesh, of_crack)) << "there is no room";
+    }
+}
+
 TEST(CrackAdvance, KnowsHowFarATipIsBehindASharpTurn) {
     const CrackSection crack{.points = {{0.0, 0.0}, {3.0, 0.0}, {3.4, 0.3}, {4.4, 1.0}}, .contact = {}};
     const Tip last{.crack = 0, .position = {4.4, 1.0}, .direction = {0.8, 0.56}, .s = 0.0, .upper = 1};
