@@ -7,6 +7,7 @@
 
 #include "coarse/analysis/closure_measurement.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
+#include "coarse/analysis/growth/life_count.hpp"
 #include "coarse/analysis/growth/period_rates.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/elements/coarse_elements.hpp"
@@ -75,7 +76,7 @@ struct AnalysisState {
     bool growth_ended = false;  // growth has ended the run
     GrowthIncrementMemory growth_increment;
     PeriodMemory growth_period;
-    double uncounted_growth = 0.0;  // behind a sharp turn, mm (LifeCount)
+    LifeMemory life;
     std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
     DueGrowth due_growth;
     FaceRelease release;

@@ -128,6 +128,12 @@ void members(auto& archive, Is<PeriodMemory> auto& m) {
     archive("before", before);
 }
 
+void members(auto& archive, Is<LifeMemory> auto& m) {
+    auto& [uncounted, rate_at_turn] = m;
+    archive("uncounted", uncounted);
+    archive("rate_at_turn", rate_at_turn);
+}
+
 void members(auto& archive, Is<CycleMemory> auto& m) {
     auto& [cycle, last_target, tips, last, x, y] = m;
     archive("cycle", cycle);
@@ -227,8 +233,8 @@ void members(auto& archive, Is<StillElements> auto& m) {
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
-           cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period,
-           uncounted_growth, K_reached, due_growth, release, load, work, equilibrium, zone] = m;
+           cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period, life,
+           K_reached, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -256,7 +262,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("growth_ended", growth_ended);
     archive("growth_increment", growth_increment);
     archive("growth_period", growth_period);
-    archive("uncounted_growth", uncounted_growth);
+    archive("life", life);
     archive("K_reached", K_reached);
     archive("due_growth", due_growth);
     archive("release", release);

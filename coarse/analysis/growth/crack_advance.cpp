@@ -47,6 +47,11 @@ double hoop_stress_angle(double K_I, double K_II) {
     return -2.0 * std::atan2(2.0 * K_II, K_I + std::hypot(K_I, std::sqrt(8.0) * K_II));
 }
 
+double K_just_turned(const TipResult& before, double angle) {
+    const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+    return c * c * (c * before.K_I - 3.0 * s * before.K_II);
+}
+
 double turn(double angle, double stretch, double increment, double element) {
     constexpr double tolerance = 1e-4;
     const double over = 0.5 * (std::min(stretch, element) + increment);
@@ -78,16 +83,28 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
         (at_end ? crack.points.back() : crack.points.front()) = next;
 }
 
+// Bends that lie beyond the edge, too, are left away.
 bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip) {
-    constexpr double before_edge = 0.02;  // elements
-    auto& points = longer.points;
-    const bool at_end = tip.upper > 0;
-    const std::size_t bend = at_end ? points.size() - 2 : 1, before = at_end ? bend - 1 : bend + 1;
-    if (points.size() < 3 || points[bend] != tip.position) return false;
-    const double back = behind_edge(mesh, tip) + before_edge * tip_element_edge(mesh, tip);
-    if (2.0 * back > (points[bend] - points[before]).norm()) return false;
-    points[bend] -= back * tip.direction;
-    return true;
+    constexpr double before_edge = 0.02, most_of_stretch = 0.9;  // elements; of the way since a bend
+    const double element = tip_element_edge(mesh, tip);
+    double back = behind_edge(mesh, tip) + before_edge * element;
+    std::vector<Vec2> way = longer.points;
+    if (tip.upper < 0) std::ranges::reverse(way);
+    const Vec2 end = way.back();
+    way.pop_back();
+    if (way.back() != tip.position || back > element) return false;
+    for (; way.size() > 1; way.pop_back()) {
+        const Vec2 stretch = way.back() - way[way.size() - 2];
+        if (back <= most_of_stretch * stretch.norm()) {
+            way.back() -= back * stretch.normalized();
+            way.push_back(end);
+            if (tip.upper < 0) std::ranges::reverse(way);
+            longer.points = std::move(way);
+            return true;
+        }
+        back = std::max(back - stretch.norm(), before_edge * element);
+    }
+    return false;
 }
 
 std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,

@@ -14,6 +14,10 @@ namespace stria::coarse {
 /// Eng. 85 (1963) 519.
 [[nodiscard]] double hoop_stress_angle(double K_I, double K_II);
 
+/// K_I of a crack that has just turned by `angle`, radians, from one with the K of `before`: of the stress across its
+/// new direction. Erdogan and Sih, likewise; within some percent of the exact one.
+[[nodiscard]] double K_just_turned(const TipResult& before, double angle);
+
 /// The angle by which a crack turns: `angle`, or 0 as long as its way without a corner stays within 1e-4 of an element
 /// of the arc that bends by `angle` over the last straight stretch, of one element at most, and the increment, mm each.
 /// Nothing is lost: the next angle is measured from the same direction. Below 2e-4, which is no more than what K_II is
@@ -31,7 +35,8 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
 
 /// Moves the bend that an advance has made at a tip of `mesh` back to a little before the edge over which the crack has
 /// come into the tip's element: turned back over that edge, it would enter the element before it a second time. Its end
-/// stays. False, and nothing is done: it went straight on, or there is no room before the edge.
+/// stays. False, and nothing is done: it went straight on, or the edge is farther than an element away, or the crack
+/// has begun behind it.
 [[nodiscard]] bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip);
 
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces with friction touch, the K

@@ -20,14 +20,15 @@ namespace {
 constexpr double small_turn = 0.01;           // of a tip with K_II = 0.005 K_I
 constexpr double elements_behind_turn = 2.0;  // from where on K behind a sharp turn is resolved
 
-/// Of all tips, radians.
+/// Radians, counter-clockwise.
+double turn_of(const Tip& tip, const std::vector<CrackSection>& longer) {
+    const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
+    return std::atan2(tip.direction.x() * now.y() - tip.direction.y() * now.x(), tip.direction.dot(now));
+}
+
 double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
     double largest = 0.0;
-    for (const Tip& tip : tips) {
-        const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
-        const double cross = tip.direction.x() * now.y() - tip.direction.y() * now.x();
-        largest = std::max(largest, std::abs(std::atan2(cross, tip.direction.dot(now))));
-    }
+    for (const Tip& tip : tips) largest = std::max(largest, std::abs(turn_of(tip, longer)));
     return largest;
 }
 
@@ -47,14 +48,14 @@ CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisStat
       ended_(from != nullptr && from->growth_ended),
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
-      life_(from != nullptr ? from->uncounted_growth : 0.0),
+      life_(from != nullptr ? from->life : LifeMemory()),
       K_reached_(from != nullptr ? from->K_reached : std::vector<double>()) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
     state.growth_increment = increment_.memory();
     state.growth_period = rates_.memory();
-    state.uncounted_growth = life_.uncounted();
+    state.life = life_.memory();
     state.K_reached = K_reached_;
 }
 
@@ -130,6 +131,7 @@ std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std:
                           "mm: K is not resolved until it is as far behind the bend",
                           increment, element));
     const std::vector<CrackSection> turned = by(increment, growth_.direction);
+    if (!rates.empty()) note_turn_of(fastest_of(rates), tips, turned, guides);
     std::vector<Way> ways{{turned, nullptr}};
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
     if (largest_turn(tips, turned) < small_turn) ways.push_back({by(increment, GrowthDirection::Straight), nullptr});
@@ -142,6 +144,14 @@ std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std:
     }
     if (ways.size() > 2) ways.push_back({std::move(all), ways.back().what});
     return ways;
+}
+
+void CrackGrowth::note_turn_of(std::size_t fastest, const std::vector<Tip>& tips,
+                               const std::vector<CrackSection>& turned, const std::vector<TipResult>& guides) {
+    const double angle = turn_of(tips[fastest], turned);
+    if (std::abs(angle) <= sharp_turn) return;
+    const double leap = K_just_turned(guides[fastest], angle) / guides[fastest].K_I;
+    life_.turn(rate_behind_leap(growth_, rates_.present()[fastest], leap));
 }
 
 // What drives the tips has been measured.

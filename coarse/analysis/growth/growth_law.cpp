@@ -35,6 +35,11 @@ double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
 }
 
+double rate_behind_leap(const GrowthSection& growth, double rate, double leap) {
+    const double order = growth.law == GrowthLaw::Ctod ? 2.0 : 1.0;  // of the opening in K
+    return leap > 0.0 ? rate * std::pow(leap, order * growth.m) : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles) {
     std::vector<double> rates;
     for (const CycleResult& cycle : cycles) rates.push_back(growth_rate(growth, cycle));

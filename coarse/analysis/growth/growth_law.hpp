@@ -12,6 +12,9 @@ namespace stria::coarse {
 /// prescribed law: the increment.
 [[nodiscard]] double growth_rate(const GrowthSection& growth, const CycleResult& cycle);
 
+/// That of a tip whose K leaps to a multiple of what it was, at the same ratios to it. NaN where there was none.
+[[nodiscard]] double rate_behind_leap(const GrowthSection& growth, double rate, double leap);
+
 /// One per tip, as `cycles`.
 [[nodiscard]] std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles);
 

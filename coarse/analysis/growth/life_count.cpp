@@ -8,16 +8,21 @@
 
 namespace stria::coarse {
 
+void LifeCount::turn(double rate) {
+    if (memory_.uncounted == 0.0) memory_.rate_at_turn = rate;
+}
+
 double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_after) {
     if (tip.grown <= 0.0) return 0.0;
     constexpr double rounding = 1e-6;
     const double resolved = (1.0 - rounding) * tip.resolved;
-    if (uncounted_ == 0.0 && !std::isnan(rate_after) && tip.behind_turn - tip.grown >= resolved)
+    if (memory_.uncounted == 0.0 && !std::isnan(rate_after) && tip.behind_turn - tip.grown >= resolved)
         return cycles_passed(tip.grown, rate_before, rate_after);
-    uncounted_ += tip.grown;
+    memory_.uncounted += tip.grown;
     // Of a crack that turns again and again no tip is ever far behind a turn.
-    if (std::isnan(rate_after) || std::max(tip.behind_turn, uncounted_) < resolved) return 0.0;
-    return std::exchange(uncounted_, 0.0) / rate_after;
+    if (std::isnan(rate_after) || std::max(tip.behind_turn, memory_.uncounted) < resolved) return 0.0;
+    const auto [grown, at_turn] = std::exchange(memory_, {});
+    return cycles_passed(grown, at_turn > 0.0 ? at_turn : rate_after, rate_after);
 }
 
 }  // namespace stria::coarse

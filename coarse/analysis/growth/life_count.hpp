@@ -1,6 +1,8 @@
 // How many cycles growth takes: the sum of da over da/dN, where K is known and behind sharp turns.
 #pragma once
 
+#include <limits>
+
 namespace stria::coarse {
 
 /// About the fastest tip at the end of a cycle.
@@ -10,23 +12,31 @@ struct GrownTip {
     double resolved = 0.0;     // K of a tip that is nearer to a turn is not resolved, mm
 };
 
+/// A checkpoint holds it.
+struct LifeMemory {
+    double uncounted = 0.0;                                          // grown since a turn and not yet counted, mm
+    double rate_at_turn = std::numeric_limits<double>::quiet_NaN();  // with which that began, mm per cycle
+};
+
 /// By the trapezoidal rule of 1 / rate. Where a crack turns sharply its K leaps, and what follows is not resolved until
-/// the tip is two elements farther: the rate before the turn says nothing of the growth behind it. So that growth is
-/// counted once K is known again, at the rate that the tip has then.
+/// the tip is two elements farther. So that growth is counted once K is known again: from the rate of a crack that has
+/// just turned to the one that the tip has then.
 class LifeCount {
 public:
-    /// `uncounted`: of a run that goes on.
-    explicit LifeCount(double uncounted = 0.0) : uncounted_(uncounted) {}
+    explicit LifeCount(LifeMemory memory = {}) : memory_(memory) {}
+
+    /// The fastest tip turns sharply, and its rate leaps to this one, mm per cycle. Not positive, or NaN: not known,
+    /// and the rate that it has two elements on stands for it.
+    void turn(double rate);
 
     /// Cycles that a growth took; rates da/dN of the fastest tip, mm per cycle, NaN: not known. None where they are
     /// counted later.
     double passed(const GrownTip& tip, double rate_before, double rate_after);
 
-    /// Grown since a turn and not yet counted, mm.
-    [[nodiscard]] double uncounted() const { return uncounted_; }
+    [[nodiscard]] const LifeMemory& memory() const { return memory_; }
 
 private:
-    double uncounted_;
+    LifeMemory memory_;
 };
 
 }  // namespace stria::coarse

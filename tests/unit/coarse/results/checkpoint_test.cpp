@@ -40,7 +40,7 @@ Checkpoint some_checkpoint() {
     state.counts.increments = 57;
     state.growth_ended = true;
     state.growth_increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
-    state.uncounted_growth = 0.02;
+    state.life = {.uncounted = 0.02, .rate_at_turn = 1e-4};
     state.K_reached = {610.5, 0.0};
     state.growth_period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
     state.load.reached = -1.0 / 3.0;
@@ -109,7 +109,8 @@ TEST(Checkpoint, ComesBackBitForBit) {
     ASSERT_EQ(out.analysis.growth_increment.points.size(), 2U);
     EXPECT_EQ(out.analysis.growth_increment.points[0].closure, 0.25);
     EXPECT_EQ(out.analysis.growth_increment.points[0].per_mm, 3e5);
-    EXPECT_EQ(out.analysis.uncounted_growth, 0.02);
+    EXPECT_EQ(out.analysis.life.uncounted, 0.02);
+    EXPECT_EQ(out.analysis.life.rate_at_turn, 1e-4);
     EXPECT_EQ(out.analysis.K_reached, in.analysis.K_reached);
     EXPECT_EQ(out.analysis.growth_period.cycles, 2);
     EXPECT_EQ(out.analysis.growth_period.before.at(0), 4.0);

@@ -47,8 +47,14 @@ TEST(CrackAdvance, BendsBeforeTheEdgeThatItHasComeOver) {
         EXPECT_LT((crack.points[1] - (tip - 0.32 * along)).norm(), 1e-12) << beyond;
         EXPECT_EQ(crack.points[2], end);
         EXPECT_FALSE(bend_before_edge(crack, mesh, of_crack)) << "it has gone straight on";
-        CrackSection of_short{.points = {tip - 0.6 * along, tip, end}, .contact = {}};
-        EXPECT_FALSE(bend_before_edge(of_short, mesh, of_crack)) << "there is no room";
+        const Vec2 bend = tip - 0.3 * along + Vec2(0.0, 0.1);  // beyond the edge
+        CrackSection bent{.points = {bend - Vec2(0.0, 2.0), bend, tip, end}, .contact = {}};
+        ASSERT_TRUE(bend_before_edge(bent, mesh, of_crack));
+        ASSERT_EQ(bent.points.size(), 3U);
+        EXPECT_EQ(bent.points[1].x(), bend.x());
+        EXPECT_LT(bent.points[1].y(), bend.y() - 0.019);
+        CrackSection of_short{.points = {tip - 0.33 * along, tip, end}, .contact = {}};
+        EXPECT_FALSE(bend_before_edge(of_short, mesh, of_crack)) << "it has begun there";
     }
 }
 
@@ -75,6 +81,17 @@ TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
     EXPECT_NEAR(hoop_stress_angle(-1.0, 1.0) / degree, -70.5288, 1e-4);  // no further than in pure shear
     EXPECT_EQ(hoop_stress_angle(0.0, 0.0), 0.0);                         // no ring has seen a field
     EXPECT_EQ(hoop_stress_angle(-1.0, 1e-9), 0.0);                       // the load closes it
+}
+
+// The largest of all directions; in pure shear 2 / sqrt(3) of K_II.
+TEST(CrackAdvance, KnowsTheKOfACrackThatHasJustTurned) {
+    const TipResult mixed{.K_I = 1.0, .K_II = 1.0};
+    EXPECT_EQ(K_just_turned(mixed, 0.0), 1.0);
+    const double best = hoop_stress_angle(1.0, 1.0), K = K_just_turned(mixed, best);
+    for (const double off : {-0.01, 0.01}) EXPECT_LT(K_just_turned(mixed, best + off), K);
+    EXPECT_NEAR(K_just_turned({.K_I = 0.0, .K_II = 1.0}, hoop_stress_angle(0.0, 1.0)), 2.0 / std::numbers::sqrt3,
+                1e-12);
+    EXPECT_EQ(K_just_turned({.K_I = 1.0, .K_II = -1.0}, -best), K);
 }
 
 /// The farthest that a crack gets from the circle of radius 50 mm whose tangent it turns to at the end of each step.

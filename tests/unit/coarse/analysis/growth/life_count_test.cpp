@@ -24,7 +24,7 @@ double life(int increments, double before_turn, const Rate& seen, double behind_
                                before, now);
         before = now;
     }
-    EXPECT_EQ(count.uncounted(), 0.0);
+    EXPECT_EQ(count.memory().uncounted, 0.0);
     return cycles;
 }
 
@@ -68,10 +68,28 @@ TEST(LifeCount, DoesNotAskForARateThatIsNotResolved) {
     EXPECT_NEAR(life_behind_turn(400, 0.1 * paris(0.0), seen) / exact, 1.0, 1e-4);
     LifeCount count;
     EXPECT_EQ(count.passed({.grown = 0.005, .behind_turn = 0.005, .resolved = resolved}, 1e-5, 1e-6), 0.0);
-    EXPECT_EQ(count.uncounted(), 0.005);
-    LifeCount resumed(count.uncounted());
+    EXPECT_EQ(count.memory().uncounted, 0.005);
+    LifeCount resumed(count.memory());
     EXPECT_NEAR(resumed.passed({.grown = 0.015, .behind_turn = 0.02, .resolved = resolved}, 1e-6, 1e-5), 2000.0, 1e-9);
-    EXPECT_EQ(resumed.uncounted(), 0.0);
+    EXPECT_EQ(resumed.memory().uncounted, 0.0);
+}
+
+// Two elements are half of the life. With the rate at their end alone it would be 13 % too short.
+TEST(LifeCount, BeginsWithTheRateOfACrackThatHasJustTurned) {
+    const double wide = 1.0;
+    LifeCount count, later;
+    count.turn(paris(0.0));
+    EXPECT_EQ(count.passed({.grown = 0.5, .behind_turn = 0.5, .resolved = wide}, 1e-9, 1e-9), 0.0);
+    count.turn(7.0);  // again, before the first is counted
+    LifeCount resumed(count.memory());
+    for (LifeCount* one : {&count, &resumed}) {
+        const double cycles = one->passed({.grown = 0.5, .behind_turn = 1.0, .resolved = wide}, 1e-9, paris(1.0));
+        EXPECT_NEAR(cycles / exact, 1.0, 0.005);
+        EXPECT_TRUE(std::isnan(one->memory().rate_at_turn));
+    }
+    later.turn(0.0);
+    EXPECT_NEAR(later.passed({.grown = 1.0, .behind_turn = 1.0, .resolved = wide}, 1e-9, paris(1.0)), 1.0 / paris(1.0),
+                1e-6);
 }
 
 TEST(LifeCount, CountsOfACrackThatTurnsAgainAndAgain) {
