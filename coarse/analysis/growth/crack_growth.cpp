@@ -81,6 +81,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
             directing(present.input.cracks, present.enriched.tips,
                       factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
         grown = along_first_of(body, ways(present, guides, last));
+        if (grown.longer) note_turn(present, *grown.longer, guides, reached);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
@@ -131,7 +132,6 @@ std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std:
                           "mm: K is not resolved until it is as far behind the bend",
                           increment, element));
     const std::vector<CrackSection> turned = by(increment, growth_.direction);
-    if (!rates.empty()) note_turn_of(fastest_of(rates), tips, turned, guides);
     std::vector<Way> ways{{turned, nullptr}};
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
     if (largest_turn(tips, turned) < small_turn) ways.push_back({by(increment, GrowthDirection::Straight), nullptr});
@@ -146,12 +146,18 @@ std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std:
     return ways;
 }
 
-void CrackGrowth::note_turn_of(std::size_t fastest, const std::vector<Tip>& tips,
-                               const std::vector<CrackSection>& turned, const std::vector<TipResult>& guides) {
-    const double angle = turn_of(tips[fastest], turned);
+// Of the fastest tip. An initial stress acts with the load: what they have reached together is the K that leaps, unless
+// it is no elastic one.
+void CrackGrowth::note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides,
+                            const std::vector<TipResult>& reached) {
+    const std::vector<double> rates = rates_.present();
+    if (rates.empty()) return;
+    const std::size_t t = fastest_of(rates);
+    const double angle = turn_of(present.enriched.tips[t], longer.input.cracks);
     if (std::abs(angle) <= sharp_turn) return;
-    const double leap = K_just_turned(guides[fastest], angle) / guides[fastest].K_I;
-    life_.turn(rate_behind_leap(growth_, rates_.present()[fastest], leap));
+    const bool together = present.initial_stress().any() && !reached[t].rings_flow && reached[t].K_I > 0.0;
+    const TipResult& K = together ? reached[t] : guides[t];
+    life_.turn(rate_behind_leap(growth_, rates[t], K_just_turned(K, angle) / K.K_I));
 }
 
 // What drives the tips has been measured.

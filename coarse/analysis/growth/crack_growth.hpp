@@ -70,9 +70,9 @@ private:
     [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
-    /// Of the fastest tip: where it turns sharply its rate leaps.
-    void note_turn_of(std::size_t fastest, const std::vector<Tip>& tips, const std::vector<CrackSection>& turned,
-                      const std::vector<TipResult>& guides);
+    /// Where the fastest tip turns sharply its rate leaps.
+    void note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides,
+                   const std::vector<TipResult>& reached);
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Way>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const std::vector<CrackSection>& cracks) const;
 
