@@ -32,6 +32,13 @@ double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection
     return largest;
 }
 
+std::string sharp_turn_warning(std::size_t tip, double grows, double element) {
+    return fmt::format(
+        "warning: tip {} turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} mm: its K "
+        "is not resolved until it is as far behind the bend",
+        tip, grows, element);
+}
+
 /// Those of all loads together: load cases give a K another mode as their factors change.
 std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
     for (TipResult& tip : nominal) {
@@ -126,12 +133,13 @@ std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std:
                                  ? increment_.next(growth_, last, rates, lengthening(tips),
                                                    steps_about(fastest_of(rates), present, turn, elements))
                                  : growth_.increment.value();
-    const double resolved = elements_behind_turn * element;
-    if (turn > sharp_turn && increment < resolved)
-        note_(fmt::format("warning: the crack turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
-                          "mm: K is not resolved until it is as far behind the bend",
-                          increment, element));
     const std::vector<CrackSection> turned = by(increment, growth_.direction);
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        const std::vector<Vec2>& points = turned[at(tips[t].crack)].points;
+        const double grows = ((tips[t].upper > 0 ? points.back() : points.front()) - tips[t].position).norm();
+        if (std::abs(turn_of(tips[t], turned)) > sharp_turn && grows < elements_behind_turn * elements[t])
+            note_(sharp_turn_warning(t, grows, elements[t]));
+    }
     std::vector<Way> ways{{turned, nullptr}};
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
     if (largest_turn(tips, turned) < small_turn) ways.push_back({by(increment, GrowthDirection::Straight), nullptr});
