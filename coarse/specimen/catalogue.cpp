@@ -10,6 +10,7 @@
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -46,8 +47,7 @@ bool crosses_interior(const Vec2& from, const Vec2& to, const Body& body) {
 /// What no mesh can tell from nothing: a crack, or what of it lies in the body, shorter than rounding lets it be.
 void require_length(const CrackSection& crack, const std::string& key, const Body& body) {
     const double least = 1e-6 * (body.high - body.low).maxCoeff();
-    double length = 0.0;
-    for (std::size_t k = 1; k < crack.points.size(); ++k) length += (crack.points[k] - crack.points[k - 1]).norm();
+    double length = length_of(crack.points);
     for (const Vec2& end : {crack.points.front(), crack.points.back()})
         if (body.holds_inside(end))
             length = std::min({length, (end - body.low).minCoeff(), (body.high - end).minCoeff()});

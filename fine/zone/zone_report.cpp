@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::fine {
@@ -48,10 +49,8 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
 /// By more than a mesh moves a tip onto itself, which is a thousandth of an edge (docs/notation.md).
 bool has_grown(const Tip& tip, const CrackSection& at_first) {
     constexpr double seen = 1e-3;
-    double length = 0.0;
-    for (std::size_t k = 1; k < at_first.points.size(); ++k)
-        length += (at_first.points[k] - at_first.points[k - 1]).norm();
-    const auto has_left = [&](const Vec2& end) { return (tip.position - end).norm() > seen * length; };
+    const double moved = seen * length_of(at_first.points);
+    const auto has_left = [&](const Vec2& end) { return (tip.position - end).norm() > moved; };
     return has_left(at_first.points.front()) && has_left(at_first.points.back());
 }
 

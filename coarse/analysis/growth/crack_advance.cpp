@@ -107,6 +107,19 @@ bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip&
     return false;
 }
 
+std::vector<std::vector<CrackSection>> bent_before_edges(const std::vector<CrackSection>& longer,
+                                                         const EnrichedMesh& mesh) {
+    std::vector<std::vector<CrackSection>> ways;
+    std::vector<CrackSection> all = longer;
+    for (const Tip& tip : mesh.tips) {
+        if (!bend_before_edge(all[at(tip.crack)], mesh, tip)) continue;
+        ways.push_back(longer);
+        (void)bend_before_edge(ways.back()[at(tip.crack)], mesh, tip);
+    }
+    if (ways.size() > 1) ways.push_back(std::move(all));
+    return ways;
+}
+
 std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
                                  std::vector<TipResult> nominal, const std::vector<TipResult>& reached) {
     for (std::size_t t = 0; t < nominal.size(); ++t) {

@@ -39,6 +39,10 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
 /// has begun behind it.
 [[nodiscard]] bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip);
 
+/// What bend_before_edge() makes of longer cracks: of each tip alone, and of all of them where there are several.
+[[nodiscard]] std::vector<std::vector<CrackSection>> bent_before_edges(const std::vector<CrackSection>& longer,
+                                                                       const EnrichedMesh& mesh);
+
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces with friction touch, the K
 /// of the solution that has been reached, which knows the shear that they transmit. Not where that is nothing, as
 /// without a load; nor where no ring of the tip lies outside what has flowed: then it is no elastic K. One per tip

@@ -32,13 +32,6 @@ double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection
     return largest;
 }
 
-std::string sharp_turn_warning(std::size_t tip, double grows, double element) {
-    return fmt::format(
-        "warning: tip {} turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} mm: its K "
-        "is not resolved until it is as far behind the bend",
-        tip, grows, element);
-}
-
 /// Those of all loads together: load cases give a K another mode as their factors change.
 std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
     for (TipResult& tip : nominal) {
@@ -117,8 +110,8 @@ std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const
     return of_tips;
 }
 
-std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
-                                                const std::vector<CycleResult>& last) {
+std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
+                                                   const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
     const std::vector<double> rates = rates_.present();
     std::vector<double> elements;
@@ -133,25 +126,24 @@ std::vector<CrackGrowth::Way> CrackGrowth::ways(const Scene& present, const std:
                                  ? increment_.next(growth_, last, rates, lengthening(tips),
                                                    steps_about(fastest_of(rates), present, turn, elements))
                                  : growth_.increment.value();
-    const std::vector<CrackSection> turned = by(increment, growth_.direction);
-    for (std::size_t t = 0; t < tips.size(); ++t) {
-        const std::vector<Vec2>& points = turned[at(tips[t].crack)].points;
-        const double grows = ((tips[t].upper > 0 ? points.back() : points.front()) - tips[t].position).norm();
-        if (std::abs(turn_of(tips[t], turned)) > sharp_turn && grows < elements_behind_turn * elements[t])
-            note_(sharp_turn_warning(t, grows, elements[t]));
-    }
-    std::vector<Way> ways{{turned, nullptr}};
+    std::vector<Cracks> ways{by(increment, growth_.direction)};
+    warn_of_sharp_turns(tips, ways.front(), elements);
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
-    if (largest_turn(tips, turned) < small_turn) ways.push_back({by(increment, GrowthDirection::Straight), nullptr});
-    std::vector<CrackSection> all = turned;
-    for (const Tip& tip : tips) {
-        Way one{turned, "a crack bends a little before its tip: at the tip it would enter an element twice"};
-        if (!bend_before_edge(one.cracks[at(tip.crack)], present.enriched, tip)) continue;
-        (void)bend_before_edge(all[at(tip.crack)], present.enriched, tip);
-        ways.push_back(std::move(one));
-    }
-    if (ways.size() > 2) ways.push_back({std::move(all), ways.back().what});
+    if (largest_turn(tips, ways.front()) < small_turn) ways.push_back(by(increment, GrowthDirection::Straight));
     return ways;
+}
+
+void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks& longer,
+                                      const std::vector<double>& elements) const {
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        if (std::abs(turn_of(tips[t], longer)) <= sharp_turn) continue;
+        const std::vector<Vec2>& points = longer[at(tips[t].crack)].points;
+        const double grows = ((tips[t].upper > 0 ? points.back() : points.front()) - tips[t].position).norm();
+        if (grows < elements_behind_turn * elements[t])
+            note_(fmt::format("warning: tip {} turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
+                              "mm: its K is not resolved until it is as far behind the bend",
+                              t, grows, elements[t]));
+    }
 }
 
 // Of the fastest tip. An initial stress acts with the load: what they have reached together is the K that leaps, unless
@@ -209,27 +201,33 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
     return true;
 }
 
-// The first way that the mesh can hold.
-GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Way>& ways) {
+// The first way that the mesh can hold, or the first bent a little earlier.
+GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) {
     std::string why;
     bool left_the_mesh = false;
-    for (const auto& [cracks, what] : ways) {
+    GrownScene grown;
+    const auto is_held = [&](const Cracks& cracks) {
         try {
-            GrownScene grown = with_cracks(body, cracks);
-            if (what != nullptr) note_(what);
-            return grown;
+            grown = with_cracks(body, cracks);
+            return true;
         } catch (const CaseError& error) {
-            if (!why.empty()) continue;
+            if (!why.empty()) return false;
             why = error.what();
             left_the_mesh = dynamic_cast<const CrackOffMesh*>(&error) != nullptr;
+            return false;
         }
+    };
+    if (std::ranges::any_of(ways, is_held)) return grown;
+    if (left_the_mesh && std::ranges::any_of(bent_before_edges(ways.front(), body.scene().enriched), is_held)) {
+        note_("a crack bends a little before its tip: at the tip the mesh cannot hold the bend");
+        return grown;
     }
     left_the_mesh_ = left_the_mesh;
     note_(fmt::format("growth ends here{}: {}", left_the_mesh ? ", and not the life" : "", why));
     return {};
 }
 
-GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const std::vector<CrackSection>& cracks) const {
+GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& cracks) const {
     const Scene& present = body.scene();
     Case input = present.input;
     input.cracks = cracks;

@@ -58,14 +58,13 @@ private:
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
     /// That the growth at the beginning of the present period took.
     [[nodiscard]] double cycles_of_period(const Scene& present);
-    struct Way {
-        std::vector<CrackSection> cracks;  // longer ones
-        const char* what;                  // to be said of it; null: nothing
-    };
+    using Cracks = std::vector<CrackSection>;
 
-    /// As the tips turn, and others where the mesh may not hold that.
-    [[nodiscard]] std::vector<Way> ways(const Scene& present, const std::vector<TipResult>& guides,
-                                        const std::vector<CycleResult>& last);
+    /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
+    [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
+                                           const std::vector<CycleResult>& last);
+    void warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks& longer,
+                             const std::vector<double>& elements) const;
     /// By which `a` of each tip grows, mm per cycle: half of a crack with two tips by the mean of theirs.
     [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
@@ -73,8 +72,8 @@ private:
     /// Where the fastest tip turns sharply its rate leaps.
     void note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides,
                    const std::vector<TipResult>& reached);
-    [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Way>& ways);
-    [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const std::vector<CrackSection>& cracks) const;
+    [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
+    [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
     GrowthSection growth_;
     bool takes_mean_;
