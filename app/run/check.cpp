@@ -4,9 +4,12 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "app/run/coarse_run.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
+#include "coarse/fracture/halved_elements.hpp"
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
@@ -53,22 +56,60 @@ void print_load_cases(const Case& input, std::size_t t, const coarse::TipResult&
     }
 }
 
-void print_zone_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
-    const coarse::UnitResponse unit = coarse::unit_response(nominal);
+/// K at the largest load, of one tip.
+struct LargestK {
+    double factor;  // of the load
+    bool initial;   // the initial stress has a share
+
+    [[nodiscard]] double of_initial(const coarse::TipResult& tip) const { return initial ? tip.K_initial : 0.0; }
+    [[nodiscard]] std::string text(const coarse::TipResult& tip) const {
+        return fmt::format("K_I = {:.5g}, K_II = {:.5g}", tip.K_I * factor + of_initial(tip), tip.K_II * factor + 0.0);
+    }
+};
+
+LargestK at_largest_load(const coarse::Scene& scene, const coarse::UnitResponse& unit) {
     const double largest = coarse::largest_value(scene.input.load);
-    const double factor = coarse::load_factor_at(largest > 0.0 ? largest : coarse::smallest_value(scene.input.load),
-                                                 scene.input.load, unit);
+    return {coarse::load_factor_at(largest > 0.0 ? largest : coarse::smallest_value(scene.input.load), scene.input.load,
+                                   unit),
+            scene.initial_stress().any()};
+}
+
+/// Takes four to five times what the scene's own body takes: not where that is much.
+std::vector<coarse::TipResult> halved_where_cheap(const coarse::Scene& scene) {
+    constexpr double of_body = 4.5, most_seconds = 10.0, most_bytes = 1e9;
+    const double seconds = of_body * coarse::seconds_of_body(scene), bytes = of_body * coarse::bytes_of_body(scene);
+    if (seconds <= most_seconds && bytes <= most_bytes) return coarse::tips_on_halved_elements(scene);
+    fmt::print("# K on elements half as large is not asked for: it takes about {:.2g} s of a processor and {:.2g} MB\n",
+               seconds, 1e-6 * bytes);
+    return {};
+}
+
+void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
+    if (nominal.tips.empty()) return;
+    constexpr double worth_a_warning = 0.005;
+    const LargestK K = at_largest_load(scene, coarse::unit_response(nominal));
+    const std::vector<coarse::TipResult> halved = halved_where_cheap(scene);
+    for (std::size_t t = 0; t < nominal.tips.size(); ++t) {
+        const coarse::TipResult& tip = nominal.tips[t];
+        fmt::print("# tip {}: {} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free faces)\n", t,
+                   K.text(tip), K.factor, tip.K_I_of_cases.empty() ? "" : " without load cases");
+        if (K.initial) fmt::print("#   of K_I {:.5g} by the initial stress\n", K.of_initial(tip));
+        if (halved.empty()) continue;
+        const double change = coarse::change_of_K(tip, halved[t]);
+        fmt::print("#   on elements half as large {}: K changes by {:.2g} %\n", K.text(halved[t]), 100.0 * change);
+        if (change > worth_a_warning)
+            fmt::print("# warning: tip {}: K changes by {:.2g} % on elements half as large, and a life by the exponent "
+                       "of its law times that: smaller elements about the crack (mesh.size, mesh.grading or the mesh "
+                       "file)\n",
+                       t, 100.0 * change);
+    }
+}
+
+void print_zone_estimate(const coarse::Scene& scene, const coarse::UnitResponse& unit) {
     const std::vector<double> K = coarse::largest_K(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
     for (std::size_t t = 0; t < K.size(); ++t) {
-        const double initial = scene.initial_stress().any() ? unit.K_initial[t] : 0.0;
-        fmt::print(
-            "# tip {}: K_I = {:.5g}, K_II = {:.5g} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free "
-            "faces)\n",
-            t, unit.K_I[t] * factor + initial, unit.K_II[t] * factor + 0.0, factor,
-            nominal.tips[t].K_I_of_cases.empty() ? "" : " without load cases");
-        if (scene.initial_stress().any()) fmt::print("#   of K_I {:.5g} by the initial stress\n", initial);
         if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {
-            fmt::print("#   radius of the zone, eq. (3): {:.4g} mm by K = {:.5g} MPa sqrt(mm)\n",
+            fmt::print("# tip {}: radius of the zone, eq. (3): {:.4g} mm by K = {:.5g} MPa sqrt(mm)\n", t,
                        coarse::subdivision_radius(scene.input.fine.beta, K[t], yield_stress), K[t]);
         }
     }
@@ -140,10 +181,11 @@ int check(const RunOptions& options) {
     const std::vector<double> common_K_I = coarse::common_K_I(input, unit);
     for (const std::string& warning : coarse::case_warnings(scene, unit)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
+    print_K(scene, nominal);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
     } else {
-        print_zone_estimate(scene, nominal);
+        print_zone_estimate(scene, unit);
         print_way(scene, nominal, K);
     }
     print_estimate(nominal, K);
