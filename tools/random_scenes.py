@@ -65,7 +65,7 @@ def hardening_of(rng):
     lines = []
     law = rng.choice(["linear", "linear", "voce", "power", "table"])
     lines.append({"linear": 'isotropic = {{ law = "linear", modulus = {:.4g} }}'.format(rng.choice([0.0, 1000.0, 5000.0])),
-                  "voce": 'isotropic = {{ law = "voce", Q = {:.4g}, b = {:.4g} }}'.format(rng.uniform(20, 150), rng.uniform(2, 50)),
+                  "voce": 'isotropic = {{ law = "voce", Q = {:.4g}, b = {:.4g} }}'.format(rng.uniform(-80, 150), rng.uniform(2, 50)),
                   "power": 'isotropic = {{ law = "power", n = {:.4g}, alpha = {:.4g} }}'.format(rng.uniform(3, 12), rng.uniform(0.1, 1)),
                   "table": "isotropic = { law = \"table\", plastic_strain = [0.0, 0.01, 0.1], stress = [YIELD, HIGHER, HIGHEST] }"}[law])
     terms = [(rng.uniform(1e3, 4e4), rng.choice([0.0, rng.uniform(10.0, 400.0)])) for _ in range(rng.randrange(3))]

@@ -27,13 +27,41 @@ std::optional<std::string> material_warning(const std::string& key, const Materi
         key, strain, strain < least_strain ? " Increments of many times that strain take long" : "");
 }
 
+/// dX/dp of a back stress that is pulled on and on, MPa.
+double hardening_of(const KinematicHardening& term, double p) {
+    if (term.threshold) return term.gamma * p < 1.0 ? term.C : 0.0;
+    return term.C * std::exp(-term.gamma * p);
+}
+
+/// Where the slope of stress over plastic strain is negative flow gathers in bands as wide as an element.
+std::optional<std::string> softening_warning(const std::string& key, const MaterialSection& material) {
+    const IsotropicHardening& isotropic = material.isotropic;
+    if (!material.yield_stress || isotropic.law != "voce" || isotropic.Q >= 0.0) return std::nullopt;
+    double least = 0.0, strain = 0.0;
+    constexpr double first = 1e-5, last = 1.0, step = 1.02;  // plastic strains
+    for (double p = first; p < last; p *= step) {
+        double slope = isotropic.Q * isotropic.b * std::exp(-isotropic.b * p);
+        for (const KinematicHardening& term : material.kinematic) slope += hardening_of(term, p);
+        if (slope >= least) continue;
+        least = slope;
+        strain = p;
+    }
+    if (least == 0.0) return std::nullopt;
+    return fmt::format(
+        "{}: at a plastic strain of {:.2g} it softens by more than it hardens, by {:.3g} MPa: flow gathers "
+        "in bands as wide as an element, and what comes of it follows the mesh; a kinematic term "
+        "without gamma and with C = {:.2g} keeps it from that",
+        key, strain, -least, -least);
+}
+
 }  // namespace
 
 std::vector<std::string> material_warnings(const Case& input) {
     std::vector<std::string> warnings;
     const auto look_at = [&](const std::string& key, const MaterialSection& material) {
-        if (std::optional<std::string> warning = material_warning(key, material))
-            warnings.push_back(std::move(*warning));
+        for (const std::optional<std::string>& warning :
+             {material_warning(key, material), softening_warning(key, material)})
+            if (warning) warnings.push_back(*warning);
     };
     look_at("material", input.material);
     for (std::size_t k = 0; k < input.regions.size(); ++k)

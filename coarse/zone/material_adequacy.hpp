@@ -9,7 +9,8 @@
 namespace stria::coarse {
 
 /// One sentence for each material whose strain at yield no metal has. Where it is far below, increments are many times
-/// that strain, and a run takes long; where it is far above, strains are not small.
+/// that strain, and a run takes long; where it is far above, strains are not small. One for each that softens by more
+/// than it hardens, when pulled on and on.
 std::vector<std::string> material_warnings(const Case& input);
 
 /// One sentence where a Paris law gives a rate that no crack has: most are printed for m/cycle or MPa sqrt(m). `K`: of

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/case/case_checks.hpp"
+#include "common/case/material_checks.hpp"
 
 namespace stria {
 
@@ -120,7 +121,9 @@ Section<IsotropicHardening> isotropic_section() {
               "Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, less p at the yield stress. table: "
               "straight lines.");
     s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("linear: dR/dp.");
-    s.value("Q", &IsotropicHardening::Q).in("MPa").at_least(0.0).says("voce: R at saturation.");
+    s.value("Q", &IsotropicHardening::Q)
+        .in("MPa")
+        .says("voce: R at saturation; below zero the metal softens, by less than its yield stress.");
     s.value("b", &IsotropicHardening::b).at_least(0.0).says("voce: how fast R saturates.");
     s.value("n", &IsotropicHardening::n).at_least(0.0).says("power: the exponent, above 1.");
     s.value("alpha", &IsotropicHardening::alpha)

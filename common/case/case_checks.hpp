@@ -9,8 +9,6 @@ namespace stria {
 
 void check_grading(const Grading& grading, const schema::Value& table, const schema::Place& place);
 void check_mesh(const MeshSection& mesh, const schema::Value& table, const schema::Place& place);
-void check_hardening(const MaterialSection& material, const schema::Value& table, const schema::Place& place);
-void check_material_test(const MaterialTestSection& test, const schema::Value& table, const schema::Place& place);
 void check_growth(const GrowthSection& growth, const schema::Value& table, const schema::Place& place);
 void check_crack(const CrackSection& crack, const schema::Value& table, const schema::Place& place);
 void check_boundary(const BoundarySection& boundary, const schema::Value& table, const schema::Place& place);

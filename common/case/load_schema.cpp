@@ -4,6 +4,7 @@
 
 #include "common/case/case_checks.hpp"
 #include "common/case/loads/load_case_checks.hpp"
+#include "common/case/material_checks.hpp"
 #include "common/schema/auto_values.hpp"
 
 namespace stria {

@@ -1,5 +1,7 @@
 #include "tests/stress/random_metal.hpp"
 
+#include <algorithm>
+
 #include "common/index.hpp"
 
 namespace stria::test {
@@ -30,6 +32,8 @@ Law random_law(Dice& dice) {
     const std::vector<Law>& laws = catalogue();
     Law law = laws[at(dice.below(static_cast<int>(laws.size())))];
     if (dice.one_in(2)) harden(law.material, dice.decade(-6.0, 3.0));
+    if (law.material.yield_stress)  // what softens keeps some of it
+        law.material.isotropic.Q = std::max(law.material.isotropic.Q, -0.9 * *law.material.yield_stress);
     if (dice.one_in(3)) law.material.isotropic.n = dice.decade(0.0, 2.0);
     if (dice.one_in(3)) law.material.poisson = 0.4999;
     return law;

@@ -46,6 +46,7 @@ inline const std::vector<Law>& catalogue() {
             {"prager", linear_steel(0.0, {{5000.0, 0.0}})},
             {"mixed", linear_steel(1000.0, {{3000.0, 0.0}, {20000.0, 0.0}})},
             {"voce", curved(voce, {{3000.0, 0.0}})},
+            {"softening", curved({.law = "voce", .Q = -80.0, .b = 20.0}, recalling)},
             {"power", curved({.law = "power", .n = 8.0, .alpha = 0.5, .reference = 400.0})},
             {"table",
              curved(

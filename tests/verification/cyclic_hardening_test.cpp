@@ -237,6 +237,39 @@ TEST(CyclicHardening, TwentyIncrementsInPartsRatchetAsExactly) {
     }
 }
 
+/// references 6.5, with R = Q: sigma = sigma_y + Q + C / gamma tanh(gamma (eps - sigma / E)), by bisection.
+double settled_stress(const MaterialSection& steel, double Q, double strain) {
+    const KinematicHardening& back = steel.kinematic[0];
+    double below = 0.0, above = steel.young * strain;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double stress = 0.5 * (below + above), plastic = strain - stress / steel.young;
+        const double borne = *steel.yield_stress + Q + back.C / back.gamma * std::tanh(back.gamma * plastic);
+        (stress < borne ? below : above) = stress;
+    }
+    return below;
+}
+
+// The range of the stress falls, from the first pull on, and settles.
+TEST(CyclicHardening, ASteelThatSoftensUnderCyclesSettles) {
+    MaterialSection steel = armstrong_frederick();
+    steel.isotropic = {.law = "voce", .Q = -70.0, .b = 20.0};
+    constexpr double strain = 0.006;
+    for (const PlaneState plane : {PlaneState::Strain, PlaneState::Stress}) {
+        const std::vector<Turns> found = extrapolated_turns(
+            tested(steel, plane, TestControl::Strain, {.cycles = 60, .max = strain, .min = -strain}, 200));
+        for (std::size_t k = 1; k < 30; ++k) EXPECT_LT(found[k].stress_at_max, found[k - 1].stress_at_max);
+        EXPECT_GT(found[0].stress_at_max, found.back().stress_at_max + 30.0);
+        verify({.scene = fmt::format("Armstrong and Frederick that soften by 70 MPa, strain +-0.006, settled, {}",
+                                     plane == PlaneState::Strain ? "plane strain" : "plane stress"),
+                .source = "closed form (6.5)",
+                .quantity = "stress, MPa",
+                .reference = settled_stress(steel, -70.0, strain),
+                .ours = found.back().stress_at_max,
+                .within = 1e-4,
+                .mesh = "200 and 400 a cycle"});
+    }
+}
+
 // references 6.5: the stress at the tip of a cycle that repeats itself.
 TEST(CyclicHardening, StabilisedCyclesOfArmstrongAndFrederick) {
     for (const auto& [amplitude, stress] : {std::pair{0.006, 375.648175}, {0.004, 326.962823}, {0.01, 404.558006}}) {

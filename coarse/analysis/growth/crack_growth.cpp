@@ -170,7 +170,10 @@ void CrackGrowth::require_drive(const std::vector<double>& rates, const std::vec
                                            "growth: the crack is shorter than that",
                                            tip));
     if (!grows_by_opening_loads(growth_) || std::isnan(last[at(tip)].K_max))
-        throw NumericalFailure(fmt::format("K drives the growth, and no ring about tip {} tells it", tip));
+        throw NumericalFailure(fmt::format("K drives the growth, and no ring about tip {} tells it: an edge, a load, a "
+                                           "bend or another tip is too near; smaller elements there may, or behind a "
+                                           "sharp turn a larger growth.increment",
+                                           tip));
     throw NumericalFailure(fmt::format(
         "K_op drives the growth, and no equilibrium of {} tells it for tip {}; finer increments (load.steps) may",
         takes_mean_ ? "a cycle since the growth before" : "the last cycle", tip));

@@ -35,6 +35,22 @@ TEST(MaterialAdequacy, AsksForTheUnitsOfOthers) {
     EXPECT_TRUE(warning_of(metal(200e9, 300.0)).ends_with("Increments of many times that strain take long"));
 }
 
+TEST(MaterialAdequacy, NamesAMetalThatSoftensByMoreThanItHardens) {
+    Case input = metal(200e3, 300.0);
+    input.material.isotropic = {.law = "voce", .Q = -100.0, .b = 20.0};
+    EXPECT_TRUE(warning_of(input).starts_with("material: at a plastic strain of 1e-05 it softens by more than it "
+                                              "hardens, by 2e+03 MPa: "))
+        << warning_of(input);
+    input.material.kinematic = {{60e3, 300.0}};  // 60e3 exp(-300 p) - 2000 exp(-20 p): least at p = 0.0218
+    EXPECT_NE(warning_of(input).find("at a plastic strain of 0.022 it softens"), std::string::npos)
+        << warning_of(input);
+    EXPECT_NE(warning_of(input).find("by 1.21e+03 MPa"), std::string::npos) << warning_of(input);
+    input.material.kinematic.push_back({1250.0, 0.0});
+    EXPECT_TRUE(coarse::material_warnings(input).empty());
+    input.material.kinematic = {{60e3, 300.0, true}};  // up to p = 1 / gamma
+    EXPECT_NE(warning_of(input).find("at a plastic strain of 0.0034"), std::string::npos) << warning_of(input);
+}
+
 // Barsom and Rolfe's law of ferritic steels, 6.9e-12 m/cycle and MPa sqrt(m), m = 3: 2.18e-13 in mm and MPa sqrt(mm).
 TEST(MaterialAdequacy, AsksForTheUnitsOfALawOfGrowth) {
     Case input = metal(200e3, 300.0);

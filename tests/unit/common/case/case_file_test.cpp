@@ -408,7 +408,10 @@ TEST_F(CaseFile, TakesHardeningThatSaturates) {
     EXPECT_EQ(input.material.isotropic.Q, 90.0);
     EXPECT_EQ(input.material.kinematic.at(0).gamma, 50.0);
     const auto about = [&](const std::string& keys) { return complaint(complete + "[material.isotropic]\n" + keys); };
-    EXPECT_EQ(about("law = \"voce\"\nQ = 90.0\n"), "case.toml:26: material.isotropic needs Q and b, both positive");
+    EXPECT_EQ(about("law = \"voce\"\nQ = 90.0\n"), "case.toml:26: material.isotropic needs Q and b > 0");
+    EXPECT_EQ(about("law = \"voce\"\nQ = -299.0\nb = 3.0\n"), "no complaint");
+    EXPECT_NE(about("law = \"voce\"\nQ = -300.0\nb = 3.0\n").find("needs a Q above -yield_stress"), std::string::npos);
+    EXPECT_NE(about("law = \"voce\"\nQ = -200.0\nb = 100.0\n").find("needs a Q b above"), std::string::npos);
     EXPECT_EQ(about("Q = 90.0\n"), "case.toml:27: material.isotropic.Q = 90 belongs to law = \"voce\"");
     for (const char* keys :
          {"law = \"power\"\nn = 0.5\nalpha = 1.0\n", "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [300.0]\n",
