@@ -39,6 +39,7 @@ std::optional<std::string> softening_warning(const std::string& key, const Mater
     if (!material.yield_stress || isotropic.law != "voce" || isotropic.Q >= 0.0) return std::nullopt;
     double least = 0.0, strain = 0.0;
     constexpr double first = 1e-5, last = 1.0, step = 1.02;  // plastic strains
+    constexpr double seen_in_a_run = 1e-4;
     for (double p = first; p < last; p *= step) {
         double slope = isotropic.Q * isotropic.b * std::exp(-isotropic.b * p);
         for (const KinematicHardening& term : material.kinematic) slope += hardening_of(term, p);
@@ -46,7 +47,7 @@ std::optional<std::string> softening_warning(const std::string& key, const Mater
         least = slope;
         strain = p;
     }
-    if (least == 0.0) return std::nullopt;
+    if (-least < seen_in_a_run * material.young) return std::nullopt;
     return fmt::format(
         "{}: at a plastic strain of {:.2g} it softens by more than it hardens, by {:.3g} MPa: flow gathers "
         "in bands as wide as an element, and what comes of it follows the mesh; a kinematic term "

@@ -29,12 +29,16 @@ ZoneAtRest::ZoneAtRest(const Bulk& bulk, const ContactInterface& contact, Unknow
     load_.head(of_bulk_.size()) += of_bulk_;
 }
 
-// -of_bulk . m + m^T K m / 2, m what the unknowns have moved and K the matrix of what rests. K m is the load inside,
-// where nothing is out of balance, and what the response lacks of it outside. A multiplier adds nothing: its gap stays
-// closed, or its pressure zero.
+// -of_bulk . u + u^T K u / 2, u what the displacements have moved and K the matrix of the elements that rest. With the
+// changes t of the tractions, K u - B^T t = d_u and -B u = d_t, where d is the load inside, where nothing is out of
+// balance, and what the response lacks of it outside. So u^T K u = u . d_u - t . d_t. Most gaps are closed from the
+// start, d_t = 0; those of a bend that growth has moved are not.
 double ZoneAtRest::energy(const Eigen::VectorXd& moved) const {
     if (response_.size() == 0) return 0.0;
-    return 0.5 * moved.dot(load_ - response_) - moved.head(of_bulk_.size()).dot(of_bulk_);
+    const Eigen::VectorXd done = load_ - response_;
+    const Eigen::Index displacements = of_bulk_.size(), tractions = moved.size() - displacements;
+    const auto u = moved.head(displacements);
+    return 0.5 * (u.dot(done.head(displacements)) - moved.tail(tractions).dot(done.tail(tractions))) - u.dot(of_bulk_);
 }
 
 }  // namespace stria::fine
