@@ -4,23 +4,12 @@
 #include <cmath>
 
 #include "coarse/load/load_history.hpp"
+#include "coarse/load/rate_law.hpp"
 #include "common/case/loads/load_increments.hpp"
 #include "common/error.hpp"
 
 namespace stria::coarse {
 namespace {
-
-/// Of the range of K, in da/dN.
-double exponent_of_K(const GrowthSection& growth) {
-    switch (growth.law) {
-    case GrowthLaw::Paris:
-        return growth.m;
-    case GrowthLaw::Ctod:
-        return 2.0 * growth.m;  // openings go with its square
-    default:
-        return 0.0;
-    }
-}
 
 /// Of one tip, MPa sqrt(mm).
 struct Modes {

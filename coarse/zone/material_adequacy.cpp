@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "coarse/load/rate_law.hpp"
+
 namespace stria::coarse {
 namespace {
 
@@ -71,16 +73,34 @@ std::vector<std::string> material_warnings(const Case& input) {
 }
 
 std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K) {
-    if (!input.growth || input.growth->law != GrowthLaw::Paris || K.empty()) return {};
+    if (!input.growth || input.growth->law == GrowthLaw::Prescribed || input.growth->law == GrowthLaw::Ctod ||
+        K.empty())
+        return {};
     const GrowthSection& growth = *input.growth;
-    const double largest = std::ranges::max(K), rate = growth.C * std::pow(largest, growth.m);
-    if (largest <= 0.0 || (rate >= slowest_rate && rate <= fastest_rate)) return {};
+    const double largest = std::ranges::max(K);
+    if (largest <= 0.0) return {};
+    const bool table = growth.law == GrowthLaw::Table;
+    const double least = table ? growth.ranges.front() : growth.threshold.value_or(0.0);
+    if (largest < least) {
+        if (growth.driving == GrowthDriving::FullRange) return {};  // larger than K
+        return {fmt::format("{}: no growth by a dK below {:.4g} MPa sqrt(mm), and that of no tip is larger than {:.4g}",
+                            table ? "growth.ranges" : "growth.threshold", least, largest)};
+    }
+    if (table && largest > growth.ranges.back())
+        return {fmt::format("growth.ranges ends at dK = {:.4g} MPa sqrt(mm), and that of a tip may be {:.4g}: the last "
+                            "line goes on",
+                            growth.ranges.back(), largest)};
+    const double rate = rate_of_range(growth, largest);
+    if (rate >= slowest_rate && rate <= fastest_rate) return {};
+    const std::string grows =
+        fmt::format("{}: at dK = {:.4g} MPa sqrt(mm) the law gives da/dN = {:.2g} mm, and no crack "
+                    "grows so{} (1e-8 to 0.1)",
+                    table ? "growth.rates" : "growth.C", largest, rate, rate > fastest_rate ? " fast" : " slowly");
+    if (table) return {grows};
     const double per_root_metre = growth.C * std::pow(1000.0, -0.5 * growth.m);
-    return {
-        fmt::format("growth.C: at dK = {:.4g} MPa sqrt(mm) the law gives da/dN = {:.2g} mm, and no crack grows so{} "
-                    "(1e-8 to 0.1). If C is of mm/cycle and MPa sqrt(m), growth.C = {:.3g}; if of m/cycle and MPa "
-                    "sqrt(m), growth.C = {:.3g}",
-                    largest, rate, rate > fastest_rate ? " fast" : " slowly", per_root_metre, 1000.0 * per_root_metre)};
+    return {fmt::format("{}. If C is of mm/cycle and MPa sqrt(m), growth.C = {:.3g}; if of m/cycle and MPa sqrt(m), "
+                        "growth.C = {:.3g}",
+                        grows, per_root_metre, 1000.0 * per_root_metre)};
 }
 
 }  // namespace stria::coarse

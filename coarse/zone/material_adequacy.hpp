@@ -13,8 +13,9 @@ namespace stria::coarse {
 /// than it hardens, when pulled on and on.
 std::vector<std::string> material_warnings(const Case& input);
 
-/// One sentence where a Paris law gives a rate that no crack has: most are printed for m/cycle or MPa sqrt(m). `K`: of
-/// the cycles that growth is made of, MPa sqrt(mm), one per tip (common_K_I).
+/// One sentence where a law of dK gives a rate that no crack has, most are printed for m/cycle or MPa sqrt(m); where it
+/// lets no tip grow; or where its table ends before. `K`: of the cycles that growth is made of, MPa sqrt(mm), one per
+/// tip (common_K_I).
 std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K);
 
 }  // namespace stria::coarse

@@ -15,7 +15,8 @@ bool has_initial_stress(const Case& scene) {
 }
 
 bool grows_by_opening_loads(const GrowthSection& growth) {
-    return growth.law == GrowthLaw::Paris && growth.driving == GrowthDriving::EffectiveRange;
+    return (growth.law == GrowthLaw::Paris || growth.law == GrowthLaw::Table) &&
+           growth.driving == GrowthDriving::EffectiveRange;
 }
 
 bool needs_fine(const Case& scene) {

@@ -183,7 +183,7 @@ struct MaterialTestSection {
 
 enum class GrowthAt { Maximum, Minimum };  // of a cycle, just reached
 
-enum class GrowthLaw { Prescribed, Paris, Ctod };
+enum class GrowthLaw { Prescribed, Paris, Table, Ctod };
 /// max(K_max, 0) - max(K_min, 0) (ASTM E647), K_max - K_min, K_max - K_op.
 enum class GrowthDriving { Range, FullRange, EffectiveRange };
 /// What becomes of a tip's functions where it has left: a fixed displacement, or unknowns still.
@@ -197,6 +197,8 @@ struct GrowthSection {
     int every = 1;                                   // cycles
     GrowthAt at = GrowthAt::Maximum;
     double C = 0.0, m = 0.0;  // Paris: da/dN = C dK^m, mm/cycle and MPa sqrt(mm); Ctod: da/dN = C (opening range)^m, mm
+    std::optional<double> threshold = {};         // MPa sqrt(mm); Paris: no growth by a dK below
+    std::vector<double> ranges = {}, rates = {};  // Table: dK, MPa sqrt(mm), and da/dN there, mm/cycle
     GrowthDriving driving = GrowthDriving::Range;
     GrowthDirection direction = GrowthDirection::HoopStress;
     Retain retain = Retain::Frozen;

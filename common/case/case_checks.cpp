@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -79,11 +80,34 @@ void check_crack(const CrackSection& crack, const Value& table, const Place& pla
                "needs friction > 0 outside of them");
 }
 
+namespace {
+
+bool is_curve(const std::vector<double>& x, const std::vector<double>& y) {
+    const auto ascends = [](const std::vector<double>& all) {
+        return all.front() > 0.0 && std::ranges::adjacent_find(all, std::greater_equal()) == all.end();
+    };
+    return x.size() == y.size() && x.size() > 1 && ascends(x) && ascends(y);
+}
+
+}  // namespace
+
 void check_growth(const GrowthSection& growth, const Value& table, const Place& place) {
-    if (growth.law != GrowthLaw::Prescribed && (growth.C <= 0.0 || growth.m <= 0.0))
+    const bool power = growth.law == GrowthLaw::Paris || growth.law == GrowthLaw::Ctod;
+    if (power && (growth.C <= 0.0 || growth.m <= 0.0))
         reject(place.inside("law"), *find(table, "law"), {}, "needs C and m, both positive");
+    if (growth.law == GrowthLaw::Table && !is_curve(growth.ranges, growth.rates))
+        reject(place.inside("law"), *find(table, "law"), {},
+               "needs ranges and rates, as long, with two numbers at least, both positive and ascending");
     if (growth.law == GrowthLaw::Prescribed && growth.increment.is_auto())
-        reject(place.inside("increment"), *find(table, "increment"), {}, "needs law = \"paris\" or \"ctod\"");
+        reject(place.inside("increment"), *find(table, "increment"), {},
+               "needs law = \"paris\", \"table\" or \"ctod\"");
+    const auto belongs = [&](const char* key, bool given, GrowthLaw law, const char* name) {
+        if (given && growth.law != law)
+            reject(place.inside(key), *find(table, key), {}, fmt::format("belongs to law = \"{}\"", name));
+    };
+    belongs("threshold", growth.threshold.has_value(), GrowthLaw::Paris, "paris");
+    belongs("ranges", !growth.ranges.empty(), GrowthLaw::Table, "table");
+    belongs("rates", !growth.rates.empty(), GrowthLaw::Table, "table");
 }
 
 void check_boundary(const BoundarySection& boundary, const Value& table, const Place& place) {

@@ -144,11 +144,13 @@ Section<MaterialTestSection> material_test_section() {
 Section<GrowthSection> growth_section() {
     Section<GrowthSection> s;
     s.choice<GrowthLaw>("law", &GrowthSection::law,
-                        {{"prescribed", GrowthLaw::Prescribed}, {"paris", GrowthLaw::Paris}, {"ctod", GrowthLaw::Ctod}})
-        .says(
-            "prescribed: by the increment. paris, ctod: by the increment too, slower tips in proportion, and the "
-            "growth takes as many cycles as da/dN = C dK^m, or C (opening range at closure.distance behind the tip)^m, "
-            "needs for it (dN of cycles.csv).");
+                        {{"prescribed", GrowthLaw::Prescribed},
+                         {"paris", GrowthLaw::Paris},
+                         {"table", GrowthLaw::Table},
+                         {"ctod", GrowthLaw::Ctod}})
+        .says("prescribed: by the increment. paris, table, ctod: by the increment too, slower tips in proportion, and "
+              "the growth takes as many cycles as da/dN needs for it (dN of cycles.csv): C dK^m, what ranges and rates "
+              "say of dK, or C (opening range at closure.distance behind the tip)^m.");
     s.value("increment", &GrowthSection::increment)
         .in("mm")
         .positive()
@@ -174,8 +176,19 @@ Section<GrowthSection> growth_section() {
             "that it repeats, for a growth takes the mean rate of its cycles.");
     s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
         .says("At which extreme of the cycle the crack grows.");
-    s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm) or mm").at_least(0.0).says("Of the law of da/dN.");
-    s.value("m", &GrowthSection::m).at_least(0.0).says("Of the law of da/dN.");
+    s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm) or mm").at_least(0.0).says("paris, ctod: of the law.");
+    s.value("m", &GrowthSection::m).at_least(0.0).says("paris, ctod: of the law.");
+    s.value("threshold", &GrowthSection::threshold)
+        .in("MPa sqrt(mm)")
+        .positive()
+        .or_else("none")
+        .says("paris: no growth by a dK below.");
+    s.value("ranges", &GrowthSection::ranges)
+        .in("MPa sqrt(mm)")
+        .says(
+            "table: dK, ascending; no growth below the first. Straight lines between the logarithms; the last one goes "
+            "on.");
+    s.value("rates", &GrowthSection::rates).in("mm/cycle").says("table: da/dN at these, ascending.");
     s.choice<Retain>("retain", &GrowthSection::retain, {{"frozen", Retain::Frozen}, {"all", Retain::All}})
         .says("Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
               "comparison.");
@@ -183,7 +196,7 @@ Section<GrowthSection> growth_section() {
                             {{"dK", GrowthDriving::Range},
                              {"dK_full", GrowthDriving::FullRange},
                              {"dK_eff", GrowthDriving::EffectiveRange}})
-        .says("What drives Paris' law. dK: max(K_max, 0) - max(K_min, 0), as in E647. dK_full: K_max - K_min, "
+        .says("What drives paris and table. dK: max(K_max, 0) - max(K_min, 0), as in E647. dK_full: K_max - K_min, "
               "compression "
               "too. dK_eff: K_max - K_op.");
     s.choice<GrowthDirection>("direction", &GrowthSection::direction,

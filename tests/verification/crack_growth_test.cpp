@@ -102,6 +102,34 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
     }
 }
 
+/// references 4.7.
+const std::vector<double> ranges_of_steel{63.0, 363.0, 5000.0},
+    rates_of_steel{1.21e-26 * std::pow(63.0, 8.16), 1.21e-26 * std::pow(363.0, 8.16),
+                   3.98e-13 * std::pow(5000.0, 2.88)};
+
+// Two fifths of the life are on the steep line, where K counts with the power of eight.
+TEST(CrackGrowth, LivesAsLongAsATableSays) {
+    Case input = edge_crack(0.3, 4.0, End::Pulled);
+    input.mesh.size = 1.0 / 41.0;
+    const double stress = 200.0;
+    input.load = {.steps = 2, .blocks = {{.cycles = 200, .max = stress, .min = 0.0}}};
+    input.growth = GrowthSection{
+        .law = GrowthLaw::Table, .increment = 0.005, .ranges = ranges_of_steel, .rates = rates_of_steel, .until = 0.5};
+    double handbook = 0.0, cycles = 0.0, steep = 0.0;
+    for (int k = 0; k < 2000; ++k) {
+        const double a = 0.3 + 0.2 * (k + 0.5) / 2000.0;
+        const double K = stress * coarse::sent_factor(a) * std::sqrt(std::numbers::pi * a);
+        const double rate = K < 363.0 ? 1.21e-26 * std::pow(K, 8.16) : 3.98e-13 * std::pow(K, 2.88);
+        handbook += 0.2 / 2000.0 / rate;
+        if (K < 363.0) steep += 0.2 / 2000.0 / rate;
+    }
+    for (const coarse::Increment& step : run_direct(input).increments)
+        for (const coarse::CycleResult& cycle : step.cycles) cycles += cycle.dN;
+    std::cout << fmt::format("life by a table: {:.0f} cycles, handbook {:.0f}, {:.0f} of them on the steep line\n",
+                             cycles, handbook, steep);
+    EXPECT_NEAR(cycles, handbook, 0.015 * handbook);
+}
+
 // A run ends in order where the crack has no metal left to grow through.
 TEST(CrackGrowth, EndsBeforeTheCrackLeavesTheBody) {
     Case input = edge_crack(0.7, 3.0, End::Pulled);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "coarse/load/rate_law.hpp"
+
 namespace stria::coarse {
 
 namespace {
@@ -31,13 +33,14 @@ bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
     if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
-    const double range = growth.law == GrowthLaw::Paris ? driving_range(growth.driving, cycle) : cycle.opening_range();
-    return range > 0.0 ? growth.C * std::pow(range, growth.m) : 0.0;  // no opening load: it never opens
+    return rate_of_range(growth,
+                         growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth.driving, cycle));
 }
 
 double rate_behind_leap(const GrowthSection& growth, double rate, double leap) {
+    if (!(leap > 0.0)) return std::numeric_limits<double>::quiet_NaN();
     const double order = growth.law == GrowthLaw::Ctod ? 2.0 : 1.0;  // of the opening in K
-    return leap > 0.0 ? rate * std::pow(leap, order * growth.m) : std::numeric_limits<double>::quiet_NaN();
+    return rate > 0.0 ? rate_of_range(growth, range_of_rate(growth, rate) * std::pow(leap, order)) : 0.0;
 }
 
 std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles) {

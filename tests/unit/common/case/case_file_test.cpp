@@ -231,6 +231,29 @@ TEST_F(CaseFile, AComplianceNeedsIncrementsOfANumber) {
     EXPECT_EQ(read(offset, {"load.steps=40"}).closure.definition, OpeningDefinition::Offset);
 }
 
+TEST_F(CaseFile, GrowsByATableOrAPowerWithAThreshold) {
+    const auto growing = [](const std::string& keys) {
+        return std::string(complete) + "[growth]\nincrement = 0.1\n" + keys;
+    };
+    const Case scene = read(growing("law = \"table\"\nranges = [60.0, 400.0]\nrates = [1e-8, 1e-5]\n"));
+    EXPECT_EQ(scene.growth->ranges, (std::vector<double>{60.0, 400.0}));
+    EXPECT_EQ(read(resolved_toml(scene)), scene);
+    EXPECT_EQ(read(growing("law = \"paris\"\nC = 1e-13\nm = 3.0\nthreshold = 63.0\n")).growth->threshold, 63.0);
+    for (const char* curve :
+         {"ranges = [60.0, 400.0]\nrates = [1e-8]\n", "ranges = [60.0]\nrates = [1e-8]\n", "",
+          "ranges = [400.0, 60.0]\nrates = [1e-8, 1e-5]\n", "ranges = [60.0, 400.0]\nrates = [1e-8, 1e-8]\n",
+          "ranges = [0.0, 400.0]\nrates = [1e-8, 1e-5]\n"})
+        EXPECT_EQ(
+            complaint(growing(std::string("law = \"table\"\n") + curve)),
+            "case.toml:28: growth.law = \"table\" needs ranges and rates, as long, with two numbers at least, both "
+            "positive and ascending")
+            << curve;
+    EXPECT_EQ(complaint(growing("threshold = 63.0\n")),
+              "case.toml:28: growth.threshold = 63 belongs to law = \"paris\"");
+    EXPECT_EQ(complaint(growing("rates = [1e-8]\n")),
+              "case.toml:28: growth.rates = [1e-08] belongs to law = \"table\"");
+}
+
 TEST_F(CaseFile, AnIncrementOfGrowthIsANumberOrAuto) {
     const auto growing = [](const std::string& law, const std::string& more) {
         return std::string(complete) + "[growth]\nlaw = \"" + law + "\"\n" + more;
@@ -248,7 +271,7 @@ TEST_F(CaseFile, AnIncrementOfGrowthIsANumberOrAuto) {
     EXPECT_EQ(complaint(growing("paris", rate + "increment = -0.1\n")),
               "case.toml:30: growth.increment = -0.1 mm must be > 0");
     EXPECT_EQ(complaint(growing("prescribed", "increment = \"auto\"\n")),
-              "case.toml:28: growth.increment = \"auto\" needs law = \"paris\" or \"ctod\"");
+              "case.toml:28: growth.increment = \"auto\" needs law = \"paris\", \"table\" or \"ctod\"");
 }
 
 const std::string two_regions = R"(

@@ -32,6 +32,28 @@ TEST(GrowthLaw, IsAsFastAsItsLawSays) {
     EXPECT_NEAR(growth_rate(growth, cycle), 2.0 * 0.003 * 0.003, 1e-15);
 }
 
+TEST(GrowthLaw, ATableIsDrivenAsParisLawIs) {
+    GrowthSection growth{.law = GrowthLaw::Table, .ranges = {100.0, 1000.0}, .rates = {1e-6, 1e-3}};
+    const CycleResult cycle = cycle_with(600.0, 100.0, 300.0);
+    EXPECT_NEAR(growth_rate(growth, cycle), 1.25e-4, 1e-16);
+    growth.driving = GrowthDriving::EffectiveRange;
+    EXPECT_NEAR(growth_rate(growth, cycle), 2.7e-5, 1e-16);
+    EXPECT_EQ(growth_rate(growth, cycle_with(390.0, 100.0, 300.0)), 0.0);
+    EXPECT_TRUE(grows_by_opening_loads(growth));
+}
+
+TEST(GrowthLaw, LeapsWithTheK) {
+    GrowthSection growth{.law = GrowthLaw::Paris, .C = 1e-12, .m = 3.0};
+    EXPECT_NEAR(rate_behind_leap(growth, 1e-4, 0.5), 1.25e-5, 1e-17);
+    EXPECT_TRUE(std::isnan(rate_behind_leap(growth, 1e-4, -0.5)));
+    growth.threshold = 300.0;  // 1e-4 is of 464
+    EXPECT_EQ(rate_behind_leap(growth, 1e-4, 0.5), 0.0);
+    growth = {.law = GrowthLaw::Ctod, .C = 1.0, .m = 2.0};
+    EXPECT_NEAR(rate_behind_leap(growth, 1e-4, 0.5), 1e-4 / 16.0, 1e-17);
+    growth = {.law = GrowthLaw::Table, .ranges = {100.0, 200.0, 2000.0}, .rates = {1e-7, 3.2e-6, 3.2e-3}};
+    EXPECT_NEAR(rate_behind_leap(growth, 3.2e-6 * 8.0, 0.375), 1e-7 * std::pow(1.5, 5.0), 1e-17);  // 400 to 150
+}
+
 TEST(GrowthLaw, KnowsNoRateWhereItsDriveIsNotFound) {
     CycleResult cycle = cycle_with(600.0, 100.0, std::nan(""));
     cycle.opening.lost = true;
