@@ -13,7 +13,9 @@ namespace {
 constexpr int least_increments = 4, most_increments = 24;  // of a leg
 // Of the accuracy: a cycle has two legs, and other cycles may be worse than the one that is measured.
 constexpr double share_of_leg = 1.0 / 3.0;
-constexpr double least_apart = 0.02;  // of the way: where faces meet, and other ends
+constexpr double least_apart = 0.02;                                // of the way: where faces meet, and other ends
+constexpr double closing_power = 1.3;                               // with which increments grow from where faces meet
+constexpr double closing_increments = 8.0, usual_accuracy = 0.002;  // of a leg that presses faces together
 
 // A path whose start nobody knows is that of the ramp, virgin metal.
 bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }
@@ -90,21 +92,26 @@ IncrementSchedule::IncrementSchedule(const LoadSection& load)
 int IncrementSchedule::increments(const Legs& legs) const {
     if (state_.meetings.empty()) return legs.increments;
     const Legs& other = &legs == &state_.rising ? state_.falling : state_.rising;
-    return std::max(legs.increments, (other.increments + 1) / 2);
+    if (!state_.presses) return std::max(legs.increments, (other.increments + 1) / 2);
+    const double enough = closing_increments * std::sqrt(usual_accuracy / accuracy_);
+    return std::max({legs.increments, other.increments,
+                     static_cast<int>(std::clamp<double>(std::ceil(enough), least_increments, most_increments))});
 }
 
 // Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
-// Nor do they leave splinters beside other ends, which no pair could judge.
+// From the first on faces close, one place after the other, and crush what the tip has left: there the path bends, most
+// of all at the start. Nor do the places leave splinters beside other ends, which no pair could judge.
 std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
     if (!chooses_) return graded_ways(legs.increments, grading_);
-    const int all = increments(legs), count = std::min(static_cast<int>(state_.meetings.size()), all / 2);
-    const auto meetings = std::span(state_.meetings).first(at(count));
-    std::vector<double> ways = graded_ways(all - count, grading_);
-    std::erase_if(ways, [&](double way) {
-        return std::ranges::any_of(meetings, [&](double place) { return std::abs(place - way) < least_apart; });
-    });
-    ways.insert(ways.end(), meetings.begin(), meetings.end());
-    std::ranges::sort(ways);
+    const int all = increments(legs);
+    if (state_.meetings.empty()) return graded_ways(all, grading_);
+    const double first = state_.meetings.front();
+    std::vector<double> ways = graded_ways(all - 1, grading_);
+    std::erase_if(ways, [&](double way) { return way > first - least_apart; });
+    std::vector<double> closing = graded_ways(std::max(all - static_cast<int>(ways.size()), 1), closing_power);
+    for (double& way : closing) way = std::lerp(first, 1.0, way);
+    closing = through_turns(std::move(closing), std::vector(state_.meetings.begin() + 1, state_.meetings.end()));
+    ways.insert(ways.end(), closing.begin(), closing.end());
     return ways;
 }
 
@@ -159,8 +166,9 @@ void IncrementSchedule::end_leg(bool rises, bool alike) {
     begin(std::vector<double>(state_.path.opening.back()));
 }
 
-void IncrementSchedule::meet_at(std::vector<double> ways) {
+void IncrementSchedule::meet_at(std::vector<double> ways, bool presses) {
     if (!chooses_) return;
+    state_.presses = presses;
     const auto is_near = [](double a, double b) { return b - a < least_apart; };
     std::erase_if(ways, [](double way) { return way < least_apart || way > 1.0 - least_apart; });
     std::ranges::sort(ways);

@@ -44,8 +44,10 @@ struct TwoAsOne {
 /// cycle has two legs, and the accuracy is that of all cycles while one is measured. In between the number stays, since
 /// a predictor wants the same increments a cycle later.
 /// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
-/// path of the metal bends. So one increment of a leg that unloads ends where they met last, and such a leg has at
-/// least half as many as one that loads.
+/// path of the metal bends. So one increment of a leg that unloads ends where they met last, those behind it begin
+/// small, and such a leg has at least half as many as one that loads. Where it goes on into compression what the tip
+/// has left is crushed for most of the way, and no opening tells: it has as many as one that loads, and 8 at an
+/// accuracy of 0.002 (docs/performance.md).
 class IncrementSchedule {
 public:
     /// Those of one direction.
@@ -59,6 +61,7 @@ public:
         OpeningPath path;                   // of the present leg
         std::vector<TwoAsOne> pairs = {};   // likewise
         std::vector<double> meetings = {};  // likewise: parts of its way, ascending
+        bool presses = false;               // likewise: it goes on to a load that presses faces together
     };
 
     /// Chooses where load.steps is no number.
@@ -79,7 +82,8 @@ public:
     /// The leg is done; its last state begins the next one.
     void end_leg(bool rises, bool alike);
     /// Parts of the way at which faces are expected to meet in the leg that begins; next to its ends they do not count.
-    void meet_at(std::vector<double> ways);
+    /// `presses`: it goes on to a load that presses them together.
+    void meet_at(std::vector<double> ways, bool presses = false);
 
     [[nodiscard]] const State& state() const { return state_; }
     void resume(const State& state);

@@ -46,8 +46,7 @@ void LoadController::resume(const LoadPosition& position) {
     position_ = position;
     schedule_.resume(position.schedule);
     // A history that had ended knew of no next leg.
-    if (position_.leg < legs_.size() && position_.increments == 0 && position_.way == 0.0)
-        schedule_.meet_at(meetings(position_.met));
+    if (position_.leg < legs_.size() && position_.increments == 0 && position_.way == 0.0) meet_at(position_.met);
 }
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
@@ -192,6 +191,11 @@ std::vector<double> LoadController::meetings(const std::vector<double>& loads) c
     return ways;
 }
 
+void LoadController::meet_at(const std::vector<double>& loads) {
+    const bool presses = position_.leg < legs_.size() && end_of_leg() < 0.0;
+    schedule_.meet_at(meetings(loads), presses);
+}
+
 void LoadController::accepted(std::vector<double> openings, const std::vector<double>& met) {
     const LoadStep step = *next();
     const auto [way, arrives] = next_way();
@@ -208,7 +212,7 @@ void LoadController::accepted(std::vector<double> openings, const std::vector<do
         position_.leg_start = position_.reached;
         position_.way = 0.0;
         position_.met = met;
-        schedule_.meet_at(meetings(met));
+        meet_at(met);
     }
     if (position_.consecutive_cuts > 0) {
         position_.fraction = std::min(1.0, 2.0 * position_.fraction);

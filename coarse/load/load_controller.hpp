@@ -117,6 +117,7 @@ private:
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Way next_way() const;
     [[nodiscard]] std::vector<double> meetings(const std::vector<double>& loads) const;  // parts of the present leg
+    void meet_at(const std::vector<double>& loads);                                      // in the leg that begins
     [[nodiscard]] bool is_alike() const;  // the present leg, and the last one in its direction
     [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
     [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;

@@ -51,12 +51,13 @@ void members(auto& archive, Is<TwoAsOne> auto& m) {
 }
 
 void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
-    auto& [rising, falling, path, pairs, meetings] = m;
+    auto& [rising, falling, path, pairs, meetings, presses] = m;
     archive("rising", rising);
     archive("falling", falling);
     archive("path", path);
     archive("pairs", pairs);
     archive("meetings", meetings);
+    archive("presses", presses);
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {

@@ -105,7 +105,8 @@ TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     EXPECT_EQ(after({}, 1e-9), 4);
 }
 
-// Where faces meet an increment ends, and there are no more of them; of two places that are nearly one the first.
+// Where faces meet an increment ends, and there are no more of them; of two places that are nearly one the first. The
+// increments in which faces close begin small.
 TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
     IncrementSchedule schedule{LoadSection()};
     const std::size_t ends = schedule.ways(false).size();
@@ -117,8 +118,15 @@ TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
     EXPECT_EQ(std::ranges::count(ways, 0.42), 0);
     for (const double beside : {-0.01, 0.0, 0.01}) {  // the place of another end, or next to it
         schedule.meet_at({graded_ways(static_cast<int>(ends) - 2, LoadSection().power())[2] + beside});
-        EXPECT_EQ(schedule.ways(false).size(), ends - 1) << beside;
+        EXPECT_EQ(schedule.ways(false).size(), ends) << beside;
     }
+    schedule.meet_at({0.3});
+    const auto closing = std::ranges::find(schedule.ways(false), 0.3);
+    ASSERT_GT(schedule.ways(false).end() - closing, 3);
+    for (auto way = closing + 2; way != schedule.ways(false).end(); ++way)
+        EXPECT_GT(way[0] - way[-1], way[-1] - way[-2]);
+    schedule.meet_at({0.3, 0.33});  // the first stays
+    EXPECT_EQ(std::ranges::count(schedule.ways(false), 0.3), 1);
     schedule.meet_at({0.1, 0.3, 0.5, 0.8});  // behind many tips
     EXPECT_EQ(schedule.ways(false).size(), ends);
     EXPECT_EQ(schedule.ways(false).back(), 1.0);
@@ -155,6 +163,12 @@ TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
     schedule.meet_at({});
     EXPECT_EQ(schedule.ways(false).size(), 11U);
     EXPECT_EQ(schedule.ways(true).size(), 16U);
+    schedule.meet_at({0.3}, true);  // into compression: as many
+    EXPECT_EQ(schedule.ways(false).size(), 16U);
+    state.rising.increments = state.falling.increments = 4;
+    schedule.resume(state);
+    schedule.meet_at({0.3}, true);
+    EXPECT_EQ(schedule.ways(false).size(), 9U);
 }
 
 TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
