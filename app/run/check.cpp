@@ -84,10 +84,10 @@ std::vector<coarse::TipResult> halved_where_cheap(const coarse::Scene& scene) {
     return {};
 }
 
-void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal) {
+void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal, const coarse::UnitResponse& unit) {
     if (nominal.tips.empty()) return;
     constexpr double worth_a_warning = 0.005;
-    const LargestK K = at_largest_load(scene, coarse::unit_response(nominal));
+    const LargestK K = at_largest_load(scene, unit);
     const std::vector<coarse::TipResult> halved = halved_where_cheap(scene);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) {
         const coarse::TipResult& tip = nominal.tips[t];
@@ -105,8 +105,7 @@ void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal)
     }
 }
 
-void print_zone_estimate(const coarse::Scene& scene, const coarse::UnitResponse& unit) {
-    const std::vector<double> K = coarse::largest_K(scene.input.load, unit, 0.0, coarse::CaseHistories(scene.input));
+void print_zone_estimate(const coarse::Scene& scene, const std::vector<double>& K) {
     for (std::size_t t = 0; t < K.size(); ++t) {
         if (const double yield_stress = scene.yield_stress_at_tips()[t]; std::isfinite(yield_stress)) {
             fmt::print("# tip {}: radius of the zone, eq. (3): {:.4g} mm by K = {:.5g} MPa sqrt(mm)\n", t,
@@ -178,14 +177,13 @@ int check(const RunOptions& options) {
     print_handbook(nominal);
     const coarse::UnitResponse unit = coarse::unit_response(nominal);
     const std::vector<double> K = coarse::largest_K(input.load, unit, 0.0, coarse::CaseHistories(input));
-    const std::vector<double> common_K_I = coarse::common_K_I(input, unit);
     for (const std::string& warning : coarse::case_warnings(scene, unit)) fmt::print("# warning: {}\n", warning);
     for (std::size_t t = 0; t < nominal.tips.size(); ++t) print_load_cases(input, t, nominal.tips[t]);
-    print_K(scene, nominal);
+    print_K(scene, nominal, unit);
     if (!needs_fine(input)) {
         fmt::print("# elastic, traction-free, unrefined: no fine component is started\n");
     } else {
-        print_zone_estimate(scene, unit);
+        print_zone_estimate(scene, K);
         print_way(scene, nominal, K);
     }
     print_estimate(nominal, K);

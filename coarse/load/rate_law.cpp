@@ -16,11 +16,11 @@ double on_logarithmic_lines(const std::vector<double>& x, const std::vector<doub
     return y[k - 1] * std::pow(at / x[k - 1], slope);
 }
 
+}  // namespace
+
 double threshold_of(const GrowthSection& growth) {
     return growth.law == GrowthLaw::Table ? growth.ranges.front() : growth.threshold.value_or(0.0);
 }
-
-}  // namespace
 
 double rate_of_range(const GrowthSection& growth, double range) {
     if (!(range > 0.0) || range < threshold_of(growth)) return 0.0;

@@ -80,11 +80,10 @@ std::vector<std::string> rate_warnings(const Case& input, const std::vector<doub
     const double largest = std::ranges::max(K);
     if (largest <= 0.0) return {};
     const bool table = growth.law == GrowthLaw::Table;
-    const double least = table ? growth.ranges.front() : growth.threshold.value_or(0.0);
-    if (largest < least) {
+    if (largest < threshold_of(growth)) {
         if (growth.driving == GrowthDriving::FullRange) return {};  // larger than K
         return {fmt::format("{}: no growth by a dK below {:.4g} MPa sqrt(mm), and that of no tip is larger than {:.4g}",
-                            table ? "growth.ranges" : "growth.threshold", least, largest)};
+                            table ? "growth.ranges" : "growth.threshold", threshold_of(growth), largest)};
     }
     if (table && largest > growth.ranges.back())
         return {fmt::format("growth.ranges ends at dK = {:.4g} MPa sqrt(mm), and that of a tip may be {:.4g}: the last "

@@ -105,6 +105,9 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
         if (given && growth.law != law)
             reject(place.inside(key), *find(table, key), {}, fmt::format("belongs to law = \"{}\"", name));
     };
+    for (const auto& [key, value] : {std::pair("C", growth.C), std::pair("m", growth.m)})
+        if (growth.law == GrowthLaw::Table && value != 0.0)
+            reject(place.inside(key), *find(table, key), {}, "belongs to law = \"paris\" or \"ctod\"");
     belongs("threshold", growth.threshold.has_value(), GrowthLaw::Paris, "paris");
     belongs("ranges", !growth.ranges.empty(), GrowthLaw::Table, "table");
     belongs("rates", !growth.rates.empty(), GrowthLaw::Table, "table");

@@ -248,6 +248,8 @@ TEST_F(CaseFile, GrowsByATableOrAPowerWithAThreshold) {
             "case.toml:28: growth.law = \"table\" needs ranges and rates, as long, with two numbers at least, both "
             "positive and ascending")
             << curve;
+    EXPECT_EQ(complaint(growing("law = \"table\"\nm = 3.0\nranges = [60.0, 400.0]\nrates = [1e-8, 1e-5]\n")),
+              "case.toml:29: growth.m = 3 belongs to law = \"paris\" or \"ctod\"");
     EXPECT_EQ(complaint(growing("threshold = 63.0\n")),
               "case.toml:28: growth.threshold = 63 belongs to law = \"paris\"");
     EXPECT_EQ(complaint(growing("rates = [1e-8]\n")),
