@@ -21,8 +21,9 @@
 namespace stria::test {
 namespace {
 
-/// Plastic flow in tension, contact in compression, 40 increments.
-const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "solver.tolerance=1e-12"};
+/// Plastic flow in tension, contact in compression, 36 increments.
+const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "load.steps=12",
+                                           "solver.tolerance=1e-12"};
 
 /// The same on large elements that the zone splits; the crack runs through their middles, and from large into small.
 const std::vector<std::string> refined_scene{"mesh.grading=[]", "mesh.size=7.4", "fine.refine=16", "fine.growth=0.25",
@@ -33,7 +34,7 @@ const std::vector<std::string> extended_scene{mesh_at_tip(0.3), "mesh.size=10.0"
                                               "solver.tolerance=1e-12"};
 
 /// The crack grows through elements and across their edges, at the maximum of two cycles.
-const std::vector<std::string> growing_scene{mesh_at_tip(0.3),         "mesh.size=10.0",
+const std::vector<std::string> growing_scene{mesh_at_tip(0.4),         "mesh.size=10.0",
                                              "solver.tolerance=1e-12", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
                                              "load.steps=14",          "growth.increment=0.25"};
 

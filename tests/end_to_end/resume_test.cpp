@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "app/run/run_files.hpp"
@@ -41,10 +42,13 @@ void expect_tables_alike(const std::string& run, const std::string& undisturbed)
 
 class Resumed : public testing::Test {
 protected:
-    void SetUp() override {
-        ASSERT_EQ(run_program("stria", command(undisturbed, {"--mode", "inprocess"}), folder / "log"), 0);
+    static void SetUpTestSuite() {
+        of_all = std::make_unique<TemporaryFolder>();
+        undisturbed = *of_all / "undisturbed";
+        ASSERT_EQ(run_program("stria", command(undisturbed, {"--mode", "inprocess"}), *of_all / "log"), 0);
         ASSERT_EQ(rows_of(undisturbed + "/history.csv"), whole_rows);
     }
+    static void TearDownTestSuite() { of_all.reset(); }
 
     /// Starts or resumes, and kills a program (or all) once there are so many rows; the exit code of `stria`.
     int run_and_kill(const std::string& program, int rows, const Words& more = {}) {
@@ -61,8 +65,10 @@ protected:
     }
     int run_to_the_end(const Words& more) { return run_program("stria", command(output, more), folder / "log"); }
 
-    TemporaryFolder folder;
-    const std::string output = folder / "out", undisturbed = folder / "undisturbed";
+    const TemporaryFolder folder;
+    const std::string output = folder / "out";
+    inline static std::unique_ptr<TemporaryFolder> of_all;
+    inline static std::string undisturbed;
 };
 
 // Before the first checkpoint, between two, and where the crack has grown.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 
 #include "app/run/run_files.hpp"
 #include "tests/support/followed_run.hpp"
@@ -19,13 +20,15 @@ void allow_mpirun() {
 
 class StartedByHand : public testing::Test {
 protected:
-    void SetUp() override {
+    static void SetUpTestSuite() {
         allow_mpirun();
-        const std::string undisturbed = folder / "undisturbed";
+        of_all = std::make_unique<TemporaryFolder>();
+        undisturbed = *of_all / "undisturbed";
         Words words{"run", shipped_sent, "-o", undisturbed, "--mode", "inprocess"};
         append_settings(words);
-        ASSERT_EQ(run_program("stria", words, folder / "log"), 0);
+        ASSERT_EQ(run_program("stria", words, *of_all / "log"), 0);
     }
+    static void TearDownTestSuite() { of_all.reset(); }
 
     void send(const Words& signals, int code) {
         Program run("mpirun", by_hand({}), folder / "log");
@@ -36,7 +39,7 @@ protected:
         }
         EXPECT_EQ(run.wait(std::chrono::seconds(30)), code) << run.said();
         EXPECT_EQ(run.said().find("*** Process received signal"), std::string::npos) << run.said();
-        EXPECT_LT(rows_of(output + "/history.csv"), rows_of(folder / "undisturbed/history.csv"));
+        EXPECT_LT(rows_of(output + "/history.csv"), rows_of(undisturbed + "/history.csv"));
     }
 
     /// A component that mpirun has left alone needs a moment to notice; until then it holds the folder.
@@ -47,13 +50,15 @@ protected:
             if (code == 2) std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
         EXPECT_EQ(code, 0) << text_of(folder / "log");
-        expect_same_tables(output, folder / "undisturbed");
+        expect_same_tables(output, undisturbed);
     }
 
     std::string status() { return read_json(output + "/summary.json").words["status"]; }
 
     const TemporaryFolder folder;
     const std::string output = folder / "out";
+    inline static std::unique_ptr<TemporaryFolder> of_all;
+    inline static std::string undisturbed;
 
 private:
     // Long enough for a signal that mpirun passes on late: a second later, also on quiet cores.
@@ -115,7 +120,7 @@ TEST(FineComponent, IsStartedWithoutHDF5) {
     EXPECT_EQ(libraries_of("stria-fine").find("hdf5"), std::string::npos);
 }
 
-TEST_F(StartedByHand, EndsAsInterruptedBySIGUSR1) {
+TEST_F(StartedByHand, EndsAsInterruptedBySIGUSR1Long) {
     send({"USR1"}, 130);
     EXPECT_EQ(status(), "interrupted");
     expect_to_go_on();
@@ -127,14 +132,14 @@ TEST_F(StartedByHand, LeavesACheckpointOnSIGTERM) {
     expect_to_go_on();
 }
 
-TEST_F(StartedByHand, LeavesACheckpointOnSIGINT) {
+TEST_F(StartedByHand, LeavesACheckpointOnSIGINTLong) {
     send({"INT"}, 1);
     EXPECT_EQ(status(), "interrupted");
     expect_to_go_on();
 }
 
 // Then mpirun ends at once, and its components without it: what they have written before stays whole.
-TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGTERMTwice) {
+TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGTERMTwiceLong) {
     send({"TERM", "TERM"}, 1);
     expect_to_go_on();
 }

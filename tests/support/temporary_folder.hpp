@@ -1,4 +1,4 @@
-// A folder of its own for a test, removed with what is in it.
+// A folder of its own for a test, or for what a suite of tests shares; removed with what is in it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,8 +14,10 @@ namespace stria::test {
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string(test->test_suite_name()) + '.' + test->name() + '.' + std::to_string(getpid());
+        const auto& running = *testing::UnitTest::GetInstance();
+        const auto* test = running.current_test_info();
+        std::string name = std::string(running.current_test_suite()->name()) + '.' + (test ? test->name() : "all") +
+                           '.' + std::to_string(getpid());
         for (char& c : name) c = c == '/' ? '_' : c;
         path_ = std::filesystem::path(testing::TempDir()) / ("stria_" + name);
         std::filesystem::remove_all(path_);

@@ -47,17 +47,19 @@ protected:
         }
     }
 
-    /// Largest error of a path's increments, over the yield stress.
-    double worst_error(int substeps, double times = 1.0) {
-        const fine::J2Implicit judged = implicit_law(GetParam(), substeps);
-        double worst = 0.0;
+    /// Largest error of a path's increments, over the yield stress; one per number of sub-steps.
+    std::vector<double> worst_errors(const std::vector<int>& substeps, double times = 1.0) {
+        std::vector<double> worst(substeps.size(), 0.0);
         on_a_random_path(30, 5, [&](const std::vector<double>& committed, const Mandel& one, const PointUpdate&) {
             const Mandel increment = times * one;
             PointUpdate exact{.state = committed, .tangent = law_.elastic(), .yields = false};
-            const int parts = times > 1.0 ? 5000 : 1000;
+            const int parts = times > 1.0 ? 2000 : 1000;
             for (int k = 0; k < parts; ++k) exact = update_point(law_, exact.state, increment / parts);
-            const Mandel stress = update_point(judged, committed, increment).stress();
-            worst = std::max(worst, von_mises(stress - exact.stress()) / *GetParam().material.yield_stress);
+            for (std::size_t k = 0; k < substeps.size(); ++k) {
+                const fine::J2Implicit judged = implicit_law(GetParam(), substeps[k]);
+                const Mandel stress = update_point(judged, committed, increment).stress();
+                worst[k] = std::max(worst[k], von_mises(stress - exact.stress()) / *GetParam().material.yield_stress);
+            }
         });
         return worst;
     }
@@ -87,13 +89,14 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryLawInParts, testing::ValuesIn(laws_that
                          [](const auto& law) { return law.param.name; });
 
 TEST_P(EveryLawInParts, KeepsItsBound) {
-    EXPECT_LT(worst_error(4), 1e-3);
-    EXPECT_LT(worst_error(40), 1e-4);
-    EXPECT_GT(worst_error(1), 1e-2);  // backward Euler at once
+    const std::vector<double> worst = worst_errors({4, 40, 1});
+    EXPECT_LT(worst[0], 1e-3);
+    EXPECT_LT(worst[1], 1e-4);
+    EXPECT_GT(worst[2], 1e-2);  // backward Euler at once
 }
 
 // There are fewer parts again, where nothing recalls: the flow has long turned.
-TEST_P(EveryLawInParts, KeepsItsBoundAtTensOfYieldStrains) { EXPECT_LT(worst_error(4, 30.0), 1e-3); }
+TEST_P(EveryLawInParts, KeepsItsBoundAtTensOfYieldStrains) { EXPECT_LT(worst_errors({4}, 30.0)[0], 1e-3); }
 
 TEST_P(EveryLawInParts, AHundredYieldStrainsTakeEightPartsWhereNothingRecalls) {
     const std::vector<KinematicHardening>& terms = GetParam().material.kinematic;
