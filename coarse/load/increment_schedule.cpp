@@ -11,11 +11,12 @@ namespace stria::coarse {
 namespace {
 
 constexpr int least_increments = 4, most_increments = 24;  // of a leg
-// Of the accuracy: a cycle has two legs, and other cycles may be worse than the one that is measured.
-constexpr double share_of_leg = 1.0 / 3.0;
-constexpr double least_apart = 0.02;                                // of the way: where faces meet, and other ends
-constexpr double closing_power = 1.3;                               // with which increments grow from where faces meet
-constexpr double closing_increments = 8.0, usual_accuracy = 0.002;  // of a leg that presses faces together
+// Of the accuracy: a cycle has two legs, and other cycles may be worse than the one that is measured. Where faces are
+// pressed together what a leg is off by stays in what the tip leaves, and adds up as it grows.
+constexpr double share_of_leg = 1.0 / 3.0, share_of_pressed_leg = 1.0 / 6.0;
+constexpr double least_apart = 0.02;                                 // of the way: where faces meet, and other ends
+constexpr double closing_power = 1.3;                                // with which increments grow from where faces meet
+constexpr double usual_accuracy = 0.002, pressing_increments = 8.0;  // of a leg that presses faces together
 
 // A path whose start nobody knows is that of the ramp, virgin metal.
 bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }
@@ -92,15 +93,19 @@ IncrementSchedule::IncrementSchedule(const LoadSection& load)
 int IncrementSchedule::increments(const Legs& legs) const {
     if (state_.meetings.empty()) return legs.increments;
     const Legs& other = &legs == &state_.rising ? state_.falling : state_.rising;
-    if (!state_.presses) return std::max(legs.increments, (other.increments + 1) / 2);
-    const double enough = closing_increments * std::sqrt(usual_accuracy / accuracy_);
-    return std::max({legs.increments, other.increments,
-                     static_cast<int>(std::clamp<double>(std::ceil(enough), least_increments, most_increments))});
+    return std::max({legs.increments, (other.increments + 1) / 2, state_.presses ? pressing() : 0});
+}
+
+int IncrementSchedule::pressing() const {
+    const double enough = pressing_increments * std::sqrt(usual_accuracy / accuracy_);
+    return static_cast<int>(std::clamp<double>(std::ceil(enough), least_increments, most_increments));
 }
 
 // Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
-// From the first on faces close, one place after the other, and crush what the tip has left: there the path bends, most
-// of all at the start. Nor do the places leave splinters beside other ends, which no pair could judge.
+// Before the first the tip flows back. From there on faces close, one place after the other, and crush what the tip has
+// left: there the path bends, most of all at the start. On the way into compression nothing that is measured tells of
+// either, so each has its share of the least number. Nor do the places leave splinters beside other ends, which no pair
+// could judge.
 std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
     if (!chooses_) return graded_ways(legs.increments, grading_);
     const int all = increments(legs);
@@ -108,7 +113,16 @@ std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
     const double first = state_.meetings.front();
     std::vector<double> ways = graded_ways(all - 1, grading_);
     std::erase_if(ways, [&](double way) { return way > first - least_apart; });
-    std::vector<double> closing = graded_ways(std::max(all - static_cast<int>(ways.size()), 1), closing_power);
+    int behind = 1;
+    if (state_.presses) {
+        behind = static_cast<int>(std::ceil((1.0 - first) * pressing()));
+        if (const int before = (pressing() + 1) / 2; std::ssize(ways) < before) {
+            ways = graded_ways(before, grading_);
+            ways.pop_back();
+            for (double& way : ways) way *= first;
+        }
+    }
+    std::vector<double> closing = graded_ways(std::max(all - static_cast<int>(ways.size()), behind), closing_power);
     for (double& way : closing) way = std::lerp(first, 1.0, way);
     closing = through_turns(std::move(closing), std::vector(state_.meetings.begin() + 1, state_.meetings.end()));
     ways.insert(ways.end(), closing.begin(), closing.end());
@@ -151,7 +165,8 @@ void IncrementSchedule::learn(Legs& legs) {
     const auto taken = std::ssize(ways(legs)) - 1;
     if (std::ssize(state_.pairs) != taken / 2) return;  // one has led nowhere
     if (const std::optional<double> error = error_of_leg(state_.path, state_.pairs)) {
-        const double wanted = std::ceil(static_cast<double>(taken) * std::sqrt(*error / (share_of_leg * accuracy_)));
+        const double share = state_.presses ? share_of_pressed_leg : share_of_leg;
+        const double wanted = std::ceil(static_cast<double>(taken) * std::sqrt(*error / (share * accuracy_)));
         legs.increments = static_cast<int>(std::clamp<double>(wanted, least_increments, most_increments));
         lay_out();
     }

@@ -46,8 +46,9 @@ struct TwoAsOne {
 /// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
 /// path of the metal bends. So one increment of a leg that unloads ends where they met last, those behind it begin
 /// small, and such a leg has at least half as many as one that loads. Where it goes on into compression what the tip
-/// has left is crushed for most of the way, and no opening tells: it has as many as one that loads, and 8 at an
-/// accuracy of 0.002 (docs/performance.md).
+/// has left is crushed, and no opening tells: it has 8 at an accuracy of 0.002, 4 of them before faces meet. What such
+/// cycles are off by adds up as a crack grows, so that their legs are chosen for a sixth of the accuracy
+/// (docs/performance.md).
 class IncrementSchedule {
 public:
     /// Those of one direction.
@@ -61,7 +62,7 @@ public:
         OpeningPath path;                   // of the present leg
         std::vector<TwoAsOne> pairs = {};   // likewise
         std::vector<double> meetings = {};  // likewise: parts of its way, ascending
-        bool presses = false;               // likewise: it goes on to a load that presses faces together
+        bool presses = false;               // likewise: it goes to or comes from a load that presses faces together
     };
 
     /// Chooses where load.steps is no number.
@@ -82,7 +83,7 @@ public:
     /// The leg is done; its last state begins the next one.
     void end_leg(bool rises, bool alike);
     /// Parts of the way at which faces are expected to meet in the leg that begins; next to its ends they do not count.
-    /// `presses`: it goes on to a load that presses them together.
+    /// `presses`: it goes to a load that presses them together, or comes from there.
     void meet_at(std::vector<double> ways, bool presses = false);
 
     [[nodiscard]] const State& state() const { return state_; }
@@ -91,6 +92,7 @@ public:
 private:
     void learn(Legs& legs);
     [[nodiscard]] int increments(const Legs& legs) const;
+    [[nodiscard]] int pressing() const;  // the least number of them in a leg that presses faces together
     [[nodiscard]] std::vector<double> ways(const Legs& legs) const;
     void lay_out();
 

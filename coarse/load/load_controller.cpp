@@ -192,7 +192,7 @@ std::vector<double> LoadController::meetings(const std::vector<double>& loads) c
 }
 
 void LoadController::meet_at(const std::vector<double>& loads) {
-    const bool presses = position_.leg < legs_.size() && end_of_leg() < 0.0;
+    const bool presses = position_.leg < legs_.size() && std::min(position_.leg_start, end_of_leg()) < 0.0;
     schedule_.meet_at(meetings(loads), presses);
 }
 

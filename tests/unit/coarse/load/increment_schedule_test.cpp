@@ -73,8 +73,9 @@ TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
 }
 
 /// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment.
-int after(const LoadSection& load, double c) {
+int after(const LoadSection& load, double c, bool presses = false) {
     IncrementSchedule schedule(load);
+    schedule.meet_at({}, presses);
     const OffByTheSquare leg{schedule.ways(true), c};
     const OpeningPath path = leg.path();
     const std::vector<double> falling = schedule.ways(false);
@@ -101,6 +102,10 @@ TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
         EXPECT_LE(error * std::pow(1.0 * begins / chosen, 2), accuracy / 3.0);
         EXPECT_GT(error * std::pow(1.0 * begins / (chosen - 1), 2), accuracy / 3.0);
     }
+    // What faces that are pressed together leave behind adds up.
+    const int pressed = after({.accuracy = 0.01, .blocks = {}}, leg.c, true);
+    EXPECT_LE(error * std::pow(1.0 * begins / pressed, 2), 0.01 / 6.0);
+    EXPECT_GT(error * std::pow(1.0 * begins / (pressed - 1), 2), 0.01 / 6.0);
     EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05), 24);
     EXPECT_EQ(after({}, 1e-9), 4);
 }
@@ -139,6 +144,21 @@ TEST(IncrementSchedule, EndsAnIncrementWhereFacesMeet) {
     EXPECT_EQ(std::ranges::count(given.ways(false), 0.415), 0) << "a number that is given still means that number";
 }
 
+// Before faces meet the tip flows back, and no opening tells later what that was off by.
+TEST(IncrementSchedule, TakesFourBeforeFacesMeetOnTheWayIntoCompression) {
+    const auto before = [](const LoadSection& load, bool presses) {
+        IncrementSchedule schedule{load};
+        schedule.meet_at({0.45}, presses);
+        const std::vector<double>& ways = schedule.ways(false);
+        EXPECT_TRUE(std::ranges::is_sorted(ways));
+        EXPECT_EQ(std::ranges::count(ways, 0.45), 1);
+        return std::ranges::find(ways, 0.45) - ways.begin();
+    };
+    EXPECT_EQ(before({}, true), 4);
+    EXPECT_LT(before({}, false), 3);
+    EXPECT_EQ(before({.accuracy = 0.0005, .blocks = {}}, true), 8);
+}
+
 TEST(IncrementSchedule, ChoosesNoneWhereWaysAreGiven) {
     IncrementSchedule schedule(LoadSection(), {0.0, 0.3, 1.0});
     schedule.begin({0.0});
@@ -163,11 +183,15 @@ TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
     schedule.meet_at({});
     EXPECT_EQ(schedule.ways(false).size(), 11U);
     EXPECT_EQ(schedule.ways(true).size(), 16U);
-    schedule.meet_at({0.3}, true);  // into compression: as many
-    EXPECT_EQ(schedule.ways(false).size(), 16U);
+    state.rising.increments = 18;
+    schedule.resume(state);
+    schedule.meet_at({0.3}, true);  // into compression
+    EXPECT_EQ(schedule.ways(false).size(), 11U);
     state.rising.increments = state.falling.increments = 4;
     schedule.resume(state);
     schedule.meet_at({0.3}, true);
+    EXPECT_EQ(schedule.ways(false).size(), 11U);  // four before the place, and behind it their share of eight
+    schedule.meet_at({0.6}, true);
     EXPECT_EQ(schedule.ways(false).size(), 9U);
 }
 

@@ -122,6 +122,21 @@ TEST(LoadController, EndsAnIncrementWhereFacesMetLast) {
     EXPECT_EQ(ends_there, (std::vector<bool>{false, true, false, true, false, false}));  // the last one does not come
 }
 
+TEST(LoadController, KnowsWhichLegsPressFacesTogether) {
+    const auto pressing = [](double min) {
+        LoadController loads({.blocks = {{.cycles = 1, .max = 40.0, .min = min}}}, SolverSection());
+        std::vector<bool> presses;
+        while (const auto step = loads.next()) {
+            presses.push_back(loads.position().schedule.presses);
+            while (!loads.next()->reversal) loads.accepted({}, {10.0});
+            loads.accepted({}, {10.0});
+        }
+        return presses;
+    };
+    EXPECT_EQ(pressing(0.0), (std::vector<bool>{false, false, false}));
+    EXPECT_EQ(pressing(-20.0), (std::vector<bool>{false, true, true}));
+}
+
 TEST(LoadController, KnowsWhereFacesMetWhenItsHistoryIsMadeLonger) {
     const auto stops = [](LoadController& loads) {
         std::vector<double> targets;
