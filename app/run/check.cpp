@@ -131,8 +131,9 @@ double largest_increment(const coarse::Scene& scene, const coarse::NominalSoluti
     if (!growth.increment.is_auto()) return growth.increment.value();
     double largest = 0.0;
     for (std::size_t t = 0; t < K_I.size(); ++t) {
-        const double zone = coarse::forward_zone(K_I[t], scene.yield_stress_at_tips()[t], scene.input.model.plane);
-        largest = std::max(largest, coarse::largest_increment(growth, zone, nominal.tips[t].a));
+        const double zone =
+            coarse::forward_zone_ahead(K_I[t], scene.yield_stress_at_tips()[t], scene.input.model.plane);
+        largest = std::max(largest, coarse::largest_increment(growth, zone > 0.0, zone, nominal.tips[t].a));
     }
     return largest;
 }

@@ -122,6 +122,19 @@ std::optional<std::string> step_warning(std::size_t tip, double increment, doubl
         tip, increment, increment / zone, zone, most_of_zone * zone);
 }
 
+/// The crests that steps leave hold the faces (docs/verification.md, how many elements).
+std::optional<std::string> life_in_strain_warning(const Scene& scene, std::size_t t) {
+    const Case& input = scene.input;
+    const bool by_closure = grows_by_opening_loads(*input.growth) || input.growth->law == GrowthLaw::Ctod;
+    const bool touches = input.cracks[at(scene.enriched.tips[t].crack)].contact.has_value();
+    if (input.model.plane != PlaneState::Strain || !by_closure || !touches) return std::nullopt;
+    return fmt::format(
+        "tip {}: in plane strain closure is that of the growth at a time: where faces close, half of it lowers K_op by "
+        "some hundredths of K_max and raises the opening range by some percent, and no limit has been seen. So the "
+        "life is too long, the more so the larger growth.increment is",
+        t);
+}
+
 /// Rings about a tip pass over a bend that is nearer to it than they are.
 std::optional<std::string> bend_warning(const Scene& scene, std::size_t t) {
     const Tip& tip = scene.enriched.tips[t];
@@ -194,7 +207,9 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
         const WantedZone zone = wanted_zone(input, K_I[t], yield_stress[t]);
         add(zone_warning(t, zone, element, input.fine.refine));
         if (zone.length > 0.0) add(distance_warning(t, distance[t], element, input.fine.refine));
-        if (!input.growth || input.growth->increment.is_auto()) continue;
+        if (!input.growth) continue;
+        add(life_in_strain_warning(scene, t));
+        if (input.growth->increment.is_auto()) continue;
         const double at_a_time = input.growth->increment.value();
         add(growth_warning(t, at_a_time, element));
         if (input.model.plane == PlaneState::Stress) add(step_warning(t, at_a_time, distance[t], zone.length));

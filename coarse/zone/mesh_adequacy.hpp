@@ -21,10 +21,10 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
 /// forward zone spans fewer than five elements where contact is asked for, or, straight ahead, five in plane strain and
 /// ten in plane stress where it grows, with the `fine.refine` that would do; per tip whose distance of closure spans
 /// fewer than 1.2 elements; per tip that grows by two elements or more, or by one and a part, at a time, or in plane
-/// stress by more than a tenth of its zone and beyond the distance of closure; and per tip that grows between faces
-/// that may touch where nothing yields, and leaves functions behind. `K_I`, MPa sqrt(mm), of the cycles that opening
-/// loads are asked of (common_K_I), `distance`, mm, of closure (closure_distances): one per tip. Of zones nothing where
-/// nothing flows.
+/// stress by more than a tenth of its zone and beyond the distance of closure; per tip that grows by its closure in
+/// plane strain; and per tip that grows between faces that may touch where nothing yields, and leaves functions
+/// behind. `K_I`, MPa sqrt(mm), of the cycles that opening loads are asked of (common_K_I), `distance`, mm, of closure
+/// (closure_distances): one per tip. Of zones nothing where nothing flows.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,
                                        const std::vector<double>& distance);
 

@@ -21,9 +21,9 @@ double from_edge_to_edge(double increment, const TipSteps& steps) {
 
 }  // namespace
 
-double largest_increment(const GrowthSection& growth, double forward_zone, double a) {
+double largest_increment(const GrowthSection& growth, bool flows, double zone_ahead, double a) {
     constexpr double elastic_fraction = 0.01;  // of the length, where nothing flows
-    return forward_zone > 0.0 ? growth.zone_fraction * forward_zone : elastic_fraction * a;
+    return flows ? growth.zone_fraction * zone_ahead : elastic_fraction * a;
 }
 
 double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last,
@@ -35,7 +35,7 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     double factor = 2.0;
     if (const double error = error_at(now); error > 0.0)
         factor = std::clamp(std::sqrt(growth.accuracy / error), 0.5, 2.0);
-    const double largest = largest_increment(growth, fastest.forward, fastest.a);
+    const double largest = largest_increment(growth, fastest.forward > 0.0, fastest.forward_axis, fastest.a);
     memory_.increment = std::clamp(factor * memory_.increment, steps.least, std::max(steps.least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "coarse/specimen/specimen.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -158,6 +160,25 @@ TEST_F(Advice, MindsHowMuchOfItsZoneTheCrackGrowsAtATime) {
 }
 
 // Elements of 1 mm: what is read nearer than the second is the opening of the tip's own.
+TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainIsTooLong) {
+    input.mesh.size = 0.25;
+    input.growth.emplace().increment = 0.25;
+    const auto says = [&](GrowthLaw law, GrowthDriving driving, PlaneState plane) {
+        input.growth->law = law;
+        input.growth->driving = driving;
+        input.model.plane = plane;
+        return std::ranges::any_of(
+            at(2000.0), [](const std::string& said) { return said.find("life is too long") != std::string::npos; });
+    };
+    EXPECT_TRUE(says(GrowthLaw::Paris, GrowthDriving::EffectiveRange, PlaneState::Strain));
+    EXPECT_TRUE(says(GrowthLaw::Ctod, GrowthDriving::Range, PlaneState::Strain));
+    EXPECT_FALSE(says(GrowthLaw::Paris, GrowthDriving::EffectiveRange, PlaneState::Stress));
+    EXPECT_FALSE(says(GrowthLaw::Paris, GrowthDriving::Range, PlaneState::Strain));
+    EXPECT_FALSE(says(GrowthLaw::Prescribed, GrowthDriving::EffectiveRange, PlaneState::Strain));
+    input.cracks[0].contact.reset();
+    EXPECT_FALSE(says(GrowthLaw::Ctod, GrowthDriving::Range, PlaneState::Strain));
+}
+
 TEST_F(Advice, MindsHowManyElementsLieBetweenTheTipAndWhereClosureIsLookedAt) {
     closure_at = 1.21;
     EXPECT_TRUE(at(2100.0).empty());

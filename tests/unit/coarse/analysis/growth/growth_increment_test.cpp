@@ -21,14 +21,15 @@ const GrowthSection by_K_eff{.law = GrowthLaw::Paris,
 
 constexpr TipSteps steps{.least = 0.1 / 16.0};  // mm
 
-/// A tip at K = 300 sqrt(a / 10) in a zone of 0.4 mm.
+/// A tip at K = 300 sqrt(a / 10) in a zone of 0.4 mm straight ahead, 1.6 mm to the sides.
 CycleResult tip_at(double a, double closure) {
     CycleResult tip;
     tip.a = a;
     tip.K_max = 300.0 * std::sqrt(a / 10.0);
     tip.K_min = 0.0;
     tip.opening.K_op = closure * tip.K_max;
-    tip.forward = 0.4;
+    tip.forward = 1.6;
+    tip.forward_axis = 0.4;
     return tip;
 }
 
@@ -146,11 +147,18 @@ TEST(GrowthIncrement, NoTipPassesUntil) {
 
 TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
     CycleResult tip = tip_at(10.0, 0.0);
-    tip.forward = 0.0;
+    tip.forward = tip.forward_axis = 0.0;
     tip.opening.K_op = std::nan("");
     GrowthSection growth = by_K_eff;
     growth.driving = GrowthDriving::Range;
     EXPECT_NEAR(first(GrowthIncrement({.increment = 1.0, .points = {}}), growth, {tip}, steps), 0.1, 1e-15);
+}
+
+// Metal flows, and to the sides alone.
+TEST(GrowthIncrement, TakesTheLeastWhereNothingFlowsAhead) {
+    CycleResult tip = tip_at(10.0, 0.1);
+    tip.forward_axis = 0.0;
+    EXPECT_EQ(first(GrowthIncrement({.increment = 1.0, .points = {}}), by_K_eff, {tip}, steps), steps.least);
 }
 
 TEST(GrowthIncrement, GoesOnFromItsMemory) {
