@@ -169,9 +169,8 @@ Section<GrowthSection> growth_section() {
         .at_most(1.0)
         .says(
             "With increment = \"auto\": largest increment, of what the forward plastic zone of the cycle before "
-            "extends "
-            "straight ahead; of the crack's length a hundredth where nothing flows. The smallest is an element at the "
-            "tip.");
+            "extends straight ahead; of the crack's length a hundredth where nothing flows. The smallest is an element "
+            "at the tip.");
     s.value("every", &GrowthSection::every)
         .at_least(1)
         .says(

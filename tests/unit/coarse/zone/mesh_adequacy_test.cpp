@@ -159,7 +159,6 @@ TEST_F(Advice, MindsHowMuchOfItsZoneTheCrackGrowsAtATime) {
     EXPECT_EQ(at(3400.0).size(), 1U) << "of the distance";
 }
 
-// Elements of 1 mm: what is read nearer than the second is the opening of the tip's own.
 TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainIsTooLong) {
     input.mesh.size = 0.25;
     input.growth.emplace().increment = 0.25;
@@ -179,6 +178,7 @@ TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainIsTooLong) {
     EXPECT_FALSE(says(GrowthLaw::Ctod, GrowthDriving::Range, PlaneState::Strain));
 }
 
+// Elements of 1 mm: what is read nearer than the second is the opening of the tip's own.
 TEST_F(Advice, MindsHowManyElementsLieBetweenTheTipAndWhereClosureIsLookedAt) {
     closure_at = 1.21;
     EXPECT_TRUE(at(2100.0).empty());
