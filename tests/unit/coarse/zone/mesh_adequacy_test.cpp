@@ -178,6 +178,24 @@ TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainIsTooLong) {
     EXPECT_FALSE(says(GrowthLaw::Ctod, GrowthDriving::Range, PlaneState::Strain));
 }
 
+// Its opening loads and the distance want ten elements and 1.2.
+TEST_F(Advice, SaysWhatTooFewElementsDoToALifeByOpeningLoads) {
+    input.model.plane = PlaneState::Stress;
+    input.growth.emplace().increment = 1.0;
+    input.growth->law = GrowthLaw::Paris;
+    const auto say = [&](GrowthDriving driving, double K_I) {
+        input.growth->driving = driving;
+        return std::ranges::count_if(at(K_I), [](const std::string& said) { return said.ends_with("75 % longer"); });
+    };
+    EXPECT_EQ(say(GrowthDriving::EffectiveRange, 1700.0), 0);
+    EXPECT_EQ(say(GrowthDriving::EffectiveRange, 1500.0), 1);
+    EXPECT_EQ(say(GrowthDriving::Range, 1500.0), 0);
+    closure_at = 1.0;
+    EXPECT_EQ(say(GrowthDriving::EffectiveRange, 1500.0), 2);
+    input.model.plane = PlaneState::Strain;
+    EXPECT_EQ(say(GrowthDriving::EffectiveRange, 1500.0), 0) << "not measured";
+}
+
 // Elements of 1 mm: what is read nearer than the second is the opening of the tip's own.
 TEST_F(Advice, MindsHowManyElementsLieBetweenTheTipAndWhereClosureIsLookedAt) {
     closure_at = 1.21;
