@@ -59,7 +59,7 @@ def loads_of(specimen, rng):
 def growth_of(refine, rng):
     text = "[growth]\nincrement = %.3g\nevery = %d\n" % (rng.uniform(0.2, 1.3) * 0.8 / refine, rng.choice([1, 1, 2]))
     if rng.random() < 0.3:
-        text += 'driving = "%s"\n' % rng.choice(["dK", "dK_full", "dK_eff"])
+        text += rng.choice(['driving = "dK"\n', "walker = 0.6\n", 'driving = "dK_full"\n', 'driving = "dK_eff"\n'])
         text += rng.choice(['law = "paris"\nC = 1e-13\nm = 3.0\n', 'law = "paris"\nC = 1e-13\nm = 3.0\nthreshold = %.4g\n' % rng.uniform(50.0, 400.0),
                             'law = "table"\nranges = [63.0, 363.0, 3000.0]\nrates = [6e-12, 9.4e-6, 4e-3]\n'])
     text += 'at = "min"\n' if rng.random() < 0.2 else ""

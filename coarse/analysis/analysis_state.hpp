@@ -78,6 +78,7 @@ struct AnalysisState {
     PeriodMemory growth_period;
     LifeMemory life;
     std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    LoadFactors at_maximum;         // of the last cycle that reached one
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

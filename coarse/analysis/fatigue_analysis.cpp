@@ -229,7 +229,7 @@ bool FatigueAnalysis::grow_where_due() {
     model_.prepare_growth();
     AnalysisState before = state_beside_zone();
     try {
-        GrownScene grown = growth_->next(body_, model_.factors(), due_growth_.tips, last_cycle_);
+        GrownScene grown = growth_->next(body_, due_growth_.tips, last_cycle_);
         if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());
         if (grown.longer) {
             if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();

@@ -27,9 +27,8 @@ public:
     /// Trial becomes committed. The increment holds what mechanics has to say of it: no number, no closure, no cycles.
     [[nodiscard]] Increment commit(const LoadStep& step, const NewtonReport& report);
 
-    [[nodiscard]] double load_factor() const { return factors_.main; }     // committed
-    [[nodiscard]] const LoadFactors& factors() const { return factors_; }  // likewise
-    [[nodiscard]] const WorkBalance& work() const { return work_; }        // likewise
+    [[nodiscard]] double load_factor() const { return factors_.main; }  // committed
+    [[nodiscard]] const WorkBalance& work() const { return work_; }     // likewise
     /// Of the trial state: mean, along the load's direction, mm.
     [[nodiscard]] double loaded_displacement() const { return equilibrium_->machine_reading().displacement; }
     [[nodiscard]] double trial_load_factor() const { return equilibrium_->load_factor(); }

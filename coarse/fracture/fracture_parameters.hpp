@@ -24,7 +24,7 @@ struct TipResult {
     double opening = std::numeric_limits<double>::quiet_NaN();  // mm, at a stated distance behind the tip
     double contact_length = 0.0;                                // mm
     double plastic_zone = 0.0, plastic_zone_axis = 0.0;         // mm
-    double K_initial = 0.0;  // of a nominal solution: K_I of the initial stress alone, MPa sqrt(mm)
+    double K_initial = 0.0, K_II_initial = 0.0;  // of a nominal solution: the initial stress alone, MPa sqrt(mm)
     std::vector<double> K_I_of_cases = {}, K_II_of_cases = {};  // likewise, of each load case at its factor 1
 };
 

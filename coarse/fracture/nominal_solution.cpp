@@ -37,7 +37,10 @@ std::vector<TipResult> tips_of(const StructureRings& rings, const NominalFields&
     if (fields.initial.size() == 0) return tips;
     const std::vector<TipResult> initial =
         fracture_parameters(rings, fields.initial, rings.integrals(fields.initial), {});
-    for (std::size_t t = 0; t < tips.size(); ++t) tips[t].K_initial = initial[t].K_I;
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        tips[t].K_initial = initial[t].K_I;
+        tips[t].K_II_initial = initial[t].K_II;
+    }
     return tips;
 }
 

@@ -68,7 +68,7 @@ void members(auto& archive, Is<CycleResult> auto& m) {
 
 void members(auto& archive, Is<TipResult> auto& m) {
     auto& [a, x, y, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length,
-           plastic_zone, plastic_zone_axis, K_initial, K_I_of_cases, K_II_of_cases] = m;
+           plastic_zone, plastic_zone_axis, K_initial, K_II_initial, K_I_of_cases, K_II_of_cases] = m;
     archive("a", a);
     archive("x", x);
     archive("y", y);
@@ -86,6 +86,7 @@ void members(auto& archive, Is<TipResult> auto& m) {
     archive("plastic_zone", plastic_zone);
     archive("plastic_zone_axis", plastic_zone_axis);
     archive("K_initial", K_initial);
+    archive("K_II_initial", K_II_initial);
     archive("K_I_of_cases", K_I_of_cases);
     archive("K_II_of_cases", K_II_of_cases);
 }
@@ -234,7 +235,7 @@ void members(auto& archive, Is<StillElements> auto& m) {
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
            cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period, life,
-           K_reached, due_growth, release, load, work, equilibrium, zone] = m;
+           K_reached, at_maximum, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -264,6 +265,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("growth_period", growth_period);
     archive("life", life);
     archive("K_reached", K_reached);
+    archive("at_maximum", at_maximum);
     archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);

@@ -21,6 +21,12 @@ void members(auto& archive, Is<LoadBlock> auto& m) {
 
 namespace stria::coarse {
 
+void members(auto& archive, Is<LoadFactors> auto& m) {
+    auto& [main, cases] = m;
+    archive("main", main);
+    archive("cases", cases);
+}
+
 void members(auto& archive, Is<LoadPosition::Taken> auto& m) {
     auto& [cycle, from, to, cases_from, cases_to] = m;
     archive("cycle", cycle);

@@ -200,10 +200,10 @@ struct GrowthSection {
     std::optional<double> threshold = {};         // MPa sqrt(mm); Paris: no growth by a dK below
     std::vector<double> ranges = {}, rates = {};  // Table: dK, MPa sqrt(mm), and da/dN there, mm/cycle
     GrowthDriving driving = GrowthDriving::Range;
+    double walker = 1.0;  // Range: K_max (1 - R)^walker, R >= 0
     GrowthDirection direction = GrowthDirection::HoopStress;
     Retain retain = Retain::Frozen;
-    std::optional<double> until = {};      // mm, crack length
-    std::optional<double> toughness = {};  // MPa sqrt(mm)
+    std::optional<double> until = {}, toughness = {};  // crack length, mm; MPa sqrt(mm)
     bool operator==(const GrowthSection&) const = default;
 };
 

@@ -108,6 +108,11 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
     for (const auto& [key, value] : {std::pair("C", growth.C), std::pair("m", growth.m)})
         if (growth.law == GrowthLaw::Table && value != 0.0)
             reject(place.inside(key), *find(table, key), {}, "belongs to law = \"paris\" or \"ctod\"");
+    const bool by_range =
+        (growth.law == GrowthLaw::Paris || growth.law == GrowthLaw::Table) && growth.driving == GrowthDriving::Range;
+    if (growth.walker != 1.0 && !by_range)
+        reject(place.inside("walker"), *find(table, "walker"), {},
+               "belongs to law = \"paris\" or \"table\" with driving = \"dK\"");
     belongs("threshold", growth.threshold.has_value(), GrowthLaw::Paris, "paris");
     belongs("ranges", !growth.ranges.empty(), GrowthLaw::Table, "table");
     belongs("rates", !growth.rates.empty(), GrowthLaw::Table, "table");

@@ -103,6 +103,24 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
     }
 }
 
+// A load ratio of a half counts as half a range to the power of the exponent: so does each of the computed cycles.
+TEST(CrackGrowth, LivesLongerByWalkersExponent) {
+    const auto life = [](double ratio, double walker) {
+        Case input = edge_crack(0.3, 4.0, End::Pulled);
+        input.mesh.size = 1.0 / 21.0;
+        input.load = {.steps = 2, .blocks = {{.cycles = 100, .max = 80.0, .min = 80.0 * ratio}}};
+        input.growth = GrowthSection{
+            .law = GrowthLaw::Paris, .increment = 0.05, .C = 1e-13, .m = 3.0, .walker = walker, .until = 0.5};
+        double cycles = 0.0;
+        for (const coarse::Increment& step : run_direct(input).increments)
+            for (const coarse::CycleResult& cycle : step.cycles) cycles += cycle.dN;
+        return cycles;
+    };
+    const double as_range = life(0.0, 0.4);
+    EXPECT_NEAR(life(0.5, 0.4), std::exp2(3.0 * 0.4) * as_range, 1e-9 * as_range);
+    EXPECT_NEAR(life(-1.0, 0.4), as_range, 1e-9 * as_range);
+}
+
 /// references 4.7.
 const std::vector<double> ranges_of_steel{63.0, 363.0, 5000.0},
     rates_of_steel{1.21e-26 * std::pow(63.0, 8.16), 1.21e-26 * std::pow(363.0, 8.16),

@@ -1,10 +1,12 @@
 // Stress before any load: what equilibrium makes of it, K in it by weight functions, and yield that sees the whole.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
+#include "coarse/analysis/growth/crack_advance.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/layered_plates.hpp"
@@ -222,6 +224,28 @@ TEST(InitialStress, AddsToTheLoadInAnElasticBody) {
     EXPECT_NEAR(cycle.K_max, most.tips[0].K_I, 1e-9 * cycle.K_max);
     EXPECT_NEAR(cycle.K_min, nominal.K_initial, 1e-9 * cycle.K_max);
     EXPECT_EQ(cycle.K_initial, nominal.K_initial);
+}
+
+/// A misfit above the crack's plane, so that it slides without load: it goes on across the largest hoop stress of load
+/// and stress together at the maximum, wherever in the cycle it grows.
+TEST(InitialStress, TurnsACrackThatTheLoadOnlyOpens) {
+    Case input = edge_crack(0.3, 4.0, End::Pulled);
+    input.mesh.size = 1.0 / 21.0;
+    input.regions = {misfit({{0.25, 2.05}, {0.6, 2.3}}, input.material.young, 150.0)};
+    input.load = {.steps = 2, .blocks = {{.cycles = 2, .max = 50.0, .min = 0.0}}};
+    for (const GrowthAt where : {GrowthAt::Maximum, GrowthAt::Minimum}) {
+        input.growth = GrowthSection{.increment = 0.05, .at = where};
+        const RunHistory history = run_direct(input);
+        const coarse::TipResult &most = history.at_maximum().tips[0], &last = history.increments.back().tips[0];
+        ASSERT_GT(std::abs(most.K_II), 0.05 * most.K_I);
+        const double angle = coarse::hoop_stress_angle(most.K_I, most.K_II);
+        const auto grown =
+            std::ranges::find_if(history.increments, [&](const auto& i) { return i.tips[0].x > 0.3001; });
+        ASSERT_NE(grown, history.increments.end());
+        const coarse::TipResult& turned = grown->tips[0];
+        EXPECT_NEAR(std::atan2(turned.y - 2.0, turned.x - 0.3), angle, 1e-6);
+        EXPECT_LT(std::abs(last.K_II / last.K_I), 0.5 * std::abs(most.K_II / most.K_I));
+    }
 }
 
 /// Pressed by the stress that is left in it, an elastic crack opens where load and stress together have K = 0 at its

@@ -32,11 +32,11 @@ double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection
     return largest;
 }
 
-/// Those of all loads together: load cases give a K another mode as their factors change.
+/// Those of all loads together, and of the initial stress: they give a K another mode as factors change.
 std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
     for (TipResult& tip : nominal) {
-        tip.K_I = factors.main * tip.K_I + sum_over_cases(tip.K_I_of_cases, factors.cases);
-        tip.K_II = factors.main * tip.K_II + sum_over_cases(tip.K_II_of_cases, factors.cases);
+        tip.K_I = factors.main * tip.K_I + sum_over_cases(tip.K_I_of_cases, factors.cases) + tip.K_initial;
+        tip.K_II = factors.main * tip.K_II + sum_over_cases(tip.K_II_of_cases, factors.cases) + tip.K_II_initial;
     }
     return nominal;
 }
@@ -49,7 +49,8 @@ CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisStat
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
       life_(from != nullptr ? from->life : LifeMemory()),
-      K_reached_(from != nullptr ? from->K_reached : std::vector<double>()) {}
+      K_reached_(from != nullptr ? from->K_reached : std::vector<double>()),
+      at_maximum_(from != nullptr ? from->at_maximum : LoadFactors()) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
@@ -57,6 +58,7 @@ void CrackGrowth::write(AnalysisState& state) const {
     state.growth_period = rates_.memory();
     state.life = life_.memory();
     state.K_reached = K_reached_;
+    state.at_maximum = at_maximum_;
 }
 
 // A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
@@ -64,11 +66,12 @@ bool CrackGrowth::is_due(const Increment& reached) {
     const LoadStep& step = reached.step;
     K_reached_.resize(reached.tips.size(), 0.0);
     for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
+    if (step.at_maximum) at_maximum_ = {reached.load_factor, step.target.cases};
     if (grows_at(growth_, step)) return true;
     return broken_tip() >= 0 && step.ends_cycle && (!takes_mean_ || ends_period(growth_, step.cycle));
 }
 
-GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors, const std::vector<TipResult>& reached,
+GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<TipResult>& reached,
                              const std::vector<CycleResult>& last) {
     if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
     const std::vector<TipResult>& nominal = body.nominal();
@@ -77,11 +80,11 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const LoadFactors& factors
     if (!is_over(nominal, last)) {
         // At minima the first chance to grow has a cycle less behind it, which would leave one out of the mean.
         if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
-        const std::vector<TipResult> guides =
-            directing(present.input.cracks, present.enriched.tips,
-                      factors.cases.size() > 0 ? under(factors, nominal) : nominal, reached);
+        const bool one_load = at_maximum_.cases.size() == 0 && !present.initial_stress().any();  // whatever its factor
+        const std::vector<TipResult> guides = directing(present.input.cracks, present.enriched.tips,
+                                                        one_load ? nominal : under(at_maximum_, nominal), reached);
         grown = along_first_of(body, ways(present, guides, last));
-        if (grown.longer) note_turn(present, *grown.longer, guides, reached);
+        if (grown.longer) note_turn(present, *grown.longer, guides);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
@@ -146,18 +149,14 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
-// Of the fastest tip. An initial stress acts with the load: what they have reached together is the K that leaps, unless
-// it is no elastic one.
-void CrackGrowth::note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides,
-                            const std::vector<TipResult>& reached) {
+// Of the fastest tip.
+void CrackGrowth::note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides) {
     const std::vector<double> rates = rates_.present();
     if (rates.empty()) return;
     const std::size_t t = fastest_of(rates);
     const double angle = turn_of(present.enriched.tips[t], longer.input.cracks);
     if (std::abs(angle) <= sharp_turn) return;
-    const bool together = present.initial_stress().any() && !reached[t].rings_flow && reached[t].K_I > 0.0;
-    const TipResult& K = together ? reached[t] : guides[t];
-    life_.turn(rate_behind_leap(growth_, rates[t], K_just_turned(K, angle) / K.K_I));
+    life_.turn(rate_behind_leap(growth_, rates[t], K_just_turned(guides[t], angle) / guides[t].K_I));
 }
 
 // What drives the tips has been measured.

@@ -40,12 +40,13 @@ public:
     [[nodiscard]] bool is_due(const Increment& reached);
 
     /// The scene with each tip advanced by the law, from what it has gone through up to the end of the `last` cycle, in
-    /// the direction that the tips `reached` give (one per tip each); its mesh follows the tips. Null before the first
+    /// the direction that all loads give at the last maximum, or where faces rub the tips `reached` (one per tip each);
+    /// its mesh follows the tips. Null before the first
     /// cycle of a law of da/dN has ended, or the first period whose mean it takes, and where growth ends the run: no
     /// tip is driven, a limit of [growth] is reached, or a crack would leave the body or meet another one. Throws
     /// NumericalFailure where what drives the growth was not found in a cycle that tells its rate.
-    [[nodiscard]] GrownScene next(const CrackedBody& body, const LoadFactors& factors,
-                                  const std::vector<TipResult>& reached, const std::vector<CycleResult>& last);
+    [[nodiscard]] GrownScene next(const CrackedBody& body, const std::vector<TipResult>& reached,
+                                  const std::vector<CycleResult>& last);
 
     /// Takes the rates of a cycle that has ended, and puts into `cycles`, one per tip, how many it stands for: what the
     /// growth took that is known to its end. `present`: with the tips as long as at its end.
@@ -70,8 +71,7 @@ private:
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
     /// Where the fastest tip turns sharply its rate leaps.
-    void note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides,
-                   const std::vector<TipResult>& reached);
+    void note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides);
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
@@ -84,6 +84,7 @@ private:
     PeriodRates rates_;
     LifeCount life_;
     std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    LoadFactors at_maximum_;         // of the last cycle that reached one
 };
 
 }  // namespace stria::coarse

@@ -10,10 +10,16 @@ namespace stria::coarse {
 
 namespace {
 
-double driving_range(GrowthDriving driving, const CycleResult& cycle) {
-    switch (driving) {
+/// Walker's: K_max (1 - R)^w, the range at R = 0 that drives a tip as much. What lies in compression does not count.
+double range_in_tension(double K_max, double K_min, double w) {
+    const double most = std::max(K_max, 0.0), range = most - std::max(K_min, 0.0);
+    return std::pow(most, 1.0 - w) * std::pow(range, w);
+}
+
+double driving_range(const GrowthSection& growth, const CycleResult& cycle) {
+    switch (growth.driving) {
     case GrowthDriving::Range:
-        return std::max(cycle.K_max, 0.0) - std::max(cycle.K_min, 0.0);
+        return range_in_tension(cycle.K_max, cycle.K_min, growth.walker);
     case GrowthDriving::FullRange:
         return cycle.K_max - cycle.K_min;
     case GrowthDriving::EffectiveRange:
@@ -33,8 +39,7 @@ bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
     if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
-    return rate_of_range(growth,
-                         growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth.driving, cycle));
+    return rate_of_range(growth, growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth, cycle));
 }
 
 double rate_behind_leap(const GrowthSection& growth, double rate, double leap) {

@@ -254,6 +254,11 @@ TEST_F(CaseFile, GrowsByATableOrAPowerWithAThreshold) {
               "case.toml:28: growth.threshold = 63 belongs to law = \"paris\"");
     EXPECT_EQ(complaint(growing("rates = [1e-8]\n")),
               "case.toml:28: growth.rates = [1e-08] belongs to law = \"table\"");
+    EXPECT_EQ(complaint(growing("walker = 0.5\n")),
+              "case.toml:28: growth.walker = 0.5 belongs to law = \"paris\" or \"table\" with driving = \"dK\"");
+    EXPECT_EQ(complaint(growing("walker = 0.5\nlaw = \"paris\"\nC = 1e-13\nm = 3.0\ndriving = \"dK_full\"\n")),
+              "case.toml:28: growth.walker = 0.5 belongs to law = \"paris\" or \"table\" with driving = \"dK\"");
+    EXPECT_EQ(read(growing("walker = 0.5\nlaw = \"paris\"\nC = 1e-13\nm = 3.0\n")).growth->walker, 0.5);
 }
 
 TEST_F(CaseFile, AnIncrementOfGrowthIsANumberOrAuto) {

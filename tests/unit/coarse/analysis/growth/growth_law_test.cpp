@@ -42,6 +42,22 @@ TEST(GrowthLaw, ATableIsDrivenAsParisLawIs) {
     EXPECT_TRUE(grows_by_opening_loads(growth));
 }
 
+// Half of its cycles open: walker 0 counts K_max alone, 1 the range.
+TEST(GrowthLaw, CountsTheLoadRatioByWalkersExponent) {
+    GrowthSection growth{.law = GrowthLaw::Paris, .C = 1e-12, .m = 2.0};
+    const auto range = [&](double walker, double K_min) {
+        growth.walker = walker;
+        return std::sqrt(growth_rate(growth, cycle_with(800.0, K_min, 0.0)) / growth.C);
+    };
+    EXPECT_NEAR(range(0.5, 600.0), 400.0, 1e-9);
+    EXPECT_NEAR(range(0.25, 750.0), 400.0, 1e-9);
+    EXPECT_NEAR(range(0.0, 600.0), 800.0, 1e-9);
+    EXPECT_NEAR(range(1.0, 600.0), 200.0, 1e-9);
+    EXPECT_NEAR(range(0.5, -600.0), 800.0, 1e-9);
+    growth.walker = 0.5;
+    EXPECT_EQ(growth_rate(growth, cycle_with(-100.0, -600.0, 0.0)), 0.0);
+}
+
 TEST(GrowthLaw, LeapsWithTheK) {
     GrowthSection growth{.law = GrowthLaw::Paris, .C = 1e-12, .m = 3.0};
     EXPECT_NEAR(rate_behind_leap(growth, 1e-4, 0.5), 1.25e-5, 1e-17);
