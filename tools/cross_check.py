@@ -90,7 +90,10 @@ def faults(folder):
     for row in cycles:
         name = f"cycle {row['cycle']:g}, tip {row['tip']:g}"
         size = abs(row["K_max"])
-        expected = Cycle([one for one in history if one["tip"] == row["tip"]], row["cycle"]).columns()
+        cycle = Cycle([one for one in history if one["tip"] == row["tip"]], row["cycle"])
+        expected = cycle.columns()
+        if row["J_max"] < expected["J_max"][0]:  # without contact pressed faces overlap, and do not count
+            expected["J_max"] = largest([one for one in cycle.loading if one["load_factor"] >= 0.0], "J"), WRITTEN
         expected |= {column: (value, WRITTEN) for column, value in of_opening(row).items()}
         if row["tip"] == cycles[0]["tip"]:
             N += row["dN"]

@@ -84,6 +84,7 @@ UnitResponse unit_response(const Scene& scene, const std::vector<TipResult>& tip
     for (const TipResult& tip : tips) {
         unit.K_II.push_back(tip.K_II);
         unit.K_initial.push_back(tip.K_initial);
+        unit.K_II_initial.push_back(tip.K_II_initial);
         unit.K_I_of_cases.push_back(tip.K_I_of_cases);
         unit.K_II_of_cases.push_back(tip.K_II_of_cases);
     }

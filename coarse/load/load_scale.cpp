@@ -62,8 +62,8 @@ std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& nomi
             added_II = std::max(largest_of_cases(cases, K_II, 1.0, scale), largest_of_cases(cases, K_II, -1.0, scale));
         }
         const auto at = [&](double factor) -> Modes {
-            return {nominal.K_I[t] * factor + added_I, std::abs(value_at(nominal.K_II, t) * factor) + added_II,
-                    friction_of(nominal, t)};
+            const double sliding = value_at(nominal.K_II, t) * factor + value_at(nominal.K_II_initial, t);
+            return {nominal.K_I[t] * factor + added_I, std::abs(sliding) + added_II, friction_of(nominal, t)};
         };
         all.push_back({at(largest), at(smallest)});
     }
@@ -121,6 +121,7 @@ LargestK largest_of(const Case& input, UnitResponse nominal) {
     const CaseHistories cases(input);
     LargestK K{.any = largest_K(input.load, nominal, 0.0, cases), .opening = {}};
     nominal.K_II.clear();
+    nominal.K_II_initial.clear();
     for (std::vector<double>& of_tip : nominal.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
     K.opening = largest_K(input.load, nominal, 0.0, cases);
     for (std::size_t t = 0; t < K.any.size(); ++t)

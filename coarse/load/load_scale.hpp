@@ -18,7 +18,8 @@ struct UnitDisplacement {
 /// What a load history asks of the nominal body, at the load factor 1.
 struct UnitResponse {
     std::vector<double> K_I = {}, K_II = {};  // MPa sqrt(mm), one per tip
-    std::vector<double> K_initial = {};       // K_I of the initial stress without load; empty: there is none
+    // K_I and K_II of the initial stress without load; empty: there is none.
+    std::vector<double> K_initial = {}, K_II_initial = {};
     std::vector<std::vector<double>> K_I_of_cases = {}, K_II_of_cases = {};  // of each at its factor 1; or empty
     std::vector<std::optional<double>> friction = {};  // of each tip's crack; none: its faces never touch
     UnitDisplacement displacement = {};
@@ -35,7 +36,7 @@ double load_factor_at(double value, const LoadSection& load, const UnitResponse&
 
 /// The K of eq. (3), MPa sqrt(mm), one per tip: sqrt(K_I^2 + 3 K_II^2) at the extreme of the history where it is
 /// larger, for a strip that yields in shear (Dugdale) is three times as long as one that yields in tension. Nominal,
-/// with K_I of the initial stress. Faces that touch under pressure leave no K_I, and friction takes mu |K_I| off
+/// with K of the initial stress. Faces that touch under pressure leave no K_I, and friction takes mu |K_I| off
 /// |K_II|, as along a straight crack. With load cases no less than that: as if all were at their largest at once; of a
 /// pressure that travels K_II counts where it opens the crack, for elsewhere what faces without tractions would do says
 /// nothing.

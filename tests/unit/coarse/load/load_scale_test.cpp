@@ -28,6 +28,9 @@ TEST(LoadScale, AZoneIsOfTensionAndShear) {
     LoadSection load{.blocks = {{.max = 2.0, .min = -5.0}}};
     UnitResponse sheared{.K_I = {40.0}, .K_II = {-10.0 / std::sqrt(3.0)}};
     EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(80.0, 20.0));
+    sheared.K_II_initial = {-30.0 / std::sqrt(3.0)};  // slides the same way as the load
+    EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), std::hypot(80.0, 50.0));
+    sheared.K_II_initial.clear();
     sheared.K_I = {4.0};
     EXPECT_DOUBLE_EQ(largest_K(load, sheared).front(), 50.0);  // at the minimum, of faces that overlap
     sheared.friction = {0.0};
