@@ -59,7 +59,7 @@ class Cycle:
         self.unloading, self.loading = own[: at_turn[-1] + 1], own[at_turn[-1] + 1 :]
         self.last = own[-1]
         # Where it grows at the minimum, loading begins with the longer crack.
-        self.of_range = own[at_turn[-1] :] if len(at_turn) > 1 else own
+        self.of_range = own[at_turn[-1] :] if own[at_turn[-1]]["a"] > own[at_turn[0]]["a"] else own
 
     def columns(self):
         rising = self.grown + self.loading

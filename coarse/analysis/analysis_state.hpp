@@ -25,9 +25,15 @@ namespace stria::coarse {
 
 /// Figure 3 (a) is to come at the load that is reached.
 struct DueGrowth {
+    bool due = false;
     int cycle = 0;
-    double moment = 0.0;          // LoadStep::moment
-    std::vector<TipResult> tips;  // one each, as the load was reached; empty: nothing is due
+    double moment = 0.0;  // LoadStep::moment
+};
+
+/// The last maximum of a cycle that was reached.
+struct ReachedMaximum {
+    LoadFactors factors;
+    std::vector<TipResult> tips;  // one each; empty: there was none
 };
 
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.
@@ -78,7 +84,7 @@ struct AnalysisState {
     PeriodMemory growth_period;
     LifeMemory life;
     std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    LoadFactors at_maximum;         // of the last cycle that reached one
+    ReachedMaximum at_maximum;
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

@@ -76,7 +76,7 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted(openings(accepted_.tips), closure_.met());
-        if (growth_ && growth_->is_due(accepted_)) due_growth_ = {step->cycle, step->moment, accepted_.tips};
+        if (growth_ && growth_->is_due(accepted_)) due_growth_ = {true, step->cycle, step->moment};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
     }
@@ -225,11 +225,11 @@ void FatigueAnalysis::end_cycle(Increment& increment) {
 // Figure 3: (a) the cracks are longer, and forces hold their new faces; (b) at constant load the body finds equilibrium
 // without them. Where (a) fails, only the state before it is whole.
 bool FatigueAnalysis::grow_where_due() {
-    if (due_growth_.tips.empty()) return true;
+    if (!due_growth_.due) return true;
     model_.prepare_growth();
     AnalysisState before = state_beside_zone();
     try {
-        GrownScene grown = growth_->next(body_, due_growth_.tips, last_cycle_);
+        GrownScene grown = growth_->next(body_, last_cycle_);
         if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());
         if (grown.longer) {
             if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();

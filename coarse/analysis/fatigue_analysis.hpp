@@ -23,7 +23,7 @@ public:
     void run();
 
     /// Nothing is left to do.
-    [[nodiscard]] bool finished() const { return due_growth_.tips.empty() && release_.held == 0.0 && !next(); }
+    [[nodiscard]] bool finished() const { return !due_growth_.due && release_.held == 0.0 && !next(); }
 
     /// Growth has ended the run, and neither arrest nor the mesh: the cycles up to now are the life.
     [[nodiscard]] bool life_is_over() const;

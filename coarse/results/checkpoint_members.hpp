@@ -182,9 +182,15 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 }
 
 void members(auto& archive, Is<DueGrowth> auto& m) {
-    auto& [cycle, moment, tips] = m;
+    auto& [due, cycle, moment] = m;
+    archive("due", due);
     archive("cycle", cycle);
     archive("moment", moment);
+}
+
+void members(auto& archive, Is<ReachedMaximum> auto& m) {
+    auto& [factors, tips] = m;
+    archive("factors", factors);
     archive("tips", tips);
 }
 

@@ -217,6 +217,23 @@ TEST(CrackGrowth, TurnsAcrossTheLoadUntilNothingSlides) {
     EXPECT_NEAR(last[0].K_I, last[1].K_I, 0.01 * last[0].K_I);
 }
 
+// At the minimum its faces rub, and the K that they let through would turn it otherwise.
+TEST(CrackGrowth, TurnsAsTheMaximumTellsWhereverInTheCycleItGrows) {
+    Case input = inclined_crack(0.6, 1);
+    input.mesh.size = 50.0 / 31.0;
+    input.load.steps = 4;
+    input.cracks[0].contact = ContactSection{.friction = 0.3};
+    input.load.blocks[0].min = -70.0;
+    const auto place = [&](GrowthAt where) {
+        input.growth->at = where;
+        const RunHistory run = run_direct(input);
+        const double a = run.increments.front().tips[1].a;
+        const auto grown = std::ranges::find_if(run.increments, [&](const auto& i) { return i.tips[1].a > a + 0.1; });
+        return Vec2(grown->tips[1].x, grown->tips[1].y);
+    };
+    EXPECT_LT((place(GrowthAt::Minimum) - place(GrowthAt::Maximum)).norm(), 1e-6);
+}
+
 // The same with flow and contact: the bend passes through elements that keep their points.
 TEST(CrackGrowth, TurnsThroughFlowedMetal) {
     Case input = inclined_crack(0.15, 4);

@@ -50,7 +50,7 @@ CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisStat
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
       life_(from != nullptr ? from->life : LifeMemory()),
       K_reached_(from != nullptr ? from->K_reached : std::vector<double>()),
-      at_maximum_(from != nullptr ? from->at_maximum : LoadFactors()) {}
+      at_maximum_(from != nullptr ? from->at_maximum : ReachedMaximum()) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
@@ -66,13 +66,12 @@ bool CrackGrowth::is_due(const Increment& reached) {
     const LoadStep& step = reached.step;
     K_reached_.resize(reached.tips.size(), 0.0);
     for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
-    if (step.at_maximum) at_maximum_ = {reached.load_factor, step.target.cases};
+    if (step.at_maximum) at_maximum_ = {{reached.load_factor, step.target.cases}, reached.tips};
     if (grows_at(growth_, step)) return true;
     return broken_tip() >= 0 && step.ends_cycle && (!takes_mean_ || ends_period(growth_, step.cycle));
 }
 
-GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<TipResult>& reached,
-                             const std::vector<CycleResult>& last) {
+GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleResult>& last) {
     if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
@@ -80,15 +79,23 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<TipResul
     if (!is_over(nominal, last)) {
         // At minima the first chance to grow has a cycle less behind it, which would leave one out of the mean.
         if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
-        const bool one_load = at_maximum_.cases.size() == 0 && !present.initial_stress().any();  // whatever its factor
-        const std::vector<TipResult> guides = directing(present.input.cracks, present.enriched.tips,
-                                                        one_load ? nominal : under(at_maximum_, nominal), reached);
+        const std::vector<TipResult> guides = this->guides(body);
         grown = along_first_of(body, ways(present, guides, last));
         if (grown.longer) note_turn(present, *grown.longer, guides);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
     return grown;
+}
+
+// An angle does not change with the factor of one load.
+std::vector<TipResult> CrackGrowth::guides(const CrackedBody& body) const {
+    const Scene& present = body.scene();
+    const auto& [factors, tips] = at_maximum_;
+    const bool one_load = factors.cases.size() == 0 && !present.initial_stress().any();
+    std::vector<TipResult> nominal = one_load ? body.nominal() : under(factors, body.nominal());
+    if (tips.empty()) return nominal;
+    return directing(present.input.cracks, present.enriched.tips, std::move(nominal), tips);
 }
 
 // From one element edge to another where faces end on edges; where they end is not known about another direction.

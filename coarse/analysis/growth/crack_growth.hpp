@@ -40,13 +40,11 @@ public:
     [[nodiscard]] bool is_due(const Increment& reached);
 
     /// The scene with each tip advanced by the law, from what it has gone through up to the end of the `last` cycle, in
-    /// the direction that all loads give at the last maximum, or where faces rub the tips `reached` (one per tip each);
-    /// its mesh follows the tips. Null before the first
+    /// the direction that the last maximum gives; its mesh follows the tips. Null before the first
     /// cycle of a law of da/dN has ended, or the first period whose mean it takes, and where growth ends the run: no
     /// tip is driven, a limit of [growth] is reached, or a crack would leave the body or meet another one. Throws
     /// NumericalFailure where what drives the growth was not found in a cycle that tells its rate.
-    [[nodiscard]] GrownScene next(const CrackedBody& body, const std::vector<TipResult>& reached,
-                                  const std::vector<CycleResult>& last);
+    [[nodiscard]] GrownScene next(const CrackedBody& body, const std::vector<CycleResult>& last);
 
     /// Takes the rates of a cycle that has ended, and puts into `cycles`, one per tip, how many it stands for: what the
     /// growth took that is known to its end. `present`: with the tips as long as at its end.
@@ -61,6 +59,8 @@ private:
     [[nodiscard]] double cycles_of_period(const Scene& present);
     using Cracks = std::vector<CrackSection>;
 
+    /// What turns the tips, one each: K of all loads at the last maximum, or what faces that touch leave of it.
+    [[nodiscard]] std::vector<TipResult> guides(const CrackedBody& body) const;
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
     [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
                                            const std::vector<CycleResult>& last);
@@ -84,7 +84,7 @@ private:
     PeriodRates rates_;
     LifeCount life_;
     std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    LoadFactors at_maximum_;         // of the last cycle that reached one
+    ReachedMaximum at_maximum_;
 };
 
 }  // namespace stria::coarse
