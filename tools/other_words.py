@@ -9,7 +9,7 @@ import random_scenes as scenes
 
 WIDTH = 10.0
 # Powers of length and stress.
-UNITS = {"mm": (1, 0), "MPa": (0, 1), "N/mm": (1, 1), "MPa/mm": (-1, 1), "MPa sqrt(mm)": (0.5, 1), "1/mm": (-1, 0)}
+UNITS = {"mm": (1, 0), "mm/cycle": (1, 0), "MPa": (0, 1), "N/mm": (1, 1), "MPa/mm": (-1, 1), "MPa sqrt(mm)": (0.5, 1), "1/mm": (-1, 0)}
 # Columns of one kind each: what they scale with, and how far twins may differ.
 COLUMNS = {
     "K": ("K_I K_II K_initial K_max K_min", (0.5, 1), 1e-3),
