@@ -61,7 +61,7 @@ coarse::Scene scene_of(const RunOptions& options, const Case& input,
 CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner)
     : options_(options), directory_(options.output_directory), lock_(directory_), manner_(std::move(manner)),
       scene_(scene_of(options, input)), mesh_s_(seconds()),
-      progress_(input.load, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
+      progress_(input, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
     if (options.resume) read_last_checkpoint();
     if (!from_)
         for (const std::filesystem::path& old :
@@ -92,7 +92,6 @@ void CoarseRun::read_last_checkpoint() {
     coarse::check_same_case(from_->mark, mark_, from_->analysis.load);
     coarse::forget_former_end(*from_, mark_, scene_.input.output);
     saved_ = from_->analysis.counts.increments;
-    progress_.resumed(*saved_);
     progress_.note(fmt::format("resumed from {} after increment {}, load factor {:.6g}", newest.string(), *saved_,
                                from_->analysis.load_factor));
 }

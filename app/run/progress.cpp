@@ -1,13 +1,14 @@
 #include "app/run/progress.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace stria {
 
-Progress::Progress(const LoadSection& load, bool quiet, bool verbose, bool terminal)
-    : quiet_(quiet), verbose_(verbose), terminal_(terminal), increments_(load.first_steps() / 2) {
-    increments_ += coarse::cycle_count(load) * load.first_steps();
-}
+Progress::Progress(const Case& input, bool quiet, bool verbose, bool terminal)
+    : quiet_(quiet), verbose_(verbose), terminal_(terminal),
+      pace_(coarse::cycle_count(input.load), input.growth ? input.growth->until : std::nullopt) {}
 
 void Progress::end_live_line() {
     if (live_) fmt::print("\n");
@@ -30,15 +31,17 @@ void Progress::attempted(const coarse::LoadStep& step, const coarse::NewtonRepor
 }
 
 void Progress::accepted(const coarse::Increment& increment, double N) {
-    ++done_;
     if (quiet_) return;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const double left = elapsed / (done_ - done_before_) * std::max(0, increments_ - done_);
+    double longest = 0.0;
+    for (const coarse::TipResult& tip : increment.tips) longest = std::max(longest, tip.a);
+    const double left = pace_.seconds_left(increment.step.moment, longest, elapsed);
     const double a = increment.tips.empty() ? 0.0 : increment.tips.front().a;
     const std::string line = fmt::format(
         "increment {:4}  cycle {:4}  N {:9.6g}  load factor {:9.4g}  a {:8.4f} mm  {:2} iterations  {:6.1f} s  "
-        "{:6.1f} s left",
-        increment.number, increment.step.cycle, N, increment.load_factor, a, increment.newton.count(), elapsed, left);
+        "{:>6} s left",
+        increment.number, increment.step.cycle, N, increment.load_factor, a, increment.newton.count(), elapsed,
+        std::isfinite(left) ? fmt::format("{:.1f}", left) : "?");
     if (terminal_) {
         fmt::print("\r{}", line);
         live_ = true;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "app/run/pace.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 
 namespace stria {
@@ -11,11 +12,9 @@ namespace stria {
 class Progress {
 public:
     /// `terminal`: the user watches on a terminal, even if a pipe lies between.
-    Progress(const LoadSection& load, bool quiet, bool verbose, bool terminal);
+    Progress(const Case& input, bool quiet, bool verbose, bool terminal);
 
     void note(const std::string& text);
-    /// The run goes on after this increment.
-    void resumed(int increment) { done_before_ = done_ = increment; }
     void attempted(const coarse::LoadStep& step, const coarse::NewtonReport& report);
     /// `N`: cycles so far, with all that the computed ones stand for.
     void accepted(const coarse::Increment& increment, double N);
@@ -27,8 +26,7 @@ private:
 
     bool quiet_, verbose_, terminal_;
     bool live_ = false;
-    int increments_;  // planned
-    int done_before_ = 0, done_ = 0;
+    Pace pace_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
