@@ -61,9 +61,9 @@ struct LargestK {
     double factor;  // of the load
     bool initial;   // the initial stress has a share
 
-    [[nodiscard]] double of_initial(const coarse::TipResult& tip) const { return initial ? tip.K_initial : 0.0; }
     [[nodiscard]] std::string text(const coarse::TipResult& tip) const {
-        return fmt::format("K_I = {:.5g}, K_II = {:.5g}", tip.K_I * factor + of_initial(tip), tip.K_II * factor + 0.0);
+        return fmt::format("K_I = {:.5g}, K_II = {:.5g}", tip.K_I * factor + tip.K_initial,
+                           tip.K_II * factor + tip.K_II_initial + 0.0);
     }
 };
 
@@ -93,7 +93,9 @@ void print_K(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
         const coarse::TipResult& tip = nominal.tips[t];
         fmt::print("# tip {}: {} MPa sqrt(mm) at the load factor {:g}{} (elastic, traction-free faces)\n", t,
                    K.text(tip), K.factor, tip.K_I_of_cases.empty() ? "" : " without load cases");
-        if (K.initial) fmt::print("#   of K_I {:.5g} by the initial stress\n", K.of_initial(tip));
+        if (K.initial)
+            fmt::print("#   of K_I {:.5g} and of K_II {:.5g} by the initial stress\n", tip.K_initial,
+                       tip.K_II_initial + 0.0);
         if (halved.empty()) continue;
         const double change = coarse::change_of_K(tip, halved[t]);
         fmt::print("#   on elements half as large {}: K changes by {:.2g} %\n", K.text(halved[t]), 100.0 * change);

@@ -12,7 +12,7 @@ namespace stria::coarse {
 namespace {
 
 std::vector<double> all_K(const TipResult& tip) {
-    std::vector<double> all{tip.K_I, tip.K_II, tip.K_initial};
+    std::vector<double> all{tip.K_I, tip.K_II, tip.K_initial, tip.K_II_initial};
     for (const std::vector<double>* of_cases : {&tip.K_I_of_cases, &tip.K_II_of_cases})
         all.insert(all.end(), of_cases->begin(), of_cases->end());
     return all;

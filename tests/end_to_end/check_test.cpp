@@ -1,9 +1,14 @@
 // `stria check`: what it says of K, and how far that is from converged.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 
+#include "common/index.hpp"
+#include "common/io/number_table.hpp"
+#include "tests/support/folders.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -38,6 +43,23 @@ TEST_F(Check, SaysHowFarKIsFromConverged) {
     EXPECT_NE(coarse.find(warns), std::string::npos) << coarse;
     EXPECT_NE(fine.find(changes), std::string::npos) << fine;
     EXPECT_EQ(fine.find(warns), std::string::npos) << fine;
+}
+
+// A weld that has shrunk opens and shears the crack at its toe.
+TEST_F(Check, SaysTheKThatTheRunReaches) {
+    const std::string joint = std::string(source_folder) + "/cases/t-joint/case.toml";
+    ASSERT_EQ(run_program("stria", {"check", joint}, folder / "log"), 0);
+    ASSERT_EQ(run_program("stria",
+                          {"run", joint, "-o", folder / "out", "--mode", "inprocess", "--no-report", "--set",
+                           "load.blocks.0.cycles=1", "--set", "output.fields=none"},
+                          folder / "run.log"),
+              0);
+    const NumberTable history = read_table(folder / "out/history.csv");
+    const auto most = std::ranges::max_element(history["load_factor"]) - history["load_factor"].begin();
+    const double K_I = history["K_I"].at(at(most)), K_II = history["K_II"].at(at(most));
+    EXPECT_GT(std::abs(K_II), 0.3 * K_I);
+    const std::string said = text_of(folder / "log");
+    EXPECT_NE(said.find(fmt::format("K_I = {:.5g}, K_II = {:.5g} MPa", K_I, K_II)), std::string::npos) << said;
 }
 
 }  // namespace

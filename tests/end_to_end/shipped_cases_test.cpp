@@ -103,13 +103,26 @@ TEST(ShippedCases, ParisLifeDoesNotDependOnIncrementsFourTimesFinerLong) {
 }
 
 TEST(ShippedCases, ResidualStressShortensTheLifeOfTheTJointAsItsReadmeSaysLong) {
-    const auto life = [](const std::vector<std::string>& values) {
-        double cycles = 0.0;
-        for (const coarse::CycleResult& cycle : run_cycles(changed("t-joint", values))) cycles += cycle.dN;
-        return cycles;
+    const auto life = [](const std::vector<coarse::CycleResult>& cycles) {
+        double sum = 0.0;
+        for (const coarse::CycleResult& cycle : cycles) sum += cycle.dN;
+        return sum;
     };
     const std::vector<std::string> relaxed = {"region.0.initial_stress.xx=0", "region.0.initial_stress.yy=0"};
-    const double with = life({}), without = life(relaxed);
+    const auto cycles = run_cycles(changed("t-joint", {})), relaxed_cycles = run_cycles(changed("t-joint", relaxed));
+    for (const char* length : {"0.5", "1", "2", "4", "8"}) {
+        const auto at_length = [&](const coarse::CycleResult& cycle) {
+            return std::abs(cycle.a - std::stod(length)) < 1e-9;
+        };
+        const std::vector<double> figures = figures_of("t-joint", length);
+        const auto with = std::ranges::find_if(cycles, at_length),
+                   without = std::ranges::find_if(relaxed_cycles, at_length);
+        ASSERT_NE(with, cycles.end());
+        EXPECT_NEAR(with->K_max, figures.at(0), 0.06) << length;
+        EXPECT_NEAR(with->K_min, figures.at(1), 0.06) << length;
+        EXPECT_NEAR(without->K_max, figures.at(2), 0.06) << length;
+    }
+    const double with = life(cycles), without = life(relaxed_cycles);
     EXPECT_NEAR(with, figures_of("t-joint", "with the residual stress").at(0), 1e-3 * with);
     EXPECT_NEAR(without, figures_of("t-joint", "without").at(0), 1e-3 * without);
 }

@@ -40,10 +40,10 @@ public:
     [[nodiscard]] bool is_due(const Increment& reached);
 
     /// The scene with each tip advanced by the law, from what it has gone through up to the end of the `last` cycle, in
-    /// the direction that the last maximum gives; its mesh follows the tips. Null before the first
-    /// cycle of a law of da/dN has ended, or the first period whose mean it takes, and where growth ends the run: no
-    /// tip is driven, a limit of [growth] is reached, or a crack would leave the body or meet another one. Throws
-    /// NumericalFailure where what drives the growth was not found in a cycle that tells its rate.
+    /// the direction that the last maximum gives; its mesh follows the tips. Null before the first cycle of a law of
+    /// da/dN has ended, or the first period whose mean it takes, and where growth ends the run: no tip is driven, a
+    /// limit of [growth] is reached, or a crack would leave the body or meet another one. Throws NumericalFailure where
+    /// what drives the growth was not found in a cycle that tells its rate.
     [[nodiscard]] GrownScene next(const CrackedBody& body, const std::vector<CycleResult>& last);
 
     /// Takes the rates of a cycle that has ended, and puts into `cycles`, one per tip, how many it stands for: what the

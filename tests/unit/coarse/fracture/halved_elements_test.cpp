@@ -65,6 +65,9 @@ TEST(HalvedElements, LookAtEachLoadThatHasAK) {
     coarser.K_initial = -20.5;
     finer.K_initial = -20.0;
     EXPECT_NEAR(change_of_K(coarser, finer), 0.5 / 20.0, 1e-12);
+    coarser.K_II_initial = 21.0;
+    finer.K_II_initial = 20.0;
+    EXPECT_NEAR(change_of_K(coarser, finer), 1.0 / 20.0, 1e-12);
 }
 
 }  // namespace

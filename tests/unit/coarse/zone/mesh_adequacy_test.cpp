@@ -159,7 +159,7 @@ TEST_F(Advice, MindsHowMuchOfItsZoneTheCrackGrowsAtATime) {
     EXPECT_EQ(at(3400.0).size(), 1U) << "of the distance";
 }
 
-TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainIsTooLong) {
+TEST_F(Advice, SaysThatALifeByClosureInPlaneStrainEndsSooner) {
     input.mesh.size = 0.25;
     input.growth.emplace().increment = 0.25;
     const auto says = [&](GrowthLaw law, GrowthDriving driving, PlaneState plane) {
