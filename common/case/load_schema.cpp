@@ -199,8 +199,7 @@ Section<GrowthSection> growth_section() {
                              {"dK_full", GrowthDriving::FullRange},
                              {"dK_eff", GrowthDriving::EffectiveRange}})
         .says("What drives paris and table. dK: max(K_max, 0) - max(K_min, 0), as in E647. dK_full: K_max - K_min, "
-              "compression "
-              "too. dK_eff: K_max - K_op.");
+              "compression too. dK_eff: K_max - K_op.");
     s.value("walker", &GrowthSection::walker)
         .at_least(0.0)
         .at_most(1.0)
@@ -209,8 +208,7 @@ Section<GrowthSection> growth_section() {
     s.choice<GrowthDirection>("direction", &GrowthSection::direction,
                               {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
         .says("hoop: of the largest hoop stress at the maximum of a cycle, of all loads and the initial stress; "
-              "straight on "
-              "within 1e-4 of an element. straight: as it begins.");
+              "straight on within 1e-4 of an element. straight: as it begins.");
     s.value("until", &GrowthSection::until).in("mm").positive().says("The run ends when a crack is as long.");
     s.value("toughness", &GrowthSection::toughness)
         .in("MPa sqrt(mm)")

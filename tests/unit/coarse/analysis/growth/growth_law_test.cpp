@@ -42,7 +42,7 @@ TEST(GrowthLaw, ATableIsDrivenAsParisLawIs) {
     EXPECT_TRUE(grows_by_opening_loads(growth));
 }
 
-// Half of its cycles open: walker 0 counts K_max alone, 1 the range.
+// 0 counts K_max alone, 1 the range.
 TEST(GrowthLaw, CountsTheLoadRatioByWalkersExponent) {
     GrowthSection growth{.law = GrowthLaw::Paris, .C = 1e-12, .m = 2.0};
     const auto range = [&](double walker, double K_min) {
