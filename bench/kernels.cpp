@@ -15,7 +15,7 @@
 #include "common/index.hpp"
 #include "common/linear/lapack.hpp"
 #include "common/linear/sparse_lu.hpp"
-#include "fine/bulk/element_kernels.hpp"
+#include "fine/bulk/points/element_kernels.hpp"
 #include "fine/contact/contact_interface.hpp"
 #include "fine/material/material_law.hpp"
 
@@ -150,7 +150,7 @@ void elastic_force(benchmark::State& run) {
     on_element(
         run,
         [&](const Plate& of, const auto& kernel, const ElementOperator&) {
-            benchmark::DoNotOptimize(kernel.elastic_force(K, of.u));
+            benchmark::DoNotOptimize(kernel.elastic_force(K, kernel.gather(of.u)));
         },
         [](double f, double) { return 8.0 * f * f + 4.0 * f; });
 }
@@ -161,7 +161,7 @@ void strains(benchmark::State& run) {
     on_element(
         run,
         [&](const Plate& plate, const auto& kernel, const ElementOperator& op) {
-            kernel.write_strains(plate.u, strain.data(), std::ssize(op.points));
+            kernel.write_strains(kernel.gather(plate.u), strain.data(), std::ssize(op.points));
         },
         [](double f, double q) { return q * (12.0 * f + 10.0); });
 }

@@ -11,10 +11,11 @@ namespace stria::coupling {
 
 std::vector<ElementHistory> histories_of_elements(const ZoneSnapshot& snapshot) {
     std::vector<ElementHistory> histories;
-    std::size_t first = 0;
-    for (const std::int32_t points : snapshot.points) {
-        histories.push_back({first, at(points)});
-        first += at(points);
+    std::size_t row = 0, unknown = 0;
+    for (std::size_t e = 0; e < snapshot.points.size(); ++e) {
+        histories.push_back({row, at(snapshot.points[e]), unknown, at(snapshot.unknowns[e])});
+        row += histories.back().rows;
+        unknown += histories.back().unknowns;
     }
     return histories;
 }
@@ -33,11 +34,14 @@ ZoneSnapshot part_of(const ZoneSnapshot& whole, const EnrichedMesh& part, const 
         own.rank.push_back(whole.rank[e]);
         own.points.push_back(whole.points[e]);
         own.recent_flow.push_back(whole.recent_flow[e]);
+        own.unknowns.push_back(whole.unknowns[e]);
         own.resting.push_back(whole.resting[e]);
         own.flow.push_back(whole.flow[e]);
         const auto columns = at(whole.columns);
         const auto begin = whole.history.begin() + static_cast<std::ptrdiff_t>(histories[e].first_row * columns);
         own.history.insert(own.history.end(), begin, begin + static_cast<std::ptrdiff_t>(histories[e].rows * columns));
+        const auto stand = whole.stand.begin() + static_cast<std::ptrdiff_t>(histories[e].first_unknown);
+        own.stand.insert(own.stand.end(), stand, stand + whole.unknowns[e]);
     }
     own.displacement = gather(whole.displacement, unknowns);
     own.rest_displacement = gather(whole.rest_displacement, unknowns);
@@ -56,8 +60,10 @@ void add(ZoneSnapshot& whole, const ZoneSnapshot& part, std::int32_t rank, const
     whole.rank.insert(whole.rank.end(), part.element.size(), rank);
     append(whole.points, part.points);
     append(whole.recent_flow, part.recent_flow);
+    append(whole.unknowns, part.unknowns);
     append(whole.resting, part.resting);
     append(whole.flow, part.flow);
+    append(whole.stand, part.stand);
     whole.columns = part.columns;
     append(whole.history, part.history);
     whole.half_cycle_ended = part.half_cycle_ended;

@@ -31,8 +31,12 @@ struct ZoneSnapshot {
     std::vector<std::int32_t> rank;         // whose it is
     std::vector<std::int32_t> points;       // how many it has
     std::vector<std::int32_t> recent_flow;  // bit k: in the half cycle k before the last one
-    std::vector<std::int32_t> resting;      // its points are those of `rest_displacement`
+    std::vector<std::int32_t> unknowns;     // how many it has
+    std::vector<std::int32_t> resting;      // since `rest_displacement`
     std::vector<double> flow;               // part of the recent iterations in which it yielded; one rank: 0
+
+    // Per unknown of each element, element by element: the displacement at which the element's points stand, mm.
+    std::vector<double> stand;
 
     double weighed_cost = 0.0;  // of an iteration, when the ranks last thought of another sharing
 
@@ -52,10 +56,10 @@ struct ZoneSnapshot {
     std::vector<FrozenTip> frozen_tips;
 };
 
-/// Where in `history` the points of an element are.
+/// Where in `history` the points of an element are, and its part of `stand`.
 struct ElementHistory {
-    std::size_t first_row = 0;
-    std::size_t rows = 0;
+    std::size_t first_row = 0, rows = 0;
+    std::size_t first_unknown = 0, unknowns = 0;
 };
 
 /// Of each element of a snapshot, in its order.

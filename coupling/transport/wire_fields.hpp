@@ -162,9 +162,9 @@ void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {
-    auto& [ranks, element, rank, points, quiet_half_cycles, resting, flow, weighed_cost, columns, history,
+    auto& [ranks, element, rank, points, recent_flow, unknowns, resting, flow, stand, weighed_cost, columns, history,
            half_cycle_ended, displacement, rest_displacement, increments, held, multipliers, frozen_tips] = m;
-    wire(ranks, element, rank, points, quiet_half_cycles, resting, flow, weighed_cost, columns, history,
+    wire(ranks, element, rank, points, recent_flow, unknowns, resting, flow, stand, weighed_cost, columns, history,
          half_cycle_ended, displacement, rest_displacement, increments, held, multipliers, frozen_tips);
 }
 

@@ -22,15 +22,17 @@ template <class List> void as_bytes(auto& archive, const char* name, List& list)
 
 void members(auto& archive, auto& snapshot) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(snapshot)>>, ZoneSnapshot> {
-    auto& [ranks, element, rank, points, recent_flow, resting, flow, weighed_cost, columns, history, half_cycle_ended,
-           displacement, rest_displacement, increments, held, multipliers, frozen_tips] = snapshot;
+    auto& [ranks, element, rank, points, recent_flow, unknowns, resting, flow, stand, weighed_cost, columns, history,
+           half_cycle_ended, displacement, rest_displacement, increments, held, multipliers, frozen_tips] = snapshot;
     archive("ranks", ranks);
     archive("element", element);
     archive("rank", rank);
     archive("points", points);
     archive("recent_flow", recent_flow);
+    archive("unknowns", unknowns);
     archive("resting", resting);
     archive("flow", flow);
+    archive("stand", stand);
     archive("weighed_cost", weighed_cost);
     archive("columns", columns);
     archive("history", history);

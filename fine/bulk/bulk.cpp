@@ -6,7 +6,7 @@
 
 #include "common/error.hpp"
 #include "common/integration/moment_fit.hpp"
-#include "fine/bulk/history_rows.hpp"
+#include "fine/bulk/points/history_rows.hpp"
 
 namespace stria::fine {
 
@@ -19,7 +19,8 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
     else
         for (int e = 0; e < elements_.count(); ++e) begin_elastic(e);
     history_.rollback();
-    settle();
+    for (int e = 0; e < elements_.count(); ++e)
+        if (!elements_.has_stayed(e)) stand_.stand_at(e, gather(e, committed_u_), elements_, history_);
 }
 
 Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
@@ -33,9 +34,13 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
     read_rows(snapshot, operators(), history_);
     history_.set_half_cycle_ended(snapshot.half_cycle_ended);
     history_.rollback();
-    settle();
+    const double* stand = snapshot.stand.data();
     ElementSet resting(elements_.count());
     for (int e = 0; e < elements_.count(); ++e) {
+        const auto unknowns = std::ssize(elements_.op(e).unknowns);
+        require(snapshot.unknowns[at(e)] == unknowns, "a snapshot has the unknowns of its elements");
+        stand_.stand_at(e, Eigen::Map<const Eigen::VectorXd>(stand, unknowns), elements_, history_);
+        stand += unknowns;
         resting_.set_recent_flow(e, snapshot.recent_flow[at(e)]);
         if (snapshot.resting[at(e)] != 0) resting.insert(e);
     }
@@ -44,19 +49,11 @@ Bulk::Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws la
 
 Bulk::Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement, const Bulk* old)
     : elements_(std::move(elements)), history_(std::move(laws), elements_.mesh().material, operators()),
-      resting_(elements_, displacement), proven_(elements_.count(), true),  // no force is known yet
-      committed_force_(operators()), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
+      resting_(elements_, displacement), stand_(elements_, old != nullptr ? &old->stand_ : nullptr),
+      proven_(elements_.count(), true), trial_force_(operators()), committed_u_(displacement), trial_u_(displacement),
       increment_(Eigen::VectorXd::Zero(elements_.mesh().unknowns)), force_(increment_), force_scale_(increment_),
       tangents_(at(elements_.count())), changed_(elements_.count(), true),
-      yielded_(elements_.count()), counts_{.elements_built = elements_.built()} {
-    bound_.reserve(operators());
-    for (int e = 0; e < elements_.count(); ++e) {
-        if (old != nullptr && elements_.has_stayed(e))
-            bound_.add_element_of(old->bound_, elements_.was(e), elements_.op(e));
-        else
-            bound_.add_element(elements_.op(e), VonMisesForm(elements_.elastic_stiffness(e)));
-    }
-}
+      yielded_(elements_.count()), counts_{.elements_built = elements_.built()} {}
 
 // As a bulk that begins: every tangent is elastic.
 void Bulk::move_tips(std::vector<Tip> tips) {
@@ -71,41 +68,46 @@ void Bulk::remember(coupling::ZoneSnapshot& out) const {
     write_rows(operators(), history_, out);
     out.half_cycle_ended = history_.half_cycle_ended();
     out.recent_flow = resting_.recent_flow();
-    for (int e = 0; e < elements_.count(); ++e) out.resting.push_back(resting_.contains(e) ? 1 : 0);
+    for (int e = 0; e < elements_.count(); ++e) {
+        out.resting.push_back(resting_.contains(e) ? 1 : 0);
+        out.unknowns.push_back(static_cast<std::int32_t>(std::ssize(elements_.op(e).unknowns)));
+        const auto stand = stand_.displacement(e);
+        out.stand.insert(out.stand.end(), stand.begin(), stand.end());
+    }
     out.rest_displacement = resting_.displacement();
 }
 
 void Bulk::begin_elastic(int e) {
     const ElementOperator& op = elements_.op(e);
-    const Eigen::VectorXd u = gather(committed_u_, op.unknowns);
+    const Eigen::VectorXd u = gather(e, committed_u_);
     for (std::size_t q = 0; q < op.points.size(); ++q)
         history_.begin(e, q, op.strain(u, q), elements_.initial_stress(e, op.points[q].x));
 }
 
-void Bulk::carry_history(const Bulk& old) {
+void Bulk::carry_history(Bulk& old) {
     counts_ += old.counts();
     history_.set_half_cycle_ended(old.history_.half_cycle_ended());
     carry_stayed(old);
     for (int e = 0; e < elements_.count(); ++e) {
         if (elements_.has_stayed(e)) continue;
         const std::optional<int> found = old.elements_.find(elements_.mesh(), e);
-        if (found) resting_.set_recent_flow(e, old.resting_.recent_flow()[at(*found)]);
-        if (found)
-            mix_history(old, *found, e);
-        else
+        if (!found) {
             begin_elastic(e);
+            continue;
+        }
+        resting_.set_recent_flow(e, old.resting_.recent_flow()[at(*found)]);
+        old.stand_.bring_to(*found, old.committed_u_, old.elements_, old.history_);
+        mix_history(old, *found, e);
     }
 }
 
-// In as long blocks as there are. The forces of what has stayed are known.
+// In as long blocks as there are.
 void Bulk::carry_stayed(const Bulk& old) {
     for (int begin = 0, end = 0; begin < elements_.count(); begin = std::max(end, begin + 1)) {
         const int was = elements_.was(begin);
         for (end = begin; end < elements_.count() && was >= 0 && elements_.was(end) == was + end - begin; ++end) {
             const int own = elements_.was(end);
             resting_.set_recent_flow(end, old.resting_.recent_flow()[at(own)]);
-            trial_force_.of(end) = old.committed_force_.of(own);
-            proven_.erase(end);
         }
         if (end > begin) history_.take(begin, end, old.history_, was);
     }
@@ -116,7 +118,7 @@ void Bulk::carry_stayed(const Bulk& old) {
 void Bulk::mix_history(const Bulk& old, int old_element, int element) {
     constexpr double rounding = 1e-14;
     const ElementOperator &before = old.elements_.op(old_element), &now = elements_.op(element);
-    const Eigen::VectorXd old_u = gather(old.committed_u_, before.unknowns), u = gather(committed_u_, now.unknowns);
+    const Eigen::VectorXd old_u = old.gather(old_element, old.committed_u_), u = gather(element, committed_u_);
     for (std::size_t q = 0; q < now.points.size(); ++q) {
         Eigen::Matrix2d untold = -now.displacement_gradient(u, q);
         for (const auto& [from, share] : history_of(now.points, q, before.points)) {
@@ -136,14 +138,14 @@ void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
     trial_u_ = u;
     increment_ = u - committed_u_;
     for (const int e : resting_.awake()) {
-        if (!elastic && !bound_.proves(e, increment_)) {
+        if (!elastic && !stand_.proves_at(e, u)) {
             proven_.erase(e);
             continue;
         }
         proven_.insert(e);
-        with_kernel(elements_.op(e), [&](const auto& kernel) { find_elastic_force(e, kernel); });
+        stand_.find_force(e, u, elements_, trial_force_);
     }
-    update_points(false);
+    update_points();
     force_.setZero();
     force_scale_.setZero();
     counts_.points_at_rest += history_.points();
@@ -157,18 +159,16 @@ void Bulk::evaluate(const Eigen::VectorXd& u, bool elastic) {
     }
 }
 
-template <class Kernel> void Bulk::find_elastic_force(int e, const Kernel& kernel) {
-    const auto force = kernel.elastic_force(elements_.stiffness()[at(e)], increment_);
-    const auto committed = committed_force_.of(e);
-    auto trial = trial_force_.of(e);
-    for (Eigen::Index k = 0; k < trial.size(); ++k) trial[k] = committed[k] + force.data()[k];
-}
-
-// In as long blocks as there are.
-void Bulk::update_points(bool proven) {
+// In as long blocks as there are. Where points do not stand at what is committed they go there first: the direction of
+// an increment is not that of the way before.
+void Bulk::update_points() {
     int begin = 0, end = 0;
     for (const int e : resting_.awake()) {
-        if (proven_.contains(e) != proven) continue;
+        if (proven_.contains(e)) continue;
+        if (const Eigen::VectorXd ahead = ahead_of_points(e); !ahead.isZero(0.0)) {
+            history_.update(elements_.op(e), e, ahead, gather(e, increment_));
+            continue;
+        }
         if (e != end) history_.update(operators(), std::exchange(begin, e), end, increment_);
         end = e + 1;
     }
@@ -215,34 +215,37 @@ template <class Kernel> void Bulk::find_tangent(int e, const Kernel& kernel) {
     tangents_[at(e)] = K;
 }
 
+// Points that will soon have to be looked at are so now, once and not in each iteration of the next increment.
 void Bulk::commit(bool reversal, bool counts) {
-    update_points(true);
-    history_.commit(reversal, resting_.elements());
+    constexpr double soon = 0.5;  // of the way to the yield surface
+    ElementSet untouched = resting_.elements();
+    untouched |= proven_;
+    history_.commit(reversal, untouched);
     committed_u_ = trial_u_;
     increment_.setZero();
-    settle();
+    for (const int e : resting_.awake()) {
+        if (!proven_.contains(e)) {
+            stand_.stand_at(e, gather(e, committed_u_), elements_, history_);
+        } else if (!stand_.proves_at(e, committed_u_, soon)) {
+            stand_.bring_to(e, committed_u_, elements_, history_);
+            proven_.erase(e);
+        }
+    }
     if (reversal && counts) resting_.note_half_cycle(history_);
 }
 
-// Where the points were not looked at before the commit, the forces are now those of their stresses.
-void Bulk::settle() {
-    for (const int e : proven_.members()) find_committed_force(e);
-    proven_ = ElementSet(elements_.count());
-    committed_force_ = trial_force_;
-    for (const int e : resting_.awake()) bound_.set_margin(e, history_.elastic_margin(e));
+Eigen::VectorXd Bulk::ahead_of_points(int e) const {
+    return stand_.ahead(elements_.op(e), e, resting_.contains(e) ? resting_.displacement() : committed_u_);
 }
 
-void Bulk::find_committed_force(int e) {
-    with_kernel(elements_.op(e), [&](const auto& kernel) {
-        const auto force = kernel.force(history_.stresses(e), history_.points());
-        std::copy_n(force.data(), force.size(), trial_force_.of(e).data());
-    });
+double Bulk::stored_ahead_of_points(int e) const {
+    return stand_.stored(elements_.stiffness()[at(e)], e, ahead_of_points(e));
 }
 
 Mandel Bulk::trial_stress(int e, std::size_t q) const {
     if (!proven_.contains(e)) return history_.trial_stress(e, q);
-    const ElementOperator& op = elements_.op(e);
-    return history_.stress(e, q) + elements_.elastic_stiffness(e) * op.strain(gather(increment_, op.unknowns), q);
+    return history_.stress(e, q) +
+           elements_.elastic_stiffness(e) * elements_.op(e).strain(stand_.ahead(elements_.op(e), e, trial_u_), q);
 }
 
 std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
@@ -254,8 +257,9 @@ std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
 ElementSet Bulk::may_rest() const { return resting_.may_rest(elements_, history_, yielded_); }
 
 void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement) {
-    resting_.rest(elements, displacement, bound_);
+    resting_.rest(elements, displacement);
     for (const int e : elements.members()) {
+        stand_.find_force(e, displacement, elements_, trial_force_);
         proven_.erase(e);
         changed_.erase(e);
         yielded_.erase(e);
@@ -266,7 +270,7 @@ void Bulk::rest(const ElementSet& elements, const Eigen::VectorXd& displacement)
 Eigen::VectorXd Bulk::rest_load() const {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(elements_.mesh().unknowns);
     for (const int e : resting_.elements().members()) {
-        const double* force = committed_force_.of(e).data();
+        const double* force = trial_force_.of(e).data();
         for (const int unknown : elements_.op(e).unknowns) load[unknown] -= *force++;
     }
     return load;
@@ -274,23 +278,19 @@ Eigen::VectorXd Bulk::rest_load() const {
 
 std::vector<int> Bulk::would_yield(const Eigen::VectorXd& u) {
     trial_u_ = u;  // what rests has followed since evaluate()
-    return resting_.would_yield(u, elements_, history_, bound_);
+    std::vector<int> found;
+    for (int e = 0; e < elements_.count(); ++e)
+        if (resting_.contains(e) && stand_.would_yield_at(e, u, elements_, history_)) found.push_back(e);
+    return found;
 }
 
+// As in a run that is resumed, where no looks are known.
 void Bulk::wake_all_but(const ElementSet& still) {
-    const Eigen::VectorXd moved = committed_u_ - resting_.displacement();
     ElementSet waking = resting_.elements();
     for (const int e : still.members()) waking.erase(e);
-    for_each_run(waking, true, [&](int begin, int end) {
-        history_.update(operators(), begin, end, moved);
-        history_.commit(begin, end);
-    });
     resting_.wake(waking);
-    for (const int e : waking.members()) {
-        find_committed_force(e);
-        committed_force_.of(e) = trial_force_.of(e);
-        bound_.set_margin(e, history_.elastic_margin(e));
-    }
+    proven_ |= waking;
+    for (const int e : waking.members()) stand_.look_back(e, history_);
 }
 
 coupling::WorkCounts Bulk::counts() const {

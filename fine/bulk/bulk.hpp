@@ -8,17 +8,18 @@
 #include "coupling/work_counts.hpp"
 #include "coupling/zone_snapshot.hpp"
 #include "fine/bulk/bulk_elements.hpp"
-#include "fine/bulk/elastic_bound.hpp"
-#include "fine/bulk/element_kernels.hpp"
-#include "fine/bulk/element_values.hpp"
 #include "fine/bulk/idle_sides.hpp"
-#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/points/element_kernels.hpp"
+#include "fine/bulk/points/element_values.hpp"
+#include "fine/bulk/points/point_history.hpp"
 #include "fine/bulk/resting_elements.hpp"
+#include "fine/bulk/standing_points.hpp"
 
 namespace stria::fine {
 
 /// A point yields where its trial increment meets the yield criterion; it is plastic where it has yielded before.
 /// Displacements are those of all unknowns of the mesh, mm; forces on them are per thickness, N/mm.
+/// Points are moved only where they might flow (StandingPoints).
 class Bulk {
 public:
     /// Elements that `old` (may be null) holds too keep their points, with weights fitted anew where the crack has
@@ -28,7 +29,8 @@ public:
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
          Bulk* old, const Eigen::VectorXd& displacement);
 
-    /// As a snapshot has it, which holds all elements of the mesh. Throws std::logic_error where it does not.
+    /// As a snapshot has it, which holds all elements of the mesh, its displacement among it. Throws std::logic_error
+    /// where it does not.
     Bulk(const EnrichedMesh& mesh, const Materials& materials, MaterialLaws laws, const IntegrationRule& rule,
          const coupling::ZoneSnapshot& snapshot);
 
@@ -68,13 +70,21 @@ public:
     /// Elements whose tangent differs from that of the evaluation before.
     [[nodiscard]] const ElementSet& changed() const { return changed_; }
 
+    /// What the committed displacement of an element, or that at which it came to rest, is ahead of its points, in the
+    /// order of its unknowns, mm.
+    [[nodiscard]] Eigen::VectorXd ahead_of_points(int e) const;
+    /// The last commit has moved them.
+    [[nodiscard]] bool has_new_points(int e) const { return !proven_.contains(e) && !resting_.contains(e); }
+    /// What it has stored on that way, N.
+    [[nodiscard]] double stored_ahead_of_points(int e) const;
+
     [[nodiscard]] Mandel trial_stress(int e, std::size_t q) const;
     struct PointState {
         Mandel stress;             // MPa
         double work;               // stress work density so far, N/mm2
         Eigen::Matrix2d gradient;  // of the displacement, with what its functions no longer tell (row: component)
     };
-    /// Committed, of all points of an element. Where it rests they follow its displacement elastically.
+    /// Committed, of all points of an element. They follow its displacement elastically.
     [[nodiscard]] std::vector<PointState> committed_states(int e) const;
     /// Calls visit(q, state) of each of them.
     template <class Visit> void for_each_committed_state(int e, Visit&& visit) const;
@@ -89,7 +99,7 @@ public:
     /// Of those at rest, the ones that would yield at a displacement, which is the trial one from now on; it differs
     /// from that of evaluate() only in what follows them.
     [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& u);
-    /// Brings those that rest, and are not among `still`, to the committed displacement; evaluate() sees them again.
+    /// Of those that rest only `still` do so from now on; evaluate() sees the others again.
     void wake_all_but(const ElementSet& still);
 
     /// So far, summed over evaluations: of points and elements.
@@ -98,28 +108,26 @@ public:
 
 private:
     Bulk(BulkElements elements, MaterialLaws laws, const Eigen::VectorXd& displacement, const Bulk* old = nullptr);
-    void carry_history(const Bulk& old);
+    void carry_history(Bulk& old);
     void carry_stayed(const Bulk& old);
     void mix_history(const Bulk& old, int old_element, int element);
     void begin_elastic(int e);
     [[nodiscard]] Eigen::Matrix2d gradient(int e, std::size_t q, const Eigen::VectorXd& element_u) const;
-    template <class Kernel> void find_elastic_force(int e, const Kernel& kernel);
     template <class Kernel> void find_trial_force(int e, const Kernel& kernel);
     template <class Kernel> void find_tangent(int e, const Kernel& kernel);
     void add_trial_force(int e);
-    void update_points(bool proven);
-    void settle();
-    void find_committed_force(int e);
+    void update_points();
+    [[nodiscard]] Eigen::VectorXd gather(int e, const Eigen::VectorXd& u) const {
+        return stria::gather(u, elements_.op(e).unknowns);
+    }
 
     BulkElements elements_;
     IdleSides idle_;
     PointHistory history_;
     RestingElements resting_;
-    ElasticBound bound_;
-    // Elements that surely stay elastic: their trial force is the committed one plus that of their elastic matrix,
-    // their points wait for the commit.
-    ElementSet proven_;
-    ElementValues committed_force_, trial_force_;  // nodal, of each element
+    StandingPoints stand_;
+    ElementSet proven_;          // elastic in the last evaluation, without a look at their points
+    ElementValues trial_force_;  // nodal, of each element; of those at rest where they came to rest
     Eigen::VectorXd committed_u_, trial_u_;
     Eigen::VectorXd increment_;  // trial less committed displacement
     Eigen::VectorXd force_, force_scale_;
@@ -132,12 +140,12 @@ private:
 template <class Visit> void Bulk::for_each_committed_state(int e, Visit&& visit) const {
     with_kernel(elements_.op(e), [&](const auto& kernel) {
         const auto u = kernel.gather(committed_u_);
-        const auto moved = (u - kernel.gather(resting_.displacement())).eval();
-        const bool rests = resting_.contains(e);
+        const auto moved = (u - kernel.nodal(stand_.displacement(e).data())).eval();
+        const bool stands = moved.isZero(0.0);
         for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
             PointState state{history_.stress(e, q), history_.work(e, q), kernel.displacement_gradient(u, q)};
             if (history_.has_frozen_gradients()) state.gradient += history_.frozen_gradient(e, q);
-            if (rests) {
+            if (!stands) {
                 const Mandel strain = kernel.strain(moved, q), change = elements_.elastic_stiffness(e) * strain;
                 state.work += (state.stress + 0.5 * change).dot(strain);
                 state.stress += change;

@@ -22,7 +22,7 @@ void raise(double& largest, double value) { largest = std::max(largest, value); 
 
 BulkSummary::BulkSummary(const Bulk& bulk)
     : tips_(bulk.elements().mesh().tips.size()), dissipation_(at(bulk.elements().count())), stored_(dissipation_),
-      extents_(tips_ * dissipation_.size()) {
+      stored_ahead_(dissipation_), extents_(tips_ * dissipation_.size()) {
     for (int e = 0; e < bulk.elements().count(); ++e) look_at(bulk, e);
 }
 
@@ -30,7 +30,12 @@ BulkSummary::BulkSummary(const Bulk& bulk)
 void BulkSummary::update(const Bulk& bulk, bool half_cycle_begins) {
     if (half_cycle_begins)
         for (Extent& extent : extents_) extent.zone = extent.axis = 0.0;
-    for (const int e : bulk.resting().awake()) look_at(bulk, e);
+    for (const int e : bulk.resting().awake()) {
+        if (bulk.has_new_points(e))
+            look_at(bulk, e);
+        else
+            follow(bulk, e);
+    }
 }
 
 void BulkSummary::look_at(const Bulk& bulk, int e) {
@@ -40,6 +45,7 @@ void BulkSummary::look_at(const Bulk& bulk, int e) {
     const std::span extents = std::span(extents_).subspan(tips_ * at(e), tips_);
     std::ranges::fill(extents, Extent());
     dissipation_[at(e)] = stored_[at(e)] = 0.0;
+    follow(bulk, e);
     for (std::size_t q = 0; q < points.size(); ++q) {
         dissipation_[at(e)] += points[q].weight * history.dissipation(e, q);
         stored_[at(e)] += points[q].weight * history.stored_energy(e, q);

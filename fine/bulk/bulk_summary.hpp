@@ -20,10 +20,12 @@ public:
     void update(const Bulk& bulk, bool half_cycle_begins);
     /// The points of this one have a new state.
     void look_at(const Bulk& bulk, int e);
+    /// It has moved, and its points stand where they stood.
+    void follow(const Bulk& bulk, int e) { stored_ahead_[at(e)] = bulk.stored_ahead_of_points(e); }
 
     [[nodiscard]] double dissipation() const { return sum(dissipation_); }  // N
     /// But for what elements at rest have stored since they came to rest, N.
-    [[nodiscard]] double stored_energy() const { return sum(stored_); }
+    [[nodiscard]] double stored_energy() const { return sum(stored_) + sum(stored_ahead_); }
     /// How far plasticity reaches from a tip of the mesh. A point belongs to the tip that is nearest to it, and to no
     /// other one.
     struct PlasticExtent {
@@ -41,7 +43,8 @@ private:
         double axis = 0.0;  // of these, within 15 degrees of the line ahead, mm
     };
     std::size_t tips_;
-    std::vector<double> dissipation_, stored_;  // per element, N
+    std::vector<double> dissipation_, stored_;  // per element, where its points stand, N
+    std::vector<double> stored_ahead_;          // per element, on the way from there, N
     std::vector<Extent> extents_;               // per element, tip by tip
 };
 

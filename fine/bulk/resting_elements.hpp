@@ -6,8 +6,7 @@
 
 #include "common/index_set.hpp"
 #include "fine/bulk/bulk_elements.hpp"
-#include "fine/bulk/elastic_bound.hpp"
-#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/points/point_history.hpp"
 
 namespace stria::fine {
 
@@ -20,16 +19,12 @@ public:
     [[nodiscard]] const ElementSet& elements() const { return elements_; }
     /// The others, ascending.
     [[nodiscard]] const std::vector<int>& awake() const { return awake_; }
-    /// Where they came to rest: the displacement of their points' states.
+    /// Where they came to rest.
     [[nodiscard]] const Eigen::VectorXd& displacement() const { return displacement_; }
 
     /// These rest from now on, at a displacement.
-    void rest(const ElementSet& elements, const Eigen::VectorXd& displacement, ElasticBound& bound);
+    void rest(const ElementSet& elements, const Eigen::VectorXd& displacement);
     void wake(const ElementSet& waking);
-
-    /// Those that would yield at a displacement. `bound` keeps how far the others are from it. The history stays.
-    [[nodiscard]] std::vector<int> would_yield(const Eigen::VectorXd& u, const BulkElements& bulk,
-                                               PointHistory& history, ElasticBound& bound);
 
     /// A half cycle ends: notes where something has yielded in it.
     void note_half_cycle(const PointHistory& history);
@@ -43,9 +38,6 @@ public:
                                       const ElementSet& yielded) const;
 
 private:
-    [[nodiscard]] bool would_yield(int e, const Eigen::VectorXd& u, const Eigen::VectorXd& since_rest,
-                                   const BulkElements& bulk, PointHistory& history, ElasticBound& bound);
-
     ElementSet elements_;
     std::vector<int> awake_;  // so that an evaluation does not pass over the others
     Eigen::VectorXd displacement_;

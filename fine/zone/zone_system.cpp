@@ -160,7 +160,7 @@ void ZoneSystem::wake_all_but(Resting still, UnknownSet inside) {
     const ElementSet rested = bulk_->resting().elements();
     bulk_->wake_all_but(still.elements);
     for (const int e : rested.members())
-        if (!still.elements.contains(e)) summary_->look_at(*bulk_, e);
+        if (!still.elements.contains(e)) summary_->follow(*bulk_, e);
     contact_->resting().wake_all_but(std::move(still.multipliers));
     at_rest_ = ZoneAtRest(*bulk_, *contact_, std::move(inside));
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fine/bulk/bulk_elements.hpp"
-#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/points/point_history.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {

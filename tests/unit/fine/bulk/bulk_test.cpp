@@ -256,10 +256,10 @@ TEST(Bulk, WhatItTakesOverIsAsIfItHadBeenMadeAnew) {
     u.tail(plate.unknowns / 2) *= 0.03;  // much of it does not yield
     old.evaluate(u);
     old.commit(false);
-    coupling::ZoneSnapshot snapshot;
-    old.remember(snapshot);
-    snapshot.displacement = u;
     Bulk bulk = make_bulk(plate, scene, u, &old);
+    coupling::ZoneSnapshot snapshot;
+    bulk.remember(snapshot);
+    snapshot.displacement = u;
     const Materials materials(scene);
     Bulk anew(plate, materials, fine::make_material_laws(materials), {.subcells = 2, .tip_points = 4}, snapshot);
     ASSERT_GT(bulk.elements().count(), bulk.elements().built());

@@ -1,4 +1,4 @@
-// Elements at rest: who may, who would yield, and that asking leaves the history alone.
+// Elements at rest: who may.
 #include "fine/bulk/resting_elements.hpp"
 
 #include <gtest/gtest.h>
@@ -15,17 +15,8 @@ using fine::RestingElements;
 
 class Rest : public testing::Test {
 protected:
-    Rest() {
-        for (const ElementOperator& op : plate.elements.operators())
-            bound.add_element(op, fine::VonMisesForm(plate.elastic.stiffness()));
-    }
-    [[nodiscard]] std::vector<int> would_yield(double strain) {
-        return resting.would_yield(plate.stretched(strain), plate.elements, history, bound);
-    }
-
     PlatePoints plate;
     PointHistory history = plate.history();
-    fine::ElasticBound bound;
     RestingElements resting{plate.elements, Eigen::VectorXd::Zero(plate.mesh.unknowns)};
 };
 
@@ -51,32 +42,6 @@ TEST_F(Rest, IsForThoseThatStayedElasticTheLastTimeInThisDirectionAndWhatIsAroun
     EXPECT_EQ(may_rest().count(), plate.elements.count());
     yielded.insert(5);
     EXPECT_FALSE(may_rest().contains(5));
-}
-
-TEST_F(Rest, EndsWhereTheStateMeetsTheYieldCriterion) {
-    ElementSet some(plate.elements.operators().size());
-    some.insert(2);
-    some.insert(20);
-    resting.rest(some, plate.stretched(0.0), bound);
-    // Uniaxial strain: von Mises stress = 2 G strain.
-    const double first_yield = 300.0 / (2.0 * plate.elastic.shear_modulus());
-    EXPECT_TRUE(would_yield(0.99 * first_yield).empty());
-    EXPECT_EQ(would_yield(1.01 * first_yield), (std::vector<int>{2, 20}));
-    ElementSet one(some.size());
-    one.insert(2);
-    resting.wake(one);
-    EXPECT_EQ(std::ssize(resting.awake()), some.size() - 1);
-    EXPECT_EQ(would_yield(-1.01 * first_yield), std::vector<int>{20});
-    EXPECT_EQ(history.trial_stress(20, 0), Mandel(Mandel::Zero()));
-    EXPECT_FALSE(history.yields(20));
-}
-
-TEST_F(Rest, CountsTheWayFromWhereItBegan) {
-    resting.rest(ElementSet(plate.elements.operators().size(), true), plate.stretched(1e-4), bound);
-    // The states are those of the beginning, here without stress.
-    const double first_yield = 300.0 / (2.0 * plate.elastic.shear_modulus());
-    EXPECT_TRUE(would_yield(1e-4 + 0.99 * first_yield).empty());
-    EXPECT_EQ(would_yield(1e-4 + 1.01 * first_yield).size(), plate.elements.operators().size());
 }
 
 }  // namespace

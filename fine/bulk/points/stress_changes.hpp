@@ -28,27 +28,22 @@ private:
 };
 
 /// The largest square of a von Mises stress, MPa2, over an element's points. Element by element all that this takes
-/// lies together: elements at rest are many, and seldom in a cache. Displacements are those of all unknowns of the
-/// mesh, mm.
+/// lies together: elements at rest are many, and seldom in a cache.
 class StressChanges {
 public:
     /// Numbered as they come; looked at without displacement.
     void add_element(const ElementOperator& op, const VonMisesForm& form);
-    /// That of another list, with an operator that differs in the numbers of its unknowns only.
+    /// That of another list, looked at where it was there, with an operator that differs in the numbers of its unknowns
+    /// only.
     void add_element_of(const StressChanges& other, int element, const ElementOperator& op);
     /// So many are to come.
     void reserve(std::span<const ElementOperator> operators);
 
-    /// Its changes are those from here on.
-    void look_at(int element, const Eigen::VectorXd& u);
+    /// Its changes are those from here on: a displacement in the order of its unknowns, mm.
+    void look_at(int element, const Eigen::VectorXd& element_u);
 
-    /// Of the changes since then; of those by a move.
-    [[nodiscard]] double at_displacement(int element, const Eigen::VectorXd& u) const {
-        return largest<true>(records_[at(element)], u);
-    }
-    [[nodiscard]] double by(int element, const Eigen::VectorXd& move) const {
-        return largest<false>(records_[at(element)], move);
-    }
+    /// Of the changes since then, to a displacement of all unknowns of the mesh, mm.
+    [[nodiscard]] double at_displacement(int element, const Eigen::VectorXd& u) const;
 
 private:
     struct Record {
@@ -57,9 +52,8 @@ private:
         VonMisesForm form;
     };
     void add_record(const ElementOperator& op, const VonMisesForm& form);
-    template <bool since_look> [[nodiscard]] double largest(const Record& record, const Eigen::VectorXd& u) const;
     /// Of the points from `first` on, `points` of them.
-    template <bool since_look, int unknowns, int points>
+    template <int unknowns, int points>
     [[nodiscard]] double largest_of(const Record& record, Eigen::Index first, const Eigen::VectorXd& u) const;
 
     std::vector<Record> records_;

@@ -1,9 +1,9 @@
-#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/points/point_history.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "fine/bulk/element_kernels.hpp"
+#include "fine/bulk/points/element_kernels.hpp"
 
 namespace stria::fine {
 
@@ -25,10 +25,35 @@ PointHistory::PointHistory(MaterialLaws laws, std::vector<int> material, const s
 
 void PointHistory::update(std::span<const ElementOperator> operators, int begin, int end,
                           const Eigen::VectorXd& increment) {
-    if (begin == end) return;
     for (int e = begin; e < end; ++e)
-        with_kernel(operators[at(e)],
-                    [&](const auto& kernel) { kernel.write_strains(increment, &strain_[place(0, e, 0)], points()); });
+        with_kernel(operators[at(e)], [&](const auto& kernel) {
+            kernel.write_strains(kernel.gather(increment), &strain_[place(0, e, 0)], points());
+        });
+    return_points(begin, end);
+}
+
+void PointHistory::update(const ElementOperator& op, int e, const Eigen::VectorXd& increment) {
+    with_kernel(op, [&](const auto& kernel) {
+        kernel.write_strains(kernel.nodal(increment.data()), &strain_[place(0, e, 0)], points());
+    });
+    return_points(e, e + 1);
+}
+
+void PointHistory::update(const ElementOperator& op, int e, const Eigen::VectorXd& elastic_way,
+                          const Eigen::VectorXd& increment) {
+    std::vector<double> before;
+    for (int c = 0; c < state_size_; ++c)
+        before.insert(before.end(), &committed_[place(c, e, 0)], &committed_[place(c, e, 0)] + points(e));
+    update(op, e, elastic_way);
+    commit(e, e + 1);
+    update(op, e, increment);
+    for (int c = 0; c < state_size_; ++c)
+        std::copy_n(&before[at(c * points(e))], points(e), &committed_[place(c, e, 0)]);
+}
+
+// The strains are written.
+void PointHistory::return_points(int begin, int end) {
+    if (begin == end) return;
     for (int first = begin, last = begin; first < end; first = last) {
         while (last < end && material_of(last) == material_of(first)) ++last;
         const auto from = place(0, first, 0);
@@ -39,9 +64,9 @@ void PointHistory::update(std::span<const ElementOperator> operators, int begin,
     evaluated_ += first_[at(end)] - first_[at(begin)];
 }
 
-void PointHistory::commit(bool reversal, const ElementSet& resting) {
+void PointHistory::commit(bool reversal, const ElementSet& without_trial) {
     if (half_cycle_ended_) std::ranges::fill(plastic_, static_cast<unsigned char>(0));
-    for_each_run(resting, false, [&](int begin, int end) {
+    for_each_run(without_trial, false, [&](int begin, int end) {
         commit(begin, end);
         for (auto q = at(first_[at(begin)]); q < at(first_[at(end)]); ++q)
             plastic_[q] = static_cast<unsigned char>(plastic_[q] | yielding_[q]);

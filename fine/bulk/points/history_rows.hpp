@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coupling/zone_snapshot.hpp"
-#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/points/point_history.hpp"
 
 namespace stria::fine {
 

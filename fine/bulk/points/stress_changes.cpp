@@ -1,5 +1,6 @@
-#include "fine/bulk/stress_changes.hpp"
+#include "fine/bulk/points/stress_changes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stria::fine {
@@ -14,8 +15,9 @@ void StressChanges::add_element(const ElementOperator& op, const VonMisesForm& f
 void StressChanges::add_element_of(const StressChanges& other, int element, const ElementOperator& op) {
     const Record& record = other.records_[at(element)];
     add_record(op, record.form);
-    const auto gradients = other.values_.begin() + record.first + record.unknowns;
-    values_.insert(values_.end(), gradients, gradients + record.unknowns * record.points);
+    const auto values = other.values_.begin() + record.first;
+    std::copy_n(values, record.unknowns, values_.end() - record.unknowns);
+    values_.insert(values_.end(), values + record.unknowns, values + record.unknowns * (1 + record.points));
 }
 
 void StressChanges::add_record(const ElementOperator& op, const VonMisesForm& form) {
@@ -36,34 +38,30 @@ void StressChanges::reserve(std::span<const ElementOperator> operators) {
     values_.reserve(values);
 }
 
-void StressChanges::look_at(int element, const Eigen::VectorXd& u) {
-    const Record& record = records_[at(element)];
-    for (Eigen::Index k = 0; k < record.unknowns; ++k)
-        values_[at(record.first + k)] = u[unknowns_[at(record.first_unknown + k)]];
+void StressChanges::look_at(int element, const Eigen::VectorXd& element_u) {
+    std::ranges::copy(element_u, values_.begin() + records_[at(element)].first);
 }
 
 // In blocks of fixed size, which lie in registers.
-template <bool since_look> double StressChanges::largest(const Record& record, const Eigen::VectorXd& u) const {
+double StressChanges::at_displacement(int element, const Eigen::VectorXd& u) const {
+    const Record& record = records_[at(element)];
     constexpr Eigen::Index block = 4;
-    if (record.unknowns == 8 && record.points == block) return largest_of<since_look, 8, block>(record, 0, u);
+    if (record.unknowns == 8 && record.points == block) return largest_of<8, block>(record, 0, u);
     double largest = 0.0;
     // What is not a number stays: it proves nothing.
     const auto raise = [&](double value) { largest = std::isnan(largest) || value <= largest ? largest : value; };
     Eigen::Index q = 0;
-    for (; q + block <= record.points; q += block) raise(largest_of<since_look, Eigen::Dynamic, block>(record, q, u));
-    for (; q < record.points; ++q) raise(largest_of<since_look, Eigen::Dynamic, 1>(record, q, u));
+    for (; q + block <= record.points; q += block) raise(largest_of<Eigen::Dynamic, block>(record, q, u));
+    for (; q < record.points; ++q) raise(largest_of<Eigen::Dynamic, 1>(record, q, u));
     return largest;
 }
 
-template double StressChanges::largest<true>(const Record& record, const Eigen::VectorXd& u) const;
-template double StressChanges::largest<false>(const Record& record, const Eigen::VectorXd& u) const;
-
-template <bool since_look, int unknowns, int points>
+template <int unknowns, int points>
 double StressChanges::largest_of(const Record& record, Eigen::Index first, const Eigen::VectorXd& u) const {
     const Eigen::Index count = unknowns == Eigen::Dynamic ? record.unknowns : unknowns;
     const double* const start = &values_[at(record.first)];
     const int* const place = &unknowns_[at(record.first_unknown)];
-    const auto moved = [&](Eigen::Index k) { return since_look ? u[place[k]] - start[k] : u[place[k]]; };
+    const auto moved = [&](Eigen::Index k) { return u[place[k]] - start[k]; };
     using Values = Eigen::Array<double, points, 1>;
     const auto gradients = [&](Eigen::Index k) {
         return Eigen::Map<const Values>(start + count + k * record.points + first);

@@ -1,5 +1,5 @@
 // The bound that saves the points of elastic elements from being looked at.
-#include "fine/bulk/elastic_bound.hpp"
+#include "fine/bulk/points/elastic_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,7 @@ TEST_P(ElasticBound, ProvesNothingOfWhatIsNoNumber) {
     for (const ElementOperator& op : bulk.operators()) {
         fine::ElasticBound bound;
         bound.add_element(op, fine::VonMisesForm(elasticity_of(scene.material, scene.model.plane).stiffness()));
-        bound.set_margin(0, 1e3);
-        EXPECT_FALSE(bound.proves(0, u)) << op.element;
+        bound.look_at(0, Eigen::VectorXd::Zero(std::ssize(op.unknowns)), 1e3);
         EXPECT_FALSE(bound.proves_at(0, u)) << op.element;
     }
 }
@@ -50,12 +49,13 @@ TEST_P(ElasticBound, IsThatOfThePointThatChangesMost) {
                 largest = std::max(largest, von_mises(elastic.stiffness() * op.strain(element_u, q)));
             fine::ElasticBound bound;
             bound.add_element(op, fine::VonMisesForm(elastic.stiffness()));
-            bound.set_margin(0, 0.999 * largest);
-            EXPECT_FALSE(bound.proves(0, u)) << op.element;
+            bound.look_at(0, 0.0 * element_u, 0.999 * largest);
             EXPECT_FALSE(bound.proves_at(0, u)) << op.element;
-            bound.set_margin(0, 1.001 * largest);
-            EXPECT_TRUE(bound.proves(0, u)) << op.element;
-            bound.look_at(0, -u);
+            bound.look_at(0, 0.0 * element_u, 1.001 * largest);
+            EXPECT_TRUE(bound.proves_at(0, u)) << op.element;
+            EXPECT_FALSE(bound.proves_at(0, u, 0.5)) << op.element;
+            EXPECT_TRUE(bound.proves_at(0, 0.499 * u, 0.5)) << op.element;
+            bound.look_at(0, -element_u, 1.001 * largest);
             EXPECT_FALSE(bound.proves_at(0, u)) << op.element;
             EXPECT_TRUE(bound.proves_at(0, -0.5 * u)) << op.element;
         }
@@ -84,7 +84,6 @@ TEST_P(ElasticBound, ChangesNoResult) {
             force(op.unknowns) += of_element;
         }
         EXPECT_LT((force - trial_force).cwiseAbs().maxCoeff(), 1e-11 * force.cwiseAbs().maxCoeff()) << k;
-        // Committing looks at every point: as many yield as the proof had said.
         EXPECT_EQ(proving.history().yielding_points(), yielding) << k;
     }
     const coupling::WorkCounts counts = proving.counts();

@@ -1,4 +1,4 @@
-#include "fine/bulk/history_rows.hpp"
+#include "fine/bulk/points/history_rows.hpp"
 
 #include "common/error.hpp"
 

@@ -23,6 +23,9 @@ public:
         return nodal;
     }
 
+    /// From 2f numbers in the order of the element's unknowns.
+    [[nodiscard]] auto nodal(const double* values) const { return Eigen::Map<const Nodal>(values, 2, count_); }
+
     [[nodiscard]] Mandel strain(const Nodal& nodal, std::size_t q) const {
         return with_mean(q, [&](const Gradient& g, const Gradient* mean) { return strain_at(nodal, g, mean); });
     }
@@ -33,8 +36,7 @@ public:
     }
 
     /// 4 components a point.
-    void write_strains(const Eigen::VectorXd& u, double* strains, std::ptrdiff_t stride) const {
-        const Nodal nodal = gather(u);
+    void write_strains(const Nodal& nodal, double* strains, std::ptrdiff_t stride) const {
         for (std::size_t q = 0; q < op_.points.size(); ++q) {
             const Mandel value = strain(nodal, q);
             for (int c = 0; c < 4; ++c) strains[c * stride + static_cast<std::ptrdiff_t>(q)] = value[c];
@@ -42,8 +44,7 @@ public:
     }
 
     /// Of a displacement increment.
-    [[nodiscard]] Nodal elastic_force(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& u) const {
-        const Nodal nodal = gather(u);
+    [[nodiscard]] Nodal elastic_force(const Eigen::MatrixXd& stiffness, const Nodal& nodal) const {
         Nodal force(2, count_);
         const Eigen::Map<const Matrix> K(stiffness.data(), 2 * count_, 2 * count_);
         Eigen::Map<Eigen::Matrix<double, unknowns, 1>>(force.data(), 2 * count_).noalias() =

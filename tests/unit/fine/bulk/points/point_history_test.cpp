@@ -1,5 +1,5 @@
 // What points remember: each its own numbers, trial apart from committed, plastic for a half cycle.
-#include "fine/bulk/point_history.hpp"
+#include "fine/bulk/points/point_history.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,6 +51,24 @@ TEST_F(PointHistories, CommitOneElementAlone) {
     history.rollback(0);
     EXPECT_EQ(history.trial_stress(0, 0), Mandel(Mandel::Zero()));
     EXPECT_NE(history.trial_stress(2, 0), Mandel(Mandel::Zero()));
+}
+
+// Straight on from where they were committed they would yield in another direction.
+TEST_F(PointHistories, GoAnElasticWayBeforeTheirIncrement) {
+    const ElementOperator& op = plate.elements.op(0);
+    const Eigen::VectorXd way = gather(plate.stretched(-1e-3), op.unknowns);
+    Eigen::VectorXd increment = gather(plate.stretched(4e-3), op.unknowns);
+    for (Eigen::Index k = 0; k < increment.size(); k += 2) std::swap(increment[k], increment[k + 1]);
+    const Mandel before = history.stress(0, 0);
+    history.update(op, 0, way, increment);
+    const Mandel behind = history.trial_stress(0, 0);
+    EXPECT_TRUE(history.yields(0));
+    EXPECT_EQ(history.stress(0, 0), before);
+    history.update(op, 0, way);
+    EXPECT_FALSE(history.yields(0));
+    history.commit(0, 1);
+    history.update(op, 0, increment);
+    EXPECT_EQ(history.trial_stress(0, 0), behind);
 }
 
 TEST_F(PointHistories, CountWhoYieldsPerElement) {

@@ -38,8 +38,12 @@ public:
     /// Trial states and tangents of the elements begin ... end - 1: committed ones plus a displacement increment, given
     /// on all unknowns, mm. Throws NumericalFailure where the return mapping fails.
     void update(std::span<const ElementOperator> operators, int begin, int end, const Eigen::VectorXd& increment);
-    /// Trial becomes committed, but for elements at rest. `reversal`: with this a half cycle ends.
-    void commit(bool reversal, const ElementSet& resting);
+    /// The same of one element, by its own increments in the order of its unknowns, mm.
+    void update(const ElementOperator& op, int e, const Eigen::VectorXd& increment);
+    /// The same behind a way on which it stays elastic. What is committed stays as it is.
+    void update(const ElementOperator& op, int e, const Eigen::VectorXd& elastic_way, const Eigen::VectorXd& increment);
+    /// Trial becomes committed, but for elements that have no trial states. `reversal`: with this a half cycle ends.
+    void commit(bool reversal, const ElementSet& without_trial);
     /// Of the elements begin ... end - 1, whatever the others do.
     void commit(int begin, int end) { copy(begin, end, trial_, committed_); }
     void rollback(int e) { copy(e, e + 1, committed_, trial_); }
@@ -122,6 +126,7 @@ private:
         return tensor_at(&states[place(component, e, q)], points(), 0);
     }
     void begin_frozen_gradients();
+    void return_points(int begin, int end);
     void copy(int begin, int end, const std::vector<double>& from, std::vector<double>& to) const;
 
     [[nodiscard]] int material_of(int e) const { return material_.empty() ? 0 : material_[at(e)]; }

@@ -1,0 +1,72 @@
+#include "fine/bulk/standing_points.hpp"
+
+#include <algorithm>
+
+namespace stria::fine {
+
+StandingPoints::StandingPoints(const BulkElements& elements, const StandingPoints* old)
+    : displacement_(elements.operators()), force_(displacement_) {
+    bound_.reserve(elements.operators());
+    for (int e = 0; e < elements.count(); ++e) {
+        const ElementOperator& op = elements.op(e);
+        if (old == nullptr || !elements.has_stayed(e)) {
+            bound_.add_element(op, VonMisesForm(elements.elastic_stiffness(e)));
+            continue;
+        }
+        const int was = elements.was(e);
+        bound_.add_element_of(old->bound_, was, op);
+        displacement_.of(e) = old->displacement_.of(was);
+        force_.of(e) = old->force_.of(was);
+    }
+}
+
+void StandingPoints::stand_at(int e, const Eigen::VectorXd& element_u, const BulkElements& elements,
+                              const PointHistory& history) {
+    displacement_.of(e) = element_u;
+    look_back(e, history);
+    with_kernel(elements.op(e), [&](const auto& kernel) {
+        const auto force = kernel.force(history.stresses(e), history.points());
+        std::copy_n(force.data(), force.size(), force_.of(e).data());
+    });
+}
+
+void StandingPoints::bring_to(int e, const Eigen::VectorXd& u, const BulkElements& elements, PointHistory& history) {
+    const ElementOperator& op = elements.op(e);
+    const Eigen::VectorXd way = ahead(op, e, u);
+    if (way.isZero(0.0)) return;
+    history.update(op, e, way);
+    history.commit(e, e + 1);
+    history.set_elastic(e);
+    stand_at(e, gather(u, op.unknowns), elements, history);
+}
+
+void StandingPoints::find_force(int e, const Eigen::VectorXd& u, const BulkElements& elements,
+                                ElementValues& force) const {
+    with_kernel(elements.op(e), [&](const auto& kernel) {
+        const auto ahead = (kernel.gather(u) - kernel.nodal(displacement_.of(e).data())).eval();
+        const auto change = kernel.elastic_force(elements.stiffness()[at(e)], ahead);
+        const double* standing = force_.of(e).data();
+        double* sum = force.of(e).data();
+        for (Eigen::Index k = 0; k < change.size(); ++k) sum[k] = standing[k] + change.data()[k];
+    });
+}
+
+double StandingPoints::stored(const Eigen::MatrixXd& stiffness, int e, const Eigen::VectorXd& ahead) const {
+    return ahead.dot(force_.of(e) + 0.5 * stiffness * ahead);
+}
+
+// What its stresses have changed by since it was looked at the last time proves most elements elastic. Of the others
+// the law tells, as of any point, and how much is left until one yields.
+bool StandingPoints::would_yield_at(int e, const Eigen::VectorXd& u, const BulkElements& elements,
+                                    PointHistory& history) {
+    if (bound_.proves_at(e, u)) return false;
+    const ElementOperator& op = elements.op(e);
+    history.update(op, e, ahead(op, e, u));
+    const bool yields = history.yields(e);
+    if (!yields) bound_.look_at(e, gather(u, op.unknowns), history.trial_elastic_margin(e));
+    history.set_elastic(e);
+    history.rollback(e);
+    return yields;
+}
+
+}  // namespace stria::fine
