@@ -15,8 +15,8 @@ public:
     /// Of all elements.
     explicit BulkSummary(const Bulk& bulk);
 
-    /// After a commit of the same bulk: looks at all elements that do not rest. `half_cycle_begins`: with its
-    /// increment.
+    /// After a commit of the same bulk: looks at elements whose points it has moved, and follows the others that do not
+    /// rest. `half_cycle_begins`: with its increment.
     void update(const Bulk& bulk, bool half_cycle_begins);
     /// The points of this one have a new state.
     void look_at(const Bulk& bulk, int e);

@@ -29,14 +29,16 @@ struct LivedCycles {
     std::vector<int> iterations;  // by cycle, what only measures and is rolled back included
     std::vector<double> seconds;  // since the start, at the end of each
     std::vector<double> a;        // mm
+    std::vector<double> points;   // return mappings since the start, at the end of each
     int cuts = 0;
 
     [[nodiscard]] int in_cycles(int from, int to) const {
         return std::accumulate(iterations.begin() + from, iterations.begin() + to + 1, 0);
     }
+    [[nodiscard]] double points_in(int from, int to) const { return points[at(to)] - points[at(from - 1)]; }
     [[nodiscard]] std::string text(int from, int to) const {
-        return fmt::format("cycles {} to {}: {} iterations, {:.2f} s", from, to, in_cycles(from, to),
-                           seconds[at(to)] - seconds[at(from - 1)]);
+        return fmt::format("cycles {} to {}: {} iterations, {} points, {:.2f} s", from, to, in_cycles(from, to),
+                           points_in(from, to), seconds[at(to)] - seconds[at(from - 1)]);
     }
 };
 
@@ -52,7 +54,7 @@ LivedCycles live(const Life& life) {
     fine::FineModel fine(input);
     coarse::CondensedFactory factory(&fine, input);
     LivedCycles effort{std::vector<int>(at(life.cycles) + 1), std::vector<double>(at(life.cycles) + 1),
-                       std::vector<double>(at(life.cycles) + 1)};
+                       std::vector<double>(at(life.cycles) + 1), std::vector<double>(at(life.cycles) + 1)};
     coarse::Listener listener;
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
         effort.iterations[at(step.cycle)] += report.count();
@@ -62,6 +64,7 @@ LivedCycles live(const Life& life) {
         const auto cycle = at(increment.step.cycle);
         effort.seconds[cycle] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         effort.a[cycle] = increment.tips[0].a;
+        effort.points[cycle] = static_cast<double>(increment.zone.work.points_evaluated);
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
@@ -76,6 +79,7 @@ TEST(LongLife, AThousandCyclesCostWhatTheFirstOnesDoLong) {
     EXPECT_GT(effort.a[1000], 29.85);
     EXPECT_EQ(effort.cuts, 0);
     EXPECT_LE(effort.in_cycles(991, 1000), 1.2 * effort.in_cycles(21, 30));
+    EXPECT_LE(effort.points_in(991, 1000), 2.0 * effort.points_in(21, 30));
 }
 
 // The program chooses the increments.
@@ -85,6 +89,7 @@ TEST(LongLife, SoDoFiveHundredThatGrowInEachLong) {
                              effort.text(491, 500), effort.a[500], effort.cuts);
     EXPECT_GT(effort.a[500], 29.97);
     EXPECT_LE(effort.in_cycles(491, 500), 1.15 * effort.in_cycles(21, 30));
+    EXPECT_LE(effort.points_in(491, 500), 2.0 * effort.points_in(21, 30));
 }
 
 TEST(LongLife, FourteenCyclesThatGrowInEachCostWhatTheFirstOnesDo) {
