@@ -48,7 +48,7 @@ TEST_F(Standing, CountTheWayFromThere) {
 
 // Brought there the points say what the elastic matrix has said: the force, and the energy as its work.
 TEST_F(Standing, FollowByTheElasticMatrix) {
-    const Eigen::VectorXd u = random_vector(plate.mesh.unknowns, 1e-5, 3), zero = 0.0 * u;
+    const Eigen::VectorXd u = random_vector(plate.mesh.unknowns, 1e-5, 3);
     fine::ElementValues before(plate.elements.operators()), force = before, brought = before;
     for (int e = 0; e < plate.elements.count(); ++e) {
         const ElementOperator& op = plate.elements.op(e);

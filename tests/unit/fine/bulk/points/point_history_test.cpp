@@ -53,8 +53,9 @@ TEST_F(PointHistories, CommitOneElementAlone) {
     EXPECT_NE(history.trial_stress(2, 0), Mandel(Mandel::Zero()));
 }
 
-// Straight on from where they were committed they would yield in another direction.
+// Straight on from where they were committed they would yield in another direction, which a return in parts sees.
 TEST_F(PointHistories, GoAnElasticWayBeforeTheirIncrement) {
+    history = {fine::make_material_laws(Materials(plate.input), 4), plate.mesh.material, plate.elements.operators()};
     const ElementOperator& op = plate.elements.op(0);
     const Eigen::VectorXd way = gather(plate.stretched(-1e-3), op.unknowns);
     Eigen::VectorXd increment = gather(plate.stretched(4e-3), op.unknowns);
@@ -64,6 +65,8 @@ TEST_F(PointHistories, GoAnElasticWayBeforeTheirIncrement) {
     const Mandel behind = history.trial_stress(0, 0);
     EXPECT_TRUE(history.yields(0));
     EXPECT_EQ(history.stress(0, 0), before);
+    history.update(op, 0, way + increment);
+    EXPECT_GT((history.trial_stress(0, 0) - behind).norm(), 1e-3 * behind.norm());
     history.update(op, 0, way);
     EXPECT_FALSE(history.yields(0));
     history.commit(0, 1);
