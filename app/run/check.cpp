@@ -149,9 +149,9 @@ void print_way(const coarse::Scene& scene, const coarse::NominalSolution& nomina
     const coarse::ElementsOfAWay after = coarse::elements_after(scene, K_I, way);
     const int subcells = subcells_elsewhere(input.fine);
     const double points = 4.0 * subcells * subcells * after.split;
-    fmt::print("# growth: at most {:.4g} mm in {} cycles, {} increments; after it about {} elements, {} of them split, "
-               "{:.0f} points, {:.0f} MB\n",
-               way, cycles, cycles * input.load.first_steps(), after.all, after.split, points,
+    fmt::print("# growth: at most {:.4g} mm in {} cycles; after it about {} elements, {} of them split, {:.0f} points, "
+               "{:.0f} MB\n",
+               way, cycles, after.all, after.split, points,
                1e-6 * (after.all * bytes_of_element + points * bytes_of_point));
 }
 
