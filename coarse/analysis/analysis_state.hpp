@@ -30,10 +30,10 @@ struct DueGrowth {
     double moment = 0.0;  // LoadStep::moment
 };
 
-/// The last maximum of a cycle that was reached.
-struct ReachedMaximum {
-    LoadFactors factors;
-    std::vector<TipResult> tips;  // one each; empty: there was none
+/// The last maximum and the last minimum of a cycle that were reached.
+struct ReachedExtremes {
+    LoadFactors maximum, minimum;
+    std::vector<TipResult> tips;  // at the maximum, one each; empty: there was none
 };
 
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.
@@ -84,7 +84,7 @@ struct AnalysisState {
     PeriodMemory growth_period;
     LifeMemory life;
     std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    ReachedMaximum at_maximum;
+    ReachedExtremes extremes;
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

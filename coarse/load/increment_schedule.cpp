@@ -158,6 +158,11 @@ bool IncrementSchedule::measures(bool rises, bool alike) const {
     return chooses_ && due && is_cycle(state_.path);
 }
 
+void IncrementSchedule::add(TwoAsOne pair) {
+    std::erase_if(state_.pairs, [&](const TwoAsOne& other) { return other.from == pair.from; });
+    state_.pairs.push_back(std::move(pair));
+}
+
 void IncrementSchedule::learn(Legs& legs) {
     ++legs.unmeasured;
     if (state_.pairs.empty()) return;

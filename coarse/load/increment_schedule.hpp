@@ -79,7 +79,8 @@ public:
     /// The increments of the present leg are to be tried by twos. `alike`: it goes from and to where the one before in
     /// its direction did.
     [[nodiscard]] bool measures(bool rises, bool alike) const;
-    void add(TwoAsOne pair) { state_.pairs.push_back(std::move(pair)); }
+    /// The last of the same place counts: an increment that is made again, with a larger zone, is tried again before.
+    void add(TwoAsOne pair);
     /// The leg is done; its last state begins the next one.
     void end_leg(bool rises, bool alike);
     /// Parts of the way at which faces are expected to meet in the leg that begins; next to its ends they do not count.

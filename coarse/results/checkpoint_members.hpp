@@ -188,9 +188,10 @@ void members(auto& archive, Is<DueGrowth> auto& m) {
     archive("moment", moment);
 }
 
-void members(auto& archive, Is<ReachedMaximum> auto& m) {
-    auto& [factors, tips] = m;
-    archive("factors", factors);
+void members(auto& archive, Is<ReachedExtremes> auto& m) {
+    auto& [maximum, minimum, tips] = m;
+    archive("maximum", maximum);
+    archive("minimum", minimum);
     archive("tips", tips);
 }
 
@@ -241,7 +242,7 @@ void members(auto& archive, Is<StillElements> auto& m) {
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
            cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period, life,
-           K_reached, at_maximum, due_growth, release, load, work, equilibrium, zone] = m;
+           K_reached, extremes, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -271,7 +272,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("growth_period", growth_period);
     archive("life", life);
     archive("K_reached", K_reached);
-    archive("at_maximum", at_maximum);
+    archive("extremes", extremes);
     archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);

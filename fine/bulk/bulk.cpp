@@ -85,7 +85,6 @@ void Bulk::begin_elastic(int e) {
 }
 
 void Bulk::carry_history(Bulk& old) {
-    counts_ += old.counts();
     history_.set_half_cycle_ended(old.history_.half_cycle_ended());
     carry_stayed(old);
     for (int e = 0; e < elements_.count(); ++e) {
@@ -99,6 +98,7 @@ void Bulk::carry_history(Bulk& old) {
         old.stand_.bring_to(*found, old.committed_u_, old.elements_, old.history_);
         mix_history(old, *found, e);
     }
+    counts_ += old.counts();
 }
 
 // In as long blocks as there are.

@@ -50,7 +50,7 @@ CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisStat
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
       life_(from != nullptr ? from->life : LifeMemory()),
       K_reached_(from != nullptr ? from->K_reached : std::vector<double>()),
-      at_maximum_(from != nullptr ? from->at_maximum : ReachedMaximum()) {}
+      extremes_(from != nullptr ? from->extremes : ReachedExtremes()) {}
 
 void CrackGrowth::write(AnalysisState& state) const {
     state.growth_ended = ended_;
@@ -58,7 +58,7 @@ void CrackGrowth::write(AnalysisState& state) const {
     state.growth_period = rates_.memory();
     state.life = life_.memory();
     state.K_reached = K_reached_;
-    state.at_maximum = at_maximum_;
+    state.extremes = extremes_;
 }
 
 // A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
@@ -66,7 +66,12 @@ bool CrackGrowth::is_due(const Increment& reached) {
     const LoadStep& step = reached.step;
     K_reached_.resize(reached.tips.size(), 0.0);
     for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
-    if (step.at_maximum) at_maximum_ = {{reached.load_factor, step.target.cases}, reached.tips};
+    const LoadFactors factors{reached.load_factor, step.target.cases};
+    if (step.at_minimum) extremes_.minimum = factors;
+    if (step.at_maximum) {
+        extremes_.maximum = factors;
+        extremes_.tips = reached.tips;
+    }
     if (grows_at(growth_, step)) return true;
     return broken_tip() >= 0 && step.ends_cycle && (!takes_mean_ || ends_period(growth_, step.cycle));
 }
@@ -81,21 +86,24 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
         const std::vector<TipResult> guides = this->guides(body);
         grown = along_first_of(body, ways(present, guides, last));
-        if (grown.longer) note_turn(present, *grown.longer, guides);
+        if (grown.longer) note_turn(body, *grown.longer, guides, last);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
     return grown;
 }
 
-// An angle does not change with the factor of one load.
+// Modes do not change with the factor of one load.
+bool CrackGrowth::is_of_one_load(const Scene& present) const {
+    return extremes_.maximum.cases.size() == 0 && !present.initial_stress().any();
+}
+
 std::vector<TipResult> CrackGrowth::guides(const CrackedBody& body) const {
     const Scene& present = body.scene();
-    const auto& [factors, tips] = at_maximum_;
-    const bool one_load = factors.cases.size() == 0 && !present.initial_stress().any();
-    std::vector<TipResult> nominal = one_load ? body.nominal() : under(factors, body.nominal());
-    if (tips.empty()) return nominal;
-    return directing(present.input.cracks, present.enriched.tips, std::move(nominal), tips);
+    std::vector<TipResult> nominal =
+        is_of_one_load(present) ? body.nominal() : under(extremes_.maximum, body.nominal());
+    if (extremes_.tips.empty()) return nominal;
+    return directing(present.input.cracks, present.enriched.tips, std::move(nominal), extremes_.tips);
 }
 
 // From one element edge to another where faces end on edges; where they end is not known about another direction.
@@ -156,14 +164,17 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
-// Of the fastest tip.
-void CrackGrowth::note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides) {
+// Of the fastest tip. With one load K keeps its ratio to its maximum: a minimum of zero says the same.
+void CrackGrowth::note_turn(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
+                            const std::vector<CycleResult>& last) {
+    const Scene& present = body.scene();
     const std::vector<double> rates = rates_.present();
     if (rates.empty()) return;
     const std::size_t t = fastest_of(rates);
     const double angle = turn_of(present.enriched.tips[t], longer.input.cracks);
     if (std::abs(angle) <= sharp_turn) return;
-    life_.turn(rate_behind_leap(growth_, rates[t], K_just_turned(guides[t], angle) / guides[t].K_I));
+    const TipResult least = is_of_one_load(present) ? TipResult() : under(extremes_.minimum, body.nominal())[t];
+    life_.turn(rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least}, angle)));
 }
 
 // What drives the tips has been measured.

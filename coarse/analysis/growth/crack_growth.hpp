@@ -59,6 +59,7 @@ private:
     [[nodiscard]] double cycles_of_period(const Scene& present);
     using Cracks = std::vector<CrackSection>;
 
+    [[nodiscard]] bool is_of_one_load(const Scene& present) const;
     /// What turns the tips, one each: K of all loads at the last maximum, or what faces that touch leave of it.
     [[nodiscard]] std::vector<TipResult> guides(const CrackedBody& body) const;
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
@@ -71,7 +72,8 @@ private:
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
     /// Where the fastest tip turns sharply its rate leaps.
-    void note_turn(const Scene& present, const Scene& longer, const std::vector<TipResult>& guides);
+    void note_turn(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
+                   const std::vector<CycleResult>& last);
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
@@ -84,7 +86,7 @@ private:
     PeriodRates rates_;
     LifeCount life_;
     std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    ReachedMaximum at_maximum_;
+    ReachedExtremes extremes_;
 };
 
 }  // namespace stria::coarse

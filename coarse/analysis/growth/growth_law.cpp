@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/load/rate_law.hpp"
 
 namespace stria::coarse {
@@ -16,16 +17,20 @@ double range_in_tension(double K_max, double K_min, double w) {
     return std::pow(most, 1.0 - w) * std::pow(range, w);
 }
 
-double driving_range(const GrowthSection& growth, const CycleResult& cycle) {
+double driving_range(const GrowthSection& growth, double K_max, double K_min, double K_op) {
     switch (growth.driving) {
     case GrowthDriving::Range:
-        return range_in_tension(cycle.K_max, cycle.K_min, growth.walker);
+        return range_in_tension(K_max, K_min, growth.walker);
     case GrowthDriving::FullRange:
-        return cycle.K_max - cycle.K_min;
+        return K_max - K_min;
     case GrowthDriving::EffectiveRange:
         break;
     }
-    return cycle.K_max - cycle.opening.K_op;
+    return K_max - K_op;
+}
+
+double driving_range(const GrowthSection& growth, const CycleResult& cycle) {
+    return driving_range(growth, cycle.K_max, cycle.K_min, cycle.opening.K_op);
 }
 
 /// What drives the tip has not been told.
@@ -40,6 +45,15 @@ double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
     if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
     return rate_of_range(growth, growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth, cycle));
+}
+
+double leap_at_turn(const GrowthSection& growth, const CycleResult& cycle, const TipAtExtremes& tip, double angle) {
+    const double open = (cycle.opening.K_op - cycle.K_min) / (cycle.K_max - cycle.K_min);
+    const auto drive = [&](double K_max, double K_min) {
+        return driving_range(growth, K_max, K_min, std::lerp(K_min, K_max, open));
+    };
+    return drive(K_just_turned(tip.maximum, angle), K_just_turned(tip.minimum, angle)) /
+           drive(tip.maximum.K_I, tip.minimum.K_I);
 }
 
 double rate_behind_leap(const GrowthSection& growth, double rate, double leap) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coarse/cycle/cycle_result.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "common/case/case.hpp"
 
 namespace stria::coarse {
@@ -12,7 +13,15 @@ namespace stria::coarse {
 /// prescribed law: the increment.
 [[nodiscard]] double growth_rate(const GrowthSection& growth, const CycleResult& cycle);
 
-/// That of a tip whose K leaps to a multiple of what it was, at the same ratios to it. NaN where there was none.
+/// K of a tip at the extremes of a cycle, both modes.
+struct TipAtExtremes {
+    TipResult maximum, minimum;
+};
+/// The factor by which what drives a tip leaps as it turns by an angle, radians (K_just_turned). The load ratio leaps
+/// too where the modes of the minimum are not those of the maximum; that K_op keeps its place between them is a guess.
+[[nodiscard]] double leap_at_turn(const GrowthSection& growth, const CycleResult& cycle, const TipAtExtremes& tip,
+                                  double angle);
+/// The rate of a tip for which that leaps so. NaN where nothing is left to drive it.
 [[nodiscard]] double rate_behind_leap(const GrowthSection& growth, double rate, double leap);
 
 /// One per tip, as `cycles`.

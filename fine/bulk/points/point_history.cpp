@@ -44,11 +44,19 @@ void PointHistory::update(const ElementOperator& op, int e, const Eigen::VectorX
     std::vector<double> before;
     for (int c = 0; c < state_size_; ++c)
         before.insert(before.end(), &committed_[place(c, e, 0)], &committed_[place(c, e, 0)] + points(e));
+    const auto restore = [&] {
+        for (int c = 0; c < state_size_; ++c)
+            std::copy_n(&before[at(c * points(e))], points(e), &committed_[place(c, e, 0)]);
+    };
     update(op, e, elastic_way);
     commit(e, e + 1);
-    update(op, e, increment);
-    for (int c = 0; c < state_size_; ++c)
-        std::copy_n(&before[at(c * points(e))], points(e), &committed_[place(c, e, 0)]);
+    try {
+        update(op, e, increment);
+    } catch (...) {
+        restore();
+        throw;
+    }
+    restore();
 }
 
 // The strains are written.

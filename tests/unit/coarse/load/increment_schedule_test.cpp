@@ -72,8 +72,9 @@ TEST(IncrementSchedule, GradesWaysAndKeepsTurns) {
     EXPECT_DOUBLE_EQ(graded_ways(2, 0.4)[1], std::pow(0.5, 0.4));
 }
 
-/// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment.
-int after(const LoadSection& load, double c, bool presses = false) {
+/// Increments of a leg that loads, after some of cycles that are off by c w^2 for each increment. `again`: the first of
+/// a pair is made again, and the pair tried before.
+int after(const LoadSection& load, double c, bool presses = false, bool again = false) {
     IncrementSchedule schedule(load);
     schedule.meet_at({}, presses);
     const OffByTheSquare leg{schedule.ways(true), c};
@@ -83,7 +84,10 @@ int after(const LoadSection& load, double c, bool presses = false) {
         EXPECT_EQ(schedule.ways(true), leg.ways) << "until one is measured";
         schedule.begin(std::vector<double>(path.opening.front()));
         if (schedule.measures(true, true))
-            for (const TwoAsOne& pair : leg.pairs()) schedule.add(pair);
+            for (const TwoAsOne& pair : leg.pairs()) {
+                if (again) schedule.add({pair.from, pair.to, {0.0}});
+                schedule.add(pair);
+            }
         for (std::size_t k = 1; k < leg.ways.size(); ++k) schedule.add(leg.ways[k], path.opening[k]);
         schedule.end_leg(true, legs > 0);
     }
@@ -195,6 +199,12 @@ TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
     EXPECT_EQ(schedule.ways(false).size(), 9U);
 }
 
+// As where the zone has to grow first.
+TEST(IncrementSchedule, TakesTheLastTrialOfAPlace) {
+    const LoadSection load{.accuracy = 0.01, .blocks = {}};
+    EXPECT_EQ(after(load, 0.03, false, true), after(load, 0.03));
+}
+
 TEST(IncrementSchedule, LeavesGivenNumbersAlone) {
     const int begins = LoadSection().first_steps() / 2;
     EXPECT_GT(after({}, 0.05), begins);
@@ -211,7 +221,7 @@ TEST(IncrementSchedule, MeasuresNowAndThen) {
             schedule.begin({0.0});
             if (schedule.measures(true, alike(leg))) {
                 legs.push_back(leg);
-                for (int pair = 0; pair < 3; ++pair) schedule.add(TwoAsOne{0.0, 1.0, {1.0}});
+                for (const double from : {0.0, 0.3, 0.6}) schedule.add(TwoAsOne{from, 1.0, {1.0}});
             }
             schedule.add(1.0, {1.0});
             schedule.end_leg(true, alike(leg));

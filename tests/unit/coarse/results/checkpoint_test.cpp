@@ -42,7 +42,7 @@ Checkpoint some_checkpoint() {
     state.growth_increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
     state.life = {.uncounted = 0.02, .rate_at_turn = 1e-4};
     state.K_reached = {610.5, 0.0};
-    state.at_maximum = {.factors = {50.0, Eigen::Vector2d(0.5, -0.5)}, .tips = {{.a = 20.5}}};
+    state.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth_period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
     state.load.reached = -1.0 / 3.0;
     state.load.taken = {{2, 0.0, 5.0, Eigen::Vector2d(0.0, 1.0), state.load.cases}, {2, 5.0, 10.0}};
@@ -113,9 +113,10 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.life.uncounted, 0.02);
     EXPECT_EQ(out.analysis.life.rate_at_turn, 1e-4);
     EXPECT_EQ(out.analysis.K_reached, in.analysis.K_reached);
-    EXPECT_EQ(out.analysis.at_maximum.factors.main, 50.0);
-    EXPECT_EQ(out.analysis.at_maximum.factors.cases, in.analysis.at_maximum.factors.cases);
-    EXPECT_EQ(out.analysis.at_maximum.tips.at(0).a, 20.5);
+    EXPECT_EQ(out.analysis.extremes.maximum.main, 50.0);
+    EXPECT_EQ(out.analysis.extremes.maximum.cases, in.analysis.extremes.maximum.cases);
+    EXPECT_EQ(out.analysis.extremes.minimum.main, -5.0);
+    EXPECT_EQ(out.analysis.extremes.tips.at(0).a, 20.5);
     EXPECT_EQ(out.analysis.growth_period.cycles, 2);
     EXPECT_EQ(out.analysis.growth_period.before.at(0), 4.0);
     EXPECT_EQ(out.analysis.zone.weighed_cost, 12.5);

@@ -1,3 +1,4 @@
+#include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
 
@@ -68,6 +69,34 @@ TEST(GrowthLaw, LeapsWithTheK) {
     EXPECT_NEAR(rate_behind_leap(growth, 1e-4, 0.5), 1e-4 / 16.0, 1e-17);
     growth = {.law = GrowthLaw::Table, .ranges = {100.0, 200.0, 2000.0}, .rates = {1e-7, 3.2e-6, 3.2e-3}};
     EXPECT_NEAR(rate_behind_leap(growth, 3.2e-6 * 8.0, 0.375), 1e-7 * std::pow(1.5, 5.0), 1e-17);  // 400 to 150
+}
+
+// A constant stress that shears the tip turns it, and the range of the load, which opens it, loses by that.
+TEST(GrowthLaw, LeapsAsTheRangeDoesWhereAConstantStressTurnsATip) {
+    const auto tip = [](double K_I, double K_II) {
+        TipResult result;
+        result.K_I = K_I;
+        result.K_II = K_II;
+        return result;
+    };
+    const TipAtExtremes turning{tip(200.0, 60.0), tip(120.0, 60.0)};
+    const double angle = hoop_stress_angle(200.0, 60.0), c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+    const double most = c * c * (200.0 * c - 180.0 * s), least = c * c * (120.0 * c - 180.0 * s);
+    const CycleResult cycle = cycle_with(200.0, 120.0, 140.0);
+    GrowthSection growth{.law = GrowthLaw::Paris, .C = 1e-12, .m = 3.0};
+    EXPECT_NEAR(leap_at_turn(growth, cycle, turning, angle), c * c * c, 1e-12);
+    EXPECT_GT(most, 1.1 * 200.0) << "all of K leaps up";
+    growth.walker = 0.5;
+    EXPECT_NEAR(leap_at_turn(growth, cycle, turning, angle), std::sqrt(most * (most - least) / (200.0 * 80.0)), 1e-12);
+    growth.driving = GrowthDriving::EffectiveRange;
+    EXPECT_NEAR(leap_at_turn(growth, cycle, turning, angle), c * c * c, 1e-12) << "three quarters of the range";
+    // One load: all of its K leap alike, whatever the ratio.
+    const TipAtExtremes alike{tip(200.0, 60.0), tip(0.0, 0.0)};
+    for (const GrowthDriving driving :
+         {GrowthDriving::Range, GrowthDriving::FullRange, GrowthDriving::EffectiveRange}) {
+        growth.driving = driving;
+        EXPECT_NEAR(leap_at_turn(growth, cycle, alike, angle), most / 200.0, 1e-12);
+    }
 }
 
 TEST(GrowthLaw, KnowsNoRateWhereItsDriveIsNotFound) {

@@ -74,6 +74,15 @@ TEST_F(PointHistories, GoAnElasticWayBeforeTheirIncrement) {
     EXPECT_EQ(history.trial_stress(0, 0), behind);
 }
 
+TEST_F(PointHistories, KeepWhatIsCommittedWhereAnIncrementFails) {
+    const ElementOperator& op = plate.elements.op(0);
+    const Eigen::VectorXd way = gather(plate.stretched(-1e-3), op.unknowns);
+    const Mandel before = history.stress(0, 0);
+    const Eigen::VectorXd endless = Eigen::VectorXd::Constant(way.size(), std::numeric_limits<double>::quiet_NaN());
+    EXPECT_THROW(history.update(op, 0, way, endless), NumericalFailure);
+    EXPECT_EQ(history.stress(0, 0), before);
+}
+
 TEST_F(PointHistories, CountWhoYieldsPerElement) {
     update(plate.stretched(5e-3));
     std::vector<std::int32_t> yielding = history.yielding_points();
