@@ -97,29 +97,44 @@ def tension_range(K_max, K_min):
     return max(K_max, 0.0) - max(K_min, 0.0)
 
 
-def secant_rates(N, a):
-    """ASTM E647 X1.1: two places, the mean length, da/dN. Growth may be counted some rows behind it: the first place is the last
-    one in front of what is counted at the second."""
+def counted(N, grown):
+    """Rows between which growth is counted, by twos: it may be so some rows behind it, and the first of two is the last in front
+    of what is counted at the second."""
     first = 0
     for last in range(1, len(N)):
         if N[last] > N[first]:
-            yield (first, last), 0.5 * (a[first] + a[last]), (a[last] - a[first]) / (N[last] - N[first])
+            yield first, last
             first = last
-        elif a[last] == a[first]:
+        elif grown[last] == grown[first]:
             first = last
 
 
-def polynomial_rates(N, a):
-    """ASTM E647 X1.2: a parabola by least squares through seven points; its middle, its length there, its slope."""
-    for k in range(3, len(N) - 3):
-        window = range(k - 3, k + 4)
-        centre, half = 0.5 * (N[k - 3] + N[k + 3]), 0.5 * (N[k + 3] - N[k - 3])
-        if half <= 0.0:
-            continue
+def secant_rates(N, grown):
+    """ASTM E647 X1.1: two rows and the rate between them."""
+    for first, last in counted(N, grown):
+        yield (first, last), (grown[last] - grown[first]) / (N[last] - N[first])
+
+
+def polynomial_rates(N, grown):
+    """ASTM E647 X1.2: a parabola by least squares through seven points; the row in its middle, twice, and its slope there."""
+    pairs = list(counted(N, grown))
+    rows = [first for first, _ in pairs[:1]] + [last for _, last in pairs]
+    for k in range(3, len(rows) - 3):
+        window = rows[k - 3 : k + 4]
+        centre, half = 0.5 * (N[window[0]] + N[window[-1]]), 0.5 * (N[window[-1]] - N[window[0]])
         x = [(N[j] - centre) / half for j in window]
-        b0, b1, b2 = least_squares([[1.0, t, t * t] for t in x], [a[j] for j in window])
-        t = (N[k] - centre) / half
-        yield (k, k), b0 + b1 * t + b2 * t * t, (b1 + 2.0 * b2 * t) / half
+        _, b1, b2 = least_squares([[1.0, t, t * t] for t in x], [grown[j] for j in window])
+        yield (rows[k], rows[k]), (b1 + 2.0 * b2 * (N[rows[k]] - centre) / half) / half
+
+
+def require_one_load(cycles, pairs):
+    """One dK goes with a rate: refuses a rate that is counted over rows which differ in K before anything has grown."""
+    for first, last in pairs:
+        lengths = cycles["a"][first : last + 1]
+        for k in range(first + 1, last + 1):
+            before, now = cycles["K_max"][k - 1], cycles["K_max"][k]
+            if lengths[k - first] == lengths[k - 1 - first] and abs(now - before) > 1e-6 * abs(now):
+                raise SystemExit("the load varies between two rates: each is the mean of a sequence of cycles, and no dK of one of them goes with it")
 
 
 def least_squares(rows, values):
@@ -139,15 +154,18 @@ def least_squares(rows, values):
 
 
 def e647(run, tip=0, method="secant"):
-    """a-N and da/dN as ASTM E647 reports them: mm, cycles, mm per cycle, MPa sqrt(m)."""
+    """a-N and da/dN of a tip as ASTM E647 reports them: mm, cycles, mm per cycle, MPa sqrt(m). A crack with two tips is as long as
+    the mean of both says, and each tip has its own rate."""
     cycles = run.cycles.of(tip=tip).columns
+    grown = [sum(cycles["da"][: k + 1]) for k in range(len(cycles["da"]))]
+    require_one_load(cycles, counted(cycles["N"], grown))
     rates = {"secant": secant_rates, "polynomial": polynomial_rates}[method]
     table = {name: [] for name in ("N", "a_mm", "dadN_mm_per_cycle", "dK_MPa_sqrt_m", "R", "Kmax_MPa_sqrt_m", "dKeff_MPa_sqrt_m", "Kop_MPa_sqrt_m")}
-    for (first, last), a, rate in rates(cycles["N"], cycles["a"]):
+    for (first, last), rate in rates(cycles["N"], grown):
         mean = lambda values: 0.5 * (values[first] + values[last]) / SQRT_M
         K_max, K_min = cycles["K_max"], cycles["K_min"]
         dK = mean([tension_range(high, low) for high, low in zip(K_max, K_min)])
-        row = (cycles["N"][last], a, rate, dK, mean(K_min) / mean(K_max), mean(K_max), mean(cycles["dK_eff"]), mean(cycles["K_op"]))
+        row = (cycles["N"][last], 0.5 * (cycles["a"][first] + cycles["a"][last]), rate, dK, mean(K_min) / mean(K_max), mean(K_max), mean(cycles["dK_eff"]), mean(cycles["K_op"]))
         for column, value in zip(table.values(), row):
             column.append(value)
     return Table(table)

@@ -191,22 +191,28 @@ Figure load_cases(const RunRecord& run) {
 }  // namespace
 
 Sheet growth_rates(const RunRecord& run, std::size_t tip) {
-    const Sheet cycles = columns_of(run, tip, "", {"a", "dN", "K_max", "K_min", "dK_eff"});
+    const Sheet cycles = columns_of(run, tip, "", {"a", "da", "dN", "K_max", "K_min", "dK_eff"});
     const auto range = [&](std::size_t k) {
         return std::max(cycles["K_max"][k], 0.0) - std::max(cycles["K_min"][k], 0.0);
     };
     Sheet rates{.name = fmt::format("dadN-tip-{}", tip)};
     rates.columns = {{"a", {}}, {"dadN", {}}, {"dK", {}}, {"dK_eff", {}}};
-    // Growth may be counted some rows behind it; the first place is the last one in front of it.
+    // Growth may be counted some rows behind it; the first place is the last one in front of it. Of two tips of a crack
+    // each grows by its own, and `a` by the mean.
     std::size_t first = 0;
+    double grown = 0.0;
     for (std::size_t k = 1; k < cycles["a"].size(); ++k) {
+        grown += cycles["da"][k];
         if (cycles["dN"][k] > 0.0) {
             const auto mean = [&](const char* column) { return 0.5 * (cycles[column][first] + cycles[column][k]); };
-            const double rate = (cycles["a"][k] - cycles["a"][first]) / cycles["dN"][k];
+            const double rate = grown / cycles["dN"][k];
             const std::array row = {mean("a"), rate, 0.5 * (range(first) + range(k)), mean("dK_eff")};
             for (std::size_t c = 0; c < row.size(); ++c) rates.columns[c].values.push_back(row[c]);
         }
-        if (cycles["dN"][k] > 0.0 || cycles["a"][k] == cycles["a"][first]) first = k;
+        if (cycles["dN"][k] > 0.0 || grown == 0.0) {
+            first = k;
+            grown = 0.0;
+        }
     }
     return rates;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <string_view>
 
 #include "app/process/exit_code.hpp"
 #include "app/process/interruption.hpp"
@@ -100,7 +101,11 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     std::unique_ptr<coarse::RunRecorder> recorder;
     coarse::FatigueAnalysis* running = nullptr;
     coarse::Listener listener;
-    listener.note = [&](const std::string& text) { progress_.note(text); };
+    listener.note = [&](const std::string& text) {
+        progress_.note(text);
+        if (constexpr std::string_view warns = "warning: "; text.starts_with(warns))
+            warnings_.push_back(text.substr(warns.size()));
+    };
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
         progress_.attempted(step, report);
     };

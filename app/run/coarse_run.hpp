@@ -62,7 +62,7 @@ private:
     Progress progress_;
     coarse::CaseMark mark_;
     std::optional<coarse::Checkpoint> from_;  // where the run resumes
-    std::vector<std::string> warnings_;       // of the mesh
+    std::vector<std::string> warnings_;       // of the case, and of what the run came upon
     std::optional<int> saved_;                // increment of the last checkpoint
 
     /// Of the last structure that has borne an increment: what fails in the middle of a growth has none.

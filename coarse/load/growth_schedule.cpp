@@ -1,5 +1,6 @@
 #include "coarse/load/growth_schedule.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "coarse/load/load_history.hpp"
@@ -13,9 +14,12 @@ bool varies_under_law(const Case& input) {
 
 }  // namespace
 
+// Tips that should grow alike do so to some digits of K, and half of their crack by the mean of theirs.
 bool is_as_long_as_asked(const GrowthSection& growth, double a) {
-    constexpr double rounding = 1e-9;
-    return growth.until && a >= *growth.until * (1.0 - rounding);
+    if (!growth.until) return false;
+    constexpr double rounding = 1e-9, of_increment = 1e-3;
+    const double near = growth.increment.is_auto() ? rounding * *growth.until : of_increment * growth.increment.value();
+    return a >= *growth.until - near;
 }
 
 bool grows_at(const GrowthSection& growth, const LoadStep& step) {
@@ -31,18 +35,26 @@ bool ends_period(const GrowthSection& growth, int cycle) {
 }
 
 std::vector<std::string> growth_warnings(const Case& input) {
-    if (!varies_under_law(input)) return {};
+    std::vector<std::string> all;
+    const auto never_touches = [](const CrackSection& crack) { return !crack.contact; };
+    if (input.growth && input.growth->law != GrowthLaw::Prescribed && grows_by_opening_loads(*input.growth) &&
+        std::ranges::any_of(input.cracks, never_touches))
+        all.emplace_back("opening loads drive the growth (growth.driving), and a crack without contact never closes: "
+                         "its K_op is K_min, and what lies in compression drives it too");
+    if (!varies_under_law(input)) return all;
     const int every = input.growth->every, sequence = cycle_count(input.load) / input.load.repeat;
     if (every == 1)
-        return {fmt::format("growth.every = 1 under a load that varies: each computed cycle stands for dN cycles like "
-                            "itself, an overload too. Where the load repeats a sequence, growth.every = {} takes the "
-                            "mean rate of its cycles",
-                            sequence)};
-    if (input.load.repeat > 1 && every % sequence != 0)
-        return {fmt::format("growth.every = {} is no multiple of the {} cycles that load.repeat repeats: the mean rate "
-                            "of those between two growths is not that of the sequence",
-                            every, sequence)};
-    return {};
+        all.push_back(
+            fmt::format("growth.every = 1 under a load that varies: each computed cycle stands for dN cycles like "
+                        "itself, an overload too. Where the load repeats a sequence, growth.every = {} takes the "
+                        "mean rate of its cycles",
+                        sequence));
+    else if (input.load.repeat > 1 && every % sequence != 0)
+        all.push_back(
+            fmt::format("growth.every = {} is no multiple of the {} cycles that load.repeat repeats: the mean rate "
+                        "of those between two growths is not that of the sequence",
+                        every, sequence));
+    return all;
 }
 
 }  // namespace stria::coarse

@@ -22,7 +22,7 @@ namespace stria::coarse {
 /// True in the last cycle before the cracks grow again, or in that of the present growth where they grow at minima.
 [[nodiscard]] bool ends_period(const GrowthSection& growth, int cycle);
 
-/// One sentence where a law of da/dN sees other cycles than those of the load.
+/// Sentences where a law of da/dN sees other cycles than those of the load, or what closes a crack that nothing closes.
 [[nodiscard]] std::vector<std::string> growth_warnings(const Case& input);
 
 }  // namespace stria::coarse

@@ -19,7 +19,10 @@ Section<ModelSection> model_section() {
     s.choice<PlaneState>("plane", &ModelSection::plane,
                          {{"strain", PlaneState::Strain}, {"stress", PlaneState::Stress}})
         .says("Plane strain or plane stress.");
-    s.value("thickness", &ModelSection::thickness).in("mm").positive().says("Thickness of the body.");
+    s.value("thickness", &ModelSection::thickness)
+        .in("mm")
+        .positive()
+        .says("Thickness of the body. Loads and results are per mm of it, and nothing depends on it.");
     return s;
 }
 

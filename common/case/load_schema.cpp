@@ -70,7 +70,9 @@ Section<LoadSection> load_section() {
               "the minimum after it: turning points before the first maximum and after the last minimum are left "
               "out, unless load.repeat lets them follow on the end of the file. Its cycles follow the blocks; the "
               "resolved case lists them as blocks.");
-    s.value("scale", &LoadSection::scale).positive().says("Multiplies every max and min.");
+    s.value("scale", &LoadSection::scale)
+        .positive()
+        .says("Multiplies every max and min of [load]; load cases have factors of their own.");
     s.value("repeat", &LoadSection::repeat).at_least(1).says("How often the whole sequence of blocks is gone through.");
     s.choice<Control>(
          "control", &LoadSection::control,
@@ -209,7 +211,10 @@ Section<GrowthSection> growth_section() {
                               {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
         .says("hoop: of the largest hoop stress at the maximum of a cycle, of all loads and the initial stress; "
               "straight on within 1e-4 of an element. straight: as it begins.");
-    s.value("until", &GrowthSection::until).in("mm").positive().says("The run ends when a crack is as long.");
+    s.value("until", &GrowthSection::until)
+        .in("mm")
+        .positive()
+        .says("The run ends when a crack is as long. By a law of da/dN the last increment is cut to it.");
     s.value("toughness", &GrowthSection::toughness)
         .in("MPa sqrt(mm)")
         .positive()

@@ -60,10 +60,9 @@ void FineModel::evaluate() {
     // New faces send the stress where no half cycle before has sent it: every iterate looks at what rests.
     const bool opens = system_.opens_faces() || asked_.opens_faces;
     const bool looked = some_rest_ && opens && asked_.iteration > 0 && !asked_.elastic;
-    const bool woken_before = looked && wake_what_would_yield();
+    if (looked) (void)wake_what_would_yield();
     linearise();
     response_ = system_.measure();
-    response_.woken = woken_before;
     const bool unseen = some_rest_ && !looked;
     response_.provisional = unseen && !is_time_to_check_rest(response_);
     if (unseen && !response_.provisional) {

@@ -45,6 +45,14 @@ TEST_F(Check, SaysHowFarKIsFromConverged) {
     EXPECT_EQ(fine.find(warns), std::string::npos) << fine;
 }
 
+// A force in N on the whole of a thick body would give a K that many times too large.
+TEST_F(Check, SaysThatThicknessChangesNothing) {
+    const std::string warns = "# warning: model.thickness = 25: loads and results are per mm";
+    EXPECT_EQ(said_of(1.25).find("model.thickness = "), std::string::npos);
+    ASSERT_EQ(run_program("stria", {"check", folder / "case.toml", "--set", "model.thickness=25"}, folder / "log"), 0);
+    EXPECT_NE(text_of(folder / "log").find(warns), std::string::npos) << text_of(folder / "log");
+}
+
 // A weld that has shrunk opens and shears the crack at its toe.
 TEST_F(Check, SaysTheKThatTheRunReaches) {
     const std::string joint = std::string(source_folder) + "/cases/t-joint/case.toml";

@@ -26,10 +26,11 @@ class Folder(unittest.TestCase):
         """A run with two tips; the second is there to be left out."""
         folder = self.folder / name
         folder.mkdir(parents=True)
-        lines = ["cycle,tip,a,N,K_max,K_min,K_op,U,dK_eff"]
+        lines = ["cycle,tip,a,da,N,K_max,K_min,K_op,U,dK_eff"]
         for k, (n, length, K) in enumerate(zip(N, a, K_max)):
             K_op = opening * K
-            lines += [f"{k + 1},0,{length!r},{n!r},{K!r},{R * K!r},{K_op!r},{(K - K_op) / (K - R * K)!r},{K - K_op!r}", f"{k + 1},1,0,0,1,1,1,,1"]
+            da = length - a[k - 1] if k else 0.0
+            lines += [f"{k + 1},0,{length!r},{da!r},{n!r},{K!r},{R * K!r},{K_op!r},{(K - K_op) / (K - R * K)!r},{K - K_op!r}", f"{k + 1},1,0,0,0,1,1,1,,1"]
         (folder / "cycles.csv").write_text("\n".join(lines) + "\n")
         return results.Run(folder)
 
@@ -90,10 +91,29 @@ class Rates(Folder):
         self.assertEqual(table["dadN_mm_per_cycle"], [0.001])
         self.assertAlmostEqual(table["Kmax_MPa_sqrt_m"][0], 330.0 / math.sqrt(1000.0), 12)
 
+    def test_each_tip_has_its_own_rate(self):
+        (self.folder / "cycles.csv").write_text(
+            "cycle,tip,a,da,N,K_max,K_min,K_op,U,dK_eff\n1,0,4,0,0,300,0,0,1,300\n1,1,4,0,0,200,0,0,1,200\n"
+            "2,0,4.25,0.5,1000,310,0,0,1,310\n2,1,4.25,0,1000,210,0,0,1,210\n"
+        )
+        run = results.Run(self.folder)
+        self.assertEqual([results.e647(run, tip=tip).columns["dadN_mm_per_cycle"] for tip in (0, 1)], [[0.0005], [0.0]])
+        self.assertEqual(results.e647(run, tip=1).columns["a_mm"], [4.125])
+
+    def test_a_rate_of_cycles_that_differ_has_no_range(self):
+        run = self.write_cycles("run", [0.0, 0.0, 1000.0], [10.0, 10.5, 10.5], [300.0, 310.0, 150.0], 0.1, 0.25)
+        with self.assertRaises(SystemExit):
+            results.e647(run)
+
     def test_polynomials_of_a_parabola_are_its_slope(self):
-        N = [100.0 * k * k for k in range(9)]
-        a = [10.0 + 1e-3 * n + 1e-7 * n * n for n in N]
-        run = self.write_cycles("run", N, a, [300.0] * 9, 0.1, 0.4)
+        # The second run has three rows a growth, which is counted in the last of them.
+        for every in (1, 3):
+            N = [100.0 * (k // every) ** 2 for k in range(9 * every)]
+            ahead = [100.0 * ((k + every - 1) // every) ** 2 for k in range(9 * every)]
+            self.check_polynomials(every, N, [10.0 + 1e-3 * n + 1e-7 * n * n for n in ahead])
+
+    def check_polynomials(self, every, N, a):
+        run = self.write_cycles(f"run-{every}", N, a, [300.0] * len(N), 0.1, 0.4)
         table = results.e647(run, method="polynomial").columns
         self.assertEqual(len(table["N"]), 3)
         for n, rate in zip(table["N"], table["dadN_mm_per_cycle"]):

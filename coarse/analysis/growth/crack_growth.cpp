@@ -44,7 +44,7 @@ std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> 
 }  // namespace
 
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisState* from)
-    : growth_(*input.growth), takes_mean_(takes_mean_rate(input)), note_(note),
+    : growth_(*input.growth), takes_mean_(takes_mean_rate(input)), last_cycle_(cycle_count(input.load)), note_(note),
       ended_(from != nullptr && from->growth_ended),
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
@@ -89,6 +89,9 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         if (grown.longer) note_turn(body, *grown.longer, guides, last);
     }
     ended_ = !grown.longer;
+    if (const double uncounted = life_.memory().uncounted; ended_ && uncounted > 0.0)
+        note_(fmt::format("warning: N is that of a crack shorter by {:.3g} mm, which it has grown behind a sharp turn",
+                          uncounted));
     if (grown.longer) K_reached_.clear();
     return grown;
 }
@@ -128,6 +131,16 @@ std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const
     return of_tips;
 }
 
+double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
+                              const std::vector<double>& elements) {
+    const std::vector<double> rates = rates_.present(), lengthening = this->lengthening(present.enriched.tips);
+    if (growth_.increment.is_auto())
+        return increment_.next(growth_, last, rates, lengthening,
+                               steps_about(fastest_of(rates), present, turn, elements));
+    const double given = growth_.increment.value();
+    return growth_.law == GrowthLaw::Prescribed ? given : cut_to_end(given, growth_, last, rates, lengthening);
+}
+
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
@@ -140,10 +153,7 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    const double increment = growth_.increment.is_auto()
-                                 ? increment_.next(growth_, last, rates, lengthening(tips),
-                                                   steps_about(fastest_of(rates), present, turn, elements))
-                                 : growth_.increment.value();
+    const double increment = this->increment(last, present, turn, elements);
     std::vector<Cracks> ways{by(increment, growth_.direction)};
     warn_of_sharp_turns(tips, ways.front(), elements);
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
@@ -266,17 +276,23 @@ void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, cons
     for (const CycleResult& tip : cycles) grown.push_back(tip.da);
     rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
     if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
-    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present) : 0.0;
+    const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
+    const bool ends = cycle == last_cycle_ || (!takes_mean_ && std::ranges::any_of(cycles, is_long_enough));
+    const double passed = !takes_mean_ || ends || ends_period(growth_, cycle) ? cycles_of_period(present, ends) : 0.0;
     for (CycleResult& tip : cycles) tip.dN = passed;
 }
 
-double CrackGrowth::cycles_of_period(const Scene& present) {
+// The last period of a history may be cut off, and its last cycle returns to a maximum of its own, not to the one that
+// the sequence goes on to. Its mean is of another sequence.
+double CrackGrowth::cycles_of_period(const Scene& present, bool ends) {
     const auto fastest = std::ranges::max_element(rates_.grown());
     const Tip& tip = present.enriched.tips[at(static_cast<int>(fastest - rates_.grown().begin()))];
     const GrownTip grown{.grown = *fastest,
                          .behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
-                         .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip)};
-    return life_.passed(grown, fastest_rate(rates_.before()), fastest_rate(rates_.present()));
+                         .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip),
+                         .ends = ends};
+    const double before = fastest_rate(rates_.before()), now = fastest_rate(rates_.present());
+    return life_.passed(grown, before, ends && takes_mean_ ? before : now);
 }
 
 }  // namespace stria::coarse

@@ -29,8 +29,11 @@ public:
 
     /// Growth has ended the run.
     [[nodiscard]] bool ended() const { return ended_; }
-    /// And a tip is driven, in a body that holds no longer crack: not on a mesh alone that holds none.
-    [[nodiscard]] bool life_is_over() const { return ended_ && !left_the_mesh_ && is_driven(); }
+    /// And a tip is driven, in a body that holds no longer crack: not on a mesh alone that holds none. All growth has
+    /// been counted.
+    [[nodiscard]] bool life_is_over() const {
+        return ended_ && !left_the_mesh_ && is_driven() && life_.memory().uncounted == 0.0;
+    }
 
     /// A tip grows by the law, from what the tips have gone through.
     [[nodiscard]] bool is_driven() const;
@@ -55,13 +58,16 @@ private:
     /// A tip whose K has reached growth.toughness since it grew, or -1.
     [[nodiscard]] int broken_tip() const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
-    /// That the growth at the beginning of the present period took.
-    [[nodiscard]] double cycles_of_period(const Scene& present);
+    /// That the growth at the beginning of the present period took. `ends`: no cycle follows.
+    [[nodiscard]] double cycles_of_period(const Scene& present, bool ends);
     using Cracks = std::vector<CrackSection>;
 
     [[nodiscard]] bool is_of_one_load(const Scene& present) const;
     /// What turns the tips, one each: K of all loads at the last maximum, or what faces that touch leave of it.
     [[nodiscard]] std::vector<TipResult> guides(const CrackedBody& body) const;
+    /// Of the fastest tip, mm. `turn`: the largest of the tips, radians; `elements`: edges of theirs, mm.
+    [[nodiscard]] double increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
+                                   const std::vector<double>& elements);
     /// Longer cracks: as their tips turn, and straight on where that is nearly the same.
     [[nodiscard]] std::vector<Cracks> ways(const Scene& present, const std::vector<TipResult>& guides,
                                            const std::vector<CycleResult>& last);
@@ -79,6 +85,7 @@ private:
 
     GrowthSection growth_;
     bool takes_mean_;
+    int last_cycle_;  // of the load history
     const Note& note_;
     bool ended_;
     bool left_the_mesh_ = false;

@@ -26,6 +26,15 @@ double largest_increment(const GrowthSection& growth, bool flows, double zone_ah
     return flows ? growth.zone_fraction * zone_ahead : elastic_fraction * a;
 }
 
+double cut_to_end(double increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
+                  const std::vector<double>& rates, const std::vector<double>& lengthening) {
+    if (!growth.until) return increment;
+    for (std::size_t t = 0; t < last.size(); ++t)
+        if (lengthening[t] > 0.0)
+            increment = std::min(increment, (*growth.until - last[t].a) * fastest_rate(rates) / lengthening[t]);
+    return increment;
+}
+
 double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last,
                              const std::vector<double>& rates, const std::vector<double>& lengthening,
                              const TipSteps& steps) {
@@ -39,12 +48,7 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     memory_.increment = std::clamp(factor * memory_.increment, steps.least, std::max(steps.least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);
-    double increment = from_edge_to_edge(memory_.increment, steps);
-    if (growth.until)
-        for (std::size_t t = 0; t < last.size(); ++t)
-            if (lengthening[t] > 0.0)
-                increment = std::min(increment, (*growth.until - last[t].a) * largest_rate / lengthening[t]);
-    return increment;
+    return cut_to_end(from_edge_to_edge(memory_.increment, steps), growth, last, rates, lengthening);
 }
 
 double GrowthIncrement::error_at(const GrowthPoint& now) const {

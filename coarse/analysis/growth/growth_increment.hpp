@@ -25,6 +25,11 @@ struct GrowthIncrementMemory {
 /// length, mm. `flows`: there is such a zone, maybe to the sides alone.
 [[nodiscard]] double largest_increment(const GrowthSection& growth, bool flows, double zone_ahead, double a);
 
+/// An increment of the fastest tip, mm, cut to what it is until a crack is as long as asked. One per tip: cycles that
+/// have ended, of which the lengths count; `rates` and `lengthening`, as for GrowthIncrement::next().
+[[nodiscard]] double cut_to_end(double increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
+                                const std::vector<double>& rates, const std::vector<double>& lengthening);
+
 /// What the mesh about the fastest tip asks of an increment, mm.
 struct TipSteps {
     double least = 0.0;

@@ -13,15 +13,17 @@ void LifeCount::turn(double rate) {
 }
 
 double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_after) {
-    if (tip.grown <= 0.0) return 0.0;
+    if (tip.grown <= 0.0 && !(tip.ends && memory_.uncounted > 0.0)) return 0.0;
     constexpr double rounding = 1e-6;
     const double resolved = (1.0 - rounding) * tip.resolved;
     if (memory_.uncounted == 0.0 && !std::isnan(rate_after) && tip.behind_turn - tip.grown >= resolved)
         return cycles_passed(tip.grown, rate_before, rate_after);
     memory_.uncounted += tip.grown;
     // Of a crack that turns again and again no tip is ever far behind a turn.
-    if (std::isnan(rate_after) || std::max(tip.behind_turn, memory_.uncounted) < resolved) return 0.0;
+    const bool known = !std::isnan(rate_after) && std::max(tip.behind_turn, memory_.uncounted) >= resolved;
+    if (!known && !(tip.ends && memory_.rate_at_turn > 0.0)) return 0.0;
     const auto [grown, at_turn] = std::exchange(memory_, {});
+    if (!known) return cycles_passed(grown, at_turn, std::max(at_turn, rate_after));  // K that is not resolved is low
     return cycles_passed(grown, at_turn > 0.0 ? at_turn : rate_after, rate_after);
 }
 

@@ -10,6 +10,7 @@ struct GrownTip {
     double grown = 0.0;        // since the end of the cycle before, mm
     double behind_turn = 0.0;  // from the last sharp turn of its crack to the tip, mm; infinite where there is none
     double resolved = 0.0;     // K of a tip that is nearer to a turn is not resolved, mm
+    bool ends = false;         // no cycle follows
 };
 
 /// A checkpoint holds it.
@@ -20,7 +21,8 @@ struct LifeMemory {
 
 /// By the trapezoidal rule of 1 / rate. Where a crack turns sharply its K leaps, and what follows is not resolved until
 /// the tip is two elements farther. So that growth is counted once K is known again: from the rate of a crack that has
-/// just turned to the one that the tip has then.
+/// just turned to the one that the tip has then. Where the run ends before, to the larger of
+/// these.
 class LifeCount {
 public:
     explicit LifeCount(LifeMemory memory = {}) : memory_(memory) {}

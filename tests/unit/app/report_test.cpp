@@ -138,6 +138,18 @@ TEST(Report, GrowthRatesAreOfAllThatIsCounted) {
     EXPECT_EQ(rates["dK_eff"], (std::vector<double>{210.0}));
 }
 
+// The length of their crack is the mean of both.
+TEST(Report, GrowthRatesAreThoseOfEachTip) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "history.csv") << "increment,cycle,load_factor,tip,a\n";
+    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n"
+                                            "1,0,4,0,0,300,0,200\n1,1,4,0,0,200,0,100\n"
+                                            "2,0,4.25,0.5,1000,310,0,220\n2,1,4.25,0,1000,210,0,110\n";
+    const RunRecord run = read_run(folder / "");
+    EXPECT_EQ(growth_rates(run, 0)["dadN"], (std::vector<double>{0.0005}));
+    EXPECT_EQ(growth_rates(run, 1)["dadN"], (std::vector<double>{0.0}));
+}
+
 TEST(Report, OfAThousandCyclesIsBelowTwoMegabytes) {
     const test::TemporaryFolder folder;
     write_long_run(folder, 1000, 60);

@@ -64,5 +64,17 @@ TEST(GrowthSchedule, WarnsOfCyclesThatTheLoadDoesNotHave) {
     EXPECT_NE(growth_warnings(spectrum(4))[0].find("no multiple of the 5 cycles"), std::string::npos);
 }
 
+// K_op of a crack that nothing closes is K_min, whatever its faces do.
+TEST(GrowthSchedule, WarnsOfOpeningLoadsOfCracksThatNeverClose) {
+    Case input = spectrum(5);
+    input.growth->driving = GrowthDriving::EffectiveRange;
+    input.cracks.assign(2, {.points = {{0.0, 1.0}, {1.0, 1.0}}, .contact = ContactSection{}});
+    EXPECT_TRUE(growth_warnings(input).empty());
+    input.cracks[1].contact.reset();
+    ASSERT_EQ(growth_warnings(input).size(), 1U);
+    input.growth->law = GrowthLaw::Prescribed;
+    EXPECT_TRUE(growth_warnings(input).empty());
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -92,6 +92,19 @@ TEST(LifeCount, BeginsWithTheRateOfACrackThatHasJustTurned) {
                 1e-6);
 }
 
+// In the last cycle nothing is left to be counted later: K that is not resolved is too low.
+TEST(LifeCount, CountsWhereTheRunEndsBehindATurn) {
+    LifeCount count;
+    count.turn(1e-5);
+    EXPECT_EQ(count.passed({.grown = 0.005, .behind_turn = 0.005, .resolved = resolved}, 1e-6, 1e-7), 0.0);
+    LifeCount still(count.memory());
+    EXPECT_NEAR(count.passed({.grown = 0.01, .behind_turn = 0.015, .resolved = resolved, .ends = true}, 1e-6, 1e-7),
+                1500.0, 1e-9);
+    EXPECT_EQ(count.memory().uncounted, 0.0);
+    EXPECT_NEAR(still.passed({.grown = 0.0, .behind_turn = 0.005, .resolved = resolved, .ends = true}, 1e-6, 2e-5),
+                375.0, 1e-9);
+}
+
 TEST(LifeCount, CountsOfACrackThatTurnsAgainAndAgain) {
     LifeCount count;
     double cycles = 0.0;
