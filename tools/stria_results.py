@@ -127,13 +127,13 @@ def polynomial_rates(N, grown):
         yield (rows[k], rows[k]), (b1 + 2.0 * b2 * (N[rows[k]] - centre) / half) / half
 
 
-def require_one_load(cycles, pairs):
+def require_one_load(cycles, grown, pairs):
     """One dK goes with a rate: refuses a rate that is counted over rows which differ in K before anything has grown."""
     for first, last in pairs:
-        lengths = cycles["a"][first : last + 1]
         for k in range(first + 1, last + 1):
-            before, now = cycles["K_max"][k - 1], cycles["K_max"][k]
-            if lengths[k - first] == lengths[k - 1 - first] and abs(now - before) > 1e-6 * abs(now):
+            extremes = [(cycles[K][k - 1], cycles[K][k]) for K in ("K_max", "K_min")]
+            differ = any(abs(now - before) > 1e-6 * abs(extremes[0][1]) for before, now in extremes)
+            if grown[k] == grown[k - 1] and differ:
                 raise SystemExit("the load varies between two rates: each is the mean of a sequence of cycles, and no dK of one of them goes with it")
 
 
@@ -158,7 +158,9 @@ def e647(run, tip=0, method="secant"):
     the mean of both says, and each tip has its own rate."""
     cycles = run.cycles.of(tip=tip).columns
     grown = [sum(cycles["da"][: k + 1]) for k in range(len(cycles["da"]))]
-    require_one_load(cycles, counted(cycles["N"], grown))
+    of_all_tips = [sum(run.cycles.of(cycle=cycle).columns["da"]) for cycle in cycles["cycle"]]
+    of_all_tips = [sum(of_all_tips[: k + 1]) for k in range(len(of_all_tips))]
+    require_one_load(cycles, of_all_tips, counted(cycles["N"], of_all_tips))
     rates = {"secant": secant_rates, "polynomial": polynomial_rates}[method]
     table = {name: [] for name in ("N", "a_mm", "dadN_mm_per_cycle", "dK_MPa_sqrt_m", "R", "Kmax_MPa_sqrt_m", "dKeff_MPa_sqrt_m", "Kop_MPa_sqrt_m")}
     for (first, last), rate in rates(cycles["N"], grown):

@@ -72,7 +72,7 @@ std::string facts(const RunRecord& run) {
     text += fmt::format("<li>status<b>{}</b></li>\n", escaped(run.status()));
     text += fact("N", last_of(run.cycles, "N"), " cycles");
     text += fact("life", run.summary.number("life"), " cycles");
-    text += fact("a", last_of(run.history, "a"), " mm");
+    text += fact("a", last_of(run.cycles.rows > 0 ? run.cycles : run.history, "a"), " mm");
     text += fact("K_max", K_max, " MPa sqrt(mm)");
     text += fact("K_op / K_max", last_of(run.cycles, "K_op") / K_max, "");
     text += fact("U", last_of(run.cycles, "U"), "");

@@ -36,12 +36,14 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
 /// iteration that is given up has perhaps woken elements at rest, which changes rounding.
 constexpr double patience = 0.5;
 
-/// "life N = 264000 cycles, a = 13 mm"; empty before the first cycle has ended, and where the crack does not grow.
+/// "life N = 264000 cycles, a = 13 mm"; empty before the first cycle has ended, and where the crack does not grow. By a
+/// law of da/dN what has grown at the end of the last cycle has taken cycles that nobody has computed.
 std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
     const coarse::Scene& scene = analysis.structure().scene();
     if (!scene.input.growth || N == 0.0 || analysis.nominal().empty()) return "";
+    const bool by_law = scene.input.growth->law != GrowthLaw::Prescribed && !analysis.last_cycle().empty();
     return fmt::format("{}N = {:.6g} cycles, a = {:.6g} mm", analysis.life_is_over() ? "life " : "", N,
-                       analysis.nominal().front().a);
+                       by_law ? analysis.last_cycle().front().a : analysis.nominal().front().a);
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     listener.note = [&](const std::string& text) {
         progress_.note(text);
         if (constexpr std::string_view warns = "warning: "; text.starts_with(warns))
-            warnings_.push_back(text.substr(warns.size()));
+            warnings_.emplace_back(text.substr(warns.size()));
     };
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
         progress_.attempted(step, report);
@@ -148,10 +150,12 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         summarise("failed", analysis, *recorder, fine);
         throw NumericalFailure(fmt::format("{}; {}", failure.what(), last_checkpoint()));
     }
-    if (const std::string doubt = coarse::work_out_of_balance(analysis.work()); !doubt.empty()) {
-        progress_.note("warning: " + doubt);
-        warnings_.push_back(doubt);
-    }
+    if (const double grown = analysis.uncounted_growth(); grown > 0.0)
+        listener.note(fmt::format("warning: N does not count the last {:.4g} mm: the cycles that tell their rate are "
+                                  "not over",
+                                  grown));
+    if (const std::string doubt = coarse::work_out_of_balance(analysis.work()); !doubt.empty())
+        listener.note("warning: " + doubt);
     const bool done = analysis.finished();
     summarise(done ? "done" : "interrupted", analysis, *recorder, fine);
     // Last of all: who resumes what is cut off before this line comes here again.

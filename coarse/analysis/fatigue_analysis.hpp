@@ -27,12 +27,17 @@ public:
 
     /// Growth has ended the run, and neither arrest nor the mesh: the cycles up to now are the life.
     [[nodiscard]] bool life_is_over() const;
+    /// As CrackGrowth has it, mm.
+    [[nodiscard]] double uncounted_growth() const;
 
     [[nodiscard]] const WorkBalance& work() const { return model_.work(); }  // of the committed state
 
     /// Between increments: where the listener is told that a load has been reached or that none will be, and after
     /// run() has returned.
     [[nodiscard]] AnalysisState state() const;
+
+    /// One per tip, of the last cycle that has ended; empty before.
+    [[nodiscard]] const std::vector<CycleResult>& last_cycle() const { return last_cycle_; }
 
     [[nodiscard]] const Structure& structure() const { return body_.structure(); }
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip: nominal K of docs/method.md,

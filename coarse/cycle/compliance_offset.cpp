@@ -18,18 +18,22 @@ double interpolated(std::span<const double> load, std::span<const double> openin
 
 }  // namespace
 
-double compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
-                                 std::span<const double> load_up, std::span<const double> opening_up, double offset) {
-    if (load_down.size() < 2 || load_up.size() < 2) return NAN;
+std::optional<double> compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
+                                                std::span<const double> load_up, std::span<const double> opening_up,
+                                                double offset) {
+    if (load_down.size() < 2 || load_up.size() < 2) return std::nullopt;
     const double range = load_down.front() - load_down.back();
     const double upper = load_down.front() - 0.25 * range;
     const double of_open =
         (opening_down.front() - interpolated(load_down, opening_down, upper)) / (load_down.front() - upper);
-    if (!(of_open > 0.0)) return NAN;
+    constexpr double least_opening = 1e-10;        // mm: less is rounding of faces that stay closed
+    if (std::isnan(of_open)) return std::nullopt;  // no mouth
+    if (opening_down.front() - opening_down.back() < least_opening) return NAN;
+    if (of_open <= 0.0) return std::nullopt;
     const double longest = 0.1 * range * (1.0 + 1e-9);  // E647's segments
     double above = NAN, offset_above = 0.0;             // the middle of the segment above, and its offset
     for (std::size_t k = load_up.size() - 1; k > 0; --k) {
-        if (load_up[k] - load_up[k - 1] > longest) return NAN;
+        if (load_up[k] - load_up[k - 1] > longest) return std::nullopt;
         const double compliance = (opening_up[k] - opening_up[k - 1]) / (load_up[k] - load_up[k - 1]);
         const double middle = 0.5 * (load_up[k] + load_up[k - 1]), here = 1.0 - compliance / of_open;
         if (here >= offset) {
@@ -39,7 +43,7 @@ double compliance_offset_opening(std::span<const double> load_down, std::span<co
         above = middle;
         offset_above = here;
     }
-    return NAN;
+    return load_up.front();
 }
 
 }  // namespace stria::coarse

@@ -199,9 +199,10 @@ std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
         now_.y[t] = y;
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(of_signal(tip, s));
         if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
-        cycle.offset.K_op = now_.last[t].nominal_K *
-                                compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth) +
-                            now_.last[t].K_beside;
+        const std::optional<double> opened =
+            compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
+        if (opened) cycle.offset.K_op = now_.last[t].nominal_K * *opened + now_.last[t].K_beside;
+        cycle.offset.lost = !opened;
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
                         : definition_ == OpeningDefinition::Offset ? cycle.offset
                                                                    : cycle.tension;

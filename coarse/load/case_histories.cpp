@@ -125,6 +125,16 @@ double CaseHistories::of_blocks(const LoadCaseSection& load_case, const LoadPlac
     return from + (to - from) * place.way;
 }
 
+bool CaseHistories::ends_leg_at(std::size_t leg, const Eigen::VectorXd& factors) const {
+    constexpr double rounding = 1e-9;
+    for (std::size_t k = 0; k < cases_.size(); ++k) {
+        if (cases_[k].blocks.empty()) continue;
+        const double end = at_end_of(cases_[k], leg), factor = factors[static_cast<Eigen::Index>(k)];
+        if (std::abs(end - factor) > rounding * (1.0 + std::abs(end))) return false;
+    }
+    return true;
+}
+
 // A leg to a maximum belongs to the cycle before; the last maximum is that of the last cycle.
 double CaseHistories::at_end_of(const LoadCaseSection& load_case, std::size_t leg) const {
     if (legs_[leg].at_minimum) return block_of_cycle(load_case.blocks, legs_[leg].cycle).at_min;

@@ -45,6 +45,9 @@ public:
 
     [[nodiscard]] Eigen::VectorXd at(const LoadPlace& place) const;
 
+    /// Load cases with blocks have these factors where a leg ends: not where a history has ended and another goes on.
+    [[nodiscard]] bool ends_leg_at(std::size_t leg, const Eigen::VectorXd& factors) const;
+
     /// All loads where [load] turns back at the end of a leg and has gone back by a part of its way. `scale`: as in
     /// LoadPlace. Of no history with pressures that travel.
     [[nodiscard]] LoadFactors turning_back(std::size_t leg, double way, double scale) const;

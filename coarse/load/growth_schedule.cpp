@@ -34,6 +34,11 @@ bool ends_period(const GrowthSection& growth, int cycle) {
     return next_growth % growth.every == 0;
 }
 
+int cycle_cut_off(const LoadSection& load) {
+    const bool goes_on = load.blocks.empty() || load.blocks.back().max == load.blocks.front().max;
+    return goes_on ? 0 : cycle_count(load);
+}
+
 std::vector<std::string> growth_warnings(const Case& input) {
     std::vector<std::string> all;
     const auto never_touches = [](const CrackSection& crack) { return !crack.contact; };

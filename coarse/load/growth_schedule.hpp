@@ -22,6 +22,10 @@ namespace stria::coarse {
 /// True in the last cycle before the cracks grow again, or in that of the present growth where they grow at minima.
 [[nodiscard]] bool ends_period(const GrowthSection& growth, int cycle);
 
+/// The last cycle of a history, if it rises to another maximum than that of the first one, with which a sequence goes
+/// on; else 0.
+[[nodiscard]] int cycle_cut_off(const LoadSection& load);
+
 /// Sentences where a law of da/dN sees other cycles than those of the load, or what closes a crack that nothing closes.
 [[nodiscard]] std::vector<std::string> growth_warnings(const Case& input);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/error.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -45,8 +46,12 @@ LoadPosition LoadController::position() const {
 void LoadController::resume(const LoadPosition& position) {
     position_ = position;
     schedule_.resume(position.schedule);
+    if (position_.leg >= legs_.size() || position_.increments > 0 || position_.way > 0.0) return;
     // A history that had ended knew of no next leg.
-    if (position_.leg < legs_.size() && position_.increments == 0 && position_.way == 0.0) meet_at(position_.met);
+    if (position_.leg > 0 && !cases_.ends_leg_at(position_.leg - 1, position_.cases))
+        throw CaseError("cannot go on from this checkpoint: the history ended there, and in the longer one a load case "
+                        "rises to another factor in that cycle");
+    meet_at(position_.met);
 }
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }

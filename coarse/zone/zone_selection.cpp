@@ -48,26 +48,38 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     }
 }
 
+/// The force ahead of a tip is that of the zone's points.
+void add_sectors_ahead(const Scene& scene, const std::vector<double>& distances, ElementSet& zone) {
+    const ClosureSection& closure = scene.input.closure;
+    if (!closure.tension && closure.definition != OpeningDefinition::Tension) return;
+    const EnrichedMesh& mesh = scene.enriched;
+    for (int e = 0; e < zone.size(); ++e) {
+        const Vec2 middle = centre(mesh, e);
+        const auto& corners = mesh.elements[at(e)];
+        double reach = 0.0;
+        for (const int node : corners) reach = std::max(reach, (mesh.nodes[at(node)] - middle).norm());
+        for (std::size_t t = 0; t < mesh.tips.size(); ++t)
+            if (!scene.mesh.in_insert(e) && (middle - mesh.tips[t].position).norm() <= distances[t] + reach)
+                zone.insert(e);
+    }
+}
+
 bool jumps(const EnrichedMesh& mesh, int node) {
     return std::ranges::any_of(mesh.terms[at(node)],
                                [](const Term& term) { return term.kind == Term::Kind::Heaviside; });
 }
 
-/// Where one element holds several branches, each with a multiplier, all jumps of its nodes have to be the zone's own.
-bool bends_where_faces_touch(const Scene& scene, const CrackPiece& piece) {
-    return piece.points.size() > 2 && scene.input.cracks[at(piece.crack)].contact;
-}
-
 /// A piece along an edge needs both its elements on one side of the interface, and what jumps at its nodes jumps in all
-/// elements about them: where it begins at a kink there are more than those beside it. So it does where a piece that
-/// bends comes through a node. A jump that is not the zone's own holds no multiplier.
+/// elements about them: where it begins at a kink there are more than those beside it. So it does where a piece comes
+/// through a node, and faces may touch: of a crack along a diagonal all multipliers stand at nodes. A jump that is not
+/// the zone's own holds no multiplier.
 void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     NodeSet own(mesh.terms.size());
     for (const CrackPiece& piece : mesh.pieces) {
         const bool along_edge = piece.neighbour >= 0;
         if (along_edge ? !(zone.contains(piece.element) || zone.contains(piece.neighbour))
-                       : !bends_where_faces_touch(scene, piece))
+                       : !scene.input.cracks[at(piece.crack)].contact)
             continue;
         zone.insert(piece.element);
         if (along_edge) zone.insert(piece.neighbour);
@@ -113,6 +125,7 @@ ElementSet select_zone(const Scene& scene, const std::vector<double>& K) {
     const std::vector<double> yield_stress = scene.yield_stress_at_tips();
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t)
         add_disk(scene, t, zone_radius(scene.input.fine, yield_stress[at(t)], K[at(t)]), zone);
+    add_sectors_ahead(scene, closure_distances(scene.input.closure, K, yield_stress), zone);
     add_elements_that_jump(scene, zone);
     const int subcells = subcells_elsewhere(scene.input.fine);
     const double points = 4.0 * subcells * subcells * zone.count();

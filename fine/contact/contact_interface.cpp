@@ -243,14 +243,14 @@ double ContactInterface::dissipated(const Eigen::VectorXd& before, const Eigen::
     return sum;
 }
 
-double ContactInterface::contact_behind(const Tip& tip, double distance, const Eigen::VectorXd& traction,
-                                        const Jumps& jumps, const Eigen::VectorXd& u) const {
+double ContactInterface::contact_behind(const FacesBehind& part, const Eigen::VectorXd& traction, const Jumps& jumps,
+                                        const Eigen::VectorXd& u) const {
     constexpr double least = std::numeric_limits<double>::min();  // the status decides the sign, not rounding
     double contact = -std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, int>> open;  // gaps may be bounds: the most that -c g can be, and the multiplier
     const auto& keys = operators_.keys();
     for (int k = 0; k < multipliers(); ++k) {
-        if (keys[at(k)].crack != tip.crack || std::abs(tip.s - keys[at(k)].s) < distance) continue;
+        if (!part.contain(keys[at(k)].crack, keys[at(k)].s)) continue;
         if (is_closed(status_[at(k)]))
             contact = std::max({contact, traction[k], least});
         else
@@ -263,13 +263,13 @@ double ContactInterface::contact_behind(const Tip& tip, double distance, const E
     return contact;
 }
 
-bool ContactInterface::slides_behind(const Tip& tip, double distance, const Jumps& jumps, double rounding) const {
+bool ContactInterface::slides_behind(const FacesBehind& part, const Jumps& jumps, double rounding) const {
     double nearest = std::numeric_limits<double>::infinity();
     bool sliding = false;
     const auto& keys = operators_.keys();
     for (std::size_t k = 0; k < keys.size(); ++k) {
-        const double behind = std::abs(tip.s - keys[k].s);
-        if (!is_closed(status_[k]) || keys[k].crack != tip.crack || behind < distance || behind >= nearest) continue;
+        const double behind = part.distance(keys[k].s);
+        if (!is_closed(status_[k]) || !part.contain(keys[k].crack, keys[k].s) || behind >= nearest) continue;
         nearest = behind;
         sliding = fine::slides(status_[k]) && std::abs(jumps.slip[static_cast<Eigen::Index>(k)]) > rounding;
     }

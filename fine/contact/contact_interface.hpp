@@ -17,6 +17,18 @@
 
 namespace stria::fine {
 
+/// The faces of a crack between two distances behind a tip, mm along them.
+struct FacesBehind {
+    int crack;
+    double tip;  // arc length
+    double from, to = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] double distance(double s) const { return std::abs(tip - s); }
+    [[nodiscard]] bool contain(int of_crack, double s) const {
+        return of_crack == crack && distance(s) >= from && distance(s) <= to;
+    }
+};
+
 class ContactInterface {
 public:
     /// As FaceOperators. `stiffness`: E', MPa, for the augmentation.
@@ -103,14 +115,14 @@ public:
     [[nodiscard]] double dissipated(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                                     const Jumps& jumps) const;
 
-    /// Contact at or beyond a distance (mm) behind a tip, on its crack: above zero where a multiplier there is closed,
+    /// Contact on a part of the faces behind a tip: above zero where a multiplier there is closed,
     /// the largest pressure; below where all are open, minus c times the smallest gap (MPa); minus infinity where there
     /// are none. So it passes zero where contact is lost or made. `jumps`: as jumps_that_matter() has them at `u`.
-    [[nodiscard]] double contact_behind(const Tip& tip, double distance, const Eigen::VectorXd& traction,
-                                        const Jumps& jumps, const Eigen::VectorXd& u) const;
-    /// The closed multiplier nearest to a tip, but no nearer than a distance, mm, slides, and by more than `rounding`,
-    /// mm: where faces transmit nothing any more rounding says whether they slide.
-    [[nodiscard]] bool slides_behind(const Tip& tip, double distance, const Jumps& jumps, double rounding) const;
+    [[nodiscard]] double contact_behind(const FacesBehind& part, const Eigen::VectorXd& traction, const Jumps& jumps,
+                                        const Eigen::VectorXd& u) const;
+    /// The closed multiplier nearest to the tip on that part slides, and by more than `rounding`, mm: where faces
+    /// transmit nothing any more rounding says whether they slide.
+    [[nodiscard]] bool slides_behind(const FacesBehind& part, const Jumps& jumps, double rounding) const;
 
     /// At a station from the multipliers: pressure and shear, MPa, and whether the one with the larger share slides.
     struct FaceTraction {

@@ -62,6 +62,18 @@ double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen, co
     return station.terms.empty() ? std::numeric_limits<double>::quiet_NaN() : opening(frozen, displacement, station);
 }
 
+namespace {
+
+/// Up to the middle of a crack with two tips: beyond it they belong to the other tip.
+FacesBehind faces_behind(const std::vector<Tip>& tips, std::size_t t, double distance) {
+    FacesBehind part{.crack = tips[t].crack, .tip = tips[t].s, .from = distance};
+    for (const Tip& other : tips)
+        if (other.crack == part.crack && other.upper != tips[t].upper) part.to = 0.5 * part.distance(other.s);
+    return part;
+}
+
+}  // namespace
+
 void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
     const auto& [patch, contact, frozen, displacement, traction, jumps, smallest_slip] = faces;
     const std::vector<Tip>& tips = patch.mesh.tips;
@@ -72,14 +84,16 @@ void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
     digest.contact.assign(patch.contact_at.size(), {});
     for (std::size_t t = 0; t < patch.contact_at.size(); ++t)
         for (const double distance : patch.contact_at[t])
-            digest.contact[t].push_back(contact.contact_behind(tips[t], distance, traction, jumps, displacement));
+            digest.contact[t].push_back(
+                contact.contact_behind(faces_behind(tips, t, distance), traction, jumps, displacement));
     digest.opening.clear();
     for (std::size_t t = 0; t < patch.opening_at.size(); ++t)
         digest.opening.push_back(opening_behind(patch, frozen, displacement, t));
     digest.slides.assign(patch.slip_at.size(), {});
     for (std::size_t t = 0; t < patch.slip_at.size(); ++t)
         for (const double distance : patch.slip_at[t])
-            digest.slides[t].push_back(contact.slides_behind(tips[t], distance, jumps, smallest_slip) ? 1 : 0);
+            digest.slides[t].push_back(
+                contact.slides_behind(faces_behind(tips, t, distance), jumps, smallest_slip) ? 1 : 0);
 }
 
 std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {

@@ -104,6 +104,11 @@ class Rates(Folder):
         run = self.write_cycles("run", [0.0, 0.0, 1000.0], [10.0, 10.5, 10.5], [300.0, 310.0, 150.0], 0.1, 0.25)
         with self.assertRaises(SystemExit):
             results.e647(run)
+        lines = (self.folder / "run/cycles.csv").read_text().replace("150.0,15.0", "310.0,150.0")  # K_min alone
+        (self.folder / "run/cycles.csv").write_text(lines)
+        self.assertEqual(results.Run(self.folder / "run").cycles.of(tip=0)["K_max"][2], 310.0)
+        with self.assertRaises(SystemExit):
+            results.e647(results.Run(self.folder / "run"))
 
     def test_polynomials_of_a_parabola_are_its_slope(self):
         # The second run has three rows a growth, which is counted in the last of them.

@@ -67,11 +67,12 @@ double work_of_friction(std::optional<int> steps) {
     return run_direct(input).increments.back().work.by_friction;
 }
 
-// Half of the way in one increment, as in a half cycle without friction, lost a third of it.
+// Half of the way in one increment, as in a half cycle without friction, lost a third of it. 16 a cycle lose 1.01 %; it
+// was 0.86 % while the loads at which faces meet were those of both tips together.
 TEST(ChosenIncrements, TellTheWorkOfFacesThatSlideUnderPressure) {
     const double exact = work_of_friction(96);
     EXPECT_GT(exact, 1.0);
-    EXPECT_NEAR(work_of_friction({}), exact, 0.01 * exact);
+    EXPECT_NEAR(work_of_friction({}), exact, 0.012 * exact);
 }
 
 /// What is dissipated in two cycles of tension and, a quarter of a cycle later, shear, N.

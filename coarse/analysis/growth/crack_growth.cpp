@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "coarse/analysis/growth/K_at_extremes.hpp"
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
@@ -32,19 +33,10 @@ double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection
     return largest;
 }
 
-/// Those of all loads together, and of the initial stress: they give a K another mode as factors change.
-std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
-    for (TipResult& tip : nominal) {
-        tip.K_I = factors.main * tip.K_I + sum_over_cases(tip.K_I_of_cases, factors.cases) + tip.K_initial;
-        tip.K_II = factors.main * tip.K_II + sum_over_cases(tip.K_II_of_cases, factors.cases) + tip.K_II_initial;
-    }
-    return nominal;
-}
-
 }  // namespace
 
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisState* from)
-    : growth_(*input.growth), takes_mean_(takes_mean_rate(input)), last_cycle_(cycle_count(input.load)), note_(note),
+    : growth_(*input.growth), takes_mean_(takes_mean_rate(input)), cut_off_(cycle_cut_off(input.load)), note_(note),
       ended_(from != nullptr && from->growth_ended),
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
@@ -84,29 +76,13 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
     if (!is_over(nominal, last)) {
         // At minima the first chance to grow has a cycle less behind it, which would leave one out of the mean.
         if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
-        const std::vector<TipResult> guides = this->guides(body);
+        const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
         grown = along_first_of(body, ways(present, guides, last));
         if (grown.longer) note_turn(body, *grown.longer, guides, last);
     }
     ended_ = !grown.longer;
-    if (const double uncounted = life_.memory().uncounted; ended_ && uncounted > 0.0)
-        note_(fmt::format("warning: N is that of a crack shorter by {:.3g} mm, which it has grown behind a sharp turn",
-                          uncounted));
     if (grown.longer) K_reached_.clear();
     return grown;
-}
-
-// Modes do not change with the factor of one load.
-bool CrackGrowth::is_of_one_load(const Scene& present) const {
-    return extremes_.maximum.cases.size() == 0 && !present.initial_stress().any();
-}
-
-std::vector<TipResult> CrackGrowth::guides(const CrackedBody& body) const {
-    const Scene& present = body.scene();
-    std::vector<TipResult> nominal =
-        is_of_one_load(present) ? body.nominal() : under(extremes_.maximum, body.nominal());
-    if (extremes_.tips.empty()) return nominal;
-    return directing(present.input.cracks, present.enriched.tips, std::move(nominal), extremes_.tips);
 }
 
 // From one element edge to another where faces end on edges; where they end is not known about another direction.
@@ -174,7 +150,7 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
-// Of the fastest tip. With one load K keeps its ratio to its maximum: a minimum of zero says the same.
+// Of the fastest tip.
 void CrackGrowth::note_turn(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
                             const std::vector<CycleResult>& last) {
     const Scene& present = body.scene();
@@ -183,7 +159,7 @@ void CrackGrowth::note_turn(const CrackedBody& body, const Scene& longer, const 
     const std::size_t t = fastest_of(rates);
     const double angle = turn_of(present.enriched.tips[t], longer.input.cracks);
     if (std::abs(angle) <= sharp_turn) return;
-    const TipResult least = is_of_one_load(present) ? TipResult() : under(extremes_.minimum, body.nominal())[t];
+    const TipResult least = K_at_minimum(body, extremes_)[t];
     life_.turn(rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least}, angle)));
 }
 
@@ -204,6 +180,12 @@ void CrackGrowth::require_drive(const std::vector<double>& rates, const std::vec
     throw NumericalFailure(fmt::format(
         "K_op drives the growth, and no equilibrium of {} tells it for tip {}; finer increments (load.steps) may",
         takes_mean_ ? "a cycle since the growth before" : "the last cycle", tip));
+}
+
+double CrackGrowth::uncounted() const {
+    const PeriodMemory& period = rates_.memory();
+    const bool is_under_way = takes_mean_ && period.cycles < growth_.every && !period.grown.empty();
+    return life_.memory().uncounted + (is_under_way ? std::ranges::max(period.grown) : 0.0);
 }
 
 bool CrackGrowth::is_driven() const { return fastest_rate(rates_.present()) > 0.0; }
@@ -277,14 +259,13 @@ void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, cons
     rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
     if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
     const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
-    const bool ends = cycle == last_cycle_ || (!takes_mean_ && std::ranges::any_of(cycles, is_long_enough));
-    const double passed = !takes_mean_ || ends || ends_period(growth_, cycle) ? cycles_of_period(present, ends) : 0.0;
+    const bool ends = !takes_mean_ && std::ranges::any_of(cycles, is_long_enough);
+    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycle, ends) : 0.0;
     for (CycleResult& tip : cycles) tip.dN = passed;
 }
 
-// The last period of a history may be cut off, and its last cycle returns to a maximum of its own, not to the one that
-// the sequence goes on to. Its mean is of another sequence.
-double CrackGrowth::cycles_of_period(const Scene& present, bool ends) {
+// The last cycle of a history may return to another maximum than the sequence goes on to: the mean is of another one.
+double CrackGrowth::cycles_of_period(const Scene& present, int cycle, bool ends) {
     const auto fastest = std::ranges::max_element(rates_.grown());
     const Tip& tip = present.enriched.tips[at(static_cast<int>(fastest - rates_.grown().begin()))];
     const GrownTip grown{.grown = *fastest,
@@ -292,7 +273,7 @@ double CrackGrowth::cycles_of_period(const Scene& present, bool ends) {
                          .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip),
                          .ends = ends};
     const double before = fastest_rate(rates_.before()), now = fastest_rate(rates_.present());
-    return life_.passed(grown, before, ends && takes_mean_ ? before : now);
+    return life_.passed(grown, before, takes_mean_ && cycle == cut_off_ ? before : now);
 }
 
 }  // namespace stria::coarse

@@ -35,6 +35,9 @@ public:
         return ended_ && !left_the_mesh_ && is_driven() && life_.memory().uncounted == 0.0;
     }
 
+    /// Growth of the fastest tip of which no cycle has told yet how many it took, mm.
+    [[nodiscard]] double uncounted() const;
+
     /// A tip grows by the law, from what the tips have gone through.
     [[nodiscard]] bool is_driven() const;
 
@@ -58,13 +61,10 @@ private:
     /// A tip whose K has reached growth.toughness since it grew, or -1.
     [[nodiscard]] int broken_tip() const;
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
-    /// That the growth at the beginning of the present period took. `ends`: no cycle follows.
-    [[nodiscard]] double cycles_of_period(const Scene& present, bool ends);
+    /// That the growth at the beginning of the period took that `cycle` ends. `ends`: growth ends the run.
+    [[nodiscard]] double cycles_of_period(const Scene& present, int cycle, bool ends);
     using Cracks = std::vector<CrackSection>;
 
-    [[nodiscard]] bool is_of_one_load(const Scene& present) const;
-    /// What turns the tips, one each: K of all loads at the last maximum, or what faces that touch leave of it.
-    [[nodiscard]] std::vector<TipResult> guides(const CrackedBody& body) const;
     /// Of the fastest tip, mm. `turn`: the largest of the tips, radians; `elements`: edges of theirs, mm.
     [[nodiscard]] double increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
                                    const std::vector<double>& elements);
@@ -85,7 +85,7 @@ private:
 
     GrowthSection growth_;
     bool takes_mean_;
-    int last_cycle_;  // of the load history
+    int cut_off_;  // the last cycle, where it does not rise as the sequence would; 0: it does
     const Note& note_;
     bool ended_;
     bool left_the_mesh_ = false;

@@ -57,7 +57,7 @@ double leap_at_turn(const GrowthSection& growth, const CycleResult& cycle, const
 }
 
 double rate_behind_leap(const GrowthSection& growth, double rate, double leap) {
-    if (!(leap > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+    if (!(leap > 0.0) || std::isinf(leap)) return std::numeric_limits<double>::quiet_NaN();
     const double order = growth.law == GrowthLaw::Ctod ? 2.0 : 1.0;  // of the opening in K
     return rate > 0.0 ? rate_of_range(growth, range_of_rate(growth, rate) * std::pow(leap, order)) : 0.0;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
+#include <utility>
 
 namespace stria {
 
@@ -102,6 +104,23 @@ void check_load_cases(const Case& whole, const Value& root, const Place& place) 
     }
 }
 
+namespace {
+
+/// A way of [load] that goes nowhere: on it a load case could not change. Nothing if there is none.
+std::optional<std::string> standstill(const LoadSection& load) {
+    double at = 0.0;
+    int cycle = 0;
+    const auto stays = [&](double to) { return std::exchange(at, to) == to; };
+    for (const LoadBlock& block : load.blocks) {
+        if (stays(block.max)) return fmt::format("its way to the maximum of cycle {}", cycle + 1);
+        cycle += block.cycles;
+        if (block.cycles > 0 && stays(block.min)) return fmt::format("its way to the minimum of cycle {}", cycle);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 void check_cycles_of_cases(const Case& whole, const Value& root, const Place& place) {
     const auto count = [](const auto& blocks) {
         double cycles = 0.0;
@@ -110,7 +129,11 @@ void check_cycles_of_cases(const Case& whole, const Value& root, const Place& pl
     };
     for (std::size_t k = 0; k < whole.load_cases.size(); ++k) {
         const LoadCaseSection& load_case = whole.load_cases[k];
-        if (load_case.blocks.empty() || count(load_case.blocks) == count(whole.load.blocks)) continue;
+        if (load_case.blocks.empty()) continue;
+        if (const std::optional<std::string> way = standstill(whole.load))
+            reject(place_of(place, "load_case", k).inside("blocks"), entry_of(root, "load_case", k).line,
+                   "change while [load] does, and it stands still on " + *way + ": give it a small range there");
+        if (count(load_case.blocks) == count(whole.load.blocks)) continue;
         reject(place_of(place, "load_case", k).inside("blocks"), entry_of(root, "load_case", k).line,
                fmt::format("have {:.0f} cycles, [load] has {:.0f}: there must be as many", count(load_case.blocks),
                            count(whole.load.blocks)));

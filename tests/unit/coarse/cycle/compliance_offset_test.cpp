@@ -19,15 +19,26 @@ TEST(ComplianceOffset, FindsWhereTheCrackIsOpen) {
         v_up.push_back(opening(up.back()));
         v_down.push_back(opening(down.back()));
     }
-    EXPECT_NEAR(compliance_offset_opening(down, v_down, up, v_up), 40.0, 2.0);
+    EXPECT_NEAR(*compliance_offset_opening(down, v_down, up, v_up), 40.0, 2.0);
     for (std::size_t k = 0; k < up.size(); ++k) {
         v_up[k] = up[k];
         v_down[k] = down[k];
     }
-    EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // never closed
+    EXPECT_EQ(compliance_offset_opening(down, v_down, up, v_up), 0.0) << "never closed: the minimum";
+    std::vector<double> stiff = v_up;
+    for (double& v : stiff) v *= 0.9;
+    EXPECT_TRUE(std::isnan(*compliance_offset_opening(down, v_down, up, stiff))) << "never open";
     std::ranges::fill(v_up, 0.0);
     std::ranges::fill(v_down, 0.0);
-    EXPECT_TRUE(std::isnan(compliance_offset_opening(down, v_down, up, v_up)));  // no mouth
+    EXPECT_TRUE(std::isnan(*compliance_offset_opening(down, v_down, up, v_up))) << "closed";
+    for (std::size_t k = 0; k < up.size(); ++k) {  // rounding of closed faces tells no compliance
+        v_up[k] = 1e-16 * up[k] * up[k];
+        v_down[k] = 1e-16 * down[k];
+    }
+    EXPECT_TRUE(std::isnan(*compliance_offset_opening(down, v_down, up, v_up)));
+    std::ranges::fill(v_up, NAN);
+    std::ranges::fill(v_down, NAN);
+    EXPECT_FALSE(compliance_offset_opening(down, v_down, up, v_up)) << "no mouth";
 }
 
 // What the secant of a long increment tells depends on where it ends.
@@ -43,8 +54,8 @@ TEST(ComplianceOffset, IsNotReadFromLongIncrements) {
         }
         return compliance_offset_opening(down, v_down, up, v_up);
     };
-    EXPECT_NEAR(with_increments_of(10.0), 40.0, 10.0);
-    EXPECT_TRUE(std::isnan(with_increments_of(12.5)));
+    EXPECT_NEAR(*with_increments_of(10.0), 40.0, 10.0);
+    EXPECT_FALSE(with_increments_of(12.5));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "coarse/load/load_controller.hpp"
+#include "common/error.hpp"
 #include "tests/support/load_cases.hpp"
 
 namespace stria::coarse {
@@ -178,6 +179,21 @@ TEST(CaseHistories, ALoadMayHaveExtremesOfItsOwn) {
     for (std::size_t k = 1; k < all.size(); k += 2) at_turns.push_back(all[k].cases[0]);
     EXPECT_EQ(at_turns, (std::vector<double>{1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6, 5}));
     EXPECT_EQ(all[2].cases[0], 1.5);
+}
+
+// The last leg of a history rises to a factor of its own cycle, in a longer one to that of the next.
+TEST(CaseHistories, AHistoryGoesOnWhereItsLoadCasesStand) {
+    Case input = cycles(4, {{2, 10.0, 0.0}});
+    const auto goes_on = [&](const std::vector<CaseBlock>& blocks) {
+        input.load_cases = {test::own_load("own", blocks)};
+        LoadController brief = controller(input);
+        while (brief.next()) brief.accepted();
+        Case longer = input;
+        longer.load.repeat = 2;
+        controller(longer).resume(brief.position());
+    };
+    EXPECT_NO_THROW(goes_on({{2, 1.0, 2.0}}));
+    EXPECT_THROW(goes_on({{1, 1.0, 2.0}, {1, 3.0, 2.0}}), CaseError);
 }
 
 // It comes on at its first position, goes through all of them in each cycle, and leaps from the last to the second.

@@ -301,13 +301,11 @@ TEST(ContactInterface, SlipBehindATipIsThatOfTheNearestContact) {
         jumps.slip[k] = keys[at(k)].s < 4.0 ? -1e-3 : 1e-3;
     }
     contact.choose_statuses(traction, jumps);
-    const Tip tip{.crack = 0, .position = cut.to, .direction = {1.0, 0.0}, .s = 8.0, .upper = -1};
     for (const auto& [distance, slides] : {std::pair{0.1, false}, {3.0, false}, {4.1, true}, {9.0, false}})
-        EXPECT_EQ(contact.slides_behind(tip, distance, jumps, 1e-6), slides) << distance;
-    EXPECT_FALSE(contact.slides_behind(tip, 4.1, jumps, 1e-2));
-    Tip other = tip;
-    other.crack = 1;
-    EXPECT_FALSE(contact.slides_behind(other, 4.1, jumps, 1e-6));
+        EXPECT_EQ(contact.slides_behind({.crack = 0, .tip = 8.0, .from = distance}, jumps, 1e-6), slides) << distance;
+    EXPECT_FALSE(contact.slides_behind({.crack = 0, .tip = 8.0, .from = 4.1}, jumps, 1e-2));
+    EXPECT_FALSE(contact.slides_behind({.crack = 1, .tip = 8.0, .from = 4.1}, jumps, 1e-6));
+    EXPECT_FALSE(contact.slides_behind({.crack = 0, .tip = 8.0, .from = 4.1, .to = 4.2}, jumps, 1e-6));
 }
 
 // A block that slides under a pressure that grows from 2 to 6 MPa: the mean bound times the slip.

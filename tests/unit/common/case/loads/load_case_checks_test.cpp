@@ -130,6 +130,10 @@ TEST_F(LoadCaseFile, RefusesHistoriesThatAreNoneOrTwo) {
     EXPECT_EQ(complaint(name + "factor = 1.0\nphase = 360.0\n"), "case.toml:26: load_case.0.phase = 360 must be < 360");
     EXPECT_EQ(complaint(name + "blocks = [ { cycles = 2, at_max = 1.0, at_min = 0.0 } ]\n"),
               "case.toml:23: load_case.0.blocks have 2 cycles, [load] has 3: there must be as many");
+    std::string still = plate + held + name + "blocks = [ { cycles = 3, at_max = 1.0, at_min = 0.0 } ]\n";
+    EXPECT_NO_THROW(read(still));
+    still.replace(still.find("max = 50.0, ratio = -1.0"), 24, "max = 0.0, min = -50.0");
+    EXPECT_THROW(read(still), CaseError) << "the first maximum never comes";
 }
 
 TEST_F(LoadCaseFile, RefusesPressuresThatCannotBe) {
