@@ -10,6 +10,8 @@
 #include "coarse/zone/material_adequacy.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/geometry/segment.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -20,6 +22,23 @@ std::vector<std::string> thickness_warnings(const Case& input) {
     return {fmt::format("model.thickness = {:g}: loads and results are per mm of thickness all the same. A force of F "
                         "on the whole body is F / {:g} here",
                         t, t)};
+}
+
+/// Beyond the other end of a crack, or its middle where that is a tip, nothing touches.
+std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<double>& distance) {
+    std::vector<std::string> all;
+    const std::vector<Tip>& tips = scene.enriched.tips;
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        const CrackSection& crack = scene.input.cracks[at(tips[t].crack)];
+        const auto of_crack = [&](const Tip& tip) { return tip.crack == tips[t].crack; };
+        const double own = length_of(crack.points) / static_cast<double>(std::ranges::count_if(tips, of_crack));
+        if (crack.contact && distance[t] >= own)
+            all.push_back(
+                fmt::format("tip {}: closure is looked at {:.3g} mm behind it, and its faces end after {:.3g} "
+                            "mm: nothing touches there (closure.distance)",
+                            t, distance[t], own));
+    }
+    return all;
 }
 
 }  // namespace
@@ -34,6 +53,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(rate_warnings(scene.input, K));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
+    add(closure_warnings(scene, distance));
     add(mesh_warnings(scene, K, distance));
     return all;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "coarse/model/rings.hpp"
+#include "coarse/model/tip_reach.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
@@ -48,19 +49,19 @@ void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     }
 }
 
-/// The force ahead of a tip is that of the zone's points.
-void add_sectors_ahead(const Scene& scene, const std::vector<double>& distances, ElementSet& zone) {
+/// The force ahead of a tip is that of the zone's points: out to the distance, and no less than an element.
+void add_sectors_ahead(const Scene& scene, std::vector<double> radii, ElementSet& zone) {
     const ClosureSection& closure = scene.input.closure;
     if (!closure.tension && closure.definition != OpeningDefinition::Tension) return;
     const EnrichedMesh& mesh = scene.enriched;
+    for (std::size_t t = 0; t < radii.size(); ++t) radii[t] = std::max(radii[t], tip_element_size(mesh, mesh.tips[t]));
     for (int e = 0; e < zone.size(); ++e) {
         const Vec2 middle = centre(mesh, e);
         const auto& corners = mesh.elements[at(e)];
         double reach = 0.0;
         for (const int node : corners) reach = std::max(reach, (mesh.nodes[at(node)] - middle).norm());
         for (std::size_t t = 0; t < mesh.tips.size(); ++t)
-            if (!scene.mesh.in_insert(e) && (middle - mesh.tips[t].position).norm() <= distances[t] + reach)
-                zone.insert(e);
+            if (!scene.mesh.in_insert(e) && (middle - mesh.tips[t].position).norm() <= radii[t] + reach) zone.insert(e);
     }
 }
 

@@ -53,6 +53,16 @@ TEST_F(Check, SaysThatThicknessChangesNothing) {
     EXPECT_NE(text_of(folder / "log").find(warns), std::string::npos) << text_of(folder / "log");
 }
 
+TEST_F(Check, SaysThatClosureIsLookedAtBesideTheFaces) {
+    const std::string warns = "# warning: tip 0: closure is looked at 6 mm behind it, and its faces end after 5 mm";
+    (void)said_of(1.25);
+    ASSERT_EQ(run_program("stria",
+                          {"check", folder / "case.toml", "--set", "crack.0.contact={}", "--set", "closure.distance=6"},
+                          folder / "log"),
+              0);
+    EXPECT_NE(text_of(folder / "log").find(warns), std::string::npos) << text_of(folder / "log");
+}
+
 // A weld that has shrunk opens and shears the crack at its toe.
 TEST_F(Check, SaysTheKThatTheRunReaches) {
     const std::string joint = std::string(source_folder) + "/cases/t-joint/case.toml";
