@@ -43,6 +43,46 @@ TEST(ContactOfTips, OneHalfIsOpenAndTheOtherShut) {
     EXPECT_FALSE(tips[0].contact[0].lost);
 }
 
+// A plate with a crack inside and its half beside the line of symmetry: contact at the other tip is no contact.
+TEST(ContactOfTips, OfAPlateIsThatOfItsHalf) {
+    const auto closure = [](bool half) {
+        const double middle = half ? 0.0 : 20.0;
+        std::vector<Vec2> crack = {{middle - 5.0, 60.0}, {middle + 5.0, 60.0}};
+        if (half) crack.front().x() = 0.0;
+        Case input = specimen(half ? "sent" : "mt", 120.0, crack);
+        input.model.plane = PlaneState::Stress;
+        input.mesh.width = half ? 20.0 : 40.0;
+        input.mesh.size = 4.0;
+        for (const double side : {1.0, -1.0}) {
+            if (half && side < 0.0) continue;
+            input.mesh.grading.push_back({.at = {{middle + side * 5.0, 60.0}, {middle + side * 6.0, 60.0}},
+                                          .size = 0.1,
+                                          .outer_size = 0.1,
+                                          .radius = 1.0,
+                                          .growth = 0.25});
+        }
+        input.material.yield_stress = 300.0;
+        input.material.kinematic = {{.C = 4000.0}};
+        input.cracks[0].contact = ContactSection{};
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        if (half) {
+            BoundarySection line;
+            line.on = "left";
+            line.displacement[0] = 0.0;
+            input.boundaries.push_back(line);
+        }
+        input.load = {.steps = 12, .blocks = {{.cycles = 5, .max = 100.0, .min = 0.0}}};
+        input.growth = GrowthSection{.increment = 0.1};
+        input.closure.distance = 0.13;
+        input.closure.profile = {0.3};
+        return last_cycle(run_direct(input)).back();
+    };
+    const coarse::CycleResult whole = closure(false), half = closure(true);
+    EXPECT_NEAR(whole.K_max, half.K_max, 1e-3 * half.K_max);
+    for (const std::size_t d : {0U, 1U}) EXPECT_NEAR(whole.contact[d].K_op, half.contact[d].K_op, 0.004 * half.K_max);
+    EXPECT_LT(half.contact[1].K_op, half.contact[0].K_op - 0.05 * half.K_max);
+}
+
 // A crack along the diagonals of elements crosses no edge but at nodes, which reach into elements that it does not cut.
 // As one beside the nodes, it has multipliers at them, whatever belongs to the zone.
 TEST(ContactOfTips, FacesAlongDiagonalsTouchAsFacesBesideThem) {
