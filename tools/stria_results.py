@@ -15,6 +15,7 @@ is not; an empty cell is NaN. docs/report.md says what the two commands write, a
 
 import argparse
 import csv
+import itertools
 import json
 import math
 import sys
@@ -157,9 +158,11 @@ def e647(run, tip=0, method="secant"):
     """a-N and da/dN of a tip as ASTM E647 reports them: mm, cycles, mm per cycle, MPa sqrt(m). A crack with two tips is as long as
     the mean of both says, and each tip has its own rate."""
     cycles = run.cycles.of(tip=tip).columns
-    grown = [sum(cycles["da"][: k + 1]) for k in range(len(cycles["da"]))]
-    of_all_tips = [sum(run.cycles.of(cycle=cycle).columns["da"]) for cycle in cycles["cycle"]]
-    of_all_tips = [sum(of_all_tips[: k + 1]) for k in range(len(of_all_tips))]
+    grown = list(itertools.accumulate(cycles["da"]))
+    of_cycle = dict.fromkeys(cycles["cycle"], 0.0)
+    for cycle, da in zip(run.cycles.columns["cycle"], run.cycles.columns["da"]):
+        of_cycle[cycle] += da
+    of_all_tips = list(itertools.accumulate(of_cycle.values()))
     require_one_load(cycles, of_all_tips, counted(cycles["N"], of_all_tips))
     rates = {"secant": secant_rates, "polynomial": polynomial_rates}[method]
     table = {name: [] for name in ("N", "a_mm", "dadN_mm_per_cycle", "dK_MPa_sqrt_m", "R", "Kmax_MPa_sqrt_m", "dKeff_MPa_sqrt_m", "Kop_MPa_sqrt_m")}

@@ -1,8 +1,6 @@
 // Where the points of elements stand, and what follows from there while the elements are elastic.
 #pragma once
 
-#include <vector>
-
 #include "fine/bulk/bulk_elements.hpp"
 #include "fine/bulk/points/elastic_bound.hpp"
 #include "fine/bulk/points/element_kernels.hpp"

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -115,9 +117,9 @@ public:
     [[nodiscard]] double dissipated(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
                                     const Jumps& jumps) const;
 
-    /// Contact on a part of the faces behind a tip: above zero where a multiplier there is closed,
-    /// the largest pressure; below where all are open, minus c times the smallest gap (MPa); minus infinity where there
-    /// are none. So it passes zero where contact is lost or made. `jumps`: as jumps_that_matter() has them at `u`.
+    /// Contact on a part of the faces behind a tip: above zero where a multiplier there is closed, the largest
+    /// pressure; below where all are open, minus c times the smallest gap (MPa); minus infinity where there are none.
+    /// So it passes zero where contact is lost or made. `jumps`: as jumps_that_matter() has them at `u`.
     [[nodiscard]] double contact_behind(const FacesBehind& part, const Eigen::VectorXd& traction, const Jumps& jumps,
                                         const Eigen::VectorXd& u) const;
     /// The closed multiplier nearest to the tip on that part slides, and by more than `rounding`, mm: where faces

@@ -54,16 +54,6 @@ bool has_grown(const Tip& tip, const CrackSection& at_first) {
     return has_left(at_first.points.front()) && has_left(at_first.points.back());
 }
 
-}  // namespace
-
-double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen, const Eigen::VectorXd& displacement,
-                      std::size_t t) {
-    const FaceStation station = face_station_behind(patch.mesh, patch.mesh.tips[t], patch.opening_at[t]);
-    return station.terms.empty() ? std::numeric_limits<double>::quiet_NaN() : opening(frozen, displacement, station);
-}
-
-namespace {
-
 /// Up to the middle of a crack with two tips: beyond it they belong to the other tip.
 FacesBehind faces_behind(const std::vector<Tip>& tips, std::size_t t, double distance) {
     FacesBehind part{.crack = tips[t].crack, .tip = tips[t].s, .from = distance};
@@ -73,6 +63,12 @@ FacesBehind faces_behind(const std::vector<Tip>& tips, std::size_t t, double dis
 }
 
 }  // namespace
+
+double opening_behind(const coupling::Patch& patch, const FrozenTips& frozen, const Eigen::VectorXd& displacement,
+                      std::size_t t) {
+    const FaceStation station = face_station_behind(patch.mesh, patch.mesh.tips[t], patch.opening_at[t]);
+    return station.terms.empty() ? std::numeric_limits<double>::quiet_NaN() : opening(frozen, displacement, station);
+}
 
 void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
     const auto& [patch, contact, frozen, displacement, traction, jumps, smallest_slip] = faces;

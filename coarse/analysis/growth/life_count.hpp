@@ -10,7 +10,7 @@ struct GrownTip {
     double grown = 0.0;        // since the end of the cycle before, mm
     double behind_turn = 0.0;  // from the last sharp turn of its crack to the tip, mm; infinite where there is none
     double resolved = 0.0;     // K of a tip that is nearer to a turn is not resolved, mm
-    bool ends = false;         // no cycle follows
+    bool ends = false;         // growth ends the run here
 };
 
 /// A checkpoint holds it.

@@ -113,12 +113,16 @@ TEST(Report, NumbersAreThoseOfTheTablesToTheLastDigit) {
     expect_same("faces-0.csv", test::text_of(folder / "faces.csv"), {"increment", "s", "opening", "pressure"});
 }
 
-TEST(Report, GrowthRatesAreSecantsAtTheMeanOfTheirRanges) {
+/// Of a run with these rows: cycle, tip, a, da, dN, K_max, K_min and dK_eff.
+charts::Sheet rates_of(const std::string& rows, std::size_t tip = 0) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "history.csv") << "increment,cycle,load_factor,tip,a\n";
-    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n"
-                                            "1,0,10,0,0,300,-30,200\n1,1,5,0,0,9,9,9\n2,0,10.5,0.5,1000,310,10,220\n";
-    const charts::Sheet rates = growth_rates(read_run(folder / ""), 0);
+    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n" << rows;
+    return growth_rates(read_run(folder / ""), tip);
+}
+
+TEST(Report, GrowthRatesAreSecantsAtTheMeanOfTheirRanges) {
+    const charts::Sheet rates = rates_of("1,0,10,0,0,300,-30,200\n1,1,5,0,0,9,9,9\n2,0,10.5,0.5,1000,310,10,220\n");
     EXPECT_EQ(rates["a"], (std::vector<double>{10.25}));
     EXPECT_EQ(rates["dadN"], (std::vector<double>{0.0005}));
     EXPECT_EQ(rates["dK"], (std::vector<double>{300.0}));  // what lies in compression does not count
@@ -127,12 +131,8 @@ TEST(Report, GrowthRatesAreSecantsAtTheMeanOfTheirRanges) {
 
 // Behind a turn, or under a load that varies.
 TEST(Report, GrowthRatesAreOfAllThatIsCounted) {
-    const test::TemporaryFolder folder;
-    std::ofstream(folder / "history.csv") << "increment,cycle,load_factor,tip,a\n";
-    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n"
-                                            "1,0,10,0,0,290,0,190\n2,0,10,0,0,300,0,200\n3,0,10.5,0.5,0,400,0,400\n"
-                                            "4,0,11,0.5,1000,310,0,220\n5,0,11,0,0,320,0,230\n";
-    const charts::Sheet rates = growth_rates(read_run(folder / ""), 0);
+    const charts::Sheet rates = rates_of("1,0,10,0,0,290,0,190\n2,0,10,0,0,300,0,200\n3,0,10.5,0.5,0,400,0,400\n"
+                                         "4,0,11,0.5,1000,310,0,220\n5,0,11,0,0,320,0,230\n");
     EXPECT_EQ(rates["a"], (std::vector<double>{10.5}));
     EXPECT_EQ(rates["dadN"], (std::vector<double>{0.001}));
     EXPECT_EQ(rates["dK_eff"], (std::vector<double>{210.0}));
@@ -140,14 +140,10 @@ TEST(Report, GrowthRatesAreOfAllThatIsCounted) {
 
 // The length of their crack is the mean of both.
 TEST(Report, GrowthRatesAreThoseOfEachTip) {
-    const test::TemporaryFolder folder;
-    std::ofstream(folder / "history.csv") << "increment,cycle,load_factor,tip,a\n";
-    std::ofstream(folder / "cycles.csv") << "cycle,tip,a,da,dN,K_max,K_min,dK_eff\n"
-                                            "1,0,4,0,0,300,0,200\n1,1,4,0,0,200,0,100\n"
-                                            "2,0,4.25,0.5,1000,310,0,220\n2,1,4.25,0,1000,210,0,110\n";
-    const RunRecord run = read_run(folder / "");
-    EXPECT_EQ(growth_rates(run, 0)["dadN"], (std::vector<double>{0.0005}));
-    EXPECT_EQ(growth_rates(run, 1)["dadN"], (std::vector<double>{0.0}));
+    const std::string rows = "1,0,4,0,0,300,0,200\n1,1,4,0,0,200,0,100\n"
+                             "2,0,4.25,0.5,1000,310,0,220\n2,1,4.25,0,1000,210,0,110\n";
+    EXPECT_EQ(rates_of(rows, 0)["dadN"], (std::vector<double>{0.0005}));
+    EXPECT_EQ(rates_of(rows, 1)["dadN"], (std::vector<double>{0.0}));
 }
 
 TEST(Report, OfAThousandCyclesIsBelowTwoMegabytes) {
