@@ -248,9 +248,8 @@ double ContactInterface::contact_behind(const FacesBehind& part, const Eigen::Ve
     constexpr double least = std::numeric_limits<double>::min();  // the status decides the sign, not rounding
     double contact = -std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, int>> open;  // gaps may be bounds: the most that -c g can be, and the multiplier
-    const auto& keys = operators_.keys();
     for (int k = 0; k < multipliers(); ++k) {
-        if (!part.contain(keys[at(k)].crack, keys[at(k)].s)) continue;
+        if (!part.contain(operators_.crack(k), operators_.middle(k))) continue;
         if (is_closed(status_[at(k)]))
             contact = std::max({contact, traction[k], least});
         else
@@ -266,12 +265,12 @@ double ContactInterface::contact_behind(const FacesBehind& part, const Eigen::Ve
 bool ContactInterface::slides_behind(const FacesBehind& part, const Jumps& jumps, double rounding) const {
     double nearest = std::numeric_limits<double>::infinity();
     bool sliding = false;
-    const auto& keys = operators_.keys();
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        const double behind = part.distance(keys[k].s);
-        if (!is_closed(status_[k]) || !part.contain(keys[k].crack, keys[k].s) || behind >= nearest) continue;
+    for (int k = 0; k < multipliers(); ++k) {
+        const double behind = part.distance(operators_.middle(k));
+        if (!is_closed(status_[at(k)]) || !part.contain(operators_.crack(k), operators_.middle(k)) || behind >= nearest)
+            continue;
         nearest = behind;
-        sliding = fine::slides(status_[k]) && std::abs(jumps.slip[static_cast<Eigen::Index>(k)]) > rounding;
+        sliding = slides(k) && std::abs(jumps.slip[k]) > rounding;
     }
     return sliding;
 }

@@ -76,7 +76,11 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
         spaces_.push_back({crack, count, space_on(mesh, boundary, crack, section)});
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();
-        for (const double s : space.nodes()) keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
+        for (int k = 0; k < space.size(); ++k) {
+            const double s = space.nodes()[at(k)];
+            keys_.push_back({crack, s, face_station_at(mesh, crack, s).x});
+            middle_.push_back(space.middle(k));
+        }
     }
     B_.resize(count, mesh.unknowns);
     T_.resize(count, mesh.unknowns);

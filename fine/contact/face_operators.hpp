@@ -86,6 +86,9 @@ public:
         }
     };
     [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+    /// Of a multiplier: its crack, and where on it what it says is said, as in MultiplierSpace.
+    [[nodiscard]] int crack(int k) const { return keys_[at(k)].crack; }
+    [[nodiscard]] double middle(int k) const { return middle_[at(k)]; }
     /// Of each multiplier the one at its place among those of other faces, -1: none. Both go along the cracks, so that
     /// most are found at once.
     [[nodiscard]] std::vector<int> places_in(const FaceOperators& others) const;
@@ -111,6 +114,7 @@ private:
     std::vector<CrackSpace> spaces_;
     std::vector<FaceStation> stations_, free_stations_;
     std::vector<Key> keys_;
+    std::vector<double> middle_;
     std::vector<int> with_shear_, shear_of_;  // multiplier of each shear, and back
     SparseRows B_, T_;
     Eigen::VectorXd weight_, friction_;

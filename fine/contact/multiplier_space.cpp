@@ -115,6 +115,12 @@ void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<i
     branch.multipliers = size() - branch.first_multiplier;
 }
 
+double MultiplierSpace::middle(int multiplier) const {
+    const auto is_of_it_alone = [&](const Branch& b) { return b.first_multiplier == multiplier && b.multipliers == 1; };
+    const auto alone = std::ranges::find_if(branches_, is_of_it_alone);
+    return stable_ && alone != branches_.end() ? 0.5 * (alone->first_s + alone->last_s) : nodes_[at(multiplier)];
+}
+
 int MultiplierSpace::branch(double s) const {
     const auto holds = [&](const Branch& b) { return s >= b.first_s && s <= b.last_s; };
     const auto found = std::ranges::find_if(branches_, holds);

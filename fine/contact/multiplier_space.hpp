@@ -41,6 +41,9 @@ public:
 
     /// Arc length of each multiplier's node.
     [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
+    /// Arc length that stands for what a multiplier says of the faces: its node, or the middle of the branch that it
+    /// has alone. A node is at a crossing, of a short branch at either end.
+    [[nodiscard]] double middle(int multiplier) const;
 
 private:
     struct Crossing {

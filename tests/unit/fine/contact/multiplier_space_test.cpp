@@ -75,6 +75,20 @@ TEST(MultiplierSpace, NoTwoCrossingsWithAMultiplierShareANode) {   // so each ha
     EXPECT_GT(across, 4);
 }
 
+// Of a wing as short as an element its two ends are alike, whichever the crack begins at.
+TEST(MultiplierSpace, AloneOnABranchStandsForItsMiddle) {
+    std::vector<Vec2> crack = {{2.3, 2.4}, {2.7, 3.1}, {9.3, 3.1}, {9.7, 2.4}};
+    const double wing = (crack[1] - crack[0]).norm(), length = 2.0 * wing + 6.6;
+    for (int reversed = 0; reversed < 2; ++reversed) {
+        const MultiplierSpace space = space_of(crack);
+        ASSERT_EQ(std::ranges::count_if(space.nodes(), [&](double s) { return s < wing; }), 1);
+        EXPECT_NEAR(space.middle(0), 0.5 * wing, 1e-12);
+        EXPECT_NEAR(space.middle(space.size() - 1), length - 0.5 * wing, 1e-12);
+        for (int k = 1; k + 1 < space.size(); ++k) EXPECT_EQ(space.middle(k), space.nodes()[at(k)]);
+        std::ranges::reverse(crack);
+    }
+}
+
 TEST(MultiplierSpace, NodesLieOnCrossings) {
     const MultiplierSpace space = space_of({{0.0, 2.4}, {11.9, 2.4}});
     for (int k = 0; k < space.size(); ++k) EXPECT_NEAR(space.nodes()[at(k)], k, 1e-12);
