@@ -32,6 +32,8 @@ void add_ranks(const FineSide& fine, const coupling::StepReport& zone, coarse::S
     summary.work.history_moves = fine.history_moves();
 }
 
+constexpr std::string_view warns = "warning: ";
+
 /// For the end of an increment, once the run is asked to end, s: what ends in time is resumed to the last bit. An
 /// iteration that is given up has perhaps woken elements at rest, which changes rounding.
 constexpr double patience = 0.5;
@@ -105,8 +107,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     coarse::Listener listener;
     listener.note = [&](const std::string& text) {
         progress_.note(text);
-        if (constexpr std::string_view warns = "warning: "; text.starts_with(warns))
-            warnings_.emplace_back(text.substr(warns.size()));
+        if (text.starts_with(warns)) warnings_.met.emplace_back(text.substr(warns.size()));
     };
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
         progress_.attempted(step, report);
@@ -133,8 +134,9 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     coarse::FatigueAnalysis analysis(scene_, factory, listener, from_ ? &from_->analysis : nullptr);
     running = &analysis;
     note_sizes(analysis.structure());
-    warnings_ = coarse::case_warnings(scene_, analysis.nominal_at_start());
-    for (const std::string& warning : warnings_) progress_.note("warning: " + warning);
+    warnings_.of_case = coarse::case_warnings(scene_, analysis.nominal_at_start());
+    for (const std::string& warning : warnings_.of_case) progress_.note(std::string(warns) + warning);
+    if (from_) warnings_.met = from_->warnings;
     if (analysis.finished()) {
         progress_.note(fmt::format("nothing is left to do: results in {}", directory_.string()));
         return Done;
@@ -150,12 +152,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         summarise("failed", analysis, *recorder, fine);
         throw NumericalFailure(fmt::format("{}; {}", failure.what(), last_checkpoint()));
     }
-    if (const double grown = analysis.uncounted_growth(); grown > 0.0)
-        listener.note(fmt::format("warning: N does not count the last {:.4g} mm: the cycles that tell their rate are "
-                                  "not over",
-                                  grown));
-    if (const std::string doubt = coarse::work_out_of_balance(analysis.work()); !doubt.empty())
-        listener.note("warning: " + doubt);
+    warn_at_end(analysis);
     const bool done = analysis.finished();
     summarise(done ? "done" : "interrupted", analysis, *recorder, fine);
     // Last of all: who resumes what is cut off before this line comes here again.
@@ -166,6 +163,15 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         progress_.note(fmt::format("{}: {}; --resume {}", time_is_up() ? "its time is up" : "interrupted",
                                    last_checkpoint(), saved_ ? "goes on from there" : "begins anew"));
     return done ? Done : Interrupted;
+}
+
+void CoarseRun::warn_at_end(const coarse::FatigueAnalysis& analysis) {
+    if (const double grown = analysis.uncounted_growth(); grown > 0.0)
+        warnings_.at_end.push_back(
+            fmt::format("N does not count the last {:.4g} mm: the cycles that tell their rate are not over", grown));
+    if (std::string doubt = coarse::work_out_of_balance(analysis.work()); !doubt.empty())
+        warnings_.at_end.push_back(std::move(doubt));
+    for (const std::string& warning : warnings_.at_end) progress_.note(std::string(warns) + warning);
 }
 
 void CoarseRun::note_sizes(const coarse::Structure& structure) {
@@ -180,7 +186,7 @@ bool CoarseRun::is_due(const coarse::LoadStep& step) const {
 
 void CoarseRun::write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder) {
     const Stopwatch watch(checkpoint_s_);
-    const coarse::Checkpoint now{mark_, analysis.state(), recorder.state()};
+    const coarse::Checkpoint now{mark_, analysis.state(), recorder.state(), warnings_.met};
     coarse::write_checkpoint(checkpoint_path(), now);
     saved_ = now.analysis.counts.increments;
 }
@@ -224,7 +230,8 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.N = recorder.N();
     if (analysis.life_is_over()) summary.life = summary.N;
     summary.last = recorder.last_rows();
-    summary.warnings = warnings_;
+    for (const auto* some : {&warnings_.of_case, &warnings_.met, &warnings_.at_end})
+        summary.warnings.insert(summary.warnings.end(), some->begin(), some->end());
     write_json(directory_ / "summary.json", coarse::to_json(summary));
 }
 

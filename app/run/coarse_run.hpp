@@ -48,6 +48,7 @@ private:
     [[nodiscard]] bool is_due(const coarse::LoadStep& step) const;
     void write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder);
     [[nodiscard]] std::string last_checkpoint() const;
+    void warn_at_end(const coarse::FatigueAnalysis& analysis);
     void summarise(const char* status, const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder,
                    const FineSide* fine) const;
 
@@ -62,7 +63,10 @@ private:
     Progress progress_;
     coarse::CaseMark mark_;
     std::optional<coarse::Checkpoint> from_;  // where the run resumes
-    std::vector<std::string> warnings_;       // of the case, and of what the run came upon
+    /// Of the case, of what the run came upon, an earlier part of it too, and of its end.
+    struct Warnings {
+        std::vector<std::string> of_case, met, at_end;
+    } warnings_;
     std::optional<int> saved_;                // increment of the last checkpoint
 
     /// Of the last structure that has borne an increment: what fails in the middle of a growth has none.

@@ -11,7 +11,7 @@
 namespace stria::coarse {
 namespace {
 
-constexpr int format = 25;  // grows with any change of the members below
+constexpr int format = 26;  // grows with any change of the members below
 
 }  // namespace
 
@@ -32,6 +32,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
         save("case", checkpoint.mark);
         save("analysis", checkpoint.analysis);
         save("recorder", checkpoint.recorder);
+        save("warnings", checkpoint.warnings);
     });
     write_sealed(path, image, previous_checkpoint(path));
 }
@@ -47,6 +48,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
         load("case", checkpoint.mark);
         load("analysis", checkpoint.analysis);
         load("recorder", checkpoint.recorder);
+        load("warnings", checkpoint.warnings);
     } catch (const std::exception& problem) {
         throw CaseError(fmt::format("{}: cannot go on from this checkpoint: {}", path.string(), problem.what()));
     }

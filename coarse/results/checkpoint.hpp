@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/results/case_mark.hpp"
@@ -13,6 +15,7 @@ struct Checkpoint {
     CaseMark mark;
     AnalysisState analysis;
     RecorderState recorder;
+    std::vector<std::string> warnings;  // what the run came upon so far
 };
 
 /// Where the run ends at another cycle than when the checkpoint was written, the rows and fields of the former last one

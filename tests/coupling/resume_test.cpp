@@ -169,7 +169,7 @@ Part run_by(int ranks, const Case& input, const coarse::AnalysisState* from = nu
 coarse::AnalysisState through_a_file(const Case& input, const coarse::AnalysisState& state) {
     const TemporaryFolder folder;
     coarse::write_checkpoint(folder / "checkpoint.h5",
-                             {coarse::mark_of(coarse::refined_scene(input)), state, coarse::RecorderState()});
+                             {coarse::mark_of(coarse::refined_scene(input)), state, coarse::RecorderState(), {}});
     return coarse::read_checkpoint(folder / "checkpoint.h5").analysis;
 }
 

@@ -60,6 +60,20 @@ TEST_P(FreeFaces, AreSaidToOverlap) {
     EXPECT_TRUE(says("out/summary.json", "\"overlapping_faces\": 0"));
 }
 
+TEST_P(FreeFaces, AreStillSaidToOverlapOnceTheRunWasResumed) {
+    const auto warnings = [&] {
+        const std::string all = text_of(folder / "out/summary.json");
+        const std::size_t from = all.find("\"warnings\"");
+        return all.substr(from, all.find(']', from) - from);
+    };
+    run({});
+    ASSERT_NE(warnings().find("faces of crack 0 overlap, by "), std::string::npos);
+    const std::string before = warnings();
+    run({"--resume", "--set", "load.blocks.0.cycles=2"});
+    EXPECT_TRUE(says("log", "resumed from"));
+    EXPECT_EQ(warnings(), before);
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, FreeFaces, testing::Values("inprocess", "mpi", "monolithic"),
                          [](const auto& mode) { return mode.param; });
 
