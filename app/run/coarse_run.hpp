@@ -67,7 +67,7 @@ private:
     struct Warnings {
         std::vector<std::string> of_case, met, at_end;
     } warnings_;
-    std::optional<int> saved_;                // increment of the last checkpoint
+    std::optional<int> saved_;  // increment of the last checkpoint
 
     /// Of the last structure that has borne an increment: what fails in the middle of a growth has none.
     struct Sizes {
