@@ -88,7 +88,7 @@ double target_of_unit(const LoadSection& load, const std::vector<double>& K_I, d
 double load_factor_at(double value, const LoadSection& load, const UnitResponse& nominal, double grown) {
     if (load.control != Control::Displacement) return value * target_of_unit(load, nominal.K_I, grown);
     if (std::abs(nominal.displacement.mean) <= 1e-9 * nominal.displacement.largest)
-        throw CaseError("load.control: the loads do not move the loaded boundary along their direction");
+        throw CaseError("load.control: the loads do not move the loaded boundary along their direction, or have none");
     return value / nominal.displacement.mean;
 }
 

@@ -68,15 +68,14 @@ public:
         return named_;
     }
 
-    /// Those of the sets that name no edges.
+    /// The nodes of each set that are of no edge that it names.
     [[nodiscard]] std::map<std::string, std::vector<int>> node_sets() const {
         std::map<std::string, std::vector<int>> sets;
         for (const auto& [group, numbers] : part_.node_sets) {
-            if (named_.contains(group)) continue;
-            std::set<int> nodes;
-            for (const Number number : numbers)
-                if (const auto found = faces_.node_of.find(number); found != faces_.node_of.end())
-                    nodes.insert(found->second);
+            std::set<int> nodes = nodes_of(numbers);
+            if (const auto named = named_.find(group); named != named_.end())
+                for (const auto& [from, to] : named->second)
+                    for (const int end : {from, to}) nodes.erase(end);
             if (!nodes.empty()) sets[group].assign(nodes.begin(), nodes.end());
         }
         return sets;
@@ -94,11 +93,16 @@ private:
         if (faces_.is_boundary(pair)) named_[group].insert(pair);
     }
 
-    void name_edges_between(const std::string& group, const std::vector<Number>& numbers) {
+    [[nodiscard]] std::set<int> nodes_of(const std::vector<Number>& numbers) const {
         std::set<int> nodes;
         for (const Number number : numbers)
             if (const auto found = faces_.node_of.find(number); found != faces_.node_of.end())
                 nodes.insert(found->second);
+        return nodes;
+    }
+
+    void name_edges_between(const std::string& group, const std::vector<Number>& numbers) {
+        const std::set<int> nodes = nodes_of(numbers);
         for (const auto& [edge, sides] : faces_.edges)
             if (sides.size() == 1 && nodes.contains(edge.first) && nodes.contains(edge.second))
                 named_[group].insert(edge);
@@ -145,7 +149,8 @@ std::vector<std::string> describe_mesh_file(const std::string& path) {
     std::vector<std::string> names;
     for (const auto& [group, edges] : mesh.boundary) names.push_back(fmt::format("{} ({} edges)", group, edges.size()));
     for (const auto& [group, nodes] : mesh.node_sets)
-        names.push_back(fmt::format("{} ({} nodes)", group, nodes.size()));
+        names.push_back(
+            fmt::format("{} ({}{} nodes)", group, mesh.boundary.contains(group) ? "and " : "", nodes.size()));
     lines.push_back(fmt::format("boundaries: {}", fmt::join(names, ", ")));
     names.clear();
     for (const auto& [group, members] : mesh.groups)

@@ -30,7 +30,7 @@ void validate(const Mesh& mesh, const BoundarySection& section, const std::strin
     const bool has_traction = section.traction || section.pressure || !section.traction_gradient.isZero(0.0);
     if ((on_point || on_pin) && has_traction)
         throw CaseError(key + ": a point or pin carries no traction or pressure, give it a force");
-    if (mesh.node_sets.contains(section.on) && (has_traction || section.force))
+    if (mesh.node_sets.contains(section.on) && !mesh.boundary.contains(section.on) && (has_traction || section.force))
         throw CaseError(key + ": a set of nodes without edges can be held or moved, and bears no load");
     if (on_pin && (section.displacement[0] || section.displacement[1]))
         throw CaseError(key + ".displacement: a pin turns freely and is not held, give it a force");

@@ -61,10 +61,15 @@ struct LoadedBoundary {
     std::string name;                 // of the section: an edge's or pin's name, or "point"
     std::vector<BoundaryEdge> edges;  // empty: a point or pin
     std::vector<int> nodes;           // ascending
-    Vec2 direction;                   // unit: of the prescribed displacement, else of the resultant
-    Vec2 resultant;                   // of the section's loads per unit load factor, N/mm; zero where only held
+    /// Unit: of the prescribed displacement, else of the resultant, else outwards. Zero where nothing tells one: a
+    /// pressure all around a hole.
+    Vec2 direction = Vec2::Zero();
+    Vec2 resultant = Vec2::Zero();    // of all loads of [load] there per unit load factor, N/mm
+    double pull = 0.0;                // of [load] along the direction, on this boundary and others, N/mm
     bool by_force = true;             // forces load it; or it is moved
     std::vector<Vec2> in_cases = {};  // what each load case adds to the resultant
+
+    [[nodiscard]] bool has_direction() const { return !direction.isZero(0.0); }
 };
 
 struct NodalWeight {

@@ -55,7 +55,8 @@ void add_edge_load(const Scene& scene, const EdgeLoad& load, const CrackPiece* p
     }
 }
 
-/// Enriched terms that move a supported edge: Heaviside terms where the crack crosses it, and all tip functions.
+/// Enriched terms that move a supported edge: Heaviside terms where the crack crosses it, or where it begins at a node
+/// beside which the edge lies on the other side, and all tip functions.
 void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>, double>& held,
                          std::map<int, double>& prescribed) {
     const EnrichedMesh& mesh = scene.enriched;
@@ -64,6 +65,7 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
             const auto nodes = edge_nodes(scene.mesh, edge);
             for (int component = 0; component < 2; ++component) {
                 if (!held.contains({nodes[0], component}) || !held.contains({nodes[1], component})) continue;
+                const int element_side = mesh.element_side[at(edge.element)];
                 for (const int side : {0, 1}) {
                     const int node = nodes[at(side)], other = nodes[at(1 - side)];
                     const auto& terms = mesh.terms[at(node)];
@@ -72,7 +74,8 @@ void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>,
                         const bool crossed = std::ranges::any_of(mesh.terms[at(other)], [&](const Term& t) {
                             return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
                         });
-                        if (term.kind == Term::Kind::Tip || term.kind == Term::Kind::Left || crossed)
+                        const bool beside = term.kind == Term::Kind::Heaviside && element_side * term.shift < 0;
+                        if (term.kind == Term::Kind::Tip || term.kind == Term::Kind::Left || crossed || beside)
                             prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
                     }
                 }
@@ -101,28 +104,27 @@ void require_balanced_cases(const Scene& scene) {
     }
 }
 
-/// What the loads of [load] do work on, over the force on the loaded boundary. They balance, so that a motion which
-/// nothing holds does not change it.
-std::vector<NodalWeight> displacement_of_loads(const Scene& scene, double force) {
+/// What the loads of [load] do work on, over what pulls along the loaded boundary's direction. They balance, so that a
+/// motion which nothing holds does not change it.
+std::vector<NodalWeight> displacement_of_loads(const Scene& scene, double pull) {
     std::set<int> nodes;
     for (const EdgeLoad& load : scene.loads.main.edges)
         for (const int node : edge_nodes(scene.mesh, load.edge)) nodes.insert(node);
     for (const PointForce& load : scene.loads.main.forces) nodes.insert(load.node);
     std::vector<NodalWeight> sum;
     for (const int node : nodes)
-        sum.push_back({node, scene.unit_force.segment<2>(scene.enriched.unknown(node, 0, 0)) / force});
+        sum.push_back({node, scene.unit_force.segment<2>(scene.enriched.unknown(node, 0, 0)) / pull});
     return sum;
 }
 
 void weigh_mean_displacement(Scene& scene) {
     scene.mean_displacement = Eigen::VectorXd::Zero(scene.enriched.unknowns);
     const auto loaded = loaded_boundary(scene.mesh, scene.input);
-    if (!loaded) return;
+    if (!loaded || !loaded->has_direction()) return;
     std::vector<NodalWeight> sum = mean_displacement(scene.mesh, *loaded);
-    const double force = loaded->resultant.norm();
-    const bool bends_only = force <= 1e-9 * scene.unit_force.lpNorm<1>();
+    const bool bends_only = loaded->resultant.isZero(0.0);
     if (loaded->by_force && !bends_only && is_left_free(sum, scene.mesh, scene.loads.main))
-        sum = displacement_of_loads(scene, force);
+        sum = displacement_of_loads(scene, loaded->pull);
     for (const auto& [node, weight] : sum)
         scene.mean_displacement.segment<2>(scene.enriched.unknown(node, 0, 0)) += weight;
 }

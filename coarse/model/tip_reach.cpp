@@ -48,8 +48,10 @@ double distance_to_interface(const EnrichedMesh& mesh, const Materials& material
     return distance;
 }
 
-// Where the polyline, walked from the tip, leaves the band.
-double straight_length(const CrackSection& crack, const Tip& tip, double band) {
+namespace {
+
+/// What a crack is beyond the place where its polyline, walked from the tip, leaves the band; empty where it does not.
+std::vector<Vec2> beyond_straight(const CrackSection& crack, const Tip& tip, double band) {
     std::vector<Vec2> points = crack.points;
     if (tip.upper > 0) std::ranges::reverse(points);
     const auto across = [&](const Vec2& x) {  // with its sign: a stretch may come from the other side
@@ -60,9 +62,25 @@ double straight_length(const CrackSection& crack, const Tip& tip, double band) {
         const double here = across(points[k]), next = across(points[k + 1]);
         if (std::abs(next) <= band) continue;
         const double t = std::clamp((std::copysign(band, next) - here) / (next - here), 0.0, 1.0);
-        return (points[k] + t * (points[k + 1] - points[k]) - tip.position).norm();
+        points[k] += t * (points[k + 1] - points[k]);
+        points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(k));
+        return points;
     }
-    return std::numeric_limits<double>::infinity();
+    return {};
+}
+
+double distance_to(const std::vector<Vec2>& polyline, const Vec2& x) {
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
+        distance = std::min(distance, distance_to_segment(x, polyline[k], polyline[k + 1]));
+    return distance;
+}
+
+}  // namespace
+
+double straight_length(const CrackSection& crack, const Tip& tip, double band) {
+    const std::vector<Vec2> rest = beyond_straight(crack, tip, band);
+    return rest.empty() ? std::numeric_limits<double>::infinity() : (rest.front() - tip.position).norm();
 }
 
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
@@ -73,13 +91,9 @@ double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std:
         if (distance > 0.0) reach = std::min(reach, distance / 2.0);
     }
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
-        const std::vector<Vec2>& points = cracks[at(crack)].points;
-        if (crack == tip.crack) {
-            reach = std::min(reach, straight_length(cracks[at(crack)], tip, band));
-            continue;
-        }
-        for (std::size_t k = 0; k + 1 < points.size(); ++k)
-            reach = std::min(reach, distance_to_segment(tip.position, points[k], points[k + 1]) / 2.0);
+        const CrackSection& section = cracks[at(crack)];
+        reach = std::min(reach, crack == tip.crack ? distance_to(beyond_straight(section, tip, band), tip.position)
+                                                   : distance_to(section.points, tip.position) / 2.0);
     }
     return reach;
 }

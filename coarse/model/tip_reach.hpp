@@ -15,12 +15,12 @@ namespace stria::coarse {
 /// A bend that leaves the tip's line by less than this times its element's diagonal is none that the mesh could show.
 constexpr double bend_to_element = 0.25;
 
-/// Distance from a tip to the nearest of: the body's boundary, the middle between it and another tip or crack, and the
-/// place where its own crack leaves the line behind the tip by more than `band`, mm.
+/// Distance from a tip to the nearest of: the body's boundary, the middle between it and another tip or crack, and what
+/// its own crack is beyond the place where it leaves the line behind the tip by more than `band`, mm.
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
                  double band);
 
-/// The last of these alone; infinite where the crack does not leave it.
+/// Distance from a tip to that place; infinite where the crack does not leave the line.
 double straight_length(const CrackSection& crack, const Tip& tip, double band);
 
 /// Distance from a tip to the nearest element of a material that is not like its own (Materials::are_alike()), mm;

@@ -95,7 +95,7 @@ void RunRecorder::record_fields(const Increment& increment, const Structure& str
 }
 
 void RunRecorder::record_history(const Increment& increment, const Scene& present) {
-    const double displacement = loaded_ ? increment.machine.displacement : missing;
+    const double displacement = loaded_ && loaded_->has_direction() ? increment.machine.displacement : missing;
     last_ = history_rows(increment, present.enriched.tips, load(increment), displacement);
     for (const HistoryRow& row : last_) history_.row(cells_of(row));
     if (loads_) loads_->row(load_cells(present.input, increment));
@@ -149,7 +149,7 @@ bool RunRecorder::due(Written wish, const Increment& increment) const {
 }
 
 double RunRecorder::load(const Increment& increment) const {
-    if (!loaded_) return missing;
+    if (!loaded_ || !loaded_->has_direction()) return missing;
     if (!loaded_->by_force) return increment.machine.force;
     double load = increment.load_factor * loaded_->resultant.dot(loaded_->direction);
     const LoadFactors factors(increment.load_factor, increment.step.target.cases);

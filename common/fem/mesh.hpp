@@ -45,7 +45,8 @@ struct Mesh {
     std::vector<HangingNode> hanging;                           // ascending by node
     std::map<std::string, std::vector<BoundaryEdge>> boundary;  // by name; all edges of the body, each once or oftener
     std::map<std::string, std::vector<int>> groups;             // of elements, by name, each ascending (mesh files)
-    std::map<std::string, std::vector<int>> node_sets;          // nodes that are held, by name, each ascending
+    /// Nodes that are held, by name, each ascending; where a boundary has the name they are held besides.
+    std::map<std::string, std::vector<int>> node_sets;
     std::map<std::string, SpreadPoint> pins;                    // by name: "pin-top", "pin-bottom"
     std::vector<int> material;        // of each element (materials.hpp); empty: all are of material 0
     std::vector<int> insert;          // ascending: elements that stay elastic at any stress (around pins)

@@ -158,7 +158,7 @@ void FaceOperators::add_frozen(const EnrichedMesh& mesh, const Shares& shares, c
         return is_there ? static_cast<int>(found - mesh.node_ids.begin()) : -1;
     };
     for (const FaceStation& station : stations_) {
-        for (const auto& [node_id, jump] : frozen.shares_of_jump(station.crack, station.x)) {
+        for (const auto& [node_id, jump, slope] : frozen.shares_of_jump(station.crack, station.x)) {
             for (const auto& [multiplier, value] :
                  functions_at(station.crack, shares.place(station, index_of(node_id)))) {
                 if (multiplier < 0) continue;

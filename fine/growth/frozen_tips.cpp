@@ -120,9 +120,10 @@ std::vector<FrozenTips::Share> FrozenTips::shares_of_jump(int crack, const Vec2&
             continue;
         const auto s = arc_length_at(frozen.mesh, crack, x);
         if (!s) continue;
-        for (const FaceStation::Term& term : face_station_at(frozen.mesh, crack, *s).terms)
-            shares.push_back(
-                {node_ids_[t][at(term.unknown)], term.value * frozen.displacement.segment<2>(term.unknown)});
+        for (const auto& [unknown, value, slope] : face_station_at(frozen.mesh, crack, *s).terms) {
+            const Vec2 frozen_value = frozen.displacement.segment<2>(unknown);
+            shares.push_back({node_ids_[t][at(unknown)], value * frozen_value, slope * frozen_value});
+        }
     }
     return shares;
 }
@@ -130,6 +131,12 @@ std::vector<FrozenTips::Share> FrozenTips::shares_of_jump(int crack, const Vec2&
 Vec2 FrozenTips::jump(int crack, const Vec2& x) const {
     Vec2 sum = Vec2::Zero();
     for (const Share& share : shares_of_jump(crack, x)) sum += share.jump;
+    return sum;
+}
+
+Vec2 FrozenTips::slope(int crack, const Vec2& x) const {
+    Vec2 sum = Vec2::Zero();
+    for (const Share& share : shares_of_jump(crack, x)) sum += share.slope;
     return sum;
 }
 

@@ -25,10 +25,13 @@ public:
     /// change where a crack grows at its first point.
     [[nodiscard]] Vec2 jump(int crack, const Vec2& x) const;
 
+    /// Its derivative along the crack's tangent.
+    [[nodiscard]] Vec2 slope(int crack, const Vec2& x) const;
+
     /// The same as what the functions of each node make of it, by its id.
     struct Share {
         int node_id;
-        Vec2 jump;
+        Vec2 jump, slope;  // slope: along the crack's tangent
     };
     [[nodiscard]] std::vector<Share> shares_of_jump(int crack, const Vec2& x) const;
 

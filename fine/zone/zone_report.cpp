@@ -42,7 +42,11 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
     const Eigen::VectorXd& u = zone.displacement;
     for (const FaceStation& station : stations) {
         const auto [pressure, shear, slides] = zone.contact.traction_at(station, zone.traction);
-        if (pressure > 0.0) sums.add_faces(station, {pressure, shear, station.opening_slope(u), station.slip_slope(u)});
+        if (!(pressure > 0.0)) continue;
+        // The faces follow all of the jump: of closed ones the unknowns open as much as the frozen functions shut.
+        const Vec2 frozen = zone.frozen.slope(station.crack, station.x);
+        sums.add_faces(station, {pressure, shear, station.opening_slope(u) + frozen.dot(station.normal),
+                                 station.slip_slope(u) + frozen.dot(station.tangent)});
     }
 }
 

@@ -33,11 +33,12 @@ void ZoneTree::plant() {
 // Of each id, the one of the last tree with the same matrix in it, -1: none. The tangents of a new zone are elastic.
 std::vector<int> ZoneTree::unchanged(const TakenOver& taken_over) const {
     std::vector<int> same;
+    const auto equal = [](const auto& a, const auto& b) { return a.rows() == b.rows() && a == b; };
     for (const int e : taken_over.elements) same.push_back(e >= 0 && !flows_.contains(e) ? e : -1);
     for (int k = 0; k < system_.contact().multipliers(); ++k) {
         const int before = taken_over.multipliers[at(k)];
         const bool stays = before >= 0 && statuses_[at(before)] == system_.contact().statuses()[at(k)] &&
-                           multiplier_matrices_[at(before)] == system_.contact().matrix_of(k);
+                           equal(multiplier_matrices_[at(before)], system_.contact().matrix_of(k));
         same.push_back(stays ? flows_.size() + before : -1);
     }
     return same;

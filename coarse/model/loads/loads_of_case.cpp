@@ -7,6 +7,7 @@
 #include "coarse/load/case_histories.hpp"
 #include "common/case/loads/load_case_checks.hpp"
 #include "common/error.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -63,59 +64,97 @@ LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input) {
 
 namespace {
 
-/// Of a load case on the boundary that is looked at.
-Vec2 resultant_on(const Mesh& mesh, const LoadedBoundary& boundary, const Loads& loads) {
-    const auto same = [](const BoundaryEdge& a, const BoundaryEdge& b) {
-        return a.element == b.element && a.edge == b.edge;
-    };
-    Loads there;
-    for (const EdgeLoad& load : loads.edges)
-        if (std::ranges::any_of(boundary.edges, [&](const BoundaryEdge& edge) { return same(edge, load.edge); }))
-            there.edges.push_back(load);
-    for (const PointForce& load : loads.forces)
-        if (std::ranges::binary_search(boundary.nodes, load.node)) there.forces.push_back(load);
+/// What unit loads put on a boundary.
+struct LoadThere {
     Vec2 resultant = Vec2::Zero();
-    for (const AppliedForce& applied : applied_forces(mesh, there)) resultant += applied.force;
-    return resultant;
+    double magnitude = 0.0;  // sum of the norms of its forces
+
+    /// Pure bending, or a pressure all around a hole.
+    [[nodiscard]] bool balanced() const { return resultant.norm() <= 1e-9 * magnitude; }
+};
+
+bool is_on(const Place& place, const EdgeLoad& load) {
+    return std::ranges::any_of(place.edges, [&](const BoundaryEdge& edge) {
+        return edge.element == load.edge.element && edge.edge == load.edge.edge;
+    });
 }
 
-std::optional<LoadedBoundary> first_loaded(const Mesh& mesh, const std::vector<BoundarySection>& sections,
-                                           const std::function<bool(const BoundarySection&)>& wanted) {
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-        if (!wanted(sections[k])) continue;
-        const Loads loads = resolve_boundaries(mesh, {sections[k]});
-        const Vec2 displacement = displacement_of(sections[k]);
-        Vec2 resultant = Vec2::Zero(), normal = Vec2::Zero();
-        double magnitude = 0.0;
-        for (const AppliedForce& applied : applied_forces(mesh, loads)) {
-            resultant += applied.force;
-            magnitude += applied.force.norm();
-        }
-        if (magnitude == 0.0 && displacement.isZero(0.0)) continue;
+bool is_on(const Place& place, const PointForce& load) { return std::ranges::binary_search(place.nodes, load.node); }
 
-        const Place place = place_of(mesh, sections[k], key_of(k));
-        for (const BoundaryEdge& edge : place.edges) normal -= edge_geometry(mesh, edge).inward_normal();
-        // Pure bending has no resultant: its direction is then the boundary's outward normal.
-        const bool balanced = resultant.norm() <= 1e-9 * magnitude;
-        const Vec2 direction = !displacement.isZero(0.0) ? displacement : balanced ? normal : resultant;
-        return LoadedBoundary{sections[k].on,         place.edges, place.nodes,
-                              direction.normalized(), resultant,   !resultant.isZero(0.0)};
+LoadThere load_on(const Mesh& mesh, const Place& place, const Loads& loads) {
+    Loads there;
+    for (const EdgeLoad& load : loads.edges)
+        if (is_on(place, load)) there.edges.push_back(load);
+    for (const PointForce& load : loads.forces)
+        if (is_on(place, load)) there.forces.push_back(load);
+    LoadThere sum;
+    for (const AppliedForce& applied : applied_forces(mesh, there)) {
+        sum.resultant += applied.force;
+        sum.magnitude += applied.force.norm();
     }
+    if (sum.balanced()) sum.resultant.setZero();
+    return sum;
+}
+
+std::optional<std::size_t> first_loaded(const Mesh& mesh, const std::vector<BoundarySection>& sections,
+                                        const std::function<bool(const BoundarySection&)>& wanted) {
+    const auto pushes = [](const AppliedForce& applied) { return !applied.force.isZero(0.0); };
+    for (std::size_t k = 0; k < sections.size(); ++k)
+        if (wanted(sections[k]) &&
+            (!displacement_of(sections[k]).isZero(0.0) ||
+             std::ranges::any_of(applied_forces(mesh, resolve_boundaries(mesh, {sections[k]})), pushes)))
+            return k;
     return std::nullopt;
+}
+
+/// Of the boundary's outward normals; zero all around a hole.
+Vec2 outward(const Mesh& mesh, const std::vector<BoundaryEdge>& edges) {
+    Vec2 sum = Vec2::Zero();
+    for (const BoundaryEdge& edge : edges) sum -= edge_geometry(mesh, edge).inward_normal();
+    return sum.norm() > 1e-9 * static_cast<double>(edges.size()) ? sum.normalized() : Vec2::Zero();
+}
+
+/// What pulls at any boundary of the main load's, along a direction: an edge may be listed in parts.
+double pulls_along(const Mesh& mesh, const std::vector<BoundarySection>& sections, Loads loads, const Vec2& direction) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+        if (!is_of_main_load(sections[k])) continue;
+        const Place place = place_of(mesh, sections[k], key_of(k));
+        sum += std::max(0.0, load_on(mesh, place, loads).resultant.dot(direction));
+        const auto counted = [&](const auto& load) { return is_on(place, load); };
+        std::erase_if(loads.edges, counted);
+        std::erase_if(loads.forces, counted);
+    }
+    return sum;
 }
 
 }  // namespace
 
 std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input) {
-    std::optional<LoadedBoundary> loaded = first_loaded(mesh, input.boundaries, is_of_main_load);
-    if (!loaded) {
-        loaded = first_loaded(mesh, input.boundaries,
-                              [](const BoundarySection& section) { return section.load_case.has_value(); });
-        if (loaded) loaded->resultant.setZero();  // of the main load
+    const std::vector<BoundarySection>& sections = input.boundaries;
+    std::optional<std::size_t> first = first_loaded(mesh, sections, is_of_main_load);
+    if (!first)
+        first =
+            first_loaded(mesh, sections, [](const BoundarySection& section) { return section.load_case.has_value(); });
+    if (!first) return std::nullopt;
+    const BoundarySection& section = sections[*first];
+    const Vec2 displacement = displacement_of(section);
+    const Place place = place_of(mesh, section, key_of(*first));
+    const LoadsOfCase all = resolve_loads(mesh, input);
+    LoadThere there = load_on(mesh, place, all.main);
+    LoadedBoundary loaded{.name = section.on, .edges = place.edges, .nodes = place.nodes};
+    loaded.resultant = there.resultant;
+    loaded.by_force = displacement.isZero(0.0);
+    for (const Loads& loads : all.cases) loaded.in_cases.push_back(load_on(mesh, place, loads).resultant);
+    if (section.load_case) {
+        const auto own = std::ranges::find(input.load_cases, *section.load_case, &LoadCaseSection::name);
+        there = load_on(mesh, place, all.cases[at(own - input.load_cases.begin())]);
     }
-    if (loaded)
-        for (const Loads& loads : resolve_loads(mesh, input).cases)
-            loaded->in_cases.push_back(resultant_on(mesh, *loaded, loads));
+    if (!loaded.by_force)
+        loaded.direction = displacement.normalized();
+    else
+        loaded.direction = there.balanced() ? outward(mesh, place.edges) : there.resultant.normalized();
+    loaded.pull = pulls_along(mesh, sections, all.main, loaded.direction);
     return loaded;
 }
 

@@ -14,8 +14,8 @@ struct LoadsOfCase {
 };
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input);
 
-/// The first listed section with a load or a non-zero displacement, if any; of those without a factor of their own if
-/// there is one.
+/// That of the first listed section with a load or a non-zero displacement, if any; of those without a factor of their
+/// own if there is one. What other sections put on it counts.
 std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input);
 
 }  // namespace stria::coarse

@@ -1,8 +1,10 @@
 #include "coarse/model/loads/places.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <set>
+#include <string>
 
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -45,22 +47,24 @@ Place place_of(const Mesh& mesh, const BoundarySection& section, const std::stri
         for (const SpreadPoint::Share& share : pin->second.shares) place.nodes.push_back(share.node);
         return place;
     }
-    if (const auto set = mesh.node_sets.find(section.on); set != mesh.node_sets.end())
-        return {{}, set->second, nullptr};
-    const auto found = mesh.boundary.find(section.on);
-    if (found == mesh.boundary.end()) {
-        std::string names;
-        for (const auto& [name, edges] : mesh.boundary) names += name + ", ";
-        for (const auto& [name, pin] : mesh.pins) names += name + ", ";
-        for (const auto& [name, nodes] : mesh.node_sets) names += name + ", ";
-        throw CaseError(
-            fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}point", key, section.on, names));
+    const auto edges = mesh.boundary.find(section.on);
+    const auto set = mesh.node_sets.find(section.on);
+    if (edges == mesh.boundary.end() && set == mesh.node_sets.end()) {
+        std::set<std::string> names;
+        for (const auto& [name, bounding] : mesh.boundary) names.insert(name);
+        for (const auto& [name, pin] : mesh.pins) names.insert(name);
+        for (const auto& [name, nodes] : mesh.node_sets) names.insert(name);
+        throw CaseError(fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}, point", key, section.on,
+                                    fmt::join(names, ", ")));
     }
+    Place place{};
     std::set<int> nodes;
-    for (const BoundaryEdge& edge : found->second) {
+    if (edges != mesh.boundary.end()) place.edges = edges->second;
+    for (const BoundaryEdge& edge : place.edges)
         for (const int node : edge_nodes(mesh, edge)) nodes.insert(node);
-    }
-    return {found->second, {nodes.begin(), nodes.end()}, nullptr};
+    if (set != mesh.node_sets.end()) nodes.insert(set->second.begin(), set->second.end());
+    place.nodes.assign(nodes.begin(), nodes.end());
+    return place;
 }
 
 }  // namespace stria::coarse

@@ -91,7 +91,7 @@ TEST(MeshOfAbaqus, KnowsSetsAndSurfaces) {
  10, 1, 2, 5, 6
  11, 2, 5, 4, 3
 *Nset, nset=Left
- 1, 6
+ 1, 6, 4
 *Nset, nset=corners, generate
  1, 6, 2
 *Elset, elset=right half
@@ -112,6 +112,9 @@ TEST(MeshOfAbaqus, KnowsSetsAndSurfaces) {
     EXPECT_EQ(mesh.groups.at("right half"), std::vector<int>{1});
     EXPECT_EQ(mesh.groups.at("both"), (std::vector<int>{0, 1}));
     EXPECT_EQ(mesh.boundary.at("Left").size(), 1U);
+    BoundarySection left;
+    left.on = "Left";
+    EXPECT_EQ(place_of(mesh, left, "").nodes.size(), 3U) << "one of them at no edge of the set";
     EXPECT_EQ(mesh.node_sets.at("corners").size(), 3U);
     for (const BoundaryEdge& edge : mesh.boundary.at("lower")) EXPECT_EQ(edge_geometry(mesh, edge).from.y(), 0.0);
     EXPECT_EQ(mesh.boundary.at("lower").size(), 2U);
@@ -122,6 +125,8 @@ TEST(MeshOfAbaqus, KnowsSetsAndSurfaces) {
     EXPECT_EQ(lines[1], "1 elements ran clockwise and were turned");
     EXPECT_EQ(lines[2], "1 nodes are of no element");
     EXPECT_EQ(lines[3], "passed over: *ELASTIC, *MATERIAL");
+    EXPECT_NE(lines[4].find("Left (1 edges), "), std::string::npos) << lines[4];
+    EXPECT_NE(lines[4].find("Left (and 1 nodes)"), std::string::npos) << lines[4];
 }
 
 TEST(MeshOfGmsh, TakesAnElementOfTwoGroupsOnce) {

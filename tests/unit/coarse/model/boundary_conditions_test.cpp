@@ -192,6 +192,39 @@ TEST(LoadedBoundary, TakesItsDirectionFromWhatThereIs) {
     bending.origin = Vec2(2.0, 0.0);
     bending.traction_gradient << 0.0, 0.0, 1.0, 0.0;
     EXPECT_LT((loaded_among(mesh, {bending})->direction - Vec2(0.0, 1.0)).norm(), 1e-15);
+    EXPECT_EQ(loaded_among(mesh, {bending})->resultant, Vec2(0.0, 0.0));
+}
+
+TEST(LoadedBoundary, BearsAllThatIsListedOnIt) {
+    BoundarySection bending;
+    bending.on = "top";
+    bending.origin = Vec2(2.0, 0.0);
+    bending.traction_gradient << 0.0, 0.0, 1.0, 0.0;
+    const BoundarySection pulls = traction_on("top", 0.0, 1.0), down = traction_on("bottom", 0.0, -1.0);
+    for (const std::vector<BoundarySection>& sections :
+         {std::vector<BoundarySection>{pulls, pulls, down, down}, {bending, pulls, down, pulls, down}}) {
+        const auto boundary = loaded_among(mesh, sections);
+        EXPECT_LT((boundary->resultant - Vec2(0.0, 8.0)).norm(), 1e-14);
+        EXPECT_LT((boundary->direction - Vec2(0.0, 1.0)).norm(), 1e-14);
+        EXPECT_NEAR(boundary->pull, 8.0, 1e-14);
+    }
+    // One end in two parts.
+    const auto half = loaded_among(mesh, {force_at(0.0, 3.0, 0.0, 2.0), force_at(4.0, 3.0, 0.0, 2.0), down});
+    EXPECT_LT((half->resultant - Vec2(0.0, 2.0)).norm(), 1e-14);
+    EXPECT_NEAR(half->pull, 4.0, 1e-14);
+}
+
+TEST(LoadedBoundary, OfAPressureAllAroundHasNoDirection) {
+    BoundarySection around;
+    around.on = "around";
+    around.pressure = 1.0;
+    Mesh whole = mesh;
+    for (const auto& [name, edges] : mesh.boundary)
+        whole.boundary["around"].insert(whole.boundary["around"].end(), edges.begin(), edges.end());
+    const auto boundary = loaded_among(whole, {around});
+    ASSERT_TRUE(boundary.has_value());
+    EXPECT_FALSE(boundary->has_direction());
+    EXPECT_EQ(boundary->resultant, Vec2(0.0, 0.0));
 }
 
 // A set of nodes without edges, as *NSET gives it.

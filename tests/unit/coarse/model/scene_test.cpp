@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "coarse/zone/refined_scene.hpp"
+#include "common/integration/crack_faces.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -46,6 +47,24 @@ TEST(Displacement, OfAHeldBodyIsTheMeanOfItsBoundary) {
     input.boundaries[1].traction.reset();
     input.boundaries[1].displacement = {0.0, 0.0};
     EXPECT_NEAR(displacement_of(input), 1e-3 * (1.0 + 30.0 + 10.0), 1e-12);
+}
+
+// A crack along element edges that begins at a node of a held edge does not open there, on neither side.
+TEST(Supports, HoldTheMouthOfACrackOnTheEdge) {
+    Case input = test::pulled_plate(2.0, false, false);
+    for (const double height : {10.0, 10.4}) {
+        for (Vec2& point : input.cracks[0].points) point.y() = height;
+        input.boundaries[0].on = "left";
+        input.boundaries[0].traction.reset();
+        input.boundaries[0].displacement = {0.0, 0.0};
+        const Scene scene = refined_scene(input);
+        const FaceStation mouth = face_station_at(scene.enriched, 0, 0.0);
+        ASSERT_FALSE(mouth.terms.empty());
+        for (const FaceStation::Term& term : mouth.terms)
+            for (const int component : {0, 1})
+                EXPECT_TRUE(term.value == 0.0 || std::ranges::binary_search(scene.prescribed, term.unknown + component,
+                                                                            {}, &PrescribedUnknown::unknown));
+    }
 }
 
 }  // namespace

@@ -35,5 +35,17 @@ TEST(TipReach, DoesNotFeelAFurtherPointOfAStraightStretch) {
     EXPECT_NEAR(straight_length(crack, tip_at_origin(), 0.2), std::hypot(3.5, 0.2), 1e-12);
 }
 
+// The crack turns twice and comes back beside its tip: its faces there bound the rings, too.
+TEST(TipReach, EndsAtAStretchOfTheSameCrackThatComesBack) {
+    Mesh far_away;
+    far_away.nodes = {{-100.0, -100.0}, {100.0, -100.0}};
+    CrackSection hook;
+    hook.points = {{6.0, -4.0}, {-8.0, -4.0}, {-8.0, 0.0}, {0.0, 0.0}};
+    const Tip tip = tip_at_origin();
+    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), tip, 0.2), 4.0, 1e-12);
+    hook.points = {{-8.0, -9.0}, {-8.0, 0.0}, {0.0, 0.0}};
+    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), tip, 0.2), std::hypot(8.0, 0.2), 1e-12);
+}
+
 }  // namespace
 }  // namespace stria::coarse
