@@ -133,7 +133,7 @@ std::optional<Command> parse_stria(int argc, const char* const* argv) {
     app.require_subcommand(1);
     CLI::App* run = app.add_subcommand("run", "Run a case");
     add_run_options(*run, command.run);
-    CLI::App* check = app.add_subcommand("check", "Read and check everything, solve nothing");
+    CLI::App* check = app.add_subcommand("check", "Read and check everything, solve no more than the elastic body");
     add_case(*check, command.run);
     CLI::App* study = app.add_subcommand("study", "Run a case with every combination of some values, and compare");
     add_study_options(*study, command.study);

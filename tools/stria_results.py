@@ -26,6 +26,10 @@ KSI_SQRT_IN = 6.894757293168361 * math.sqrt(0.0254)  # MPa sqrt(m) in a ksi sqrt
 INCH = 25.4  # mm
 
 
+class Refusal(Exception):
+    """What is asked for cannot be told; its text says why."""
+
+
 def number(cell):
     """The value of a cell; NaN where it is empty, the text itself where it is none."""
     try:
@@ -99,26 +103,25 @@ def tension_range(K_max, K_min):
 
 
 def counted(N, grown):
-    """Rows between which growth is counted, by twos: it may be so some rows behind it, and the first of two is the last in front
-    of what is counted at the second."""
+    """Rows between which growth of any tip is counted, by twos: it may be so some rows behind it, and the first of two is the last
+    in front of what is counted at the second. Cycles that pass without growth belong to the next growth."""
     first = 0
     for last in range(1, len(N)):
-        if N[last] > N[first]:
+        if N[last] > N[first] and grown[last] > grown[first]:
             yield first, last
             first = last
-        elif grown[last] == grown[first]:
+        elif N[last] == N[first] and grown[last] == grown[first]:
             first = last
 
 
-def secant_rates(N, grown):
+def secant_rates(N, grown, pairs):
     """ASTM E647 X1.1: two rows and the rate between them."""
-    for first, last in counted(N, grown):
+    for first, last in pairs:
         yield (first, last), (grown[last] - grown[first]) / (N[last] - N[first])
 
 
-def polynomial_rates(N, grown):
+def polynomial_rates(N, grown, pairs):
     """ASTM E647 X1.2: a parabola by least squares through seven points; the row in its middle, twice, and its slope there."""
-    pairs = list(counted(N, grown))
     rows = [first for first, _ in pairs[:1]] + [last for _, last in pairs]
     for k in range(3, len(rows) - 3):
         window = rows[k - 3 : k + 4]
@@ -128,14 +131,35 @@ def polynomial_rates(N, grown):
         yield (rows[k], rows[k]), (b1 + 2.0 * b2 * (N[rows[k]] - centre) / half) / half
 
 
-def require_one_load(cycles, grown, pairs):
-    """One dK goes with a rate: refuses a rate that is counted over rows which differ in K before anything has grown."""
+def load_factors(run):
+    """Largest and smallest load factor of each cycle; empty where history.csv is not there."""
+    if not (run.folder / "history.csv").exists():
+        return {}
+    extremes = {}
+    for cycle, factor in zip(run.history.columns["cycle"], run.history.columns["load_factor"]):
+        high, low = extremes.get(cycle, (factor, factor))
+        extremes[cycle] = (max(high, factor), min(low, factor))
+    return extremes
+
+
+def require_one_load(cycles, grown, pairs, factors):
+    """One dK goes with a rate: refuses a rate that is counted over rows which differ in K before anything has grown, and one
+    between rows of different loads. Where K is controlled the load factor follows the crack, and K may change, but not leap."""
+    smooth = 0.1  # of K_max, from a row to the next
+
+    def differ(first, last, tolerance):
+        size = max(abs(cycles["K_max"][first]), abs(cycles["K_min"][first]))
+        return any(abs(cycles[K][last] - cycles[K][first]) > tolerance * size for K in ("K_max", "K_min"))
+
+    def other_load(first, last):
+        before, now = (factors.get(cycles["cycle"][row]) for row in (first, last))
+        same = before and now and all(abs(x - y) <= 1e-6 * max(map(abs, before)) for x, y in zip(before, now))
+        return not same and differ(first, last, smooth)
+
     for first, last in pairs:
-        for k in range(first + 1, last + 1):
-            extremes = [(cycles[K][k - 1], cycles[K][k]) for K in ("K_max", "K_min")]
-            differ = any(abs(now - before) > 1e-6 * abs(extremes[0][1]) for before, now in extremes)
-            if grown[k] == grown[k - 1] and differ:
-                raise SystemExit("the load varies between two rates: each is the mean of a sequence of cycles, and no dK of one of them goes with it")
+        waits = any(grown[k] == grown[k - 1] and differ(k - 1, k, 1e-6) for k in range(first + 1, last + 1))
+        if waits or other_load(first, last):
+            raise Refusal("the load varies between two rates: each is the mean of different cycles, and no dK of one of them goes with it")
 
 
 def least_squares(rows, values):
@@ -158,15 +182,18 @@ def e647(run, tip=0, method="secant"):
     """a-N and da/dN of a tip as ASTM E647 reports them: mm, cycles, mm per cycle, MPa sqrt(m). A crack with two tips is as long as
     the mean of both says, and each tip has its own rate."""
     cycles = run.cycles.of(tip=tip).columns
+    if not cycles["cycle"]:
+        raise Refusal(f"{run.folder}: cycles.csv has no tip {tip}")
     grown = list(itertools.accumulate(cycles["da"]))
     of_cycle = dict.fromkeys(cycles["cycle"], 0.0)
     for cycle, da in zip(run.cycles.columns["cycle"], run.cycles.columns["da"]):
         of_cycle[cycle] += da
     of_all_tips = list(itertools.accumulate(of_cycle.values()))
-    require_one_load(cycles, of_all_tips, counted(cycles["N"], of_all_tips))
+    pairs = list(counted(cycles["N"], of_all_tips))
+    require_one_load(cycles, of_all_tips, pairs, load_factors(run))
     rates = {"secant": secant_rates, "polynomial": polynomial_rates}[method]
     table = {name: [] for name in ("N", "a_mm", "dadN_mm_per_cycle", "dK_MPa_sqrt_m", "R", "Kmax_MPa_sqrt_m", "dKeff_MPa_sqrt_m", "Kop_MPa_sqrt_m")}
-    for (first, last), rate in rates(cycles["N"], grown):
+    for (first, last), rate in rates(cycles["N"], grown, pairs):
         mean = lambda values: 0.5 * (values[first] + values[last]) / SQRT_M
         K_max, K_min = cycles["K_max"], cycles["K_min"]
         dK = mean([tension_range(high, low) for high, low in zip(K_max, K_min)])
@@ -228,7 +255,7 @@ def closure_fit(table, stress):
     """Names, values and what they are: Newman's alpha, and U(R) as a polynomial of as many terms as the load ratios allow."""
     points = [(R, opening) for R, opening in zip(table.columns["R"], table.columns["Kop_over_Kmax"]) if not math.isnan(opening)]
     if not points:
-        raise SystemExit("no run has an opening load")
+        raise Refusal("no run has an opening load")
     alpha, error = fitted_alpha(points, stress)
     rows = [("alpha", alpha, "Newman's constraint factor"), ("Smax_over_sigma0", stress, "largest stress over flow stress, given"), ("rms_alpha", error, "root of the mean square of K_op / K_max about it")]
     terms = min(3, len({round(R, 6) for R, _ in points}))
@@ -280,10 +307,15 @@ def main(arguments=None):
     closure.add_argument("--paris", type=lambda text: tuple(map(float, text.split(","))), help="C,m of da/dN = C dK_eff^m, mm per cycle and MPa sqrt(mm)")
     closure.add_argument("--english", action="store_true", help="inches per cycle and ksi sqrt(in)")
     options = parser.parse_args(arguments)
-    if options.command == "e647":
-        e647(Run(options.folder), options.tip, options.method).write(options.output)
-    else:
-        write_closure(options)
+    try:
+        if options.command == "e647":
+            e647(Run(options.folder), options.tip, options.method).write(options.output)
+        else:
+            write_closure(options)
+    except (Refusal, OSError) as refusal:
+        print(refusal, file=sys.stderr)
+        return 2
+    return 0
 
 
 if __name__ == "__main__":

@@ -38,14 +38,13 @@ constexpr std::string_view warns = "warning: ";
 /// iteration that is given up has perhaps woken elements at rest, which changes rounding.
 constexpr double patience = 0.5;
 
-/// "life N = 264000 cycles, a = 13 mm"; empty before the first cycle has ended, and where the crack does not grow. By a
-/// law of da/dN what has grown at the end of the last cycle has taken cycles that nobody has computed.
+/// "life N = 264000 cycles, a = 13 mm", as in the last row of cycles.csv; empty before the first cycle has ended, and
+/// where the crack does not grow. What has grown in the last cycle belongs to the cycles that follow.
 std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
     const coarse::Scene& scene = analysis.structure().scene();
-    if (!scene.input.growth || N == 0.0 || analysis.nominal().empty()) return "";
-    const bool by_law = scene.input.growth->law != GrowthLaw::Prescribed && !analysis.last_cycle().empty();
+    if (!scene.input.growth || N == 0.0 || analysis.last_cycle().empty()) return "";
     return fmt::format("{}N = {:.6g} cycles, a = {:.6g} mm", analysis.life_is_over() ? "life " : "", N,
-                       by_law ? analysis.last_cycle().front().a : analysis.nominal().front().a);
+                       analysis.last_cycle().front().a);
 }
 
 }  // namespace
@@ -152,7 +151,7 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
         summarise("failed", analysis, *recorder, fine);
         throw NumericalFailure(fmt::format("{}; {}", failure.what(), last_checkpoint()));
     }
-    warn_at_end(analysis);
+    warn_at_end(analysis, recorder->N());
     const bool done = analysis.finished();
     summarise(done ? "done" : "interrupted", analysis, *recorder, fine);
     // Last of all: who resumes what is cut off before this line comes here again.
@@ -165,7 +164,12 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
     return done ? Done : Interrupted;
 }
 
-void CoarseRun::warn_at_end(const coarse::FatigueAnalysis& analysis) {
+void CoarseRun::warn_at_end(const coarse::FatigueAnalysis& analysis, double N) {
+    if (const double doubt = analysis.life_in_doubt(); scene_.input.growth && doubt > scene_.input.growth->accuracy * N)
+        warnings_.at_end.push_back(
+            fmt::format("N is too large by about {:.2g} %: da/dN changes much from one growth to the "
+                        "next; a smaller growth.increment, or \"auto\", tells it",
+                        100.0 * doubt / N));
     if (const double grown = analysis.uncounted_growth(); grown > 0.0)
         warnings_.at_end.push_back(
             fmt::format("N does not count the last {:.4g} mm: the cycles that tell their rate are not over", grown));

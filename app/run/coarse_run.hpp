@@ -48,7 +48,7 @@ private:
     [[nodiscard]] bool is_due(const coarse::LoadStep& step) const;
     void write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder);
     [[nodiscard]] std::string last_checkpoint() const;
-    void warn_at_end(const coarse::FatigueAnalysis& analysis);
+    void warn_at_end(const coarse::FatigueAnalysis& analysis, double N);
     void summarise(const char* status, const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder,
                    const FineSide* fine) const;
 

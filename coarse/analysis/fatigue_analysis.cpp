@@ -33,6 +33,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     effort_.counts = from->counts;
 }
 
+double FatigueAnalysis::life_in_doubt() const { return growth_ ? growth_->life_in_doubt() : 0.0; }
 double FatigueAnalysis::uncounted_growth() const { return growth_ ? growth_->uncounted() : 0.0; }
 
 bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->life_is_over(); }

@@ -29,6 +29,7 @@ public:
     [[nodiscard]] bool life_is_over() const;
     /// As CrackGrowth has it, mm.
     [[nodiscard]] double uncounted_growth() const;
+    [[nodiscard]] double life_in_doubt() const;
 
     [[nodiscard]] const WorkBalance& work() const { return model_.work(); }  // of the committed state
 

@@ -72,8 +72,8 @@ void require_room_beside_loads(const Mesh& mesh, const EnrichedMesh& enriched, c
 void require_tips(const EnrichedMesh& enriched, int cracks) {
     for (int crack = 0; crack < cracks; ++crack) {
         if (std::ranges::count(enriched.tips, crack, &Tip::crack) > 0) continue;
-        throw CaseError(fmt::format("crack[{}].points: the crack cuts the body in two; one of its ends must lie "
-                                    "strictly inside",
+        throw CaseError(fmt::format("crack[{}].points: the crack cuts through from boundary to boundary; one of "
+                                    "its ends must lie strictly inside",
                                     crack + 1));
     }
 }

@@ -19,7 +19,7 @@ Case essence(Case input) {
     input.title.clear();
     input.solver = {};
     input.coupling = {};
-    input.output = {};
+    input.output = {.format = input.output.format};  // a series of fields has one
     input.material_test.reset();
     input.load.blocks.clear();
     input.load.spectrum.reset();
@@ -48,8 +48,8 @@ std::uint64_t digest_of(const Mesh& mesh) {
 
 [[noreturn]] void refuse(const std::string& difference) {
     throw CaseError(
-        fmt::format("--resume: {}; a run goes on with the same case: only [solver], [coupling], [output], title and "
-                    "name may change, and the load history where the load has not been yet",
+        fmt::format("--resume: {}; a run goes on with the same case: only [solver], [coupling], [output] but for "
+                    "its format, title and name may change, and the load history where the load has not been yet",
                     difference));
 }
 

@@ -130,9 +130,10 @@ void members(auto& archive, Is<PeriodMemory> auto& m) {
 }
 
 void members(auto& archive, Is<LifeMemory> auto& m) {
-    auto& [uncounted, rate_at_turn] = m;
+    auto& [uncounted, rate_at_turn, doubt] = m;
     archive("uncounted", uncounted);
     archive("rate_at_turn", rate_at_turn);
+    archive("doubt", doubt);
 }
 
 void members(auto& archive, Is<CycleMemory> auto& m) {

@@ -165,7 +165,8 @@ Section<GrowthSection> growth_section() {
         .below(1.0)
         .says(
             "With increment = \"auto\": an increment is at most twice the one before, and smaller where the life that "
-            "it takes, relative to it, or K_op / K_max may be off by more than this.");
+            "it takes, relative to it, or K_op / K_max may be off by more than this. A run warns where its N may be, "
+            "however increments are chosen.");
     s.value("zone_fraction", &GrowthSection::zone_fraction)
         .positive()
         .at_most(1.0)

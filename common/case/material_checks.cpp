@@ -76,7 +76,13 @@ void check_hardening(const MaterialSection& material, const Value& table, const 
         demand(-given.Q * given.b < fastest_softening * material.young,
                "needs a Q b above -0.1 young: stress would fall faster than metals let it");
     }
-    if (given.law == "power") demand(given.n > 1.0 && given.alpha > 0.0, "needs n > 1 and alpha > 0");
+    if (given.law == "power") {
+        demand(given.n > 1.0 && given.alpha > 0.0, "needs n > 1 and alpha > 0");
+        if (material.yield_stress && given.reference) {
+            const double strain = std::pow(*material.yield_stress / *given.reference, given.n);
+            demand(strain > 1e-200 && strain < 1e200, "needs a smaller n, or a reference nearer to the yield stress");
+        }
+    }
     if (given.law != "table") return;
     const std::vector<double>&p = given.plastic_strain, &stress = given.stress;
     demand(p.size() == stress.size() && p.size() > 1,

@@ -147,7 +147,7 @@ TEST_P(Refused, WithOneSentence) {
 INSTANTIATE_TEST_SUITE_P(
     Input, Refused,
     testing::Values(
-        std::pair{"crack.0.points=[[0.0, 100.0], [50.0, 100.0]]", "crack[1].points: the crack cuts the body in two"},
+        std::pair{"crack.0.points=[[0.0, 100.0], [50.0, 100.0]]", "crack[1].points: the crack cuts through"},
         std::pair{"crack.0.points=[[0.0, 100.0], [0.1, 100.0]]", "less than an element at its tip"},
         std::pair{"crack.0.points=[[0.0, 100.0], [1e-308, 100.0]]", "less than an element at its tip"},
         std::pair{"crack.0.points=[[0.0, 100.0], [49.0, 100.0]]", "mm from the boundary, less than an element"},

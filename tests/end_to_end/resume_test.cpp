@@ -200,6 +200,13 @@ TEST_F(Resumed, FromTheCheckpointBeforeADamagedOne) {
     expect_same_tables(output, undisturbed);
 }
 
+TEST_F(Resumed, KeepsItsFormatOfFields) {
+    EXPECT_EQ(run_and_ask(SIGTERM, 33, {"--mode", "inprocess"}), 130);
+    EXPECT_EQ(run_to_the_end({"--resume", "--mode", "inprocess", "--set", "output.format=vtu"}), 2);
+    EXPECT_NE(text_of(folder / "log").find("[output] but for its format"), std::string::npos)
+        << text_of(folder / "log");
+}
+
 TEST_F(Resumed, NamesTheRemedyWhereATableIsShorter) {
     EXPECT_EQ(run_and_ask(SIGTERM, 33, {"--mode", "inprocess"}), 130);
     std::filesystem::resize_file(output + "/history.csv", 1000);

@@ -102,13 +102,30 @@ class Rates(Folder):
 
     def test_a_rate_of_cycles_that_differ_has_no_range(self):
         run = self.write_cycles("run", [0.0, 0.0, 1000.0], [10.0, 10.5, 10.5], [300.0, 310.0, 150.0], 0.1, 0.25)
-        with self.assertRaises(SystemExit):
+        with self.assertRaises(results.Refusal):
             results.e647(run)
         lines = (self.folder / "run/cycles.csv").read_text().replace("150.0,15.0", "310.0,150.0")  # K_min alone
         (self.folder / "run/cycles.csv").write_text(lines)
         self.assertEqual(results.Run(self.folder / "run").cycles.of(tip=0)["K_max"][2], 310.0)
-        with self.assertRaises(SystemExit):
+        with self.assertRaises(results.Refusal):
             results.e647(results.Run(self.folder / "run"))
+
+    def test_cycles_without_growth_belong_to_the_next_growth(self):
+        run = self.write_cycles("run", [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], [10.0, 10.0, 10.0, 10.25, 10.25, 10.25, 10.5], [300.0] * 7, 0.1, 0.25)
+        self.assertEqual(results.e647(run).columns["dadN_mm_per_cycle"], [0.25 / 3.0, 0.25 / 3.0])
+
+    def test_a_rate_between_two_loads_has_no_range(self):
+        run = self.write_cycles("run", [0.0, 1000.0, 2000.0], [10.0, 10.5, 11.0], [300.0, 310.0, 450.0], 0.1, 0.25)
+        with self.assertRaises(results.Refusal):
+            results.e647(run)
+        # A large growth under one load.
+        (self.folder / "run/history.csv").write_text("cycle,load_factor\n1,50\n1,5\n2,50\n2,5\n3,50\n3,5\n")
+        self.assertEqual(len(results.e647(results.Run(self.folder / "run"))), 2)
+
+    def test_what_is_not_there_is_said_in_a_line(self):
+        self.assertEqual(results.main(["e647", str(self.folder / "none"), "-o", str(self.folder / "x.csv")]), 2)
+        run = self.write_cycles("run", [0.0, 1000.0], [10.0, 10.5], [300.0, 310.0], 0.1, 0.25)
+        self.assertEqual(results.main(["e647", str(run.folder), "--tip", "5", "-o", str(self.folder / "x.csv")]), 2)
 
     def test_polynomials_of_a_parabola_are_its_slope(self):
         # The second run has three rows a growth, which is counted in the last of them.

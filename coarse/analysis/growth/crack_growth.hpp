@@ -37,6 +37,8 @@ public:
 
     /// Growth of the fastest tip of which no cycle has told yet how many it took, mm.
     [[nodiscard]] double uncounted() const;
+    /// Cycles that the life may be off by, since the rate changes from one growth to the next.
+    [[nodiscard]] double life_in_doubt() const { return life_.memory().doubt; }
 
     /// A tip grows by the law, from what the tips have gone through.
     [[nodiscard]] bool is_driven() const;

@@ -91,4 +91,12 @@ double cycles_passed(double grown, double rate_before, double rate_after) {
     return grown > 0.0 ? 0.5 * grown * (1.0 / rate_before + 1.0 / rate_after) : 0.0;
 }
 
+double cycles_in_doubt(double grown, double rate_before, double rate_after) {
+    if (!(grown > 0.0)) return 0.0;
+    const double x = std::log(rate_after / rate_before) / 2.0;
+    constexpr double small = 1e-3;  // there rounding would be all of the difference
+    const double share = std::abs(x) < small ? x * x / 3.0 : 1.0 - std::tanh(x) / x;
+    return share * cycles_passed(grown, rate_before, rate_after);
+}
+
 }  // namespace stria::coarse

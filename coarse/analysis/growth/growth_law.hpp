@@ -42,4 +42,8 @@ struct TipAtExtremes {
 /// fastest tip (trapezoidal rule).
 [[nodiscard]] double cycles_passed(double grown, double rate_before, double rate_after);
 
+/// What these are more than the cycles of a rate whose logarithm is straight over the growth: about what the rule is
+/// off by. Never negative.
+[[nodiscard]] double cycles_in_doubt(double grown, double rate_before, double rate_after);
+
 }  // namespace stria::coarse

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "coarse/analysis/growth/growth_law.hpp"
@@ -12,19 +13,25 @@ void LifeCount::turn(double rate) {
     if (memory_.uncounted == 0.0) memory_.rate_at_turn = rate;
 }
 
+double LifeCount::count(double grown, double rate_before, double rate_after) {
+    memory_.doubt += cycles_in_doubt(grown, rate_before, rate_after);
+    return cycles_passed(grown, rate_before, rate_after);
+}
+
 double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_after) {
     if (tip.grown <= 0.0 && !(tip.ends && memory_.uncounted > 0.0)) return 0.0;
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = 1e-6, not_known = std::numeric_limits<double>::quiet_NaN();
     const double resolved = (1.0 - rounding) * tip.resolved;
     if (memory_.uncounted == 0.0 && !std::isnan(rate_after) && tip.behind_turn - tip.grown >= resolved)
-        return cycles_passed(tip.grown, rate_before, rate_after);
+        return count(tip.grown, rate_before, rate_after);
     memory_.uncounted += tip.grown;
     // Of a crack that turns again and again no tip is ever far behind a turn.
     const bool known = !std::isnan(rate_after) && std::max(tip.behind_turn, memory_.uncounted) >= resolved;
     if (!known && !(tip.ends && memory_.rate_at_turn > 0.0)) return 0.0;
-    const auto [grown, at_turn] = std::exchange(memory_, {});
-    if (!known) return cycles_passed(grown, at_turn, std::max(at_turn, rate_after));  // K that is not resolved is low
-    return cycles_passed(grown, at_turn > 0.0 ? at_turn : rate_after, rate_after);
+    const double grown = std::exchange(memory_.uncounted, 0.0),
+                 at_turn = std::exchange(memory_.rate_at_turn, not_known);
+    if (!known) return count(grown, at_turn, std::max(at_turn, rate_after));  // K that is not resolved is low
+    return count(grown, at_turn > 0.0 ? at_turn : rate_after, rate_after);
 }
 
 }  // namespace stria::coarse

@@ -17,6 +17,7 @@ struct GrownTip {
 struct LifeMemory {
     double uncounted = 0.0;                                          // grown since a turn and not yet counted, mm
     double rate_at_turn = std::numeric_limits<double>::quiet_NaN();  // with which that began, mm per cycle
+    double doubt = 0.0;                                              // sum of cycles_in_doubt()
 };
 
 /// By the trapezoidal rule of 1 / rate. Where a crack turns sharply its K leaps, and what follows is not resolved until
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] const LifeMemory& memory() const { return memory_; }
 
 private:
+    double count(double grown, double rate_before, double rate_after);
+
     LifeMemory memory_;
 };
 

@@ -444,7 +444,8 @@ TEST_F(CaseFile, TakesHardeningThatSaturates) {
     EXPECT_NE(about("law = \"voce\"\nQ = -200.0\nb = 100.0\n").find("needs a Q b above"), std::string::npos);
     EXPECT_EQ(about("Q = 90.0\n"), "case.toml:27: material.isotropic.Q = 90 belongs to law = \"voce\"");
     for (const char* keys :
-         {"law = \"power\"\nn = 0.5\nalpha = 1.0\n", "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [300.0]\n",
+         {"law = \"power\"\nn = 0.5\nalpha = 1.0\n", "law = \"power\"\nn = 900.0\nalpha = 1.0\nreference = 700.0\n",
+          "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [300.0]\n",
           "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [300.0, 290.0]\n",
           "law = \"table\"\nplastic_strain = [0.0, 0.1]\nstress = [200.0, 290.0]\n"})
         EXPECT_NE(about(keys).find("material.isotropic needs"), std::string::npos) << keys;

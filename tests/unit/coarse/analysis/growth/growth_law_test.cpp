@@ -138,5 +138,16 @@ TEST(GrowthLaw, TakesTheCyclesBetweenTwoRates) {
     EXPECT_EQ(cycles_passed(0.0, 0.0, 2e-4), 0.0);
 }
 
+// Of a rate exp(k a) the cycles are known.
+TEST(GrowthLaw, SaysWhatTheTrapezoidsAreOffBy) {
+    for (const double k : {-3.0, 1.0, 1e-2}) {
+        const double a = 0.7, rate = 1e-5, exact = (1.0 - std::exp(-k * a)) / k / rate;
+        const double passed = cycles_passed(a, rate, rate * std::exp(k * a));
+        EXPECT_NEAR(cycles_in_doubt(a, rate, rate * std::exp(k * a)), passed - exact, 1e-9 * passed);
+    }
+    EXPECT_EQ(cycles_in_doubt(0.7, 1e-5, 1e-5), 0.0);
+    EXPECT_EQ(cycles_in_doubt(0.0, 0.0, 1e-5), 0.0);
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "coarse/analysis/growth/growth_law.hpp"
+
 namespace stria::coarse {
 namespace {
 
@@ -115,6 +117,17 @@ TEST(LifeCount, CountsOfACrackThatTurnsAgainAndAgain) {
 
 TEST(LifeCount, NothingPassesWhereNothingGrows) {
     EXPECT_EQ(LifeCount().passed({.grown = 0.0, .behind_turn = 1.0, .resolved = resolved}, 0.0, 1e-5), 0.0);
+}
+
+// Straight on, and behind a turn, where growth is counted later.
+TEST(LifeCount, SumsWhatItIsOffBy) {
+    LifeCount count;
+    count.passed({.grown = 0.1, .behind_turn = 1.0, .resolved = resolved}, 1e-5, 3e-5);
+    count.turn(2e-5);
+    count.passed({.grown = 0.01, .behind_turn = 0.01, .resolved = resolved}, 3e-5, 4e-5);
+    EXPECT_EQ(count.memory().doubt, cycles_in_doubt(0.1, 1e-5, 3e-5));
+    count.passed({.grown = 0.02, .behind_turn = 0.03, .resolved = resolved}, 4e-5, 5e-5);
+    EXPECT_DOUBLE_EQ(count.memory().doubt, cycles_in_doubt(0.1, 1e-5, 3e-5) + cycles_in_doubt(0.03, 2e-5, 5e-5));
 }
 
 }  // namespace
