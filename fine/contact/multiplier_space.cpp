@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 
 namespace stria::fine {
@@ -64,8 +65,7 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
             const bool gap = branches_.empty() || s0 - branches_.back().last_s > rounding * (1.0 + s0);
             const bool kink = !gap && std::acos(std::clamp(tangent.dot(last_tangent), -1.0, 1.0)) > kink_angle;
             if (gap || kink) {
-                const double size =
-                    (mesh.nodes[at(element[2])] - mesh.nodes[at(element[0])]).norm() / std::numbers::sqrt2;
+                const double size = diagonal(mesh, piece.element) / std::numbers::sqrt2;
                 branches_.push_back({s0, s0, tip_at(s0), false, size, {}, 0, 0});
                 if (k == 0) note(piece.entry, piece.s.front());
             }
