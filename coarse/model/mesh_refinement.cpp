@@ -132,7 +132,12 @@ private:
 
     int middle(const Edge& edge) {
         const auto [found, added] = middle_.try_emplace(edge, static_cast<int>(mesh_.nodes.size()));
-        if (added) mesh_.nodes.push_back((mesh_.nodes[at(edge.first)] + mesh_.nodes[at(edge.second)]) / 2.0);
+        if (!added) return found->second;
+        mesh_.nodes.push_back((mesh_.nodes[at(edge.first)] + mesh_.nodes[at(edge.second)]) / 2.0);
+        // What is held at both ends of an edge is held along it. The new node is the last one.
+        for (auto& [name, set] : mesh_.node_sets)
+            if (std::ranges::binary_search(set, edge.first) && std::ranges::binary_search(set, edge.second))
+                set.push_back(found->second);
         return found->second;
     }
 

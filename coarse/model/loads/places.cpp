@@ -54,8 +54,8 @@ Place place_of(const Mesh& mesh, const BoundarySection& section, const std::stri
         for (const auto& [name, bounding] : mesh.boundary) names.insert(name);
         for (const auto& [name, pin] : mesh.pins) names.insert(name);
         for (const auto& [name, nodes] : mesh.node_sets) names.insert(name);
-        throw CaseError(fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}, point", key, section.on,
-                                    fmt::join(names, ", ")));
+        throw CaseError(fmt::format("{}.on: \"{}\" is not a boundary of the mesh, available: {}, point", key,
+                                    section.on, fmt::join(names, ", ")));
     }
     Place place{};
     std::set<int> nodes;
@@ -63,6 +63,7 @@ Place place_of(const Mesh& mesh, const BoundarySection& section, const std::stri
     for (const BoundaryEdge& edge : place.edges)
         for (const int node : edge_nodes(mesh, edge)) nodes.insert(node);
     if (set != mesh.node_sets.end()) nodes.insert(set->second.begin(), set->second.end());
+    for (const HangingNode& hanging : mesh.hanging) nodes.erase(hanging.node);  // they follow their ends
     place.nodes.assign(nodes.begin(), nodes.end());
     return place;
 }

@@ -90,6 +90,22 @@ TEST(MeshRefinement, PartsStayInTheGroupOfTheWhole) {
     EXPECT_GT(split, 20);
 }
 
+// A line of nodes inside the body that is held: so are the nodes that splitting puts on it.
+TEST(MeshRefinement, SetsOfNodesKeepTheirLines) {
+    const auto on_line = [](const Mesh& body) {
+        std::vector<int> nodes;
+        for (int node = 0; node < std::ssize(body.nodes); ++node)
+            if (std::abs(body.nodes[at(node)].y() - 0.4) < 1e-12) nodes.push_back(node);
+        return nodes;
+    };
+    Mesh start = test::square_mesh(5);
+    start.node_sets["line"] = on_line(start);
+    ASSERT_EQ(start.node_sets["line"].size(), 6U);
+    const Mesh fine = refine(start, left).mesh;
+    EXPECT_GT(on_line(fine).size(), 10U);
+    EXPECT_EQ(fine.node_sets.at("line"), on_line(fine));
+}
+
 TEST(MeshRefinement, ComesOutTheSameAgain) {
     const Mesh start = test::square_mesh(5);
     const RefinedMesh first = refine(start, left), second = refine(first.mesh, further);
