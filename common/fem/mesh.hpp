@@ -47,10 +47,10 @@ struct Mesh {
     std::map<std::string, std::vector<int>> groups;             // of elements, by name, each ascending (mesh files)
     /// Nodes that are held, by name, each ascending; where a boundary has the name they are held besides.
     std::map<std::string, std::vector<int>> node_sets;
-    std::map<std::string, SpreadPoint> pins;                    // by name: "pin-top", "pin-bottom"
-    std::vector<int> material;        // of each element (materials.hpp); empty: all are of material 0
-    std::vector<int> insert;          // ascending: elements that stay elastic at any stress (around pins)
-    std::optional<double> load_line;  // x, mm: crack lengths are measured from there (CT)
+    std::map<std::string, SpreadPoint> pins;  // by name: "pin-top", "pin-bottom"
+    std::vector<int> material;                // of each element (materials.hpp); empty: all are of material 0
+    std::vector<int> insert;                  // ascending: elements that stay elastic at any stress (around pins)
+    std::optional<double> load_line;          // x, mm: crack lengths are measured from there (CT)
 
     [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
     [[nodiscard]] bool is_split(int element) const { return !level.empty() && level[at(element)] > 0; }
