@@ -19,6 +19,7 @@ import itertools
 import json
 import math
 import sys
+import tomllib
 from pathlib import Path
 
 SQRT_M = math.sqrt(1000.0)  # sqrt(mm) in a sqrt(m): K of Stria is in MPa sqrt(mm)
@@ -132,8 +133,10 @@ def polynomial_rates(N, grown, pairs):
 
 
 def load_factors(run):
-    """Largest and smallest load factor of each cycle; empty where history.csv is not there."""
-    if not (run.folder / "history.csv").exists():
+    """Largest and smallest load factor of each cycle where they are what the case gives; else empty."""
+    case = run.folder / "case.resolved.toml"
+    given = case.exists() and tomllib.loads(case.read_text(encoding="utf-8")).get("load", {}).get("control", "load") == "load"
+    if not given or not (run.folder / "history.csv").exists():
         return {}
     extremes = {}
     for cycle, factor in zip(run.history.columns["cycle"], run.history.columns["load_factor"]):
@@ -145,7 +148,7 @@ def load_factors(run):
 def require_one_load(cycles, grown, pairs, factors):
     """One dK goes with a rate: refuses a rate that is counted over rows which differ in K before anything has grown, and one
     between rows of different loads. Where K is controlled the load factor follows the crack, and K may change, but not leap."""
-    smooth = 0.1  # of K_max, from a row to the next
+    smooth = 0.2  # of K_max, from a row to the next
 
     def differ(first, last, tolerance):
         size = max(abs(cycles["K_max"][first]), abs(cycles["K_min"][first]))
@@ -153,8 +156,9 @@ def require_one_load(cycles, grown, pairs, factors):
 
     def other_load(first, last):
         before, now = (factors.get(cycles["cycle"][row]) for row in (first, last))
-        same = before and now and all(abs(x - y) <= 1e-6 * max(map(abs, before)) for x, y in zip(before, now))
-        return not same and differ(first, last, smooth)
+        if before and now:
+            return any(abs(x - y) > 1e-6 * max(map(abs, before)) for x, y in zip(before, now))
+        return differ(first, last, smooth)
 
     for first, last in pairs:
         waits = any(grown[k] == grown[k - 1] and differ(k - 1, k, 1e-6) for k in range(first + 1, last + 1))

@@ -1,6 +1,7 @@
 #include "app/run/coarse_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "app/process/interruption.hpp"
 #include "app/process/version.hpp"
 #include "coarse/analysis/run_texts.hpp"
+#include "coarse/load/load_history.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/results/summary.hpp"
 #include "coarse/zone/case_warnings.hpp"
@@ -43,8 +45,9 @@ constexpr double patience = 0.5;
 std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
     const coarse::Scene& scene = analysis.structure().scene();
     if (!scene.input.growth || N == 0.0 || analysis.last_cycle().empty()) return "";
-    return fmt::format("{}N = {:.6g} cycles, a = {:.6g} mm", analysis.life_is_over() ? "life " : "", N,
-                       analysis.last_cycle().front().a);
+    const double a = analysis.last_cycle().front().a;
+    if (!std::isfinite(N)) return fmt::format("no N is known, a = {:.6g} mm", a);  // arrested
+    return fmt::format("{}N = {:.6g} cycles, a = {:.6g} mm", analysis.life_is_over() ? "life " : "", N, a);
 }
 
 }  // namespace
@@ -165,7 +168,8 @@ int CoarseRun::perform(coarse::EquilibriumFactory& factory, const FineSide* fine
 }
 
 void CoarseRun::warn_at_end(const coarse::FatigueAnalysis& analysis, double N) {
-    if (const double doubt = analysis.life_in_doubt(); scene_.input.growth && doubt > scene_.input.growth->accuracy * N)
+    const bool one_load = scene_.input.growth && !coarse::varies(scene_.input);  // the rate leaps with the load
+    if (const double doubt = analysis.life_in_doubt(); one_load && doubt > scene_.input.growth->accuracy * N)
         warnings_.at_end.push_back(
             fmt::format("N is too large by about {:.2g} %: da/dN changes much from one growth to the "
                         "next; a smaller growth.increment, or \"auto\", tells it",

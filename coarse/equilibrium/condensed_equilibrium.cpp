@@ -58,7 +58,10 @@ void CondensedEquilibrium::begin(const Target& target, const Predictor& predicto
         trial_.load_factor += predictor.factor * earlier->load_factor;
     }
     trial_.cases = target.cases;
-    if (controlled_.is_load_factor()) trial_.load_factor = target_ / controlled_.per_load_factor;
+    if (controlled_.is_load_factor()) {
+        const LoadFactors rest(0.0, target.cases);
+        trial_.load_factor = (target_ - controlled_.at(Eigen::VectorXd::Zero(n), rest)) / controlled_.per_load_factor;
+    }
     impose_held();
 }
 
@@ -76,7 +79,9 @@ Residual CondensedEquilibrium::linearise() {
     off_target_ = target_ - controlled_.at(u, trial_.factors());
     Residual result;
     result.scale = largest_applied_force();
-    result.target = std::abs(off_target_) / std::max({std::abs(target_), largest(trial_.displacement), 1e-300});
+    result.target =
+        std::abs(off_target_) / std::max({std::abs(target_), largest(trial_.displacement),
+                                          std::abs(controlled_.per_load_factor * trial_.load_factor), 1e-300});
     if (fine_ == nullptr) return result;
     ask_zone(u);
     if (!response_.same_tangent) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <tuple>
 
@@ -36,17 +37,30 @@ struct RingValues {
     double J, K_I, K_II, T_stress;
 };
 
+/// The point force of the interaction integral tells E' du_1/dx_1. With an initial stress T is this and what the strain
+/// has not: sigma_0,11 - nu' sigma_0,22 at the tip, MPa.
+double T_of_initial_stress(const Scene& scene, const Tip& tip) {
+    const Mandel stress = scene.initial_stress().at(tip.position, tip.material);
+    const Elasticity& metal = scene.elastic(tip);
+    const double poisson = metal.plane_modulus() / (2.0 * metal.shear_modulus()) - 1.0, c = tip.direction.x(),
+                 s = tip.direction.y(), shear = std::numbers::sqrt2 * stress[3] * c * s;
+    const double ahead = c * c * stress[0] + s * s * stress[1] + shear,
+                 across = s * s * stress[0] + c * c * stress[1] - shear;
+    return ahead - poisson * across;
+}
+
 std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
                                   const coupling::StepReport& report) {
     for (const coupling::RingReport& share : report.rings) {
         if (share.tip == t) total[at(share.number)] += share.sums;
     }
-    const double modulus = scene.elastic(scene.enriched.tips[at(t)]).plane_modulus();
+    const Tip& tip = scene.enriched.tips[at(t)];
+    const double modulus = scene.elastic(tip).plane_modulus(), of_initial = T_of_initial_stress(scene, tip);
     std::vector<RingValues> values;
     for (const DomainIntegral& of_ring : total) {
         const DomainIntegral sum = of_ring.without_rotation();
         values.push_back({sum.J, modulus / 2.0 * sum.interaction_I, modulus / 2.0 * sum.interaction_II,
-                          modulus * sum.interaction_T});
+                          modulus * sum.interaction_T + of_initial});
     }
     return values;
 }

@@ -68,10 +68,11 @@ public:
         return named_;
     }
 
-    /// The nodes of each set that are of no edge that it names.
+    /// The nodes of each set that are of no edge that it names. Lines or surfaces of the same name are not of the set.
     [[nodiscard]] std::map<std::string, std::vector<int>> node_sets() const {
         std::map<std::string, std::vector<int>> sets;
         for (const auto& [group, numbers] : part_.node_sets) {
+            if (part_.edges.contains(group)) continue;
             std::set<int> nodes = nodes_of(numbers);
             if (const auto named = named_.find(group); named != named_.end())
                 for (const auto& [from, to] : named->second)

@@ -1,6 +1,8 @@
 #include "coarse/model/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <map>
 #include <set>
 
@@ -55,34 +57,71 @@ void add_edge_load(const Scene& scene, const EdgeLoad& load, const CrackPiece* p
     }
 }
 
+/// The crack passes through a node at an end of one of its pieces.
+bool lies_on(const EnrichedMesh& mesh, int crack, int node) {
+    const auto ends_at = [&](const CrackPiece& piece, double place) {
+        return place >= 0.0 && place == std::floor(place) &&
+               mesh.elements[at(piece.element)][static_cast<std::size_t>(place) % 4] == node;
+    };
+    return std::ranges::any_of(mesh.pieces, [&](const CrackPiece& piece) {
+        return piece.crack == crack && (ends_at(piece, piece.entry) || ends_at(piece, piece.exit));
+    });
+}
+
 /// Enriched terms that move a supported edge: Heaviside terms where the crack crosses it, or where it begins at a node
-/// beside which the edge lies on the other side, and all tip functions.
-void hold_enriched_terms(const Scene& scene, const std::map<std::pair<int, int>, double>& held,
-                         std::map<int, double>& prescribed) {
-    const EnrichedMesh& mesh = scene.enriched;
-    for (const auto& [name, edges] : scene.mesh.boundary) {
-        for (const BoundaryEdge& edge : edges) {
-            const auto nodes = edge_nodes(scene.mesh, edge);
-            for (int component = 0; component < 2; ++component) {
-                if (!held.contains({nodes[0], component}) || !held.contains({nodes[1], component})) continue;
-                const int element_side = mesh.element_side[at(edge.element)];
-                for (const int side : {0, 1}) {
-                    const int node = nodes[at(side)], other = nodes[at(1 - side)];
-                    const auto& terms = mesh.terms[at(node)];
-                    for (int k = 0; k < static_cast<int>(terms.size()); ++k) {
-                        const Term& term = terms[at(k)];
-                        const bool crossed = std::ranges::any_of(mesh.terms[at(other)], [&](const Term& t) {
-                            return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
-                        });
-                        const bool beside = term.kind == Term::Kind::Heaviside && element_side * term.shift < 0;
-                        if (term.kind == Term::Kind::Tip || term.kind == Term::Kind::Left || crossed || beside)
-                            prescribed[mesh.unknown(node, k + 1, component)] = 0.0;
-                    }
+/// beside which the edge lies on the other side, and all tip functions. A node on the crack is of one face; where a
+/// support ends there it must be that one's.
+class EdgeSupports {
+public:
+    EdgeSupports(const Scene& scene, const std::map<std::pair<int, int>, double>& held) : mesh_(scene.enriched) {
+        for (const auto& [name, edges] : scene.mesh.boundary)
+            for (const BoundaryEdge& edge : edges)
+                for (int component = 0; component < 2; ++component) {
+                    const auto [from, to] = edge_nodes(scene.mesh, edge);
+                    if (!held.contains({from, component}) || !held.contains({to, component})) continue;
+                    look_at(edge.element, from, to, component);
+                    look_at(edge.element, to, from, component);
                 }
-            }
+    }
+
+    /// Throws CaseError where a support ends at a crack, on the face to which the node there does not belong.
+    void hold(std::map<int, double>& prescribed) const {
+        for (const auto& [unknown, term] : moved_) {
+            if (!own_face_.contains(unknown) && term.crack >= 0 && lies_on(mesh_, term.crack, term.node))
+                throw CaseError(fmt::format("boundary: a support ends at ({:.6g}, {:.6g}), where crack[{}] begins, on "
+                                            "the right of the crack's points; give them in reverse order",
+                                            mesh_.nodes[at(term.node)].x(), mesh_.nodes[at(term.node)].y(),
+                                            term.crack + 1));
+            prescribed[unknown] = 0.0;
         }
     }
-}
+
+private:
+    struct Moved {
+        int node, crack;  // crack: of a Heaviside term; else -1
+    };
+
+    void look_at(int element, int node, int other, int component) {
+        const auto& terms = mesh_.terms[at(node)];
+        for (int k = 0; k < static_cast<int>(terms.size()); ++k) {
+            const Term& term = terms[at(k)];
+            const int unknown = mesh_.unknown(node, k + 1, component);
+            if (term.kind == Term::Kind::Tip || term.kind == Term::Kind::Left) moved_[unknown] = {node, -1};
+            if (term.kind != Term::Kind::Heaviside) continue;
+            const bool crossed = std::ranges::any_of(mesh_.terms[at(other)], [&](const Term& t) {
+                return t.kind == Term::Kind::Heaviside && t.owner == term.owner && t.shift != term.shift;
+            });
+            if (crossed || mesh_.element_side[at(element)] * term.shift < 0)
+                moved_[unknown] = {node, term.owner};
+            else
+                own_face_.insert(unknown);
+        }
+    }
+
+    const EnrichedMesh& mesh_;
+    std::map<int, Moved> moved_;
+    std::set<int> own_face_;  // unknowns of Heaviside terms that vanish on a held edge
+};
 
 /// Displacements that a load case imposes.
 void move_in_case(Scene& scene, std::size_t k) {
@@ -216,7 +255,7 @@ void put_loads_on_unknowns(Scene& scene) {
     std::map<std::pair<int, int>, double> held;
     for (const PrescribedDisplacement& d : scene.loads.main.displacements) held[{d.node, d.component}] = d.value;
     std::map<int, double> prescribed;
-    hold_enriched_terms(scene, held, prescribed);
+    EdgeSupports(scene, held).hold(prescribed);
     for (const auto& pin : scene.free_motions.pins) held[{pin.node, pin.component}] = 0.0;
     for (const auto& [where, value] : held) {
         prescribed[mesh.unknown(where.first, 0, where.second)] = value;

@@ -100,14 +100,14 @@ void J2::return_points(const J2Update& update, int points, int stride) const {
                       .isotropic = isotropic_,
                       .uniaxial = uniaxial_,
                       .lost = 2.0 * shear_ + 2.0 / 3.0 * kinematic_};
-    const bool exactly = update.law.substeps > 1;
     update_packs(
         update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) {
             return elastic_stress<rows>(block.bulk, block.shear, strain);
         },
-        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction) {
-            if (exactly)
+        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction,
+                      int substeps) {
+            if (substeps > 1)
                 return_exactly<rows>(block, at, strain, prediction);
             else
                 return_at_once<rows>(block, at, strain, prediction);

@@ -88,18 +88,40 @@ void write_elastic(const J2Update& update, PackPlace<rows> at, const Tensors<row
         for (int j = 0; j < 4; ++j) at.scalars(update.tangent, 4 * i + j).setConstant(update.stiffness(i, j));
 }
 
-/// Pack by pack: `elastic` tells what the stress changes by without flow, `flow` returns a pack to the yield surface
-/// and writes its state and tangent. A pack in which nothing flows is written here.
+/// Points that an initial stress holds beyond the yield surface: they never were on the way that an increment takes.
+template <int rows>
+Eigen::Array<bool, rows, 1> begin_outside(const J2Update& update, PackPlace<rows> at,
+                                          const Prediction<rows>& prediction) {
+    constexpr double rounding = 1e-6;
+    Tensors<rows> relative = deviators<rows>(at.tensors(update.committed, state::stress));
+    for (std::size_t k = 0; k < update.law.kinematic.size(); ++k)
+        relative -= at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k));
+    return prediction.flows &&
+           (1.5 * contraction<rows>(relative, relative)).sqrt() > (1.0 + rounding) * prediction.yield_stress;
+}
+
+/// Pack by pack: `elastic` tells what the stress changes by without flow, `flow` returns a pack to the yield surface,
+/// in so many substeps, and writes its state and tangent. A pack in which nothing flows is written here. What begins
+/// outside of the surface returns at once.
 template <class Elastic, class Flow>
 void update_packs(const J2Update& update, int points, int stride, const Elastic& elastic, const Flow& flow) {
     for_each_pack<pack_size>(points, stride, [&]<int rows>(PackPlace<rows> at) {
         const Tensors<rows> strain_increment = at.tensors(update.strain_increment, 0);
-        const Prediction<rows> prediction = predict<rows>(update, at, elastic(at, strain_increment));
+        Prediction<rows> prediction = predict<rows>(update, at, elastic(at, strain_increment));
         for (int q = 0; q < rows; ++q) update.yielding[at.first + q] = prediction.flows[q];
-        if (prediction.flows.any())
-            flow(at, strain_increment, prediction);
-        else
+        if (!prediction.flows.any()) {
             write_elastic<rows>(update, at, strain_increment, prediction.stress);
+            return;
+        }
+        const Eigen::Array<bool, rows, 1> outside = begin_outside<rows>(update, at, prediction);
+        prediction.flows = prediction.flows && !outside;
+        flow(at, strain_increment, prediction, update.law.substeps);
+        for (int q = 0; q < rows; ++q) {
+            if (!outside[q]) continue;
+            const PackPlace<1> point{at.stride, at.first + q};
+            const Tensors<1> strain = point.tensors(update.strain_increment, 0);
+            flow(point, strain, predict<1>(update, point, elastic(point, strain)), 1);
+        }
     });
 }
 

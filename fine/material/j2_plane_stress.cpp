@@ -163,7 +163,7 @@ void J2PlaneStress::return_points(const J2Update& update, int points, int stride
     update_packs(
         update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) { return in_plane_stress<rows>(block, strain); },
-        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction) {
+        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction, int) {
             return_to_surface<rows>(block, at, strain, prediction);
         });
 }

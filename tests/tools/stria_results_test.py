@@ -118,9 +118,15 @@ class Rates(Folder):
         run = self.write_cycles("run", [0.0, 1000.0, 2000.0], [10.0, 10.5, 11.0], [300.0, 310.0, 450.0], 0.1, 0.25)
         with self.assertRaises(results.Refusal):
             results.e647(run)
-        # A large growth under one load.
+        # A large growth under one load, and small ones under two.
+        (self.folder / "run/case.resolved.toml").write_text('[load]\ncontrol = "load"\n')
         (self.folder / "run/history.csv").write_text("cycle,load_factor\n1,50\n1,5\n2,50\n2,5\n3,50\n3,5\n")
         self.assertEqual(len(results.e647(results.Run(self.folder / "run"))), 2)
+        run = self.write_cycles("two", [0.0, 1000.0], [10.0, 10.1], [300.0, 302.0], 0.1, 0.25)
+        (self.folder / "two/case.resolved.toml").write_text('[load]\ncontrol = "load"\n')
+        (self.folder / "two/history.csv").write_text("cycle,load_factor\n1,50\n1,5\n2,51\n2,5\n")
+        with self.assertRaises(results.Refusal):
+            results.e647(run)
 
     def test_what_is_not_there_is_said_in_a_line(self):
         self.assertEqual(results.main(["e647", str(self.folder / "none"), "-o", str(self.folder / "x.csv")]), 2)

@@ -290,6 +290,80 @@ TEST(InitialStress, YieldSeesTheWhole) {
     EXPECT_NEAR(dissipated_at(0.0012), 6.0 * 300.0 * 0.0003, 1e-4 * 0.54);
 }
 
+/// A film with twice its yield stress between rigid ends: 200 - E p = 100 + H p. No increment comes to the yield
+/// surface from within.
+TEST(InitialStress, BeyondYieldFlowsAtOnce) {
+    const double E = 200e3, H = 20e3, p = (200.0 - 100.0) / (E + H);
+    for (const PlaneState plane : {PlaneState::Stress, PlaneState::Strain}) {
+        for (const bool straight : {true, false}) {
+            Case input = steel_plate(4.0, 6.0, 1.0);
+            input.model.plane = plane;
+            input.material.poisson = 0.0;
+            input.regions = {misfit({{2.0, 0.0}, {3.0, 6.0}}, E, 200.0)};
+            MaterialSection& film = input.regions[0].material;
+            film.yield_stress = 100.0;
+            if (straight)
+                film.isotropic.modulus = H;
+            else
+                film.isotropic = {.law = "table", .plastic_strain = {0.0, 1.0}, .stress = {100.0, 100.0 + H}};
+            input.boundaries = {moved("bottom", {}, 0.0), moved("top", {}, 1.0), moved("point", 0.0, {})};
+            input.boundaries[2].at = Vec2(0.0, 0.0);
+            input.load = {.steps = 2, .blocks = {{.cycles = 0, .max = -1e-9, .min = 0.0}}};
+            input.solver.tolerance = 1e-10;
+            const Followed first = run_direct(input).increments.front();
+            // In plane strain the film flows across the plane, too, which poisson = 0 leaves to flow alone.
+            if (plane == PlaneState::Stress) {
+                EXPECT_NEAR(first.machine.force, 100.0 + H * p, 1e-5);
+                EXPECT_NEAR(first.work.dissipated, 6.0 * 100.0 * p, 1e-6);
+            } else {
+                EXPECT_LT(first.machine.force, 130.0);
+                EXPECT_GT(first.work.dissipated, 0.0);
+            }
+        }
+    }
+}
+
+/// The band is along the crack, which does not feel it: T is what equilibrium leaves of it, and not its strain's.
+TEST(InitialStress, TIsThatOfTheWholeStress) {
+    for (const PlaneState plane : {PlaneState::Stress, PlaneState::Strain}) {
+        Case input = specimen("plate", 40.0, {{54.0, 20.0}, {66.0, 20.0}});
+        input.model.plane = plane;
+        input.mesh.width = 120.0;
+        input.mesh.size = 1.0;
+        input.material.young = 200e3;
+        input.material.poisson = 0.3;
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        input.initial_stress = InitialStressSection{
+            .sigma_x =
+                profile_of(0.0, 40.0, 64, [](double y) { return 100.0 * std::cos(2.0 * pi * (y - 20.0) / 40.0); }),
+            .sigma_y = {},
+            .file = {},
+            .grid = {}};
+        input.load = {.steps = 2, .blocks = {{.cycles = 1, .max = 1.0, .min = 0.0}}};
+        const double T = run_direct(input).increments.front().tips[0].T_stress;
+        Case whole = input;
+        whole.cracks.clear();
+        const Mandel there = Settled(whole).stress_at({66.0, 20.0});
+        EXPECT_NEAR(T, there[0] - there[1], 1.0) << there.transpose();
+    }
+}
+
+/// The load factor follows though no load moves the body to where it is at first.
+TEST(InitialStress, LeavesDisplacementToBeControlled) {
+    Case input = steel_plate(4.0, 6.0, 1.0);
+    input.model.plane = PlaneState::Stress;
+    input.material.poisson = 0.0;
+    input.regions = {misfit({{1.0, 0.0}, {3.0, 6.0}}, 200e3, 120.0)};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), moved("bottom", {}, 0.0), moved("point", 0.0, {})};
+    input.boundaries[2].at = Vec2(0.0, 0.0);
+    input.load = {.steps = 8, .blocks = {{.cycles = 1, .max = 1e-3, .min = 0.0}}};
+    input.load.control = Control::Displacement;
+    const RunHistory history = run_direct(input);
+    // Free of load the strip is shorter by 6 mm 120 / 2 / 200e3 = 0.0018 mm.
+    EXPECT_NEAR(history.at_maximum().machine.displacement, 1e-3, 1e-12);
+    EXPECT_NEAR(history.at_maximum().load_factor, (1e-3 + 1.8e-3) / 6.0 * 200e3, 1e-6);
+}
+
 /// Stress that no equilibrium could be in, or that leaves nothing.
 TEST(InitialStress, WhatIsNotSelfEquilibratedIsRefused) {
     Case input = EdgeCrackInAProfile::input(0.3);

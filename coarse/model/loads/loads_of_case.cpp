@@ -107,6 +107,15 @@ std::optional<std::size_t> first_loaded(const Mesh& mesh, const std::vector<Boun
     return std::nullopt;
 }
 
+/// What a section of the same unit load prescribes on the same boundary: its reaction is a load, whatever acts besides.
+Vec2 displacement_there(const std::vector<BoundarySection>& sections, const BoundarySection& first) {
+    for (const BoundarySection& section : sections)
+        if (section.on == first.on && section.at == first.at && section.load_case == first.load_case &&
+            !displacement_of(section).isZero(0.0))
+            return displacement_of(section);
+    return Vec2::Zero();
+}
+
 /// Of the boundary's outward normals; zero all around a hole.
 Vec2 outward(const Mesh& mesh, const std::vector<BoundaryEdge>& edges) {
     Vec2 sum = Vec2::Zero();
@@ -138,7 +147,7 @@ std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& inpu
             first_loaded(mesh, sections, [](const BoundarySection& section) { return section.load_case.has_value(); });
     if (!first) return std::nullopt;
     const BoundarySection& section = sections[*first];
-    const Vec2 displacement = displacement_of(section);
+    const Vec2 displacement = displacement_there(sections, section);
     const Place place = place_of(mesh, section, key_of(*first));
     const LoadsOfCase all = resolve_loads(mesh, input);
     LoadThere there = load_on(mesh, place, all.main);

@@ -13,10 +13,11 @@ void J2Implicit::return_points(const J2Update& update, int points, int stride) c
     update_packs(
         update, points, stride,
         [&]<int rows>(PackPlace<rows>, const Tensors<rows>& strain) { return elasticity_.stress<rows>(strain); },
-        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction) {
+        [&]<int rows>(PackPlace<rows> at, const Tensors<rows>& strain, const Prediction<rows>& prediction,
+                      int substeps) {
             auto& increment = std::get<IncrementInParts<rows>&>(std::tie(of_packs, of_points));
             increment.begin(update, at, deviators_of<rows>(elasticity_.stress<rows>(strain)));
-            if (update.law.substeps > 1)
+            if (substeps > 1)
                 increment.take_within_bound(prediction.flows);
             else
                 increment.take_at_once();

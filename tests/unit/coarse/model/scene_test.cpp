@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "coarse/zone/refined_scene.hpp"
+#include "common/error.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "tests/support/pulled_plate.hpp"
 
@@ -64,6 +65,33 @@ TEST(Supports, HoldTheMouthOfACrackOnTheEdge) {
             for (const int component : {0, 1})
                 EXPECT_TRUE(term.value == 0.0 || std::ranges::binary_search(scene.prescribed, term.unknown + component,
                                                                             {}, &PrescribedUnknown::unknown));
+    }
+}
+
+// A node on the crack is of the face on the left. A support of the other face alone would hold both.
+TEST(Supports, ThatEndAtACrackAreOnItsLeft) {
+    Case input = test::pulled_plate(2.0, false, false);
+    for (Vec2& point : input.cracks[0].points) point.y() = 10.0;
+    Mesh body = refined_scene(input).mesh;
+    input.boundaries[0].on = "half";
+    input.boundaries[0].traction.reset();
+    input.boundaries[0].displacement = {0.0, 0.0};
+    for (const bool upper : {true, false}) {
+        body.boundary["half"].clear();
+        for (const BoundaryEdge& edge : body.boundary.at("left")) {
+            const EdgeGeometry ends = edge_geometry(body, edge);
+            if ((ends.from.y() + ends.to.y() > 20.0) == upper) body.boundary["half"].push_back(edge);
+        }
+        if (upper)
+            EXPECT_NO_THROW(make_scene(input, body));
+        else
+            EXPECT_THROW(make_scene(input, body), CaseError);
+        std::ranges::reverse(input.cracks[0].points);
+        if (upper)
+            EXPECT_THROW(make_scene(input, body), CaseError);
+        else
+            EXPECT_NO_THROW(make_scene(input, body));
+        std::ranges::reverse(input.cracks[0].points);
     }
 }
 
