@@ -52,11 +52,10 @@ Section<LoadSection> load_section() {
     s.value("accuracy", &LoadSection::accuracy)
         .positive()
         .below(1.0)
-        .says(
-            "With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
-            "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one. "
-            "Not kept before it is first measured, in the fourth cycle, nor where a crack at an angle to the load is "
-            "pressed: errors of 0.3 to 1.5 % were seen there, and K_op was off by 0.006 of K_max at most.");
+        .says("With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
+              "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one. "
+              "Not kept before it is first measured, in the fourth cycle, nor where a crack at an angle to the load is "
+              "pressed: errors of 0.3 to 1.5 % were seen there, and K_op was off by 0.006 of K_max at most.");
     s.value("grading", &LoadSection::grading)
         .positive()
         .or_else("1 where the load presses faces with friction; else 0.4 with steps = \"auto\", 0.6 with a number")
