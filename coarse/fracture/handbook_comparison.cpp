@@ -59,7 +59,7 @@ std::vector<HandbookLine> compare_with_handbook(const NominalSolution& nominal) 
     if (scene.input.mesh.file) return {};
     const std::vector<TipResult>& tips = nominal.tips;
     const Specimen& specimen = find_specimen(scene.input.mesh.specimen);
-    const auto loaded = loaded_boundary(scene.mesh, scene.input);
+    const auto loaded = loaded_boundary(scene.mesh, scene.input, scene.loads);
     if (!scene.input.regions.empty()) return {};
     if (specimen.handbook_K == nullptr || !loaded || !is_standard_crack(scene) || !is_standard_load(scene)) return {};
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "coarse/model/crack_room.hpp"
@@ -156,9 +157,8 @@ std::vector<NodalWeight> displacement_of_loads(const Scene& scene, double pull) 
     return sum;
 }
 
-void weigh_mean_displacement(Scene& scene) {
+void weigh_mean_displacement(Scene& scene, const std::optional<LoadedBoundary>& loaded) {
     scene.mean_displacement = Eigen::VectorXd::Zero(scene.enriched.unknowns);
-    const auto loaded = loaded_boundary(scene.mesh, scene.input);
     if (!loaded || !loaded->has_direction()) return;
     std::vector<NodalWeight> sum = mean_displacement(scene.mesh, *loaded);
     const bool bends_only = loaded->resultant.isZero(0.0);
@@ -169,9 +169,8 @@ void weigh_mean_displacement(Scene& scene) {
 }
 
 /// Direction of the loaded boundary on its prescribed unknowns, where no force tells its load.
-void weigh_reactions(Scene& scene) {
+void weigh_reactions(Scene& scene, const std::optional<LoadedBoundary>& loaded) {
     scene.pull = Eigen::VectorXd::Zero(std::ssize(scene.prescribed));
-    const auto loaded = loaded_boundary(scene.mesh, scene.input);
     if (!loaded || loaded->by_force) return;
     for (const int node : loaded->nodes) {
         for (int c = 0; c < 2; ++c) {
@@ -251,7 +250,8 @@ void put_loads_on_unknowns(Scene& scene) {
     put(scene.loads.main, scene.unit_force);
     scene.case_forces.assign(scene.loads.cases.size(), Eigen::VectorXd::Zero(mesh.unknowns));
     for (std::size_t k = 0; k < scene.case_forces.size(); ++k) put(scene.loads.cases[k], scene.case_forces[k]);
-    weigh_mean_displacement(scene);
+    const std::optional<LoadedBoundary> loaded = loaded_boundary(scene.mesh, scene.input, scene.loads);
+    weigh_mean_displacement(scene, loaded);
     std::map<std::pair<int, int>, double> held;
     for (const PrescribedDisplacement& d : scene.loads.main.displacements) held[{d.node, d.component}] = d.value;
     std::map<int, double> prescribed;
@@ -264,7 +264,7 @@ void put_loads_on_unknowns(Scene& scene) {
     scene.prescribed.clear();
     for (const auto& [unknown, value] : prescribed) scene.prescribed.push_back({unknown, value});
     for (std::size_t k = 0; k < scene.loads.cases.size(); ++k) move_in_case(scene, k);
-    weigh_reactions(scene);
+    weigh_reactions(scene, loaded);
 }
 
 }  // namespace stria::coarse

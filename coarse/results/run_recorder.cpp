@@ -24,7 +24,7 @@ CsvWriter table(const std::filesystem::path& path, const std::vector<std::string
 RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
     : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), growth_(scene.input.growth),
-      zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input)),
+      zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input, scene.loads)),
       history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
       cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
       faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),

@@ -88,16 +88,19 @@ void write_elastic(const J2Update& update, PackPlace<rows> at, const Tensors<row
         for (int j = 0; j < 4; ++j) at.scalars(update.tangent, 4 * i + j).setConstant(update.stiffness(i, j));
 }
 
-/// Points that an initial stress holds beyond the yield surface: they never were on the way that an increment takes.
+/// Points that flow and that an initial stress holds beyond the yield surface, where no way of an increment begins.
+/// They have not flowed yet: later they are on it or within.
 template <int rows>
 Eigen::Array<bool, rows, 1> begin_outside(const J2Update& update, PackPlace<rows> at,
                                           const Prediction<rows>& prediction) {
     constexpr double rounding = 1e-6;
+    const Eigen::Array<bool, rows, 1> first =
+        prediction.flows && at.scalars(update.committed, state::accumulated) == 0.0;
+    if (!first.any()) return first;
     Tensors<rows> relative = deviators<rows>(at.tensors(update.committed, state::stress));
     for (std::size_t k = 0; k < update.law.kinematic.size(); ++k)
         relative -= at.tensors(update.committed, state::back_stress + 4 * static_cast<int>(k));
-    return prediction.flows &&
-           (1.5 * contraction<rows>(relative, relative)).sqrt() > (1.0 + rounding) * prediction.yield_stress;
+    return first && (1.5 * contraction<rows>(relative, relative)).sqrt() > (1.0 + rounding) * prediction.yield_stress;
 }
 
 /// Pack by pack: `elastic` tells what the stress changes by without flow, `flow` returns a pack to the yield surface,

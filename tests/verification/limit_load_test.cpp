@@ -67,7 +67,7 @@ Case plastic(const Limit& limit, double at_tip) {
 /// load factor 1; both loads N/mm.
 double stretch(Case& input, double load, double factor, int increments) {
     const ElasticSolution elastic(input);
-    const double unit = coarse::loaded_boundary(elastic.scene.mesh, input)->resultant.norm();
+    const double unit = coarse::loaded_boundary(elastic.scene.mesh, input, elastic.scene.loads)->resultant.norm();
     const double largest = factor * load / unit * elastic.scene.mean_displacement.dot(elastic.u);
     input.load = {.steps = 2 * increments,
                   .blocks = {{.cycles = 0, .max = largest, .min = 0.0}},

@@ -155,7 +155,7 @@ TEST(Specimens, ThreePointBending) {
 TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     const ElasticSolution solution(graded_to_tips(compact_tension(0.5)));
     EXPECT_EQ(solution.scene.free_motions.pins.size(), 3U);
-    const auto loaded = coarse::loaded_boundary(solution.scene.mesh, solution.scene.input);
+    const auto loaded = coarse::loaded_boundary(solution.scene.mesh, solution.scene.input, solution.scene.loads);
     ASSERT_TRUE(loaded);
     EXPECT_LT((loaded->resultant - Vec2(0.0, 1.0)).norm(), 1e-12);
     // Between the pins a little more than on the load line: they press into their holes.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "coarse/load/case_histories.hpp"
@@ -73,22 +75,26 @@ struct LoadThere {
     [[nodiscard]] bool balanced() const { return resultant.norm() <= 1e-9 * magnitude; }
 };
 
-bool is_on(const Place& place, const EdgeLoad& load) {
-    return std::ranges::any_of(place.edges, [&](const BoundaryEdge& edge) {
-        return edge.element == load.edge.element && edge.edge == load.edge.edge;
-    });
-}
+/// Which loads act at a place.
+class ActsAt {
+public:
+    explicit ActsAt(const Place& place) : nodes_(place.nodes.begin(), place.nodes.end()) {
+        for (const BoundaryEdge& edge : place.edges) edges_.insert({edge.element, edge.edge});
+    }
+    bool operator()(const EdgeLoad& load) const { return edges_.contains({load.edge.element, load.edge.edge}); }
+    bool operator()(const PointForce& load) const { return nodes_.contains(load.node); }
 
-bool is_on(const Place& place, const PointForce& load) { return std::ranges::binary_search(place.nodes, load.node); }
+private:
+    std::set<std::pair<int, int>> edges_;
+    std::set<int> nodes_;
+};
 
-LoadThere load_on(const Mesh& mesh, const Place& place, const Loads& loads) {
-    Loads there;
-    for (const EdgeLoad& load : loads.edges)
-        if (is_on(place, load)) there.edges.push_back(load);
-    for (const PointForce& load : loads.forces)
-        if (is_on(place, load)) there.forces.push_back(load);
+LoadThere load_that(const ActsAt& there, const Mesh& mesh, const Loads& loads) {
+    Loads some;
+    std::ranges::copy_if(loads.edges, std::back_inserter(some.edges), there);
+    std::ranges::copy_if(loads.forces, std::back_inserter(some.forces), there);
     LoadThere sum;
-    for (const AppliedForce& applied : applied_forces(mesh, there)) {
+    for (const AppliedForce& applied : applied_forces(mesh, some)) {
         sum.resultant += applied.force;
         sum.magnitude += applied.force.norm();
     }
@@ -128,18 +134,17 @@ double pulls_along(const Mesh& mesh, const std::vector<BoundarySection>& section
     double sum = 0.0;
     for (std::size_t k = 0; k < sections.size(); ++k) {
         if (!is_of_main_load(sections[k])) continue;
-        const Place place = place_of(mesh, sections[k], key_of(k));
-        sum += std::max(0.0, load_on(mesh, place, loads).resultant.dot(direction));
-        const auto counted = [&](const auto& load) { return is_on(place, load); };
-        std::erase_if(loads.edges, counted);
-        std::erase_if(loads.forces, counted);
+        const ActsAt there(place_of(mesh, sections[k], key_of(k)));
+        sum += std::max(0.0, load_that(there, mesh, loads).resultant.dot(direction));
+        std::erase_if(loads.edges, there);  // counted
+        std::erase_if(loads.forces, there);
     }
     return sum;
 }
 
 }  // namespace
 
-std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input) {
+std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input, const LoadsOfCase& all) {
     const std::vector<BoundarySection>& sections = input.boundaries;
     std::optional<std::size_t> first = first_loaded(mesh, sections, is_of_main_load);
     if (!first)
@@ -149,15 +154,15 @@ std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& inpu
     const BoundarySection& section = sections[*first];
     const Vec2 displacement = displacement_there(sections, section);
     const Place place = place_of(mesh, section, key_of(*first));
-    const LoadsOfCase all = resolve_loads(mesh, input);
-    LoadThere there = load_on(mesh, place, all.main);
+    const ActsAt acts_there(place);
+    LoadThere there = load_that(acts_there, mesh, all.main);
     LoadedBoundary loaded{.name = section.on, .edges = place.edges, .nodes = place.nodes};
     loaded.resultant = there.resultant;
     loaded.by_force = displacement.isZero(0.0);
-    for (const Loads& loads : all.cases) loaded.in_cases.push_back(load_on(mesh, place, loads).resultant);
+    for (const Loads& loads : all.cases) loaded.in_cases.push_back(load_that(acts_there, mesh, loads).resultant);
     if (section.load_case) {
         const auto own = std::ranges::find(input.load_cases, *section.load_case, &LoadCaseSection::name);
-        there = load_on(mesh, place, all.cases[at(own - input.load_cases.begin())]);
+        there = load_that(acts_there, mesh, all.cases[at(own - input.load_cases.begin())]);
     }
     if (!loaded.by_force)
         loaded.direction = displacement.normalized();

@@ -15,7 +15,7 @@ struct LoadsOfCase {
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input);
 
 /// That of the first listed section with a load or a non-zero displacement, if any; of those without a factor of their
-/// own if there is one. What other sections put on it counts.
-std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input);
+/// own if there is one. What other sections put on it counts. `all`: the loads of the case.
+std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& input, const LoadsOfCase& all);
 
 }  // namespace stria::coarse

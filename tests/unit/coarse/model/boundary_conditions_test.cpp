@@ -71,7 +71,7 @@ bool mentions(const std::string& text, const std::string& part) { return text.fi
 std::optional<LoadedBoundary> loaded_among(const Mesh& body, const std::vector<BoundarySection>& sections) {
     Case input;
     input.boundaries = sections;
-    return loaded_boundary(body, input);
+    return loaded_boundary(body, input, resolve_loads(body, input));
 }
 
 FreeMotions motions_of(const std::vector<BoundarySection>& sections) {
