@@ -163,6 +163,7 @@ struct EnergyReport {
 struct Commit {
     bool reversal = false;  // the load turned after this increment: plastic zones start anew
     bool brief = false;     // nobody reads rings, faces and stored energy
+    bool releases = false;  // faces that growth has opened, here or with another rank: no part of a half cycle
 };
 
 /// After commit.
@@ -171,8 +172,9 @@ struct StepReport {
     std::vector<RingReport> rings;       // one per ring of the patch; empty in brief
     std::vector<FaceSample> faces;       // ordered by crack and s; empty in brief
     std::vector<double> contact_length;  // per crack, mm
-    std::vector<double> mouth_opening;   // per crack: opening at its first point if that is in the zone, else NaN
-    double dissipation = 0;              // N, per mm of thickness: by flow, in this increment
+    std::vector<double>
+        mouth_opening;       // per crack: opening where it meets the boundary if the zone holds that, else NaN
+    double dissipation = 0;  // N, per mm of thickness: by flow, in this increment
     EnergyReport energy;
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
     WorkCounts work;

@@ -13,6 +13,7 @@
 #include "coarse/fracture/handbook_comparison.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/mesh_file/mesh_file.hpp"
+#include "coarse/model/tip_reach.hpp"
 #include "coarse/zone/case_warnings.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/tip_refinement.hpp"
@@ -119,25 +120,28 @@ void print_zone_estimate(const coarse::Scene& scene, const std::vector<double>& 
     fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
 }
 
-void print_estimate(const coarse::NominalSolution& nominal, const std::vector<double>& K_I) {
-    const coarse::WorkEstimate work = coarse::estimate_work(nominal, K_I);
-    fmt::print("# estimate of the run: {:.0f} increments, at most {} of {} points flow; about {:.2g} s of a processor "
-               "and {:.2g} MB, more where increments have to be halved\n",
-               work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
-}
-
-/// Of growth, mm; where the program chooses it, what it may be at first.
+/// Of growth, mm; where the program chooses it, what it may be at first: no less than an element at the tip.
 double largest_increment(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
                          const std::vector<double>& K_I) {
+    if (!scene.input.growth) return 0.0;
     const GrowthSection& growth = *scene.input.growth;
     if (!growth.increment.is_auto()) return growth.increment.value();
     double largest = 0.0;
     for (std::size_t t = 0; t < K_I.size(); ++t) {
         const double zone =
             coarse::forward_zone_ahead(K_I[t], scene.yield_stress_at_tips()[t], scene.input.model.plane);
-        largest = std::max(largest, coarse::largest_increment(growth, zone > 0.0, zone, nominal.tips[t].a));
+        largest = std::max({largest, coarse::tip_element_edge(scene.enriched, scene.enriched.tips[t]),
+                            coarse::largest_increment(growth, zone > 0.0, zone, nominal.tips[t].a)});
     }
     return largest;
+}
+
+void print_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
+                    const std::vector<double>& K_I) {
+    const coarse::WorkEstimate work = coarse::estimate_work(nominal, K_I, largest_increment(scene, nominal, K_I));
+    fmt::print("# estimate of the run: {:.0f} increments, at most {} of {} points flow; about {:.2g} s of a processor "
+               "and {:.2g} MB, more where increments have to be halved\n",
+               work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
 }
 
 /// Small elements follow the tips: what there will be of them.
@@ -189,7 +193,7 @@ int check(const RunOptions& options) {
         print_zone_estimate(scene, K);
         print_way(scene, nominal, K);
     }
-    print_estimate(nominal, K);
+    print_estimate(scene, nominal, K);
     return 0;
 }
 

@@ -274,6 +274,7 @@ LoadStep FatigueAnalysis::next_release() const {
     step.target = controller_.reached_target();
     step.target.held = release_.left() / release_.held;
     step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
+    step.releases = true;
     return step;
 }
 

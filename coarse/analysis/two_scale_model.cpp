@@ -8,6 +8,7 @@
 
 #include "coarse/analysis/limit_load_hint.hpp"
 #include "coarse/equilibrium/carried_increments.hpp"
+#include "coarse/load/case_histories.hpp"
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/integration/moved_field.hpp"
@@ -19,8 +20,8 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
                              EquilibriumFactory& factory, CoarseEffort& effort, const Note& note,
                              const AnalysisState* from)
     : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
-      gives_way_at_(gives_way_at(body.scene())), guard_(body.scene().materials),
-      displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+      gives_way_at_(gives_way_at(body.scene())), peaks_between_(CaseHistories(body.scene().input).peak_between_ends()),
+      guard_(body.scene().materials), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
     const Stopwatch watch(effort_.setup_s);
     if (from != nullptr) {
         displacement_ = from->displacement;
@@ -101,9 +102,9 @@ NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
     return report;
 }
 
-// Growth and cycles look at extremes only.
-bool TwoScaleModel::is_read(const OutputSection& output, const LoadStep& step) {
-    if (step.reversal || step.at_extreme() || step.settles) return true;
+// Growth and cycles look at extremes only: those of the load, but where other loads have theirs elsewhere.
+bool TwoScaleModel::is_read(const OutputSection& output, const LoadStep& step) const {
+    if (step.reversal || step.at_extreme() || step.settles || peaks_between_) return true;
     return output.history == Written::All || output.faces == Written::All || output.fields == Written::All;
 }
 
@@ -117,7 +118,8 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     increment.load_factor = factors_.main;
     largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
     increment.machine = equilibrium_->machine_reading();
-    const coupling::Commit what{.reversal = step.reversal, .brief = !is_read(body_.scene().input.output, step)};
+    const coupling::Commit what{
+        .reversal = step.reversal, .brief = !is_read(body_.scene().input.output, step), .releases = step.releases};
     equilibrium_->begin_commit(what);  // the zone commits while the structure looks at its rings
     const RingIntegrals own = what.brief ? rings_->unknown() : rings_->integrals(equilibrium_->near_displacement());
     increment.zone = equilibrium_->commit(what);

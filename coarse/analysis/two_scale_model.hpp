@@ -56,7 +56,7 @@ public:
 
 private:
     /// Somebody reads rings, faces and energies of an increment.
-    [[nodiscard]] static bool is_read(const OutputSection& output, const LoadStep& step);
+    [[nodiscard]] bool is_read(const OutputSection& output, const LoadStep& step) const;
     void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     CrackedBody::Outgrown split_elements(FinerScene finer);
@@ -73,6 +73,7 @@ private:
     CoarseEffort& effort_;
     const Note& note_;
     double gives_way_at_;  // mm: limit_load_hint.hpp
+    bool peaks_between_;   // K may be largest between the extremes of the load
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::optional<StructureRings> rings_;  // of the present structure

@@ -21,6 +21,13 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double K, boo
     }
 }
 
+/// What is least may be where a cycle starts: load cases may run against the load, and K with them.
+void start_from(CycleResult& cycle, const CycleMemory::Station& start) {
+    cycle.K_min = std::min(cycle.K_min, start.K());  // NaN: it belongs to the cycle before
+    cycle.CTOD.include(start.CTOD, false);
+    cycle.opening_behind.include(start.opening, false);
+}
+
 /// Where a crack grows at its minimum loading begins with the longer one, whose K that load gives if no K is asked for.
 void begin_loading_again(CycleResult& cycle, bool K_is_asked) {
     constexpr CycleResult none;
@@ -103,6 +110,7 @@ void CycleMeter::begin(int cycle) {
         const CycleMemory::Station& start = now_.last[t];
         tip.cycle.forward = start.forward;
         tip.cycle.forward_axis = start.forward_axis;
+        start_from(tip.cycle, start);
         tip.down = {{start.load_factor}, {start.CMOD}};
     }
 }
@@ -117,7 +125,8 @@ void CycleMeter::add(const Increment& increment) {
         CycleMemory::Tip& tip = now_.tips[t];
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, rise);
-        if (increment.tips[t].a > tip.cycle.a) begin_loading_again(tip.cycle, K_is_asked_);
+        const bool has_grown = tip.cycle.a > 0.0 && increment.tips[t].a > tip.cycle.a;  // within this cycle
+        if (has_grown) begin_loading_again(tip.cycle, K_is_asked_);
         if (!growing && !rises) tip.has_fallen = true;
         const bool loading_now = rises || increment.step.ends_cycle;
         const bool of_before = looks_ahead_ && is_rest_of_rise(tip, increment.step);
@@ -137,8 +146,8 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({tip.x, tip.y, increment.nominal_K[t], increment.K_beside(t), tip.CMOD,
-                             increment.load_factor, growing ? tip.plastic_zone : 0.0,
+        now_.last.push_back({tip.x, tip.y, increment.nominal_K[t], increment.K_beside(t), tip.CTOD, tip.opening,
+                             tip.CMOD, increment.load_factor, growing ? tip.plastic_zone : 0.0,
                              growing ? tip.plastic_zone_axis : 0.0});
         if (now_.x.size() > t) continue;
         now_.x.push_back(tip.x);

@@ -22,14 +22,10 @@ double crack_length(const Scene& scene, const Tip& tip) {
     return length_in_body(scene.enriched, tip.crack) / static_cast<double>(tips);
 }
 
-/// Opening at the crack's first point in the body, where the structure holds it.
-double mouth_opening(const CoarseElements& structure, int crack, const Eigen::VectorXd& u) {
-    for (const CrackPiece& piece : structure.scene().enriched.pieces) {
-        if (piece.crack != crack) continue;
-        if (structure.in_zone().contains(piece.element) || !has_mouth(structure.scene().enriched, crack)) break;
-        return face_station_at(structure.scene().enriched, crack, piece.s.front()).opening(u);
-    }
-    return std::nan("");
+/// NaN where the zone holds the place, or no crack.
+double opening_at(const CoarseElements& structure, const FaceStation& station, const Eigen::VectorXd& u) {
+    const bool is_elsewhere = station.terms.empty() || structure.in_zone().contains(station.element);
+    return is_elsewhere ? std::nan("") : station.opening(u);
 }
 
 /// One ring's parameters.
@@ -98,21 +94,21 @@ void put_rings(const std::vector<Annulus>& rings, const std::vector<RingValues>&
     result.K_spread = std::max(spread(elastic, &RingValues::K_I, K), spread(elastic, &RingValues::K_II, K));
 }
 
-/// What a zone reports of a tip, or else its openings where the structure holds them.
-void put_openings(const EnrichedMesh& mesh, int t, const Eigen::VectorXd& u, const coupling::StepReport& report,
+/// What a zone reports of a tip, and openings where the structure holds them.
+void put_openings(const CoarseElements& structure, int t, const Eigen::VectorXd& u, const coupling::StepReport& report,
                   std::span<const double> behind, TipResult& result) {
+    const EnrichedMesh& mesh = structure.scene().enriched;
     const Tip& tip = mesh.tips[at(t)];
+    result.CMOD = opening_at(structure, face_station_at_mouth(mesh, tip.crack), u);
+    if (!behind.empty()) result.opening = opening_at(structure, face_station_behind(mesh, tip, behind[at(t)]), u);
     if (report.tips.empty()) {
         const double intercept = opening_at_intercept(mesh, tip, u);
         if (intercept >= 0.0) result.CTOD = intercept;
-        if (behind.empty()) return;
-        const FaceStation station = face_station_behind(mesh, tip, behind[at(t)]);
-        if (!station.terms.empty()) result.opening = station.opening(u);
         return;
     }
     const coupling::TipReport& zone = report.tips[at(t)];
     if (zone.CTOD >= 0.0) result.CTOD = zone.CTOD;
-    result.opening = zone.opening;
+    if (std::isfinite(zone.opening)) result.opening = zone.opening;
     const coupling::FlowShell own = coupling::shell_at_tip(zone.flow, tip_element_size(mesh, tip));
     result.plastic_zone = own.reach;
     result.plastic_zone_axis = own.axis;
@@ -146,8 +142,7 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
         result.x = tip.position.x();
         result.y = tip.position.y();
         result.CTOD = std::nan("");
-        result.CMOD = mouth_opening(rings.elements(), tip.crack, u);
-        put_openings(scene.enriched, t, u, report, behind, result);
+        put_openings(rings.elements(), t, u, report, behind, result);
         const auto flow_ever = report.tips.empty() ? std::vector<coupling::FlowShell>() : report.tips[at(t)].flow_ever;
         put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), flow_ever, result);
         results.push_back(result);

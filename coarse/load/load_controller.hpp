@@ -24,7 +24,8 @@ struct LoadStep {
     bool at_maximum = false, at_minimum = false,
          at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;
-    bool settles = false;  // the initial stress comes to equilibrium, without load
+    bool settles = false;   // the initial stress comes to equilibrium, without load
+    bool releases = false;  // faces that growth has opened come to equilibrium, under the loads that are reached
 
     [[nodiscard]] bool at_extreme() const { return at_maximum || at_minimum || at_zero; }
 };

@@ -139,6 +139,7 @@ private:
         met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());
         note_met_edges(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
+        result_.mouths.push_back(path.mouth());
         add_tip_terms(path, sides, tips);
     }
 
@@ -228,7 +229,12 @@ private:
     [[nodiscard]] double disk_radius(const Tip& tip, const CrackPiece& piece) const {
         const double size = diagonal(mesh_, piece.element);
         const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * size);
-        if (!tip_enrichment_.radius) return std::min(0.75 * reach, tip_enrichment_.most_diagonals * size);
+        if (!tip_enrichment_.radius) {
+            // Between the disks of two tips, half way reach each, no element sees functions of both.
+            constexpr double clear = 1.25;  // diagonals: from a disk's rim to its last nodes, and half an element
+            const double most = result_.tips.size() > 1 || cracks_.size() > 1 ? reach - clear * size : reach;
+            return std::min({0.75 * reach, most, tip_enrichment_.most_diagonals * size});
+        }
         if (*tip_enrichment_.radius <= reach) return *tip_enrichment_.radius;
         throw CaseError(fmt::format(
             "fine.enrichment_radius: {} mm is too large for the tip at ({}, {}): the boundary, "

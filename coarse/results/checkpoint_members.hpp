@@ -110,11 +110,13 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [x, y, nominal_K, K_beside, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [x, y, nominal_K, K_beside, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
     archive("x", x);
     archive("y", y);
     archive("nominal_K", nominal_K);
     archive("K_beside", K_beside);
+    archive("CTOD", CTOD);
+    archive("opening", opening);
     archive("CMOD", CMOD);
     archive("load_factor", load_factor);
     archive("forward", forward);
@@ -243,7 +245,7 @@ void members(auto& archive, Is<StillElements> auto& m) {
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
            cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period, life,
-           K_reached, extremes, due_growth, release, load, work, equilibrium, zone] = m;
+           rate_at_turn, K_reached, extremes, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -272,6 +274,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("growth_increment", growth_increment);
     archive("growth_period", growth_period);
     archive("life", life);
+    archive("rate_at_turn", rate_at_turn);
     archive("K_reached", K_reached);
     archive("extremes", extremes);
     archive("due_growth", due_growth);

@@ -70,13 +70,13 @@ ElementSet yields(const NominalSolution& nominal) {
 }
 
 /// Steps of growth: no more than the history has room for, or a crack needs to become as long as it is to be.
-double growths_of(const Case& input, const std::vector<TipResult>& tips) {
+double growths_of(const Case& input, const std::vector<TipResult>& tips, double increment) {
     if (!input.growth) return 0.0;
     const GrowthSection& growth = *input.growth;
     const double most = std::floor(cycle_count(input.load) / growth.every);
-    if (!growth.until || growth.increment.is_auto() || tips.empty()) return most;
+    if (!growth.until || tips.empty()) return most;
     const double longest = std::ranges::max(tips, {}, &TipResult::a).a;
-    return std::min(most, std::ceil(std::max(*growth.until - longest, 0.0) / growth.increment.value()));
+    return std::min(most, std::ceil(std::max(*growth.until - longest, 0.0) / increment));
 }
 
 /// Per cycle, on an average.
@@ -121,7 +121,7 @@ double bytes_of_body(const Scene& scene) {
            bytes_for_rim * std::pow(rim_of_body(scene), 2) + bytes_of_cycle * cycle_count(scene.input.load);
 }
 
-WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K) {
+WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K, double increment) {
     const Scene& scene = nominal.structure->scene();
     const Case& input = scene.input;
     const int per_element = 4 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
@@ -133,7 +133,7 @@ WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<dou
     WorkEstimate work;
     work.points = per_element * zone.count();
     work.yielding = per_element * yielding.count();
-    work.growths = growths_of(input, nominal.tips);
+    work.growths = growths_of(input, nominal.tips, increment);
     double cycles = cycle_count(input.load);
     if (input.growth && input.growth->until) cycles = std::min(cycles, (work.growths + 1.0) * input.growth->every);
     work.increments = (cycles + 0.5) * increments_of_cycle(input, CaseHistories(input).legs());

@@ -21,7 +21,8 @@ struct WorkEstimate {
 
 /// Measured figures, to a factor of about three; increments that have to be halved come on top. Of long histories the
 /// first half cycles count, and the largest one. `K`: the largest of the history, one per tip, MPa sqrt(mm).
-/// `nominal`: of the whole body.
-[[nodiscard]] WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K);
+/// `nominal`: of the whole body. `increment`: of growth, mm.
+[[nodiscard]] WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K,
+                                         double increment);
 
 }  // namespace stria::coarse

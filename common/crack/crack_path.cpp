@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -230,6 +231,11 @@ void refuse_turning_back(int crack, const std::vector<Vec2>& points) {
 }
 
 }  // namespace
+
+double CrackPath::mouth() const {
+    if (!tip_at_start) return pieces.front().s.front();
+    return tip_at_end ? std::numeric_limits<double>::quiet_NaN() : pieces.back().s.back();
+}
 
 CrackPath resolve_crack(const Mesh& mesh, int crack, const std::vector<Vec2>& points) {
     const std::vector<Vec2> snapped = snapped_onto_mesh(mesh, points);

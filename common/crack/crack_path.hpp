@@ -23,6 +23,9 @@ struct CrackPath {
     bool tip_at_start = false;
     bool tip_at_end = false;
     double length = 0.0;  // of the polyline, mm
+
+    /// Arc length of the end that is no tip, where the crack meets the boundary, mm; NaN: it has two tips.
+    [[nodiscard]] double mouth() const;
 };
 
 /// Whether a crossing exists is decided by exact predicates. Throws CaseError where the crack misses the body, leaves

@@ -100,10 +100,6 @@ Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& valu
     return initial;
 }
 
-bool has_mouth(const EnrichedMesh& mesh, int crack) {
-    return std::ranges::none_of(mesh.tips, [&](const Tip& tip) { return tip.crack == crack && tip.upper < 0; });
-}
-
 int branch_side(const EnrichedMesh& mesh, int element) {
     if (!mesh.branch.empty()) return mesh.branch[at(element)];
     if (const int side = mesh.element_side[at(element)]; side != 0) return side;

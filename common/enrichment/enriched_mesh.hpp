@@ -50,6 +50,7 @@ struct EnrichedMesh {
     std::vector<CrackPiece> pieces;  // ordered by crack, then along it
     std::vector<Tip> tips;
     std::vector<Tip> left_tips;             // that cracks have outgrown, where their functions stay unknowns
+    std::vector<double> mouths;             // per crack, CrackPath::mouth()
     double tip_exponent = 0.5;              // 1/(n+1) of eq. (2)
     int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
     std::vector<std::vector<Term>> terms;   // per node; gathered ones last
@@ -116,9 +117,6 @@ std::vector<int> same_unknowns(const EnrichedMesh& mesh, const EnrichedMesh& oth
 /// Values of unknowns that both meshes have, carried from one numbering to the other; elsewhere `initial`.
 Eigen::VectorXd carry_over(const EnrichedMesh& from, const Eigen::VectorXd& values, const EnrichedMesh& to,
                            Eigen::VectorXd initial);
-
-/// Whether a crack begins at the boundary, and not at a tip.
-bool has_mouth(const EnrichedMesh& mesh, int crack);
 
 /// Side of the crack of an uncut element that touches it, or has a node beside it, +1 or -1; else 0. Behind a tip it
 /// chooses the branch of theta: where a crack turns, the line behind its tip passes through such elements.

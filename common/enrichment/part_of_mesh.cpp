@@ -40,6 +40,7 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
     EnrichedMesh part;
     part.tips = whole.tips;
     part.left_tips = whole.left_tips;
+    part.mouths = whole.mouths;
     part.tip_exponent = whole.tip_exponent;
     part.tip_functions = whole.tip_functions;
 

@@ -193,6 +193,11 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
     return nowhere(crack, s);
 }
 
+FaceStation face_station_at_mouth(const EnrichedMesh& mesh, int crack) {
+    const double s = mesh.mouths[at(crack)];
+    return std::isnan(s) ? nowhere(crack, s) : face_station_at(mesh, crack, s);
+}
+
 FaceStation face_station_behind(const EnrichedMesh& mesh, const Tip& tip, double distance) {
     if (distance <= 0.0) return nowhere(tip.crack, tip.s);
     return face_station_at(mesh, tip.crack, tip.s + Held(mesh, tip).direction * distance);

@@ -47,6 +47,9 @@ std::vector<FaceStation> face_stations_about(const EnrichedMesh& mesh, const Tip
 /// The station at an arc length (weight 0); empty terms where no piece of the mesh holds it.
 FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s);
 
+/// Where a crack meets the boundary; empty terms where it has two tips, and where no piece of the mesh holds that end.
+FaceStation face_station_at_mouth(const EnrichedMesh& mesh, int crack);
+
 /// The station at a distance behind a tip, mm along the crack; empty terms where the mesh does not hold it, and where
 /// the distance is none.
 FaceStation face_station_behind(const EnrichedMesh& mesh, const Tip& tip, double distance);

@@ -22,8 +22,8 @@ void fields(auto& wire, Is<Failure> auto& m) {
 }
 
 void fields(auto& wire, Is<Commit> auto& m) {
-    auto& [reversal, brief] = m;
-    wire(reversal, brief);
+    auto& [reversal, brief, releases] = m;
+    wire(reversal, brief, releases);
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {
@@ -52,10 +52,10 @@ void fields(auto& wire, Is<TiedNode> auto& m) {
 }
 
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
-    auto& [nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, tip_exponent, tip_functions,
-           terms, element_side, branch, tied, first_unknown, first_gathered, unknowns] = m;
-    wire(nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, tip_exponent, tip_functions, terms,
-         element_side, branch, tied, first_unknown, first_gathered, unknowns);
+    auto& [nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, mouths, tip_exponent,
+           tip_functions, terms, element_side, branch, tied, first_unknown, first_gathered, unknowns] = m;
+    wire(nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, mouths, tip_exponent, tip_functions,
+         terms, element_side, branch, tied, first_unknown, first_gathered, unknowns);
 }
 
 void fields(auto& wire, Is<TipMoves> auto& m) {

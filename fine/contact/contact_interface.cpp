@@ -64,6 +64,7 @@ void ContactInterface::begin_increment() {
     status_ = committed_status_;
     visited_.clear();
     tried_to_stick_ = one_at_a_time_ = false;
+    changes_ = 0;
 }
 
 void ContactInterface::begin_touching() { committed_status_.assign(at(multipliers()), FaceStatus::Stick); }

@@ -173,9 +173,8 @@ std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks
     const EnrichedMesh& mesh = zone.patch.mesh;
     std::vector<double> openings(cracks, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t crack = 0; crack < cracks; ++crack) {
-        const auto first = std::ranges::find(mesh.pieces, static_cast<int>(crack), &CrackPiece::crack);
-        if (first == mesh.pieces.end() || first->entry < 0.0 || !has_mouth(mesh, first->crack)) continue;
-        openings[crack] = opening(zone, face_station_at(mesh, first->crack, first->s.front()));
+        const FaceStation mouth = face_station_at_mouth(mesh, static_cast<int>(crack));
+        if (!mouth.terms.empty()) openings[crack] = opening(zone, mouth);
     }
     return openings;
 }

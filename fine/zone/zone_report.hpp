@@ -63,7 +63,7 @@ struct TipRings {
 /// Length in contact, mm, one per crack. `cracks`: of the case.
 [[nodiscard]] std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t cracks);
 
-/// Opening at the first point of each crack, mm: NaN where that is not on the outline, or not in the zone.
+/// Opening where each crack meets the boundary, mm: NaN where it has two tips, or the zone does not hold that end.
 [[nodiscard]] std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks);
 
 }  // namespace stria::fine

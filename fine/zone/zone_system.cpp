@@ -118,7 +118,8 @@ void ZoneSystem::linearise() {
     }
     const Stopwatch watch(contact_s_);
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);
-    contact_->choose_statuses(trial_.traction, jumps_);
+    // Growth has moved nothing. What overlaps yet is how dual multipliers see a frozen function: new faces shall open.
+    if (steps_ > 0 || !memory_.opening.any()) contact_->choose_statuses(trial_.traction, jumps_);
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(contact_->awake(trial_.traction), force);
     load_ = load_factor_ * patch_.unit_load - force;
@@ -226,14 +227,14 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
                             trial_.traction - memory_.committed.traction};
     const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
-    const bool counts = !memory_.opening.any(), begins = bulk_->history().half_cycle_ended();
-    const double contact =  // while cracks grow the loads are held, and do their work by no trapezoid
-        counts ? contact_->operators().work_by_trapezoid(memory_.committed.at_faces(), trial_.at_faces()) : 0.0;
+    const bool begins = bulk_->history().half_cycle_ended();
+    const double contact =  // a release holds the loads, which do their work by no trapezoid
+        what.releases ? 0.0 : contact_->operators().work_by_trapezoid(memory_.committed.at_faces(), trial_.at_faces());
     memory_.committed = trial_;
     const double dissipated = summary_->dissipation();
-    bulk_->commit(what.reversal, counts);
+    bulk_->commit(what.reversal, !what.releases);
     contact_->commit(memory_.committed.displacement);
-    if (what.reversal && counts) contact_->note_half_cycle();
+    if (what.reversal && !what.releases) contact_->note_half_cycle();
     summary_->update(*bulk_, begins);
     coupling::StepReport report;
     report.energy = {.stored = summary_->stored_energy() + at_rest_.energy(moved_since_rest()),

@@ -92,6 +92,25 @@ TEST(EnergyRelease, OfALinearBodyIsIrwinsWithoutTipFunctions) {
     }
 }
 
+// Where a frozen function holds faces dual multipliers see an overlap before the first step, though nothing has moved.
+// They closed, the step was that of a crack held shut, and a third less was said to be released.
+TEST(EnergyRelease, OfFacesThatOpenIsThatWithoutContact) {
+    Case input = specimen("sent", 40.0, {{0.0, 20.3}, {7.3, 20.3}});
+    input.mesh.width = 20.0;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.fine.refine = 2;
+    input.fine.radius = 2.0;
+    input.fine.enrichment = Enrichment::Single;
+    input.load = {.steps = 4, .blocks = {{.cycles = 2, .max = 30.0, .min = 3.0}}};
+    input.growth.emplace().increment = 1.0;
+    const Release apart = grow(input, coarse::refined_scene(input)).whole();
+    input.cracks[0].contact = ContactSection{};
+    const Release touching = grow(input, coarse::refined_scene(input)).whole();
+    EXPECT_NEAR(apart.counted, apart.balanced, 0.03 * apart.balanced);
+    EXPECT_NEAR(touching.counted, apart.counted, 1e-9 * apart.counted);
+    EXPECT_NEAR(touching.balanced, apart.balanced, 1e-9 * apart.balanced);
+}
+
 // The frozen functions of the old tip cannot open with its faces, and keep the energy of the field they hold. It is
 // that of a field an element wide, whatever the step: so much less of what a longer step releases. K is hardly touched.
 TEST(EnergyRelease, FrozenFunctionsHoldBackTheLessTheMoreElementsAStepSpans) {

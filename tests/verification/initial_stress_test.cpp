@@ -334,8 +334,8 @@ TEST(InitialStress, TIsThatOfTheWholeStress) {
         input.material.poisson = 0.3;
         input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
         input.initial_stress = InitialStressSection{
-            .sigma_x =
-                profile_of(0.0, 40.0, 64, [](double y) { return 100.0 * std::cos(2.0 * pi * (y - 20.0) / 40.0); }),
+            .sigma_x = profile_of(
+                0.0, 40.0, 64, [](double y) { return 100.0 * std::cos(2.0 * std::numbers::pi * (y - 20.0) / 40.0); }),
             .sigma_y = {},
             .file = {},
             .grid = {}};

@@ -58,6 +58,17 @@ double turn(double angle, double stretch, double increment, double element) {
     return std::abs(angle) * over < tolerance * element ? 0.0 : angle;
 }
 
+double turn_of(const Tip& tip, const std::vector<CrackSection>& longer) {
+    const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
+    return std::atan2(tip.direction.x() * now.y() - tip.direction.y() * now.x(), tip.direction.dot(now));
+}
+
+double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
+    double largest = 0.0;
+    for (const Tip& tip : tips) largest = std::max(largest, std::abs(turn_of(tip, longer)));
+    return largest;
+}
+
 double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
     const auto at_end = static_cast<std::ptrdiff_t>(crack.points.size()) - 1;
     const auto point = [&](std::ptrdiff_t back) -> const Vec2& {

@@ -27,6 +27,10 @@ namespace stria::coarse {
 /// K of a tip just behind a turn by more than ten degrees is not resolved.
 inline constexpr double sharp_turn = std::numbers::pi / 18.0;
 
+/// By which a tip turns as its crack becomes longer, radians, counter-clockwise; and the largest, of any sign.
+[[nodiscard]] double turn_of(const Tip& tip, const std::vector<CrackSection>& longer);
+[[nodiscard]] double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer);
+
 /// Along a crack from its last sharp turn to a tip, mm; infinite where it has none.
 [[nodiscard]] double behind_sharp_turn(const CrackSection& crack, const Tip& tip);
 

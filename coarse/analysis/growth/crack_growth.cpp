@@ -9,6 +9,7 @@
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
+#include "coarse/load/load_history.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/crack/crack_path.hpp"
 #include "common/error.hpp"
@@ -21,26 +22,15 @@ namespace {
 constexpr double small_turn = 0.01;           // of a tip with K_II = 0.005 K_I
 constexpr double elements_behind_turn = 2.0;  // from where on K behind a sharp turn is resolved
 
-/// Radians, counter-clockwise.
-double turn_of(const Tip& tip, const std::vector<CrackSection>& longer) {
-    const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
-    return std::atan2(tip.direction.x() * now.y() - tip.direction.y() * now.x(), tip.direction.dot(now));
-}
-
-double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
-    double largest = 0.0;
-    for (const Tip& tip : tips) largest = std::max(largest, std::abs(turn_of(tip, longer)));
-    return largest;
-}
-
 }  // namespace
 
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisState* from)
-    : growth_(*input.growth), takes_mean_(takes_mean_rate(input)), cut_off_(cycle_cut_off(input.load)), note_(note),
-      ended_(from != nullptr && from->growth_ended),
+    : growth_(*input.growth), varies_(varies(input)), takes_mean_(takes_mean_rate(input)),
+      cut_off_(cycle_cut_off(input.load)), note_(note), ended_(from != nullptr && from->growth_ended),
       increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
       rates_(from != nullptr ? from->growth_period : PeriodMemory()),
       life_(from != nullptr ? from->life : LifeMemory()),
+      rate_at_turn_(from != nullptr ? from->rate_at_turn : std::vector<double>()),
       K_reached_(from != nullptr ? from->K_reached : std::vector<double>()),
       extremes_(from != nullptr ? from->extremes : ReachedExtremes()) {}
 
@@ -49,6 +39,7 @@ void CrackGrowth::write(AnalysisState& state) const {
     state.growth_increment = increment_.memory();
     state.growth_period = rates_.memory();
     state.life = life_.memory();
+    state.rate_at_turn = rate_at_turn_;
     state.K_reached = K_reached_;
     state.extremes = extremes_;
 }
@@ -78,7 +69,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
         const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
         grown = along_first_of(body, ways(present, guides, last));
-        if (grown.longer) note_turn(body, *grown.longer, guides, last);
+        if (grown.longer) note_turns(body, *grown.longer, guides, last);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
@@ -95,8 +86,15 @@ TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, dou
     return steps;
 }
 
+std::vector<double> CrackGrowth::tip_rates() const {
+    std::vector<double> rates = rates_.present();
+    for (std::size_t t = 0; t < std::min(rates.size(), rate_at_turn_.size()); ++t)
+        rates[t] = std::fmax(rates[t], rate_at_turn_[t]);  // what is not known is not a number
+    return rates;
+}
+
 std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const {
-    const std::vector<double> rates = rates_.present();
+    const std::vector<double> rates = tip_rates();
     std::vector<double> of_tips;
     for (const Tip& tip : tips) {
         double sum = 0.0, ends = 0.0;
@@ -109,7 +107,7 @@ std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const
 
 double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
                               const std::vector<double>& elements) {
-    const std::vector<double> rates = rates_.present(), lengthening = this->lengthening(present.enriched.tips);
+    const std::vector<double> rates = tip_rates(), lengthening = this->lengthening(present.enriched.tips);
     if (growth_.increment.is_auto())
         return increment_.next(growth_, last, rates, lengthening,
                                steps_about(fastest_of(rates), present, turn, elements));
@@ -120,7 +118,7 @@ double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene&
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
-    const std::vector<double> rates = rates_.present();
+    const std::vector<double> rates = tip_rates();
     std::vector<double> elements;
     for (const Tip& tip : tips) elements.push_back(tip_element_edge(present.enriched, tip));
     const auto by = [&](double increment, GrowthDirection direction) {
@@ -150,17 +148,19 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
-// Of the fastest tip.
-void CrackGrowth::note_turn(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
-                            const std::vector<CycleResult>& last) {
-    const Scene& present = body.scene();
-    const std::vector<double> rates = rates_.present();
-    if (rates.empty()) return;
-    const std::size_t t = fastest_of(rates);
-    const double angle = turn_of(present.enriched.tips[t], longer.input.cracks);
-    if (std::abs(angle) <= sharp_turn) return;
-    const TipResult least = K_at_minimum(body, extremes_)[t];
-    life_.turn(rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least}, angle)));
+void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
+                             const std::vector<CycleResult>& last) {
+    const std::vector<double> rates = tip_rates();
+    if (growth_.law == GrowthLaw::Prescribed || rates.empty()) return;
+    rate_at_turn_.resize(rates.size(), std::numeric_limits<double>::quiet_NaN());
+    const std::vector<TipResult> least = K_at_minimum(body, extremes_);
+    for (std::size_t t = 0; t < rates.size(); ++t) {
+        const double angle = turn_of(body.scene().enriched.tips[t], longer.input.cracks);
+        if (std::abs(angle) <= sharp_turn) continue;
+        rate_at_turn_[t] =
+            rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle));
+        if (t == fastest_of(rates)) life_.turn(rate_at_turn_[t]);
+    }
 }
 
 // What drives the tips has been measured.
@@ -188,7 +188,7 @@ double CrackGrowth::uncounted() const {
     return life_.memory().uncounted + (is_under_way ? std::ranges::max(period.grown) : 0.0);
 }
 
-bool CrackGrowth::is_driven() const { return fastest_rate(rates_.present()) > 0.0; }
+bool CrackGrowth::is_driven() const { return fastest_rate(tip_rates()) > 0.0; }
 
 int CrackGrowth::broken_tip() const {
     if (!growth_.toughness) return -1;
@@ -207,9 +207,10 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
         note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", longest - nominal.begin(), longest->a));
         return true;
     }
-    require_drive(rates_.present(), last);
-    if (rates_.present().empty() || is_driven()) return false;
-    note_("nothing drives a tip any more: the crack is arrested");
+    require_drive(tip_rates(), last);
+    if (tip_rates().empty() || is_driven()) return false;
+    note_(fmt::format("nothing drives a tip any more: the crack is arrested{}",
+                      varies_ && !takes_mean_ ? ", by the last cycle of a load that varies (growth.every = 1)" : ""));
     return true;
 }
 
@@ -253,11 +254,20 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& crack
     return {};
 }
 
+GrownTip CrackGrowth::grown_tip(const Scene& present, std::size_t t) {
+    const Tip& tip = present.enriched.tips[t];
+    return {.behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
+            .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip)};
+}
+
 void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present) {
     std::vector<double> grown;
     for (const CycleResult& tip : cycles) grown.push_back(tip.da);
     rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
     if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
+    for (std::size_t t = 0; t < rate_at_turn_.size(); ++t)
+        if (!std::isnan(rate_at_turn_[t]) && grown_tip(present, t).is_resolved())
+            rate_at_turn_[t] = std::numeric_limits<double>::quiet_NaN();
     const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
     const bool ends = !takes_mean_ && std::ranges::any_of(cycles, is_long_enough);
     const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycle, ends) : 0.0;
@@ -266,13 +276,12 @@ void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, cons
 
 // The last cycle of a history may return to another maximum than the sequence goes on to: the mean is of another one.
 double CrackGrowth::cycles_of_period(const Scene& present, int cycle, bool ends) {
-    const auto fastest = std::ranges::max_element(rates_.grown());
-    const Tip& tip = present.enriched.tips[at(static_cast<int>(fastest - rates_.grown().begin()))];
-    const GrownTip grown{.grown = *fastest,
-                         .behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
-                         .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip),
-                         .ends = ends};
-    const double before = fastest_rate(rates_.before()), now = fastest_rate(rates_.present());
+    const std::vector<double>& ways = rates_.grown();
+    const std::size_t fastest = fastest_of(ways);
+    GrownTip grown = grown_tip(present, fastest);
+    grown.grown = ways[fastest];
+    grown.ends = ends;
+    const double before = fastest_rate(rates_.before()), now = fastest_rate(tip_rates());
     return life_.passed(grown, before, takes_mean_ && cycle == cut_off_ ? before : now);
 }
 

@@ -79,14 +79,19 @@ private:
     [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
-    /// Where the fastest tip turns sharply its rate leaps.
-    void note_turn(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
-                   const std::vector<CycleResult>& last);
+    /// Where a tip turns sharply its rate leaps.
+    void note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
+                    const std::vector<CycleResult>& last);
+    /// da/dN of the tips, mm per cycle. K of a tip that has just turned is not resolved and far too low: until it is,
+    /// the rate with which the tip left the turn stands for a lower one, or a tip would never leave it.
+    [[nodiscard]] std::vector<double> tip_rates() const;
+    /// Where a tip stands, at the end of a cycle.
+    [[nodiscard]] static GrownTip grown_tip(const Scene& present, std::size_t t);
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
     GrowthSection growth_;
-    bool takes_mean_;
+    bool varies_, takes_mean_;
     int cut_off_;  // the last cycle, where it does not rise as the sequence would; 0: it does
     const Note& note_;
     bool ended_;
@@ -94,7 +99,8 @@ private:
     GrowthIncrement increment_;
     PeriodRates rates_;
     LifeCount life_;
-    std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    std::vector<double> rate_at_turn_;  // just behind the last sharp turn of each tip, mm per cycle; NaN: K is resolved
+    std::vector<double> K_reached_;     // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
     ReachedExtremes extremes_;
 };
 

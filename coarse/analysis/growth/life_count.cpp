@@ -20,13 +20,12 @@ double LifeCount::count(double grown, double rate_before, double rate_after) {
 
 double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_after) {
     if (tip.grown <= 0.0 && !(tip.ends && memory_.uncounted > 0.0)) return 0.0;
-    constexpr double rounding = 1e-6, not_known = std::numeric_limits<double>::quiet_NaN();
-    const double resolved = (1.0 - rounding) * tip.resolved;
-    if (memory_.uncounted == 0.0 && !std::isnan(rate_after) && tip.behind_turn - tip.grown >= resolved)
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+    if (memory_.uncounted == 0.0 && !std::isnan(rate_after) && tip.is_resolved(tip.behind_turn - tip.grown))
         return count(tip.grown, rate_before, rate_after);
     memory_.uncounted += tip.grown;
     // Of a crack that turns again and again no tip is ever far behind a turn.
-    const bool known = !std::isnan(rate_after) && std::max(tip.behind_turn, memory_.uncounted) >= resolved;
+    const bool known = !std::isnan(rate_after) && tip.is_resolved(std::max(tip.behind_turn, memory_.uncounted));
     if (!known && !(tip.ends && memory_.rate_at_turn > 0.0)) return 0.0;
     const double grown = std::exchange(memory_.uncounted, 0.0),
                  at_turn = std::exchange(memory_.rate_at_turn, not_known);

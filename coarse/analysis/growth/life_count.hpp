@@ -5,12 +5,15 @@
 
 namespace stria::coarse {
 
-/// About the fastest tip at the end of a cycle.
+/// About a tip at the end of a cycle.
 struct GrownTip {
     double grown = 0.0;        // since the end of the cycle before, mm
     double behind_turn = 0.0;  // from the last sharp turn of its crack to the tip, mm; infinite where there is none
     double resolved = 0.0;     // K of a tip that is nearer to a turn is not resolved, mm
     bool ends = false;         // growth ends the run here
+
+    [[nodiscard]] bool is_resolved(double way) const { return way >= (1.0 - 1e-6) * resolved; }
+    [[nodiscard]] bool is_resolved() const { return is_resolved(behind_turn); }
 };
 
 /// A checkpoint holds it.

@@ -179,6 +179,17 @@ TEST_F(CycleMeterTest, TakesTheLargestKWhereALoadCaseLiftsIt) {
     EXPECT_EQ(cycle.K_min, 0.0);
 }
 
+// At three quarters of the way down, the first end of an increment, it was 250.
+TEST_F(CycleMeterTest, TakesTheLeastWhereItStartsIfALoadCaseRunsAgainstTheLoad) {
+    go(0, 10.0, 1.0, false);
+    for (const double load : {25.0, 40.0, 30.0, 15.0}) go(1, load, 1.0, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_max, 400.0);
+    EXPECT_EQ(cycle.K_min, 100.0);
+    EXPECT_NEAR(cycle.CTOD_range(), 0.030, 1e-15);
+    EXPECT_NEAR(cycle.opening_range(), 0.060, 1e-15);
+}
+
 // By 97 it was 138: a load that lags lifted K a little more behind an overload, and so much counted in the next cycle.
 TEST_F(CycleMeterTest, LeavesWhatALoadThatLagsStillAddsToTheCycleBefore) {
     for (const bool soon : {true, false}) {

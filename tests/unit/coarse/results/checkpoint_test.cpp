@@ -41,6 +41,7 @@ Checkpoint some_checkpoint() {
     state.growth_ended = true;
     state.growth_increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
     state.life = {.uncounted = 0.02, .rate_at_turn = 1e-4};
+    state.rate_at_turn = {1.5e-6, 0.0};
     state.K_reached = {610.5, 0.0};
     state.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth_period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
@@ -112,6 +113,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.growth_increment.points[0].per_mm, 3e5);
     EXPECT_EQ(out.analysis.life.uncounted, 0.02);
     EXPECT_EQ(out.analysis.life.rate_at_turn, 1e-4);
+    EXPECT_EQ(out.analysis.rate_at_turn, in.analysis.rate_at_turn);
     EXPECT_EQ(out.analysis.K_reached, in.analysis.K_reached);
     EXPECT_EQ(out.analysis.extremes.maximum.main, 50.0);
     EXPECT_EQ(out.analysis.extremes.maximum.cases, in.analysis.extremes.maximum.cases);

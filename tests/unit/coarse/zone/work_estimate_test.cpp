@@ -25,9 +25,10 @@ protected:
             coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
         const coarse::NominalSolution nominal = coarse::solve_nominal(scene);
         const coarse::CaseHistories histories(input);
-        return coarse::estimate_work(nominal,
-                                     coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, histories));
+        return coarse::estimate_work(
+            nominal, coarse::largest_K(input.load, coarse::unit_response(nominal), 0.0, histories), increment);
     }
+    double increment = 0.1;  // of growth, mm
     Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
 };
 
@@ -81,13 +82,16 @@ TEST_F(Work, GrowsWithTheHistory) {
 
 // A growth of 0.5 mm in each of 100 cycles, but the crack is as long as it is to be after 1.7 mm.
 TEST_F(Work, EndsWithTheCrack) {
-    input.growth = GrowthSection{.increment = 0.5};
+    increment = 0.5;
+    input.growth = GrowthSection{.increment = increment};
     const coarse::WorkEstimate of_all = between(100.0, 0.0, 100);
     EXPECT_EQ(of_all.growths, 100.0);
     input.growth->until = 10.0;
     const coarse::WorkEstimate of_few = between(100.0, 0.0, 100);
     EXPECT_EQ(of_few.growths, 4.0);
     EXPECT_EQ(of_few.increments, 55.0);
+    input.growth->increment = {};
+    EXPECT_EQ(between(100.0, 0.0, 100).growths, 4.0) << "chosen by the program";
     input.growth->until = 60.0;
     EXPECT_EQ(between(100.0, 0.0, 100).increments, of_all.increments);
 }
