@@ -13,10 +13,15 @@ GrowthPoint point_of(double rate, const CycleResult& tip) {
     return {.a = tip.a, .per_mm = 1.0 / rate, .closure = std::isfinite(K_op) ? K_op / tip.K_max : 0.0};
 }
 
-double from_edge_to_edge(double increment, const TipSteps& steps) {
+bool goes_by_openings(const GrowthSection& growth) {
+    return grows_by_opening_loads(growth) || growth.law == GrowthLaw::Ctod;
+}
+
+double from_edge_to_edge(double increment, const TipSteps& steps, bool one) {
     if (steps.element == 0.0) return increment;
     constexpr double rounding = 1e-6;
-    return std::max(std::floor(increment / steps.element + rounding), 1.0) * steps.element - steps.beyond;
+    const double elements = one ? 1.0 : std::max(std::floor(increment / steps.element + rounding), 1.0);
+    return elements * steps.element - steps.beyond;
 }
 
 }  // namespace
@@ -48,7 +53,8 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     memory_.increment = std::clamp(factor * memory_.increment, steps.least, std::max(steps.least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);
-    return cut_to_end(from_edge_to_edge(memory_.increment, steps), growth, last, rates, lengthening);
+    return cut_to_end(from_edge_to_edge(memory_.increment, steps, goes_by_openings(growth)), growth, last, rates,
+                      lengthening);
 }
 
 double GrowthIncrement::error_at(const GrowthPoint& now) const {
