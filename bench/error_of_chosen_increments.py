@@ -2,11 +2,13 @@
 """What chosen increments are off by on random plates: opening ranges and K_op against 120 increments a cycle.
 
     bench/error_of_chosen_increments.py build/release/bin/stria [OLD/stria] [--plates 24] [--seed 1] [--ratio -1.0 -0.5]
+        [--inclined] [--reference 120]
 
 Each plate is that of bench/growing_cycle with a plane state, a K_max, a metal and a crack by chance; it grows by an element in
-each of nine cycles. Prints a Markdown table, one row for each program and ratio: increments, iterations, and errors of the opening
-range at closure.distance in the last cycle and in the worst one, of K_op / K_max in the worst one; median and largest. All is
-counted, not timed: it may run beside other work. 24 plates take ten minutes.
+each of nine cycles. With --inclined the crack rises at a slope of 0.4, and half of them rub. Prints a Markdown table, one row for
+each program and ratio: increments, iterations, and errors of the opening range at closure.distance in the last cycle and in the
+worst one, of K_op / K_max in the worst one; median and largest. All is counted, not timed: it may run beside other work. 24 plates
+take ten minutes.
 """
 
 import argparse
@@ -22,14 +24,15 @@ from pathlib import Path
 CASE = Path(__file__).resolve().parent / "growing_cycle" / "case.toml"
 SIZE, YIELD = 1.6, 300.0  # of the case
 METALS = ["[{C=4000.0}]", "[{C=30000.0,gamma=150.0},{C=3000.0}]", "[{C=50000.0,gamma=400.0}]"]
-REFERENCE = ["load.steps=120", "load.grading=0.7", "solver.tolerance=1e-9"]
 
 
-def plate(chance, ratio):
+def plate(chance, ratio, inclined):
     plane, K_max = chance.choice(["strain", "stress"]), chance.uniform(450.0, 900.0)
     zone = (K_max / YIELD) ** 2 / math.pi * (1.0 if plane == "stress" else 0.08)
     refine = min(64, 2 ** math.ceil(math.log2(10.0 * SIZE / zone)))
-    return [
+    slope = ["crack.0.points=[[0.0,43.25],[20.0,51.25]]", 'growth.direction="straight"'] if inclined else []
+    friction = [f"crack.0.contact.friction={chance.choice([0.0, 0.4])}"] if inclined else []
+    return slope + friction + [
         f'model.plane="{plane}"',
         f"material.kinematic={chance.choice(METALS)}",
         'load.control="K"',
@@ -64,16 +67,19 @@ def main():
     parser.add_argument("program", nargs="+")
     parser.add_argument("--plates", type=int, default=24)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--inclined", action="store_true")
+    parser.add_argument("--reference", type=int, default=120)
     parser.add_argument("--ratio", type=float, nargs="*", default=[-1.0, -0.5])
     chosen = parser.parse_args()
+    reference_load = [f"load.steps={chosen.reference}", "load.grading=0.7", "solver.tolerance=1e-9"]
     print("| program | R | increments | iterations | range, %: last cycle | worst | K_op / K_max |\n|---|---|---|---|---|---|---|")
     for ratio in chosen.ratio:
         chance = random.Random(chosen.seed)
         rows = {program: [] for program in chosen.program}
         with tempfile.TemporaryDirectory() as name:
             for _ in range(chosen.plates // len(chosen.ratio)):
-                settings = plate(chance, ratio)
-                reference, _, _ = run(chosen.program[0], settings + REFERENCE, Path(name) / "reference")
+                settings = plate(chance, ratio, chosen.inclined)
+                reference, _, _ = run(chosen.program[0], settings + reference_load, Path(name) / "reference")
                 for program in chosen.program:
                     cycles, increments, iterations = run(program, settings, Path(name) / "chosen")
                     rows[program].append((increments, iterations, *errors(cycles, reference)))
