@@ -66,6 +66,14 @@ std::string work_out_of_balance(const WorkBalance& work) {
                        100.0 * of_work, 100.0 * of_lost);
 }
 
+std::string misses_accuracy(double off, double accuracy) {
+    return fmt::format(
+        "warning: load.accuracy = {:g} is not kept: with as many increments as are chosen at most, a half "
+        "cycle is off by {:.2g} % of the range of the opening, by its estimate; more of them "
+        "(load.steps) tell",
+        accuracy, 100.0 * off);
+}
+
 std::string elements_stay_elastic(const LoadStep& step, std::size_t elements) {
     return fmt::format("warning: {}: {} elements outside the zone are beyond yield; they stay elastic "
                        "(fine.guard = \"warn\")",

@@ -29,6 +29,10 @@ namespace stria::coarse {
 /// friction and growth have taken well enough for that to be a number.
 [[nodiscard]] std::string work_out_of_balance(const WorkBalance& work);
 
+/// Half cycles with as many increments as there may be are still off by a part of the range of the opening
+/// (IncrementSchedule::misses()).
+[[nodiscard]] std::string misses_accuracy(double off, double accuracy);
+
 /// Of so many elements outside the zone that are beyond yield.
 [[nodiscard]] std::string elements_stay_elastic(const LoadStep& step, std::size_t elements);
 [[nodiscard]] std::string elements_join_zone(const LoadStep& step, std::size_t elements);

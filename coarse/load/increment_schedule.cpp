@@ -10,16 +10,26 @@
 namespace stria::coarse {
 namespace {
 
-constexpr int least_increments = 4, most_increments = 24;  // of a leg
+constexpr int least_increments = 4, most_increments = 24, most_pressing_increments = 40;  // of a leg
+constexpr double usual_accuracy = 0.002;
+constexpr double most_times_as_many = 4.0;  // at a smaller one
+constexpr int none_taken = 13;              // legs unmeasured: the first measurement comes with the fourth one
 // Of the accuracy: a cycle has two legs, and other cycles may be worse than the one that is measured. Where faces are
 // pressed together what a leg is off by stays in what the tip leaves, and adds up as it grows.
 constexpr double share_of_leg = 1.0 / 3.0, share_of_pressed_leg = 1.0 / 6.0;
-constexpr double least_apart = 0.02;                                 // of the way: where faces meet, and other ends
-constexpr double closing_power = 1.3;                                // with which increments grow from where faces meet
-constexpr double usual_accuracy = 0.002, pressing_increments = 8.0;  // of a leg that presses faces together
+constexpr double least_apart = 0.02;   // of the way: where faces meet, and other ends
+constexpr double closing_power = 1.3;  // with which increments grow from where faces meet
+// Least numbers of them in a leg that presses faces together; before one has been measured, and where it comes back.
+constexpr double pressing_increments = 8.0, first_pressing_increments = 20.0, first_returning_increments = 12.0;
+constexpr double share_before_meeting = 0.4;  // of those that press
 
 // A path whose start nobody knows is that of the ramp, virgin metal.
 bool is_cycle(const OpeningPath& path) { return !path.way.empty() && path.way.front() == 0.0; }
+
+bool knows_an_opening(const OpeningPath& path) {
+    return !path.opening.empty() &&
+           std::ranges::any_of(path.opening.back(), [](double mm) { return std::isfinite(mm); });
+}
 
 /// Of an opening, mm; zero where it is not known all along.
 double range_of(const OpeningPath& path, std::size_t tip) {
@@ -31,6 +41,9 @@ double range_of(const OpeningPath& path, std::size_t tip) {
     }
     return most - least;
 }
+
+/// Increments on a part of the way, without splinters.
+int room_for(double way) { return std::max(static_cast<int>(way / least_apart), 1); }
 
 }  // namespace
 
@@ -85,47 +98,67 @@ IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double
 
 IncrementSchedule::IncrementSchedule(const LoadSection& load)
     : chooses_(load.steps.is_auto()), accuracy_(load.accuracy), grading_(load.power()) {
-    state_.rising = state_.falling = {.increments = load.first_steps() / 2, .alike = 0, .unmeasured = 13};
+    state_.rising = state_.falling = {.increments = load.first_steps() / 2, .unmeasured = none_taken};
     lay_out();
 }
 
-// Once faces are closed no opening tells what an increment is off by.
-int IncrementSchedule::increments(const Legs& legs) const {
-    if (state_.meetings.empty()) return legs.increments;
-    const Legs& other = &legs == &state_.rising ? state_.falling : state_.rising;
-    return std::max({legs.increments, (other.increments + 1) / 2, state_.presses ? pressing() : 0});
+// Errors fall with the square of the number.
+double IncrementSchedule::times_as_many() const { return std::sqrt(usual_accuracy / accuracy_); }
+
+int IncrementSchedule::most() const {
+    const int usual = state_.presses ? most_pressing_increments : most_increments;
+    return static_cast<int>(std::ceil(usual * std::clamp(times_as_many(), 1.0, most_times_as_many)));
 }
 
-int IncrementSchedule::pressing() const {
-    const double enough = pressing_increments * std::sqrt(usual_accuracy / accuracy_);
-    return static_cast<int>(std::clamp<double>(std::ceil(enough), least_increments, most_increments));
+int IncrementSchedule::within_limits(double wanted) const {
+    return static_cast<int>(std::clamp<double>(std::ceil(wanted), least_increments, most()));
+}
+
+// Once faces are closed no opening tells what an increment is off by. Where they meet nobody knows in the first leg.
+int IncrementSchedule::increments(const Legs& legs) const {
+    const bool rises = &legs == &state_.rising, meet = !rises && !state_.meetings.empty();
+    const bool first = !rises && legs.unmeasured == none_taken;
+    const bool to_be_measured = state_.tells && !legs.knows_pressing;
+    int least = meet ? (state_.rising.increments + 1) / 2 : 0;
+    double pressing = meet ? pressing_increments : 0.0;
+    if (to_be_measured && (meet || first)) pressing = first_pressing_increments;
+    if (to_be_measured && rises) pressing = first_returning_increments;
+    if (state_.presses && pressing > 0.0) least = std::max(least, within_limits(pressing * times_as_many()));
+    return std::max(legs.increments, least);
 }
 
 // Places where faces meet are some of the increments, not more of them: what is measured leads to as many as it takes.
-// Before the first the tip flows back. From there on faces close, one place after the other, and crush what the tip has
-// left: there the path bends, most of all at the start. On the way into compression nothing that is measured tells of
-// either, so each has its share of the least number. Nor do the places leave splinters beside other ends, which no pair
-// could judge.
+// Nor do they leave splinters beside other ends, which no pair could judge.
 std::vector<double> IncrementSchedule::ways(const Legs& legs) const {
     if (!chooses_) return graded_ways(legs.increments, grading_);
     const int all = increments(legs);
     if (state_.meetings.empty()) return graded_ways(all, grading_);
     const double first = state_.meetings.front();
-    std::vector<double> ways = graded_ways(all - 1, grading_);
-    std::erase_if(ways, [&](double way) { return way > first - least_apart; });
-    int behind = 1;
-    if (state_.presses) {
-        behind = static_cast<int>(std::ceil((1.0 - first) * pressing()));
-        if (const int before = (pressing() + 1) / 2; std::ssize(ways) < before) {
-            ways = graded_ways(before, grading_);
-            ways.pop_back();
-            for (double& way : ways) way *= first;
-        }
-    }
-    std::vector<double> closing = graded_ways(std::max(all - static_cast<int>(ways.size()), behind), closing_power);
+    std::vector<double> ways = ways_before(first, all);
+    int behind = std::max(all - static_cast<int>(ways.size()) + 1, 1);
+    if (state_.presses) behind = std::min(behind, room_for(1.0 - first));
+    std::vector<double> closing = graded_ways(behind, closing_power);
     for (double& way : closing) way = std::lerp(first, 1.0, way);
     closing = through_turns(std::move(closing), std::vector(state_.meetings.begin() + 1, state_.meetings.end()));
+    ways.pop_back();
     ways.insert(ways.end(), closing.begin(), closing.end());
+    return ways;
+}
+
+// Before faces meet the tip flows back, and from there on they close, one place after the other, and crush what the tip
+// has left. On the way into compression no opening tells of either. So each has its share of the increments however
+// many there are, and those before are equal: what flows back does so along all of that way.
+std::vector<double> IncrementSchedule::ways_before(double meeting, int all) const {
+    std::vector<double> ways;
+    if (state_.presses) {
+        const int share = static_cast<int>(std::ceil(share_before_meeting * all));
+        ways = graded_ways(std::min(share, room_for(meeting)), 1.0);
+        for (double& way : ways) way *= meeting;
+        return ways;
+    }
+    ways = graded_ways(all - 1, grading_);
+    std::erase_if(ways, [&](double way) { return way > meeting - least_apart; });
+    ways.push_back(meeting);
     return ways;
 }
 
@@ -163,16 +196,19 @@ void IncrementSchedule::add(TwoAsOne pair) {
     state_.pairs.push_back(std::move(pair));
 }
 
-void IncrementSchedule::learn(Legs& legs) {
+void IncrementSchedule::learn(bool rises) {
+    Legs& legs = rises ? state_.rising : state_.falling;
     ++legs.unmeasured;
     if (state_.pairs.empty()) return;
     legs.unmeasured = 0;
-    const auto taken = std::ssize(ways(legs)) - 1;
+    const auto taken = std::ssize(ways(rises)) - 1;
     if (std::ssize(state_.pairs) != taken / 2) return;  // one has led nowhere
+    legs.knows_pressing = legs.knows_pressing || state_.presses;
     if (const std::optional<double> error = error_of_leg(state_.path, state_.pairs)) {
         const double share = state_.presses ? share_of_pressed_leg : share_of_leg;
-        const double wanted = std::ceil(static_cast<double>(taken) * std::sqrt(*error / (share * accuracy_)));
-        legs.increments = static_cast<int>(std::clamp<double>(wanted, least_increments, most_increments));
+        legs.increments = within_limits(static_cast<double>(taken) * std::sqrt(*error / (share * accuracy_)));
+        const double part = static_cast<double>(taken) / legs.increments, left = *error * part * part;
+        if (legs.increments == most() && left > accuracy_ / 2.0) misses_ = left;
         lay_out();
     }
 }
@@ -181,7 +217,7 @@ void IncrementSchedule::end_leg(bool rises, bool alike) {
     if (!chooses_ || state_.path.way.empty()) return;
     Legs& legs = rises ? state_.rising : state_.falling;
     legs.alike = alike ? legs.alike + 1 : 0;
-    if (is_cycle(state_.path)) learn(legs);
+    if (is_cycle(state_.path)) learn(rises);
     state_.pairs.clear();
     begin(std::vector<double>(state_.path.opening.back()));
 }
@@ -189,6 +225,7 @@ void IncrementSchedule::end_leg(bool rises, bool alike) {
 void IncrementSchedule::meet_at(std::vector<double> ways, bool presses) {
     if (!chooses_) return;
     state_.presses = presses;
+    state_.tells = knows_an_opening(state_.path);
     const auto is_near = [](double a, double b) { return b - a < least_apart; };
     std::erase_if(ways, [](double way) { return way < least_apart || way > 1.0 - least_apart; });
     std::ranges::sort(ways);

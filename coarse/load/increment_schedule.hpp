@@ -38,7 +38,8 @@ struct TwoAsOne {
 /// The same ways, but that the inner end nearest to each of `turns`, where a load case turns, lies there.
 [[nodiscard]] std::vector<double> through_turns(std::vector<double> ways, const std::vector<double>& turns);
 
-/// Legs that load and legs that unload have numbers of their own, of 4 to 24 increments. How far a leg is off is
+/// Legs that load and legs that unload have numbers of their own, of 4 to 24 increments, or to 40 where faces are
+/// pressed together; at an accuracy below 0.002 up to four times as many. How far a leg is off is
 /// measured now and then: each two of its increments are tried as one before they are taken (error_of_leg). It falls
 /// with the square of the number (docs/performance.md), which is then chosen for an error of a third of the accuracy: a
 /// cycle has two legs, and the accuracy is that of all cycles while one is measured. In between the number stays, since
@@ -46,16 +47,18 @@ struct TwoAsOne {
 /// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
 /// path of the metal bends. So one increment of a leg that unloads ends where they met last, those behind it begin
 /// small, and such a leg has at least half as many as one that loads. Where it goes on into compression what the tip
-/// has left is crushed, and no opening tells: it has 8 at an accuracy of 0.002, 4 of them before faces meet. What such
-/// cycles are off by adds up as a crack grows, so that their legs are chosen for a sixth of the accuracy
-/// (docs/performance.md).
+/// has left is crushed, and no opening tells: four tenths of its increments come before faces meet, and it has no fewer
+/// than 8 at an accuracy of 0.002. Until one of them has been measured, from the first one on, it has 20, and one that
+/// comes back from there 12: few tried as fewer tell too little. What such cycles are off by adds up as a crack grows,
+/// so that their legs are chosen for a sixth of the accuracy (docs/performance.md).
 class IncrementSchedule {
 public:
     /// Those of one direction.
     struct Legs {
-        int increments = 0;  // of a leg
-        int alike = 0;       // in a row, from and to the same
-        int unmeasured = 0;  // since one was measured
+        int increments = 0;           // of a leg
+        int alike = 0;                // in a row, from and to the same
+        int unmeasured = 0;           // since one was measured
+        bool knows_pressing = false;  // one has been measured that presses faces together, or comes back from there
     };
     struct State {
         Legs rising, falling;
@@ -63,6 +66,7 @@ public:
         std::vector<TwoAsOne> pairs = {};   // likewise
         std::vector<double> meetings = {};  // likewise: parts of its way, ascending
         bool presses = false;               // likewise: it goes to or comes from a load that presses faces together
+        bool tells = false;                 // likewise: an opening was known where it began
     };
 
     /// Chooses where load.steps is no number.
@@ -87,20 +91,28 @@ public:
     /// `presses`: it goes to a load that presses them together, or comes from there.
     void meet_at(std::vector<double> ways, bool presses = false);
 
+    /// What the last leg that was measured is still off by with as many increments as there may be, of the range of the
+    /// opening, where that is more than its half of the accuracy; since the program began.
+    [[nodiscard]] std::optional<double> misses() const { return misses_; }
+
     [[nodiscard]] const State& state() const { return state_; }
     void resume(const State& state);
 
 private:
-    void learn(Legs& legs);
+    void learn(bool rises);
+    [[nodiscard]] double times_as_many() const;  // increments, for this accuracy and not the usual one
+    [[nodiscard]] int most() const;
+    [[nodiscard]] int within_limits(double wanted) const;
     [[nodiscard]] int increments(const Legs& legs) const;
-    [[nodiscard]] int pressing() const;  // the least number of them in a leg that presses faces together
     [[nodiscard]] std::vector<double> ways(const Legs& legs) const;
+    [[nodiscard]] std::vector<double> ways_before(double meeting, int all) const;
     void lay_out();
 
     bool chooses_;
     double accuracy_, grading_;
     std::vector<double> rising_, falling_;
     State state_;
+    std::optional<double> misses_;
 };
 
 }  // namespace stria::coarse

@@ -43,10 +43,11 @@ void members(auto& archive, Is<OpeningPath> auto& m) {
 }
 
 void members(auto& archive, Is<IncrementSchedule::Legs> auto& m) {
-    auto& [increments, alike, unmeasured] = m;
+    auto& [increments, alike, unmeasured, knows_pressing] = m;
     archive("increments", increments);
     archive("alike", alike);
     archive("unmeasured", unmeasured);
+    archive("knows_pressing", knows_pressing);
 }
 
 void members(auto& archive, Is<TwoAsOne> auto& m) {
@@ -57,13 +58,14 @@ void members(auto& archive, Is<TwoAsOne> auto& m) {
 }
 
 void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
-    auto& [rising, falling, path, pairs, meetings, presses] = m;
+    auto& [rising, falling, path, pairs, meetings, presses, tells] = m;
     archive("rising", rising);
     archive("falling", falling);
     archive("path", path);
     archive("pairs", pairs);
     archive("meetings", meetings);
     archive("presses", presses);
+    archive("tells", tells);
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {

@@ -41,5 +41,11 @@ TEST(RunTexts, SayNothingOfAWorkBalanceThatNobodyCouldClose) {
     EXPECT_EQ(work_out_of_balance(unseen), "");
 }
 
+TEST(RunTexts, SayByHowMuchTheAccuracyIsMissed) {
+    const std::string text = misses_accuracy(0.0042, 0.002);
+    EXPECT_TRUE(text.starts_with("warning: load.accuracy = 0.002 is not kept")) << text;
+    EXPECT_NE(text.find("by 0.42 % of the range"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace stria::coarse

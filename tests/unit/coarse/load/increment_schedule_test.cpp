@@ -110,7 +110,10 @@ TEST(IncrementSchedule, TakesAsManyAsTheErrorAsksFor) {
     const int pressed = after({.accuracy = 0.01, .blocks = {}}, leg.c, true);
     EXPECT_LE(error * std::pow(1.0 * begins / pressed, 2), 0.01 / 6.0);
     EXPECT_GT(error * std::pow(1.0 * begins / (pressed - 1), 2), 0.01 / 6.0);
-    EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05), 24);
+    EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05), 96);
+    EXPECT_EQ(after({.accuracy = 1e-9, .blocks = {}}, 0.05, true), 160);
+    EXPECT_EQ(after({}, 10.0), 24);
+    EXPECT_EQ(after({}, 10.0, true), 40);
     EXPECT_EQ(after({}, 1e-9), 4);
 }
 
@@ -160,7 +163,69 @@ TEST(IncrementSchedule, TakesFourBeforeFacesMeetOnTheWayIntoCompression) {
     };
     EXPECT_EQ(before({}, true), 4);
     EXPECT_LT(before({}, false), 3);
-    EXPECT_EQ(before({.accuracy = 0.0005, .blocks = {}}, true), 8);
+    EXPECT_EQ(before({.accuracy = 0.0005, .blocks = {}}, true), 7);
+}
+
+// However many there are: else those that a measurement adds would all come behind that place.
+TEST(IncrementSchedule, SharesThemBeforeAndBehindWhereFacesMeet) {
+    IncrementSchedule schedule{LoadSection()};
+    IncrementSchedule::State state = schedule.state();
+    state.falling.increments = 24;
+    schedule.resume(state);
+    schedule.meet_at({0.4}, true);
+    const std::vector<double>& ways = schedule.ways(false);
+    EXPECT_EQ(ways.size(), 25U);
+    for (std::size_t k = 0; k <= 10; ++k) EXPECT_NEAR(ways[k], 0.04 * static_cast<double>(k), 1e-12);
+    schedule.meet_at({0.06}, true);  // no splinters
+    EXPECT_EQ(schedule.ways(false)[3], 0.06);
+    EXPECT_EQ(schedule.ways(false).size(), 25U);
+    schedule.meet_at({0.94}, true);
+    EXPECT_EQ(schedule.ways(false).size(), 1U + 10U + 3U);
+}
+
+// What few of them leave behind is off by ten times the accuracy in a cycle or two, and what few of them tell, tried as
+// fewer, is half of the number that it takes. The opening must be known, or nothing would be measured ever.
+TEST(IncrementSchedule, HasManyOnTheWayIntoCompressionUntilOneIsMeasured) {
+    const auto numbers = [](double opening, const std::vector<double>& meetings, bool presses, bool measured) {
+        IncrementSchedule schedule{LoadSection()};
+        IncrementSchedule::State state = schedule.state();
+        for (IncrementSchedule::Legs* legs : {&state.rising, &state.falling}) legs->knows_pressing = measured;
+        schedule.resume(state);
+        schedule.begin({opening});
+        schedule.meet_at(meetings, presses);
+        return std::pair{schedule.ways(false).size() - 1, schedule.ways(true).size() - 1};
+    };
+    const std::size_t begins = LoadSection().first_steps() / 2;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(numbers(1.0, {}, true, false), (std::pair<std::size_t, std::size_t>{20, 12})) << "the first leg";
+    EXPECT_EQ(numbers(1.0, {0.4}, true, false).first, 20U);
+    EXPECT_EQ(numbers(1.0, {0.4}, true, true).first, 8U);
+    EXPECT_EQ(numbers(1.0, {}, true, true), std::pair(begins, begins));
+    EXPECT_EQ(numbers(1.0, {}, false, false), std::pair(begins, begins));
+    EXPECT_EQ(numbers(unknown, {}, true, false), std::pair(begins, begins));
+}
+
+// With as many as there may be.
+TEST(IncrementSchedule, SaysWhatItMisses) {
+    const auto missed = [](double off) {
+        IncrementSchedule schedule{LoadSection()};
+        IncrementSchedule::State state = schedule.state();
+        state.rising.unmeasured = 32;
+        schedule.resume(state);
+        const OffByTheSquare leg{schedule.ways(true), off};
+        const OpeningPath path = leg.path();
+        schedule.begin(std::vector<double>(path.opening.front()));
+        for (const TwoAsOne& pair : leg.pairs()) schedule.add(pair);
+        for (std::size_t k = 1; k < leg.ways.size(); ++k) schedule.add(leg.ways[k], path.opening[k]);
+        schedule.end_leg(true, false);
+        EXPECT_EQ(schedule.ways(true).size() - 1, 24U);
+        const double taken = static_cast<double>(leg.ways.size()) - 1.0;
+        const double left = *error_of_leg(path, leg.pairs()) * std::pow(taken / 24.0, 2);
+        EXPECT_NEAR(schedule.misses().value_or(left), left, 1e-12);
+        return schedule.misses().has_value();
+    };
+    EXPECT_FALSE(missed(0.04));  // more than a third of the accuracy, and less than half of it
+    EXPECT_TRUE(missed(0.3));
 }
 
 TEST(IncrementSchedule, ChoosesNoneWhereWaysAreGiven) {
@@ -194,8 +259,6 @@ TEST(IncrementSchedule, TakesHalfAsManyWhereFacesMeetAsInLoading) {
     state.rising.increments = state.falling.increments = 4;
     schedule.resume(state);
     schedule.meet_at({0.3}, true);
-    EXPECT_EQ(schedule.ways(false).size(), 11U);  // four before the place, and behind it their share of eight
-    schedule.meet_at({0.6}, true);
     EXPECT_EQ(schedule.ways(false).size(), 9U);
 }
 
@@ -241,7 +304,7 @@ TEST(IncrementSchedule, MeasuresNowAndThen) {
 // Extremes stay exact, each leg keeps its number until it is measured again, and a run that is gone on with has learned
 // what the first one had.
 TEST(IncrementSchedule, GuidesTheController) {
-    const LoadSection load{.blocks = {{.cycles = 5, .max = 50.0 / 3.0, .min = -0.1}}};
+    const LoadSection load{.blocks = {{.cycles = 5, .max = 50.0 / 3.0, .min = 0.1}}};
     LoadController loads(load, {});
     std::vector<int> per_leg(1, 0);
     std::optional<LoadController> again;
@@ -257,14 +320,14 @@ TEST(IncrementSchedule, GuidesTheController) {
             loads.tried_as_one({two->target.value + off});
             if (again) again->tried_as_one({two->target.value + off});
             if (per_leg.back() == 4) {
-                EXPECT_TRUE(two->target.value == 50.0 / 3.0 || two->target.value == -0.1);
+                EXPECT_TRUE(two->target.value == 50.0 / 3.0 || two->target.value == 0.1);
             }
         }
         loads.accepted(opening(*step));
         if (again) again->accepted(opening(*step));
         ++per_leg.back();
         if (!step->reversal) continue;
-        EXPECT_TRUE(step->target.value == 50.0 / 3.0 || step->target.value == -0.1);
+        EXPECT_TRUE(step->target.value == 50.0 / 3.0 || step->target.value == 0.1);
         per_leg.push_back(0);
         if (per_leg.size() == 8) {
             again.emplace(load, SolverSection());
