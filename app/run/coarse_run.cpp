@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
+#include <ranges>
 #include <string_view>
 
 #include "app/process/exit_code.hpp"
@@ -40,14 +42,17 @@ constexpr std::string_view warns = "warning: ";
 /// iteration that is given up has perhaps woken elements at rest, which changes rounding.
 constexpr double patience = 0.5;
 
-/// "life N = 264000 cycles, a = 13 mm", as in the last row of cycles.csv; empty before the first cycle has ended, and
-/// where the crack does not grow. What has grown in the last cycle belongs to the cycles that follow.
+/// "life N = 264000 cycles, a = 13 mm", as in the last rows of cycles.csv, of each crack; empty before the first cycle
+/// has ended, and where no crack grows. What has grown in the last cycle belongs to the cycles that follow.
 std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
     const coarse::Scene& scene = analysis.structure().scene();
     if (!scene.input.growth || N == 0.0 || analysis.last_cycle().empty()) return "";
-    const double a = analysis.last_cycle().front().a;
-    if (!std::isfinite(N)) return fmt::format("no N is known, a = {:.6g} mm", a);  // arrested
-    return fmt::format("{}N = {:.6g} cycles, a = {:.6g} mm", analysis.life_is_over() ? "life " : "", N, a);
+    std::map<int, double> a;  // of the cracks
+    for (std::size_t t = 0; t < analysis.last_cycle().size(); ++t)
+        a[scene.enriched.tips[t].crack] = analysis.last_cycle()[t].a;
+    const std::string lengths = fmt::format("a = {:.6g} mm", fmt::join(std::views::values(a), ", "));
+    if (!std::isfinite(N)) return "no N is known, " + lengths;  // arrested
+    return fmt::format("{}N = {:.6g} cycles, {}", analysis.life_is_over() ? "life " : "", N, lengths);
 }
 
 }  // namespace
