@@ -19,6 +19,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
+#include "common/io/checksum.hpp"
 #include "common/io/whole_file.hpp"
 #include "common/memory.hpp"
 #include "common/stopwatch.hpp"
@@ -72,8 +73,9 @@ coarse::Scene scene_of(const RunOptions& options, const Case& input,
 
 CoarseRun::CoarseRun(const RunOptions& options, const Case& input, Manner manner)
     : options_(options), directory_(options.output_directory), lock_(directory_), manner_(std::move(manner)),
-      scene_(scene_of(options, input)), mesh_s_(seconds()),
-      progress_(input, options.quiet, options.verbose, manner_.terminal), mark_(coarse::mark_of(scene_)) {
+      mesh_file_(input.mesh.file ? checksum_of(*input.mesh.file) : ""), scene_(scene_of(options, input)),
+      mesh_s_(seconds()), progress_(input, options.quiet, options.verbose, manner_.terminal),
+      mark_(coarse::mark_of(scene_)) {
     if (options.resume) read_last_checkpoint();
     if (!from_)
         for (const std::filesystem::path& old :
@@ -217,6 +219,7 @@ void CoarseRun::summarise(const char* status, const coarse::FatigueAnalysis& ana
     summary.version = version_text();
     summary.mode = manner_.mode;
     summary.ranks = manner_.ranks;
+    summary.mesh_file = mesh_file_;
     summary.coarse_unknowns = sizes_.unknowns;
     summary.interface_unknowns = sizes_.on_gamma;
     summary.fine_unknowns = zone.unknowns;

@@ -57,6 +57,7 @@ private:
     std::filesystem::path directory_;
     RunLock lock_;
     Manner manner_;
+    std::string mesh_file_;  // checksum of what is in mesh.file before it is read; empty without one
     coarse::Scene scene_;
     double mesh_s_;  // time of mesh and enrichment, s
     double checkpoint_s_ = 0.0;

@@ -14,6 +14,7 @@
 #include "app/study/plan.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
+#include "common/io/checksum.hpp"
 
 namespace stria::study {
 
@@ -72,6 +73,8 @@ Found found_in(const RunOptions& options) {
     if (!is("version", version_text()) || !is("mode", options.mode) || summary.number("ranks") != processes ||
         summary.number("fine_ranks") != fine_ranks)
         return Found::Nothing;
+    // The case names its mesh: what is in the file may be another one since.
+    if (input.mesh.file && !is("mesh_file", checksum_of(*input.mesh.file))) return Found::Nothing;
     return is("status", "done") ? Found::Done : Found::Begun;
 }
 

@@ -48,6 +48,7 @@ Json to_json(const Summary& summary) {
                         {"version", summary.version},
                         {"mode", summary.mode},
                         {"ranks", summary.ranks},
+                        {"mesh_file", summary.mesh_file.empty() ? Json() : Json(summary.mesh_file)},
                         {"coarse_unknowns", summary.coarse_unknowns},
                         {"interface_unknowns", summary.interface_unknowns},
                         {"fine_unknowns", summary.fine_unknowns},

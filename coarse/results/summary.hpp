@@ -23,6 +23,7 @@ struct Summary {
     std::string version;
     std::string mode;  // "mpi", "inprocess", "monolithic"
     int ranks = 1;
+    std::string mesh_file;  // checksum of what was in mesh.file, empty without one
     std::int64_t coarse_unknowns = 0, interface_unknowns = 0, fine_unknowns = 0, fine_points = 0;
     std::int64_t multipliers = 0;  // of contact
     std::int64_t step_cuts = 0;    // halved increments, growth included

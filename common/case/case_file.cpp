@@ -7,6 +7,7 @@
 #include "common/case/loads/spectrum.hpp"
 #include "common/case/not_in_this_version.hpp"
 #include "common/error.hpp"
+#include "common/io/checksum.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -223,11 +224,6 @@ std::string resolved_toml(const Case& scene) {
     return scalars + sections;
 }
 
-std::uint64_t digest(const Case& scene) {
-    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-    for (const char letter : resolved_toml(scene))
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
-    return hash;
-}
+std::uint64_t digest(const Case& scene) { return checksum(resolved_toml(scene)); }
 
 }  // namespace stria

@@ -1,11 +1,11 @@
 #include "common/io/sealed_file.hpp"
 
-#include <cstdint>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "common/io/checksum.hpp"
 #include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"
 
@@ -13,13 +13,6 @@ namespace stria {
 namespace {
 
 constexpr std::size_t block_size = 512;  // the smallest user block
-
-/// FNV-1a. No change of a single byte keeps it: each step is one to one in the state and in the byte.
-std::uint64_t checksum(std::string_view bytes) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
-    return hash;
-}
 
 std::string block_of(std::string_view content) {
     std::string block =

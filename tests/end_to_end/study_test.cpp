@@ -115,6 +115,35 @@ TEST_F(Study, ResumeKeepsWhatIsDone) {
     EXPECT_NE(said().find("mesh.size=2  done in"), std::string::npos) << said();
 }
 
+// The case names its mesh: what the file holds is not in it.
+TEST_F(Study, ResumeTellsMeshesOfTheSameFileApart) {
+    std::ofstream(folder / "part.toml") << R"(
+units = "N-mm-MPa"
+mesh = { file = "part.msh" }
+material = { young = 200e3, poisson = 0.3 }
+crack = [ { points = [[0.0, 50.0], [20.0, 50.0]] } ]
+boundary = [ { on = "top", traction = [0.0, 1.0] }, { on = "bottom", traction = [0.0, -1.0] } ]
+load = { steps = 2, blocks = [ { cycles = 1, max = 10.0, ratio = 0.5 } ] }
+output = { fields = "none" }
+)";
+    const auto with = [&](const char* mesh, const char* how) {
+        std::filesystem::copy_file(std::string(source_folder) + "/tests/data/meshes/" + mesh, folder / "part.msh",
+                                   std::filesystem::copy_options::overwrite_existing);
+        EXPECT_EQ(run_program("stria",
+                              {"study", folder / "part.toml", "-o", folder / "out", "--mode", "inprocess", "--over",
+                               "material.poisson=0.2,0.3", how},
+                              folder / "log"),
+                  0)
+            << said();
+        return table()["coarse_unknowns"];
+    };
+    const std::vector<double> before = with("sent-mixed.msh", "--force");
+    EXPECT_EQ(with("sent-mixed.msh", "--resume"), before);
+    EXPECT_EQ(occurrences(said(), "done before"), 2) << said();
+    EXPECT_NE(with("sent-quads.msh", "--resume"), before);
+    EXPECT_EQ(occurrences(said(), "done in"), 2) << said();
+}
+
 // In one process, and in as many as there are fine ranks.
 TEST_F(Study, ResumeTellsNumbersOfFineRanksApart) {
     for (const std::string mode : {"inprocess", "mpi"}) {
