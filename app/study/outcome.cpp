@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "app/run/run_files.hpp"
 #include "common/io/number_table.hpp"
@@ -111,28 +112,48 @@ double contact_edge(const NumberTable& faces, double increment) {
     return edge;
 }
 
-/// Faces are written at the extremes of the last cycle, which need not be the increments of the history's extremes.
-double last_face_increment(const NumberTable& history, const NumberTable& faces, double load) {
-    double found = missing;
-    for (std::size_t row = 0; row < history.rows; ++row) {
-        const double increment = history["increment"][row];
-        if (std::abs(history["load_factor"][row] - load) <= same_load * std::abs(load) &&
-            std::ranges::count(faces["increment"], increment) > 0)
-            found = increment;
-    }
-    return found;
+/// Increments; NaN where the run has not come to them.
+struct LastExtremes {
+    double maximum = missing, minimum = missing;
+};
+
+/// With faces, in the last cycle that has any: the last at its smallest load, and at the largest that it reaches from
+/// there. The whole history may have other extremes, the ramp to the first maximum too. What a cycle starts from
+/// belongs to the one before, and may be an overload. Growth may end a run at the minimum, or before there is one.
+LastExtremes last_extremes(const NumberTable& history, const NumberTable& faces) {
+    const std::vector<double>&load = history["load_factor"], &cycle = history["cycle"];
+    const std::set<double> increments(faces["increment"].begin(), faces["increment"].end());
+    const auto has_faces = [&](std::size_t row) { return increments.contains(history["increment"][row]); };
+    double last_cycle = missing;
+    for (std::size_t row = 0; row < history.rows; ++row)
+        if (has_faces(row)) last_cycle = cycle[row];
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < history.rows; ++row)
+        if (cycle[row] == last_cycle) rows.push_back(row);
+    if (rows.empty()) return {};
+    const auto load_of = [&](std::size_t row) { return load[row]; };
+    const auto lowest = std::ranges::min_element(rows, {}, load_of);
+    const auto highest = std::ranges::max_element(lowest, rows.end(), {}, load_of);
+    const double least = load[*lowest], most = load[*highest];
+    const double rounding = same_load * std::max(std::abs(least), std::abs(most));
+    const auto last_at = [&](double wanted) {
+        double found = missing;
+        for (const std::size_t row : rows)
+            if (has_faces(row) && std::abs(load[row] - wanted) <= rounding) found = history["increment"][row];
+        return found;
+    };
+    return {.maximum = most > least + rounding ? last_at(most) : missing, .minimum = last_at(least)};
 }
 
-void read_faces(const std::filesystem::path& folder, const NumberTable& history, double largest, double smallest,
-                Outcome& outcome) {
+void read_faces(const std::filesystem::path& folder, const NumberTable& history, Outcome& outcome) {
     const NumberTable faces = read_table(folder / "faces.csv");
     if (faces.rows == 0) return;
-    const double last_minimum = last_face_increment(history, faces, smallest);
-    outcome.at_maximum = profile_at(faces, last_face_increment(history, faces, largest));
-    outcome.at_minimum = profile_at(faces, last_minimum);
+    const LastExtremes last = last_extremes(history, faces);
+    outcome.at_maximum = profile_at(faces, last.maximum);
+    outcome.at_minimum = profile_at(faces, last.minimum);
     keep(outcome, "opening_at_max", mean_opening(outcome.at_maximum));
     keep(outcome, "opening_at_min", mean_opening(outcome.at_minimum));
-    keep(outcome, "contact_edge", contact_edge(faces, last_minimum));
+    keep(outcome, "contact_edge", contact_edge(faces, last.minimum));
 }
 
 void read_endings(const std::filesystem::path& folder, Outcome& outcome) {
@@ -151,7 +172,7 @@ void read_results(const std::filesystem::path& folder, Outcome& outcome) {
     const std::size_t maximum = extreme_row(history, rows, 1.0), minimum = extreme_row(history, rows, -1.0);
     for (const char* name : {"J", "K_I", "CTOD", "CMOD", "plastic_zone"}) keep(outcome, name, history[name][maximum]);
     keep(outcome, "contact_length", history["contact_length"][minimum]);
-    read_faces(folder, history, history["load_factor"][maximum], history["load_factor"][minimum], outcome);
+    read_faces(folder, history, outcome);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 
 #include "app/run/run_files.hpp"
@@ -18,16 +19,16 @@ namespace {
 
 void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
 
-/// Two increments up, two down, one up; two tips at each; faces as the last cycle left them.
+/// Two increments up, one down, one up; two tips at each; faces as the last cycle left them.
 void write_run(const test::TemporaryFolder& folder, const std::string& status) {
     write(folder / "summary.json", R"({"status": ")" + status +
                                        R"(", "fine_points": 100, "newton_iterations": 20, "messages": 40, "bytes": 800,
         "timing": {"exchange": 1.5, "coarse_solve": 0.5, "total": 3.0, "setup": null}, "tips": [{"J": 7}]})");
-    write(folder / "history.csv", "increment,load_factor,tip,K_I,J,CMOD,CTOD,contact_length,plastic_zone\n"
-                                  "1,1,0,10,1,,0.1,0,0.2\n1,1,1,90,9,,0.9,0,0.9\n"
-                                  "2,2,0,20,4,,0.2,0,0.4\n2,2,1,90,9,,0.9,0,0.9\n"
-                                  "3,-2,0,-5,0,,0,3.5,0.1\n3,-2,1,90,9,,0.9,8,0.9\n"
-                                  "4,2,0,21,5,,0.3,0,0.5\n4,2,1,90,9,,0.9,0,0.9\n");
+    write(folder / "history.csv", "increment,cycle,load_factor,tip,K_I,J,CMOD,CTOD,contact_length,plastic_zone\n"
+                                  "1,0,1,0,10,1,,0.1,0,0.2\n1,0,1,1,90,9,,0.9,0,0.9\n"
+                                  "2,0,2,0,20,4,,0.2,0,0.4\n2,0,2,1,90,9,,0.9,0,0.9\n"
+                                  "3,1,-2,0,-5,0,,0,3.5,0.1\n3,1,-2,1,90,9,,0.9,8,0.9\n"
+                                  "4,1,2,0,21,5,,0.3,0,0.5\n4,1,2,1,90,9,,0.9,0,0.9\n");
     write(folder / "faces.csv", "increment,crack,s,opening,status\n"
                                 "3,0,1,0.0,1\n3,0,3,0.2,0\n3,0,2,0.0,1\n3,1,9,0.0,1\n"
                                 "4,0,1,0.4,0\n4,0,3,0.0,0\n");
@@ -55,6 +56,44 @@ TEST(StudyOutcome, TakesContactAndOpeningsFromTheFacesOfTheFirstCrack) {
     EXPECT_EQ(run.at_minimum.s, (std::vector<double>{1, 2, 3}));
     EXPECT_DOUBLE_EQ(run.value("opening_at_min"), 0.05);
     EXPECT_DOUBLE_EQ(run.value("opening_at_max"), 0.2);
+}
+
+/// Openings at the largest and the smallest load of the last cycle; NaN where there are none. A pair is the cycle and
+/// the load of an increment. Faces of each increment in `written` are as far apart as its number.
+std::pair<double, double> openings_of(const std::vector<std::pair<int, double>>& increments,
+                                      const std::vector<int>& written) {
+    const test::TemporaryFolder folder;
+    write(folder / "summary.json", R"({"status": "done"})");
+    std::string history = "increment,cycle,load_factor,tip,K_I,J,CMOD,CTOD,contact_length,plastic_zone\n", faces;
+    int number = 0;
+    for (const auto& [cycle, load] : increments)
+        history += fmt::format("{},{},{},0,1,1,1,1,1,1\n", ++number, cycle, load);
+    for (const int increment : written) faces += fmt::format("{0},0,1,{0},0\n{0},0,2,{0},0\n", increment);
+    write(folder / "history.csv", history);
+    write(folder / "faces.csv", "increment,crack,s,opening,status\n" + faces);
+    const Outcome run = read_outcome(folder / "");
+    return {run.value("opening_at_max"), run.value("opening_at_min")};
+}
+
+using Openings = std::pair<double, double>;
+
+TEST(StudyOutcome, TakesFacesAtTheExtremesOfTheLastCycleWhateverTheOthersHave) {
+    // The ramp begins below the minimum.
+    EXPECT_EQ(openings_of({{0, 1}, {0, 10}, {1, 5}, {1, 10}}, {3, 4}), Openings(4, 3));
+    // An overload before, from which the last cycle comes down.
+    EXPECT_EQ(openings_of({{0, 6}, {1, -3}, {1, 8}, {2, -4}, {2, 8}, {3, 7}, {3, -3}, {3, 6}}, {7, 8}), Openings(8, 7));
+    EXPECT_EQ(openings_of({{0, 6}, {1, -3}, {1, 8}, {2, 7}, {2, -3}, {2, 6}}, {1, 2, 3, 4, 5, 6}), Openings(6, 5));
+    // By K, the load falls as the crack grows; after the maximum of each cycle there is one more row.
+    EXPECT_EQ(openings_of({{0, 10}, {0, 10}, {1, -5}, {1, 9}, {1, 9}, {2, -4}, {2, 8}, {2, 8}}, {6, 7, 8}),
+              Openings(8, 6));
+}
+
+TEST(StudyOutcome, LeavesOutTheExtremeBeforeWhichGrowthHasEndedTheRun) {
+    const Openings at_minimum = openings_of({{0, 10}, {1, -5}}, {2}), at_maximum = openings_of({{0, 5}, {0, 10}}, {2});
+    EXPECT_EQ(at_minimum.second, 2.0);
+    EXPECT_TRUE(std::isnan(at_minimum.first));
+    EXPECT_EQ(at_maximum.first, 2.0);
+    EXPECT_TRUE(std::isnan(at_maximum.second));
 }
 
 TEST(StudyOutcome, TakesTheEndOfTheRunFromTheLastCycleOfTheFirstTip) {
