@@ -29,6 +29,9 @@ public:
     /// Begins none once one was interrupted. Calls `changed` before it waits, whenever an outcome has changed.
     void run(std::span<Row* const> rows, const std::function<void()>& changed);
 
+    /// No more runs begin: this process or one of them was interrupted.
+    [[nodiscard]] bool interrupted() const { return interrupted_; }
+
 private:
     struct Job {
         Row* row;

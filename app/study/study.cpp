@@ -96,9 +96,13 @@ std::vector<Row*> rows_of(Plan& plan) {
     return rows;
 }
 
-int worst_code(const std::vector<Row*>& rows) {
+/// Rows that an interruption has left are a reason to come again, also where all that have run are done.
+int worst_code(const std::vector<Row*>& rows, bool interrupted) {
+    const auto code_of = [&](const Row* row) {
+        return interrupted && row->outcome.status == not_run ? Interrupted : row->outcome.exit_code;
+    };
     int worst = Done;
-    for (const Row* row : rows) worst = std::max(worst, row->outcome.exit_code);
+    for (const Row* row : rows) worst = std::max(worst, code_of(row));
     return worst;
 }
 
@@ -115,11 +119,12 @@ int run_study(StudyOptions options) {
     claim_folder(options);
     const RunLock lock(options.run.output_directory);
     const std::vector<Row*> rows = rows_of(plan);
-    Runner(options.run, options.resume, options.jobs).run(rows, [&] { write_results(options, plan); });
+    Runner runner(options.run, options.resume, options.jobs);
+    runner.run(rows, [&] { write_results(options, plan); });
     write_results(options, plan);
     if (!options.run.quiet)
         fmt::print("table and charts in {}/study.csv and study.html\n", options.run.output_directory);
-    return worst_code(rows);
+    return worst_code(rows, runner.interrupted());
 }
 
 }  // namespace stria::study

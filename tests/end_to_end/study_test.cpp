@@ -208,6 +208,21 @@ TEST_F(Study, TableAndPageGrowWhileItRuns) {
     EXPECT_EQ(occurrences(text_of(folder / "out/study.csv"), ",interrupted,130,"), 1);
 }
 
+// The variant that runs goes on to its end: SIGINT is for the study alone, which a terminal would send to both.
+TEST_F(Study, AnInterruptedOneIsNotDoneThoughAllThatHaveRunAre) {
+    std::ofstream(folder / "case.toml") << elastic_plate;
+    Program study("stria",
+                  {"study", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--over",
+                   "load.steps=1000,1002,1004"},
+                  folder / "log");
+    ASSERT_TRUE(comes_true([&] { return occurrences(text_of(folder / "out/study.csv"), ",running,0,") == 1; }));
+    kill(study.pid(), SIGINT);
+    EXPECT_EQ(study.wait(std::chrono::seconds(60)), 130) << study.said();
+    const std::string left = text_of(folder / "out/study.csv");
+    EXPECT_GE(occurrences(left, ",not run,0,"), 1) << left;
+    EXPECT_EQ(occurrences(left, ",not run,0,") + occurrences(left, ",done,0,"), 3) << left;
+}
+
 TEST_F(Study, AnInterruptedOneGoesOnFromTheCheckpointsOfItsVariants) {
     std::ofstream(folder / "case.toml") << elastic_plate;
     const Words rest = {"-o",    folder / "out",   "--mode", "inprocess", "--over", "material.poisson=0.2,0.3,0.1",
