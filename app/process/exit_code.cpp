@@ -2,13 +2,13 @@
 
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
+#include "coupling/transport/mpi_transport.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <mpi.h>
 #include <new>
-#include <string_view>
 
 namespace stria {
 
@@ -22,17 +22,9 @@ bool mpi_is_up() {
     return initialized != 0 && finalized == 0;
 }
 
-/// Both components read the case: where mpirun started them together, the coarse one alone complains about it.
-bool coarse_complains_too(const std::string& program) {
-    const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
-    return program == "stria-fine" && size != nullptr && std::string_view(size) != "1";
-}
-
 int leave(const std::string& program, const Ending& ending) {
-    if (ending.code != InputWrong || !coarse_complains_too(program)) {
-        fmt::print(stderr, "{}: {}\n", program, ending.text);
-        std::fflush(stderr);
-    }
+    fmt::print(stderr, "{}: {}\n", program, ending.text);
+    std::fflush(stderr);
     if (mpi_is_up()) MPI_Abort(MPI_COMM_WORLD, ending.code);
     return ending.code;
 }
@@ -69,6 +61,8 @@ Ending ending_of_exception() {
 int exit_code_of(const std::string& program, const std::function<int()>& work) {
     try {
         return work();
+    } catch (const coupling::ToldElsewhere&) {
+        return InputWrong;
     } catch (...) {
         return leave(program, ending_of_exception());
     }

@@ -19,10 +19,10 @@ int run_fine_with_mpi(const RunOptions& options) {
     keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
-        meet_and_part(coupling::Role::Fine);
+        meet_and_part(coupling::Role::Fine, input);
         return Done;
     }
-    const coupling::MpiSession session(coupling::Role::Fine);
+    const coupling::MpiSession session(coupling::Role::Fine, digest(input));
     try {
         const std::unique_ptr<coupling::Transport> transport = session.transport();
         fine::FineModel model(input);

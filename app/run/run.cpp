@@ -33,12 +33,12 @@ int run_coarse_with_mpi(const RunOptions& options) {
     keep_freed_memory();
     const Case input = read_case(options.case_path, options.overrides);
     if (!needs_fine(input)) {
-        meet_and_part(coupling::Role::Coarse);
+        meet_and_part(coupling::Role::Coarse, input);
         if (coupling::under_mpirun()) interrupt_with_parent();  // MPI has ended: nothing else tells of mpirun's end
         coarse::CondensedFactory alone(nullptr, input);
         return CoarseRun(options, input, {"mpi", 1, users_terminal()}).perform(alone, nullptr);
     }
-    const coupling::MpiSession session(coupling::Role::Coarse);
+    const coupling::MpiSession session(coupling::Role::Coarse, digest(input));
     try {
         FineSide fine(input, session, options.own_rank);
         coarse::CondensedFactory factory(&fine.scale(), input);

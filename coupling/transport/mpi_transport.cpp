@@ -14,6 +14,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "coupling/transport/protocol.hpp"
 
 namespace stria::coupling {
 
@@ -194,25 +195,42 @@ private:
     std::vector<MPI_Request> leaving_;  // its pieces
 };
 
-std::vector<Role> gather_roles(Role own) {
+/// What each rank says of itself at first.
+struct Card {
+    std::uint64_t role;
+    std::uint64_t case_digest;
+};
+
+std::vector<Card> gather_cards(Role role, std::uint64_t case_digest) {
     int size = 0;
     check(MPI_Comm_size(MPI_COMM_WORLD, &size));
-    const int mine = static_cast<int>(own);
-    std::vector<int> numbers(at(size));
-    check(MPI_Allgather(&mine, 1, MPI_INT, numbers.data(), 1, MPI_INT, MPI_COMM_WORLD));
-    std::vector<Role> roles(numbers.size());
-    std::ranges::transform(numbers, roles.begin(), [](int number) { return static_cast<Role>(number); });
-    return roles;
+    const Card mine{static_cast<std::uint64_t>(role), case_digest};
+    std::vector<Card> cards(at(size));
+    constexpr int numbers = sizeof(Card) / sizeof(std::uint64_t);
+    check(MPI_Allgather(&mine, numbers, MPI_UINT64_T, cards.data(), numbers, MPI_UINT64_T, MPI_COMM_WORLD));
+    return cards;
 }
 
-/// Every rank sees the same roles, so all of them throw or none.
+/// Every rank sees the same cards, so all of them refuse or none, and the first one says why.
+[[noreturn]] void refuse(const std::string& why) {
+    int rank = 0;
+    check(MPI_Comm_rank(MPI_COMM_WORLD, &rank));
+    if (rank == 0) throw CaseError(why);
+    throw ToldElsewhere(why);
+}
+
+void check_cases(const std::vector<Card>& cards) {
+    if (std::ranges::any_of(cards, [&](const Card& card) { return card.case_digest != cards.front().case_digest; }))
+        refuse(different_cases);
+}
+
 void check_cast(const std::vector<Role>& roles) {
     const auto coarse = std::ranges::count(roles, Role::Coarse);
     const auto fine = std::ranges::count(roles, Role::Fine);
     if (coarse == 1 && fine >= 1) return;
-    throw CaseError(fmt::format("launch: {} coarse and {} fine ranks were started; one coarse and at least one fine "
-                                "are needed: mpirun -n 1 stria-coarse CASE : -n 1 stria-fine CASE",
-                                coarse, fine));
+    refuse(fmt::format("launch: {} coarse and {} fine ranks were started; one coarse and at least one fine are needed: "
+                       "mpirun -n 1 stria-coarse CASE : -n 1 stria-fine CASE",
+                       coarse, fine));
 }
 
 /// To the launcher of MPI every rank has a TCP connection over which it says that it starts and ends, each time in two
@@ -235,8 +253,11 @@ MpiSession::Environment::~Environment() { MPI_Finalize(); }
 
 bool under_mpirun() { return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr; }
 
-MpiSession::MpiSession(Role role, Cast cast) {
-    const std::vector<Role> roles = gather_roles(role);
+MpiSession::MpiSession(Role role, std::uint64_t case_digest, Cast cast) {
+    const std::vector<Card> cards = gather_cards(role, case_digest);
+    check_cases(cards);
+    std::vector<Role> roles;
+    for (const Card& card : cards) roles.push_back(static_cast<Role>(card.role));
     if (cast == Cast::CoarseAndFine) check_cast(roles);
     for (int rank = 0; rank < static_cast<int>(roles.size()); ++rank)
         if (roles[at(rank)] != role) peers_.push_back(rank);

@@ -2,9 +2,11 @@
 // and the programs' launcher.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "common/error.hpp"
 #include "coupling/transport/doorbell.hpp"
 #include "coupling/transport/transport.hpp"
 
@@ -16,15 +18,22 @@ enum class Role : int { Coarse = 0, Fine = 1 };
 /// Whether the case needs fine ranks; where it does not, whoever was started meets and parts.
 enum class Cast { CoarseAndFine, Any };
 
+/// The user's input is wrong, and another process of the run says so: this one ends without a word.
+class ToldElsewhere : public CaseError {
+public:
+    using CaseError::CaseError;
+};
+
 /// mpirun has started this program, and expects it to start MPI.
 bool under_mpirun();
 
 /// MPI from its start to its end, and who is who in it. Make one, first thing in main; transports must die before it.
 class MpiSession {
 public:
-    /// Starts MPI and agrees with all other ranks on the cast: one coarse and some fine. Otherwise every rank gets a
-    /// CaseError that says what was started and what should have been, with MPI already ended.
-    explicit MpiSession(Role role, Cast cast = Cast::CoarseAndFine);
+    /// Starts MPI and agrees with all other ranks on the case and on the cast: one coarse and some fine. Otherwise
+    /// every rank gets a CaseError that says what was started and what should have been, with MPI already ended; all
+    /// but the first one a ToldElsewhere. The case comes first: ranks of different ones may not want the same cast.
+    MpiSession(Role role, std::uint64_t case_digest, Cast cast = Cast::CoarseAndFine);
 
     [[nodiscard]] int peers() const { return static_cast<int>(peers_.size()); }
 

@@ -10,8 +10,7 @@ void check_same(const Hello& own, const Hello& other) {
     if (own.protocol != other.protocol)
         throw ComponentLost(
             fmt::format("the components are of different versions: protocols {} and {}", own.protocol, other.protocol));
-    if (own.case_digest != other.case_digest)
-        throw CaseError("the coarse and the fine component were given different cases, or the file changed in between");
+    if (own.case_digest != other.case_digest) throw CaseError(different_cases);
 }
 
 const char* name(Tag tag) {

@@ -26,6 +26,9 @@ struct Restore {
     ZoneSnapshot snapshot;
 };
 
+inline constexpr const char* different_cases =
+    "the coarse and the fine component were given different cases, or the file changed in between";
+
 /// Throws ComponentLost where the two sides speak different protocols, CaseError where they have read different cases.
 void check_same(const Hello& own, const Hello& other);
 

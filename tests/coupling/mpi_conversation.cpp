@@ -88,7 +88,7 @@ void expect_that_small_pieces_leave_at_once() {
 
 int run(std::string_view role) {
     const Deadline deadline(std::chrono::seconds(40));
-    const MpiSession session(role == "coarse" || role == "waiting" ? Role::Coarse : Role::Fine);
+    const MpiSession session(role == "coarse" || role == "waiting" ? Role::Coarse : Role::Fine, 7);
     try {
         expect_that_small_pieces_leave_at_once();
         for (int peer = 0; role == "coarse" && peer < session.peers(); ++peer) coarse_side(session, peer);

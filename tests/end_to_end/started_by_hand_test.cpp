@@ -108,6 +108,52 @@ TEST(RanksStartedByHand, LeaveWhatThoseOfOneProgramDo) {
         EXPECT_EQ(read_json(output + "/summary.json").number("fine_ranks"), 2.0);
 }
 
+int lines_in(const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+/// The structure with one case, the zone with another.
+class CasesThatDiffer : public testing::Test {
+protected:
+    int run(const std::string& coarse, const std::string& fine) {
+        allow_mpirun();
+        Program both("mpirun",
+                     {"-n", "1", own_program("stria-coarse"), coarse, "-o", folder / "out", "--force", ":", "-n", "1",
+                      own_program("stria-fine"), fine},
+                     folder / "log");
+        return both.wait(std::chrono::seconds(30));
+    }
+    [[nodiscard]] std::string said() const { return text_of(folder / "log"); }
+
+    const TemporaryFolder folder;
+};
+
+// Who needs no fine component would part and go on, and who needs one wait for ever.
+TEST_F(CasesThatDiffer, AreRefusedWhereOneAloneNeedsAFineComponent) {
+    const std::string elastic = folder / "elastic.toml";
+    std::ofstream(elastic) << "units = 'N-mm-MPa'\n"
+                              "mesh = { specimen = 'sent', width = 50.0, height = 100.0, size = 4.0 }\n"
+                              "material = { young = 200e3, poisson = 0.3 }\n"
+                              "crack = [ { points = [[0.0, 50.3], [10.0, 50.3]] } ]\n"
+                              "boundary = [ { on = 'top', traction = [0.0, 1.0] }, "
+                              "{ on = 'bottom', traction = [0.0, -1.0] } ]\n"
+                              "load = { steps = 4, blocks = [ { cycles = 1, max = 40.0, ratio = 0.1 } ] }\n";
+    for (const auto& [coarse, fine] : {std::pair{elastic, shipped_sent}, std::pair{shipped_sent, elastic}}) {
+        EXPECT_EQ(run(coarse, fine), 2) << said();
+        EXPECT_EQ(lines_in(said(), "stria-coarse: the coarse and the fine component were given different cases"), 1)
+            << said();
+        EXPECT_EQ(lines_in(said(), "were given different cases"), 1) << said();
+        EXPECT_FALSE(std::filesystem::exists(folder / "out/history.csv"));
+    }
+}
+
+TEST_F(CasesThatDiffer, AreComplainedAboutByWhomeverTheyWereGivenTo) {
+    EXPECT_EQ(run(shipped_sent, "nowhere.toml"), 2) << said();
+    EXPECT_EQ(lines_in(said(), "stria-fine: nowhere.toml: cannot be read, no such case file"), 1) << said();
+}
+
 // It writes no files. HDF5 brings thirty libraries, half of the time in which a program starts.
 TEST(FineComponent, IsStartedWithoutHDF5) {
     const TemporaryFolder folder;
