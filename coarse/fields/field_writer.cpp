@@ -12,6 +12,8 @@
 namespace stria::coarse {
 namespace {
 
+constexpr const char *series = "fields.hdf.series", *collection = "fields.pvd";
+
 std::string series_text(const std::vector<std::pair<std::string, double>>& files) {
     Json::Array entries;
     for (const auto& [name, time] : files) entries.push_back(Json::Object{{"name", name}, {"time", time}});
@@ -48,7 +50,12 @@ void FieldWriter::remove_others() const {
         if (entry.path().filename().string().starts_with("step_") && !known.contains(entry.path().stem()))
             others.push_back(entry.path());
     for (const std::filesystem::path& file : others) std::filesystem::remove(file);
-    if (!others.empty()) write_index();
+    if (!steps_.empty()) {
+        if (!others.empty()) write_index();
+        return;
+    }
+    // A run that begins anew may write in the other format: no index of the run before it must stay behind.
+    for (const char* index : {series, collection}) std::filesystem::remove(directory_ / index);
 }
 
 std::string FieldWriter::file_name(std::int64_t increment) const {
@@ -74,9 +81,9 @@ void FieldWriter::write_index() const {
     std::vector<std::pair<std::string, double>> files;
     for (const Step& step : steps_) files.emplace_back(file_name(step.increment), step.time);
     if (format_ == FieldFormat::VtkHdf) {
-        write_whole_text(directory_ / "fields.hdf.series", series_text(files));
+        write_whole_text(directory_ / series, series_text(files));
     } else {
-        write_whole_text(directory_ / "fields.pvd", collection_text(files));
+        write_whole_text(directory_ / collection, collection_text(files));
     }
 }
 

@@ -68,6 +68,16 @@ TEST_F(Fields, OfStepsThatAreNoneOfTheSeriesGo) {
     EXPECT_EQ(test::text_of(folder / "fields.hdf.series").find("step_00010"), std::string::npos);
 }
 
+// ParaView would open the index of one that names files which are no more.
+TEST_F(Fields, OfARunBeforeLeaveNoIndex) {
+    FieldWriter(folder, FieldFormat::VtkHdf).write(10, two_cells(), 10.0);
+    FieldWriter(folder, FieldFormat::Vtu).write(20, two_cells(), 20.0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "fields.hdf.series"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "fields.pvd"));
+    const FieldWriter writes_none(folder, FieldFormat::Vtu);
+    EXPECT_FALSE(std::filesystem::exists(folder / "fields.pvd"));
+}
+
 TEST_F(Fields, AreVtuFilesInACollection) {
     FieldWriter writer(folder, FieldFormat::Vtu);
     writer.write(5, two_cells(), 5.0);
