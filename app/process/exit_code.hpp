@@ -27,7 +27,8 @@ struct Ending {
 Ending ending_of_exception();
 
 /// Runs the work and turns what it throws into an exit code. Where MPI is running, it is aborted with that code: the
-/// other component may wait for a message that will never come.
+/// other component may wait for a message that will never come. From its call on, files that may grow no more are
+/// errors of writing.
 int exit_code_of(const std::string& program, const std::function<int()>& work);
 
 }  // namespace stria

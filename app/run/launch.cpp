@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/resource.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 namespace stria {
@@ -24,13 +26,12 @@ namespace {
 /// through shared memory. Nobody looks for graphics cards: MPI's map of the machine would load X11 and OpenCL for that
 /// in every program (0.04 s). Nor for what else is plugged in: a virtual machine takes 0.01 s in each program to answer
 /// for its cards. Two ranks need no shared store of each other's addresses (0.01 s). What the user has set stays.
-constexpr std::array<std::pair<const char*, const char*>, 13> environment = {{
+constexpr std::array<std::pair<const char*, const char*>, 12> environment = {{
     {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
     {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
     {"OMPI_MCA_mpi_yield_when_idle", "1"},
     {"OMPI_MCA_rmaps_base_oversubscribe", "1"},
     {"OMPI_MCA_hwloc_base_binding_policy", "none"},
-    {"OMPI_MCA_btl", "self,vader"},
     {"OMPI_MCA_pml", "ob1"},
     {"HWLOC_PLUGINS_PATH", "/nowhere"},
     {"HWLOC_COMPONENTS", "-linuxio"},
@@ -57,6 +58,29 @@ std::vector<std::string> component_command(const RunOptions& options, const std:
     append_common_options(options, command);
     command.emplace_back("--no-report");  // who starts the components writes it, whatever becomes of them
     return command;
+}
+
+/// Of the folder, bytes that `processes` can write with a file each.
+std::uint64_t room_in(const std::filesystem::path& folder, int processes) {
+    struct statvfs state {};
+    rlimit of_file{};
+    if (statvfs(folder.c_str(), &state) != 0 || getrlimit(RLIMIT_FSIZE, &of_file) != 0) return 0;
+    const std::uint64_t left = state.f_bavail * state.f_frsize, files = static_cast<std::uint64_t>(processes);
+    return left / files < of_file.rlim_cur ? left : files * of_file.rlim_cur;
+}
+
+/// Through shared memory, or the loopback interface where there is too little of it: Open MPI itself would end without
+/// a word, or, where there is no room for the bells of the components either, never.
+void choose_way_of_messages(int processes) {
+    const std::filesystem::path memory = "/dev/shm";
+    const std::uint64_t room = room_in(memory, processes);
+    const WayOfMessages way = way_of_messages(processes, room);
+    if (way == WayOfMessages::None)
+        throw FileFailure(fmt::format("{}: takes no more than {} bytes, too few for programs that talk to each other; "
+                                      "--mode inprocess needs none",
+                                      memory.string(), room));
+    setenv("OMPI_MCA_btl", way == WayOfMessages::Memory ? "self,vader" : "self,tcp", 0);
+    if (way == WayOfMessages::Loopback) setenv("OMPI_MCA_btl_tcp_if_include", "lo", 0);
 }
 
 /// Where this program and its components are.
@@ -87,6 +111,13 @@ RunParts parts_of(const RunOptions& options, bool with_fine) {
     return {options.fine_ranks, options.mode == "mpi" ? std::max(2, options.fine_ranks) : 1};
 }
 
+WayOfMessages way_of_messages(int processes, std::uint64_t room) {
+    constexpr std::uint64_t segment = 5 << 20, bells = 8 << 10;  // per process; Open MPI's own segment has 4 MiB
+    const auto count = static_cast<std::uint64_t>(processes);
+    if (room >= count * segment) return WayOfMessages::Memory;
+    return room >= count * bells ? WayOfMessages::Loopback : WayOfMessages::None;
+}
+
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine) {
     std::vector<std::string> coarse = component_command(options, programs + "/stria-coarse");
     if (!with_fine) return coarse;
@@ -107,6 +138,7 @@ int launch(const RunOptions& options) {
     const std::vector<std::string> command = launch_command(options, programs_folder(), with_fine);
     if (options.verbose) fmt::print("{}\n", fmt::join(command, " "));
     for (const auto& [name, value] : environment) setenv(name, value, 0);
+    if (with_fine) choose_way_of_messages(parts_of(options, with_fine).processes);
     // Under mpirun a component writes into a pipe and cannot see the terminal.
     if (isatty(STDOUT_FILENO) != 0) setenv("STRIA_TERMINAL", "1", 0);
     const ToldExit told;

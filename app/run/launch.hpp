@@ -3,6 +3,7 @@
 
 #include "app/run/run_options.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,15 @@ struct RunParts {
 };
 RunParts parts_of(const RunOptions& options, bool with_fine);
 
+/// How messages go between processes on one machine of which /dev/shm takes `room` bytes more.
+enum class WayOfMessages { Memory, Loopback, None };
+WayOfMessages way_of_messages(int processes, std::uint64_t room);
+
 /// The words of the command that runs the case in mode mpi. `programs`: the folder of the two components.
 std::vector<std::string> launch_command(const RunOptions& options, const std::string& programs, bool with_fine);
 
-/// Runs that command with the environment that Open MPI needs. Returns its exit code: 4 where a component was lost.
+/// Runs that command with the environment that Open MPI needs. Returns its exit code. Throws ComponentLost where
+/// a component was lost, FileFailure where the machine has no room for their messages.
 int launch(const RunOptions& options);
 
 /// The words of `stria run` with these options, by this program.

@@ -36,11 +36,55 @@ TEST_F(ExitCode, OfAFullDisk) {
     EXPECT_FALSE(std::filesystem::exists(output + "/summary.json"));
 }
 
+// Of the shell: that many blocks of 512 bytes, and a signal that would kill. Messages take another way then.
+TEST_F(ExitCode, OfALimitOnTheSizeOfFiles) {
+    for (const char* mode : {"inprocess", "mpi"}) {
+        Words words{"-c",
+                    "unset OMPI_MCA_btl; ulimit -f 80; exec \"$0\" \"$@\"",
+                    own_program("stria"),
+                    "run",
+                    shipped_sent,
+                    "--force",
+                    "-o",
+                    output,
+                    "--mode",
+                    mode};
+        for (const std::string& setting : quick) words.insert(words.end(), {"--set", setting});
+        EXPECT_EQ(run_program("sh", words, folder / "log"), 5) << mode << said();
+        EXPECT_TRUE(says(": " + output)) << mode << said();
+        EXPECT_TRUE(says(": cannot be written: File too large")) << mode << said();
+    }
+}
+
 TEST_F(ExitCode, NamesAFolderThatCannotBeMade) {
     std::ofstream(folder / "file") << "no folder";
     output = folder / "file/out";
     EXPECT_EQ(run({"--mode", "inprocess"}), 5) << said();
     EXPECT_TRUE(says("file/out: the folder of results cannot be made or written to")) << said();
+}
+
+// In a name space of its own, as containers have it.
+TEST_F(ExitCode, IsZeroWithLittleSharedMemory) {
+    const auto with = [&](const std::string& size) {
+        Words words{"-rm",
+                    "sh",
+                    "-c",
+                    "mount -t tmpfs -o size=" + size +
+                        " tmpfs /dev/shm || exit 1; unset OMPI_MCA_btl; exec \"$0\" \"$@\"",
+                    own_program("stria"),
+                    "run",
+                    shipped_sent,
+                    "--force",
+                    "-o",
+                    output};
+        for (const std::string& setting : quick) words.insert(words.end(), {"--set", setting});
+        return run_program("unshare", words, folder / "log");
+    };
+    const int code = with("4m");
+    if (code == 1 && !says("stria: ")) GTEST_SKIP() << "no name spaces here: " << said();
+    EXPECT_EQ(code, 0) << said();
+    EXPECT_EQ(with("4k"), 5) << said();
+    EXPECT_TRUE(says("stria: /dev/shm: takes no more than 4096 bytes, too few")) << said();
 }
 
 TEST_F(ExitCode, OfASecondRunInTheFolder) {

@@ -39,6 +39,16 @@ TEST(LaunchCommand, StartsAsManyProgramsAsFineRanks) {
     EXPECT_EQ(std::ranges::count(three, "--own-rank"), 1);
 }
 
+// Open MPI takes 4 MiB of shared memory for each process, and the bells of the components a page or two.
+TEST(WayOfMessages, IsTheLoopbackInterfaceWhereSharedMemoryIsShort) {
+    constexpr std::uint64_t MiB = 1 << 20;
+    EXPECT_EQ(way_of_messages(2, 64 * MiB), WayOfMessages::Memory);
+    EXPECT_EQ(way_of_messages(16, 64 * MiB), WayOfMessages::Loopback);
+    EXPECT_EQ(way_of_messages(2, 4 * MiB), WayOfMessages::Loopback);
+    EXPECT_EQ(way_of_messages(2, 16384), WayOfMessages::Loopback);
+    EXPECT_EQ(way_of_messages(2, 4096), WayOfMessages::None);
+}
+
 TEST(PartsOfARun, AreAsManyAsItsModeHas) {
     const auto counted = [](const char* mode, int fine_ranks, bool with_fine = true) {
         RunOptions options;
