@@ -4,6 +4,7 @@
 #include "app/process/told_exit.hpp"
 #include "app/run/fine_side.hpp"
 #include "app/run/run_files.hpp"
+#include "app/run/run_lock.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
@@ -145,6 +146,9 @@ int launch(const RunOptions& options) {
     start_child(command, {});
     const EndedChild ended = wait_for_child();
     if (ended.ours) return told.code_or(ended.code);
+    // Components that lose mpirun notice it after a second or two, and write until then: who resumes finds the folder
+    // free.
+    wait_until_free(options.output_directory, std::chrono::seconds(10));
     throw ComponentLost(fmt::format("a component was lost (exit code {})", ended.code));
 }
 

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <fmt/format.h>
+#include <thread>
 
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
@@ -24,5 +25,17 @@ RunLock::RunLock(const std::filesystem::path& folder) {
 }
 
 RunLock::~RunLock() { ::close(descriptor_); }
+
+void wait_until_free(const std::filesystem::path& folder, std::chrono::milliseconds longest) {
+    using namespace std::chrono;
+    for (const auto end = steady_clock::now() + longest; steady_clock::now() < end;) {
+        try {
+            const RunLock lock(folder);
+            return;
+        } catch (const CaseError&) {
+            std::this_thread::sleep_for(milliseconds(20));
+        }
+    }
+}
 
 }  // namespace stria

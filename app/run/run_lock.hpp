@@ -1,6 +1,7 @@
 // One run at a time in a folder of results.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace stria {
@@ -17,5 +18,8 @@ public:
 private:
     int descriptor_;
 };
+
+/// Until no run holds the folder, or so much time has passed.
+void wait_until_free(const std::filesystem::path& folder, std::chrono::milliseconds longest);
 
 }  // namespace stria

@@ -84,6 +84,13 @@ TEST_F(Resumed, AfterComponentsWereKilled) {
     expect_same_tables(output, undisturbed);
 }
 
+// Its components notice that after a second or two and write until then: `stria` ends after them.
+TEST_F(Resumed, AtOnceAfterMpirunWasKilled) {
+    EXPECT_EQ(run_and_kill("orterun", 40), 4);
+    EXPECT_EQ(run_to_the_end({"--resume"}), 0) << text_of(folder / "log");
+    expect_same_tables(output, undisturbed);
+}
+
 TEST_F(Resumed, AfterItWasAskedToStop) {
     EXPECT_EQ(run_and_ask(SIGTERM, 14), 130);
     EXPECT_EQ(read_json(output + "/summary.json").words["status"], "interrupted");
