@@ -17,15 +17,24 @@ std::vector<std::size_t> changed_signals(const ClosureStation& before, const Clo
     return changed;
 }
 
+/// Of the profile, each once: the closure distance stands in front of them anyway.
+std::vector<double> further_distances(const ClosureSection& closure) {
+    std::vector<double> further;
+    for (const double distance : closure.profile)
+        if (closure.distance != distance && std::ranges::count(further, distance) == 0) further.push_back(distance);
+    return further;
+}
+
 }  // namespace
 
 ClosureMeter::ClosureMeter(const ClosureSection& closure, const std::vector<double>& yield_stress,
                            const std::vector<CrackSection>& cracks, const std::vector<double>& K)
     : tension_(closure.tension || closure.definition == OpeningDefinition::Tension),
       slip_(!closure.profile.empty() && has_friction(cracks)) {
+    const std::vector<double> further = further_distances(closure);
     for (const double distance : closure_distances(closure, K, yield_stress)) {
         std::vector<double> distances{distance};
-        distances.insert(distances.end(), closure.profile.begin(), closure.profile.end());
+        distances.insert(distances.end(), further.begin(), further.end());
         distance_.push_back(std::move(distances));
     }
 }

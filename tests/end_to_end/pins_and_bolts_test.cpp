@@ -43,9 +43,9 @@ TEST_F(PinsAndBolts, ALugIsPulledByTheCosineOfItsPin) {
         const auto length = static_cast<int>(std::lround(a[row]));
         if (length != 1 && length != 2 && length != 4 && length != 8) continue;
         const std::vector<double> figures = figures_of("lug", std::to_string(length));
-        EXPECT_NEAR(K[row], figures.at(0), 1e-3 * K[row]) << length;
-        EXPECT_NEAR(cycles["K_min"][row], figures.at(1), 1e-3 * K[row]) << length;
-        EXPECT_NEAR(cycles["N"][row], figures.at(2), 1e-3 * figures.at(2)) << length;
+        EXPECT_NEAR(K[row], figures.at(0), 0.006) << length;  // to the digits that it gives
+        EXPECT_NEAR(cycles["K_min"][row], figures.at(1), 0.006) << length;
+        EXPECT_NEAR(cycles["N"][row], figures.at(2), 1.0) << length;
     }
     // What the loads have done and the body does not store went into the crack: the integral of K_I^2 / E'.
     released /= 200e3 / (1.0 - 0.3 * 0.3);

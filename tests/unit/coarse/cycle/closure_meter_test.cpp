@@ -50,6 +50,14 @@ std::vector<bool> closed(const std::vector<double>& signal) {
     return closed;
 }
 
+TEST(ClosureMeter, HasEachDistanceOnce) {
+    Case input = loaded();
+    input.closure.distance = 0.4;
+    input.closure.profile = {0.1, 0.4, 0.2, 0.1};
+    const ClosureMeter meter(input.closure, {300.0}, input.cracks, {500.0});
+    EXPECT_EQ(meter.distances(0), (std::vector<double>{0.4, 0.1, 0.2}));
+}
+
 TEST(ClosureMeter, CountsOnlyContactBeyondItsDistances) {
     Case input = loaded();
     input.closure.distance = 0.2;
