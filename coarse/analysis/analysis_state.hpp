@@ -62,7 +62,8 @@ struct FaceRelease {
 /// Whatever else an analysis holds is a function of this and of the case. A run that goes on from it changes no digit.
 struct AnalysisState {
     struct Polyline {
-        std::vector<double> x, y;  // mm, one value per point
+        std::vector<double> x, y;     // mm, one value per point
+        double grown_at_start = 0.0;  // mm
     };
     std::vector<Polyline> cracks;    // one per crack of the case
     MeshSplits splits;               // of the mesh of the start, that it followed the tips with

@@ -21,13 +21,14 @@ AnalysisState::Polyline polyline_of(const CrackSection& crack) {
         line.x.push_back(point.x());
         line.y.push_back(point.y());
     }
+    line.grown_at_start = crack.grown_at_start;
     return line;
 }
 
-std::vector<Vec2> points_of(const AnalysisState::Polyline& line) {
-    std::vector<Vec2> points;
-    for (std::size_t k = 0; k < line.x.size(); ++k) points.emplace_back(line.x[k], line.y.at(k));
-    return points;
+void lay_along(const AnalysisState::Polyline& line, CrackSection& crack) {
+    crack.points.clear();
+    for (std::size_t k = 0; k < line.x.size(); ++k) crack.points.emplace_back(line.x[k], line.y.at(k));
+    crack.grown_at_start = line.grown_at_start;
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
 
 void CrackedBody::go_on_from(const AnalysisState& state) {
     Case input = scene_->input;
-    for (std::size_t k = 0; k < input.cracks.size(); ++k) input.cracks[k].points = points_of(state.cracks.at(k));
+    for (std::size_t k = 0; k < input.cracks.size(); ++k) lay_along(state.cracks.at(k), input.cracks[k]);
     splits_ = state.splits;
     settled_ = state.settled;
     if (input != scene_->input || !splits_.empty()) {

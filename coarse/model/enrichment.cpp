@@ -35,6 +35,7 @@ public:
         result_.terms.resize(mesh.nodes.size());
         result_.element_side.assign(mesh.elements.size(), 0);
         result_.tip_exponent = tips.exponent;
+        for (const CrackSection& crack : cracks) result_.grown_at_start.push_back(crack.grown_at_start);
     }
 
     EnrichedMesh enrich() {

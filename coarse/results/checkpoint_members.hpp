@@ -160,9 +160,10 @@ void members(auto& archive, Is<EquilibriumState> auto& m) {
 }
 
 void members(auto& archive, Is<AnalysisState::Polyline> auto& m) {
-    auto& [x, y] = m;
+    auto& [x, y, grown_at_start] = m;
     archive("x", x);
     archive("y", y);
+    archive("grown_at_start", grown_at_start);
 }
 
 void members(auto& archive, Is<WorkBalance> auto& m) {

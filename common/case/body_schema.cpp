@@ -220,7 +220,9 @@ Section<CrackSection> crack_section() {
     s.value("notch", &CrackSection::notch)
         .in("mm")
         .at_least(0.0)
-        .says("Arc length from the first point that is machined: no contact there.");
+        .says(
+            "Arc length from the first point that is machined: no contact there. Where that point is a tip and grows, "
+            "the notch stays where it is, and the new faces before it may touch.");
     s.check(check_crack);
     return s;
 }

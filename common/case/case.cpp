@@ -29,10 +29,6 @@ int subcells_at_crack(const FineSection& fine) { return fine.subcells.value_or(2
 
 int subcells_elsewhere(const FineSection& fine) { return fine.subcells.value_or(fine.refine > 1 ? 1 : 2); }
 
-double contact_begins(const CrackSection& crack) {
-    return crack.notch > 0.0 ? crack.notch : -std::numeric_limits<double>::infinity();
-}
-
 bool has_friction(const std::vector<CrackSection>& cracks) {
     return std::ranges::any_of(
         cracks, [](const CrackSection& crack) { return crack.contact && crack.contact->friction > 0.0; });

@@ -123,6 +123,7 @@ struct CrackSection {
     std::vector<Vec2> points;               // polyline, mm
     std::optional<ContactSection> contact;  // absent: traction-free faces
     double notch = 0.0;                     // mm of arc from the first point without contact
+    double grown_at_start = 0.0;            // mm of arc by which growth has moved that point on since; no key
     bool operator==(const CrackSection&) const = default;
 };
 
@@ -290,9 +291,6 @@ bool needs_fine(const Case& scene);
 /// has elements as small as sub-quadrangles are meant to be.
 int subcells_at_crack(const FineSection& fine);
 int subcells_elsewhere(const FineSection& fine);
-
-/// Arc length from which the faces of a crack may touch, mm: behind its notch.
-double contact_begins(const CrackSection& crack);
 
 /// Some faces have friction.
 bool has_friction(const std::vector<CrackSection>& cracks);

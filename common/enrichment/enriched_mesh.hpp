@@ -51,6 +51,7 @@ struct EnrichedMesh {
     std::vector<Tip> tips;
     std::vector<Tip> left_tips;             // that cracks have outgrown, where their functions stay unknowns
     std::vector<double> mouths;             // per crack, CrackPath::mouth()
+    std::vector<double> grown_at_start;     // per crack: CrackSection::grown_at_start, mm; empty: no first point moved
     double tip_exponent = 0.5;              // 1/(n+1) of eq. (2)
     int tip_functions = 0;                  // 6: eq. (2); 1: r^(1/2) sin(theta/2) alone; 0: no tip enrichment
     std::vector<std::vector<Term>> terms;   // per node; gathered ones last
@@ -68,6 +69,10 @@ struct EnrichedMesh {
 
     /// Numbers the unknowns, node by node, then tip by tip.
     void number();
+
+    [[nodiscard]] double grown_at_start_of(int crack) const {
+        return grown_at_start.empty() ? 0.0 : grown_at_start[at(crack)];
+    }
 
     [[nodiscard]] int material_of(int element) const { return material.empty() ? 0 : material[at(element)]; }
 

@@ -41,6 +41,7 @@ EnrichedMesh extract(const EnrichedMesh& whole, const std::vector<int>& elements
     part.tips = whole.tips;
     part.left_tips = whole.left_tips;
     part.mouths = whole.mouths;
+    part.grown_at_start = whole.grown_at_start;
     part.tip_exponent = whole.tip_exponent;
     part.tip_functions = whole.tip_functions;
 

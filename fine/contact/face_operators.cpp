@@ -67,9 +67,10 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
     int count = 0;
     for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
         const CrackSection& section = cracks[at(crack)];
+        const Notch notch = notch_of(section, mesh.grown_at_start_of(crack));
         for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
             station.fixed_jump = frozen.jump(crack, station.x);
-            const bool may_touch = section.contact && station.s >= contact_begins(section);
+            const bool may_touch = section.contact && !notch.holds(station.s);
             (may_touch ? stations_ : free_stations_).push_back(std::move(station));
         }
         if (!section.contact) continue;
@@ -96,7 +97,7 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
 MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
                                         const CrackSection& section) const {
     if (section.contact->multipliers == MultiplierKind::Stable)
-        return MultiplierSpace(mesh, boundary, crack, contact_begins(section));
+        return MultiplierSpace(mesh, boundary, crack, notch_of(section, mesh.grown_at_start_of(crack)));
     std::vector<double> points;
     for (const FaceStation& station : stations_)
         if (station.crack == crack) points.push_back(station.s);

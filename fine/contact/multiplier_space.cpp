@@ -21,6 +21,16 @@ constexpr double too_short = 0.05;
 constexpr double rounding = 1e-9;
 constexpr double kink_angle = 10.0 * std::numbers::pi / 180.0;
 
+struct Stretch {
+    double from, to;  // arc lengths, mm; nothing where they do not ascend
+};
+
+/// Of a stretch of a crack what lies before its notch, and behind it.
+std::array<Stretch, 2> outside(const Notch& notch, const Stretch& whole) {
+    if (notch.from == notch.to) return {whole, {whole.to, whole.to}};
+    return {Stretch{whole.from, std::min(whole.to, notch.from)}, {std::max(whole.from, notch.to), whole.to}};
+}
+
 }  // namespace
 
 MultiplierSpace::MultiplierSpace(const std::vector<double>& points) : nodes_(points), stable_(false) {
@@ -33,13 +43,14 @@ MultiplierSpace::MultiplierSpace(const std::vector<double>& points) : nodes_(poi
     }
 }
 
-MultiplierSpace::MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, double notch) {
+MultiplierSpace::MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
+                                 const Notch& notch) {
     split_into_branches(mesh, crack, notch);
     join_short_branches();
     for (Branch& branch : branches_) choose_vital(mesh, boundary, branch);
 }
 
-void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, double notch) {
+void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, const Notch& notch) {
     const auto tip_at = [&](double s) {
         return std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
             return tip.crack == crack && std::abs(tip.s - s) < rounding * (1.0 + std::abs(tip.s));
@@ -50,7 +61,7 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
         if (piece.crack != crack) continue;
         const auto& element = mesh.elements[at(piece.element)];
         const auto note = [&](double place, double s) {
-            if (place < 0.0 || s < notch || tip_at(s)) return;
+            if (place < 0.0 || (s > notch.from && s < notch.to) || tip_at(s)) return;
             const auto edge = static_cast<std::size_t>(place);
             const bool at_node = place == std::floor(place);
             std::vector<int> nodes;
@@ -59,21 +70,22 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, d
             branches_.back().crossings.push_back({s, std::move(nodes)});
         };
         for (std::size_t k = 0; k + 1 < piece.points.size(); ++k) {
-            const double s0 = std::max(piece.s[k], notch), s1 = piece.s[k + 1];
-            if (s1 <= s0) continue;
             const Vec2 tangent = (piece.points[k + 1] - piece.points[k]).normalized();
-            const bool gap = branches_.empty() || s0 - branches_.back().last_s > rounding * (1.0 + s0);
-            const bool kink = !gap && std::acos(std::clamp(tangent.dot(last_tangent), -1.0, 1.0)) > kink_angle;
-            if (gap || kink) {
-                const double size = diagonal(mesh, piece.element) / std::numbers::sqrt2;
-                branches_.push_back({s0, s0, tip_at(s0), false, size, {}, 0, 0});
-                if (k == 0) note(piece.entry, piece.s.front());
+            for (const auto& [s0, s1] : outside(notch, {piece.s[k], piece.s[k + 1]})) {
+                if (s1 <= s0) continue;
+                const bool gap = branches_.empty() || s0 - branches_.back().last_s > rounding * (1.0 + s0);
+                const bool kink = !gap && std::acos(std::clamp(tangent.dot(last_tangent), -1.0, 1.0)) > kink_angle;
+                if (gap || kink) {
+                    const double size = diagonal(mesh, piece.element) / std::numbers::sqrt2;
+                    branches_.push_back({s0, s0, tip_at(s0), false, size, {}, 0, 0});
+                    if (s0 == piece.s.front()) note(piece.entry, s0);
+                }
+                branches_.back().last_s = s1;
+                branches_.back().tip_at_end = tip_at(s1);
+                last_tangent = tangent;
             }
-            branches_.back().last_s = s1;
-            branches_.back().tip_at_end = tip_at(s1);
-            last_tangent = tangent;
         }
-        if (!branches_.empty()) note(piece.exit, piece.s.back());
+        if (!branches_.empty() && branches_.back().last_s == piece.s.back()) note(piece.exit, piece.s.back());
     }
 }
 

@@ -51,6 +51,14 @@ const StoppedRun growing{"Growing",
                           "growth.increment=0.3"},
                          27};
 
+/// A slot inside: growth at its first end leaves the slot behind, and before it are new faces.
+const StoppedRun slotted{"Slotted",
+                         {"mesh.grading=[{at=[[15.0,100.0],[25.0,100.0]],size=0.6,outer_size=1.2,radius=3.0}]",
+                          "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
+                          "crack.0.points=[[15.0,100.03],[25.0,100.03]]", "crack.0.notch=10.0",
+                          "load.blocks=[{cycles=4, max=80.0, ratio=-1.0}]", "growth.increment=0.4"},
+                         20};
+
 /// The same in fewer and larger elements and increments: one matrix takes its time.
 const StoppedRun small{"Small",
                        {mesh_at_tip(0.6), "mesh.size=12.5", "load.steps=6", "solver.tolerance=1e-12",
@@ -283,6 +291,9 @@ TEST_P(Resume, StopsWhereItMatters) {
             return now.step.ends_cycle && !now.cycles.empty() && !std::isnan(now.cycles[0].K_slip.at(1));
         }));
     }
+    if (name == "Slotted") {
+        EXPECT_GT(state.cracks.at(0).grown_at_start, 0.3);
+    }
     if (name == "Growing") {
         EXPECT_FALSE(state.zone.frozen_tips.empty());
     }
@@ -301,8 +312,8 @@ TEST(ResumedCrack, HasTheLargestKOfItsLength) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
-                         testing::Values(still, again, sliding, sliding_growing, extended, growing, small, within,
-                                         followed, halved, displaced, elastic, layered, loaded),
+                         testing::Values(still, again, sliding, sliding_growing, extended, growing, slotted, small,
+                                         within, followed, halved, displaced, elastic, layered, loaded),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
@@ -326,7 +337,7 @@ TEST_P(ResumeSharedZone, WithAnotherNumberOfRanksIsTheSameToRounding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scene, ResumeSharedZone,
-                         testing::Values(still, extended, growing, followed, sliding_growing, layered, loaded),
+                         testing::Values(still, extended, growing, slotted, followed, sliding_growing, layered, loaded),
                          testing::PrintToStringParamName());
 
 }  // namespace

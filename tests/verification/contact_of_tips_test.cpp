@@ -1,6 +1,8 @@
 // Opening loads and ways of tips: each its own faces and its own load, however the crack lies in the mesh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/support/sent_analysis.hpp"
@@ -81,6 +83,38 @@ TEST(ContactOfTips, OfAPlateIsThatOfItsHalf) {
     EXPECT_NEAR(whole.K_max, half.K_max, 1e-3 * half.K_max);
     for (const std::size_t d : {0U, 1U}) EXPECT_NEAR(whole.contact[d].K_op, half.contact[d].K_op, 0.004 * half.K_max);
     EXPECT_LT(half.contact[1].K_op, half.contact[0].K_op - 0.05 * half.K_max);
+}
+
+// A slot in the middle from whose ends a crack grows: the body and its load are symmetric. New faces touch at either
+// end and close there alike; those that are machined touch nowhere.
+TEST(ContactOfTips, BothEndsOfASlotCloseAlike) {
+    Case input = specimen("plate", 20.0, {{7.6, 10.2}, {12.4, 10.2}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 0.5;
+    input.material.yield_stress = 300.0;
+    input.material.kinematic = {{.C = 8000.0}};
+    input.cracks[0].contact = ContactSection{};
+    input.cracks[0].notch = 4.8;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 8, .blocks = {{.cycles = 3, .max = 100.0, .min = -50.0}}};
+    input.growth = GrowthSection{.increment = 0.5, .direction = GrowthDirection::Straight};
+    input.closure.distance = 0.5;
+    const RunHistory run = run_direct(input);
+    double most = 0.0;
+    for (const Followed& increment : run.increments) {
+        for (const coarse::CycleResult& end : increment.cycles)
+            EXPECT_NEAR(end.opening.K_op, increment.cycles[0].opening.K_op, 1e-3 * end.K_max) << increment.number;
+        std::array<double, 3> pressed{};  // left, machined, right: largest pressure, MPa
+        for (const coupling::FaceSample& face : increment.zone.faces) {
+            double& largest = pressed[face.x < 7.6 ? 0 : face.x < 12.4 ? 1 : 2];
+            largest = std::max(largest, face.pressure);
+        }
+        EXPECT_NEAR(pressed[0], pressed[2], 0.01 * pressed[0]) << increment.number;
+        EXPECT_EQ(pressed[1], 0.0) << increment.number;
+        most = std::max(most, pressed[0]);
+    }
+    EXPECT_GT(most, 50.0) << "MPa";
+    for (const coarse::CycleResult& end : last_cycle(run)) EXPECT_GT(end.opening.K_op, end.K_min + 0.3 * end.K_max);
 }
 
 // A crack along the diagonals of elements crosses no edge but at nodes, which reach into elements that it does not cut.

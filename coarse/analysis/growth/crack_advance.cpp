@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "coarse/model/tip_reach.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -37,6 +38,22 @@ double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
             nearest = std::min(nearest, way * (place - s));
     }
     return nearest;
+}
+
+/// The points of a crack, in the order that leads to a tip.
+std::vector<Vec2> from_other_end(const CrackSection& crack, const Tip& tip) {
+    std::vector<Vec2> way = crack.points;
+    if (tip.upper < 0) std::ranges::reverse(way);
+    return way;
+}
+
+/// From here on the crack runs along a `way` in that order. What lies at its other end stays where it is.
+void lead_along(CrackSection& crack, const Tip& tip, std::vector<Vec2> way) {
+    if (tip.upper < 0) {
+        std::ranges::reverse(way);
+        crack.grown_at_start += length_of(way) - length_of(crack.points);
+    }
+    crack.points = std::move(way);
 }
 
 }  // namespace
@@ -85,13 +102,11 @@ double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
 }
 
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {
-    const bool at_end = tip.upper > 0;
-    const Vec2 next = tip.position + increment * direction;
+    std::vector<Vec2> way = from_other_end(crack, tip);
     const bool straight = std::abs(tip.direction.x() * direction.y() - tip.direction.y() * direction.x()) < 1e-12;
-    if (!straight)
-        crack.points.insert(at_end ? crack.points.end() : crack.points.begin(), next);
-    else
-        (at_end ? crack.points.back() : crack.points.front()) = next;
+    if (straight) way.pop_back();
+    way.push_back(tip.position + increment * direction);
+    lead_along(crack, tip, std::move(way));
 }
 
 // Bends that lie beyond the edge, too, are left away.
@@ -99,8 +114,7 @@ bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip&
     constexpr double before_edge = 0.02, most_of_stretch = 0.9;  // elements; of the way since a bend
     const double element = tip_element_edge(mesh, tip);
     double back = behind_edge(mesh, tip) + before_edge * element;
-    std::vector<Vec2> way = longer.points;
-    if (tip.upper < 0) std::ranges::reverse(way);
+    std::vector<Vec2> way = from_other_end(longer, tip);
     const Vec2 end = way.back();
     way.pop_back();
     if (way.back() != tip.position || back > element) return false;
@@ -109,8 +123,7 @@ bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip&
         if (back <= most_of_stretch * stretch.norm()) {
             way.back() -= back * stretch.normalized();
             way.push_back(end);
-            if (tip.upper < 0) std::ranges::reverse(way);
-            longer.points = std::move(way);
+            lead_along(longer, tip, std::move(way));
             return true;
         }
         back = std::max(back - stretch.norm(), before_edge * element);

@@ -20,7 +20,7 @@ namespace {
 using fine::MultiplierSpace;
 
 MultiplierSpace space_of(const std::vector<Vec2>& crack, double notch = 0.0, int columns = 12, int rows = 6) {
-    return {plate_mesh(columns, rows, plate_case(crack)), {}, 0, notch};
+    return {plate_mesh(columns, rows, plate_case(crack)), {}, 0, Notch{0.0, notch}};
 }
 
 double sum_at(const MultiplierSpace& space, double s) {
@@ -113,7 +113,7 @@ TEST(MultiplierSpace, NoneStandsAtATip) {
 
 TEST(MultiplierSpace, CrossingsThatTheZoneSharesCarryNone) {
     const EnrichedMesh mesh = plate_mesh(6, 5, plate_case({{0.0, 2.4}, {4.3, 2.6}}));
-    const MultiplierSpace own(mesh, plate_patch(mesh).boundary, 0, 0.0), all(mesh, {}, 0, 0.0);
+    const MultiplierSpace own(mesh, plate_patch(mesh).boundary, 0, Notch()), all(mesh, {}, 0, Notch());
     EXPECT_EQ(own.size(), all.size() - 1);  // the mouth
     EXPECT_GT(own.nodes().front(), 0.5);
 }
@@ -128,7 +128,7 @@ TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
         if (mesh.nodes[at(node)].x() < 4.1) shared.insert(shared.end(), {unknown, unknown + 1});
     std::ranges::sort(shared);
     for (const double notch : {0.0, 1.0, 3.9, 4.05, 4.15, 4.25})
-        EXPECT_GT(least_weight(MultiplierSpace(mesh, shared, 0, notch), notch, 5.9), 0.0) << notch;
+        EXPECT_GT(least_weight(MultiplierSpace(mesh, shared, 0, Notch{0.0, notch}), notch, 5.9), 0.0) << notch;
 }
 
 // In through a node whose jump the zone shares, and a kink on the second crossing: the branch's end is as long as its
@@ -136,7 +136,7 @@ TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
 TEST(MultiplierSpace, TheLastOfTwoKeepsItsWeight) {
     const EnrichedMesh mesh = plate_mesh(12, 6, plate_case({{0.0, 3.0}, {2.0, 3.4}, {6.3, 2.4}}));
     const double kink = std::hypot(2.0, 0.4);
-    const MultiplierSpace space(mesh, plate_patch(mesh).boundary, 0, 0.0);
+    const MultiplierSpace space(mesh, plate_patch(mesh).boundary, 0, Notch());
     ASSERT_NEAR(space.nodes()[0], 0.5 * kink, 1e-12);
     ASSERT_NEAR(space.nodes()[1], kink, 1e-12);
     EXPECT_GT(least_weight(space, 0.0, kink), 0.2 * kink);
@@ -200,6 +200,30 @@ TEST(MultiplierSpace, ANotchCarriesNone) {
     EXPECT_EQ(sum_at(space, 4.6), 0.0);
     EXPECT_GE(space.nodes().front(), 4.7);
     for (const double s : {4.7, 5.0, 12.0}) EXPECT_NEAR(sum_at(space, s), 1.0, 1e-14);
+}
+
+// Growth at a crack's first point leaves its notch behind: in other elements, ending on one's edge, within one.
+TEST(MultiplierSpace, FacesBeforeANotchCarryThemToo) {
+    for (const Notch notch : {Notch{2.3, 4.7}, Notch{2.0, 5.0}, Notch{4.3, 4.6}}) {
+        const MultiplierSpace space(plate_mesh(12, 6, plate_case({{0.0, 2.4}, {12.0, 2.4}})), {}, 0, notch);
+        const double middle = 0.5 * (notch.from + notch.to);
+        EXPECT_EQ(sum_at(space, middle), 0.0);
+        for (const double s : {0.5, notch.from - 1e-3, notch.to + 1e-3, 11.5})
+            EXPECT_NEAR(sum_at(space, s), 1.0, 1e-14) << s;
+        EXPECT_NE(space.branch(1.0), space.branch(6.0));
+        EXPECT_TRUE(std::ranges::none_of(space.nodes(), [&](double s) { return s > notch.from && s < notch.to; }));
+        EXPECT_TRUE(std::ranges::is_sorted(space.nodes()));
+        for (const auto& [from, to] : {std::pair{0.0, notch.from}, {notch.to, 12.0}})
+            EXPECT_GT(least_weight(space, from, to), 0.1) << from;
+    }
+}
+
+TEST(MultiplierSpace, BothSidesOfANotchCarryThemAlike) {
+    const auto space = [](double from, double to) {
+        return MultiplierSpace(plate_mesh(12, 6, plate_case({{0.0, 2.4}, {12.0, 2.4}})), {}, 0, Notch{from, to});
+    };
+    EXPECT_EQ(space(4.6, 12.0).size(), space(0.0, 12.0 - 4.6).size());
+    EXPECT_EQ(space(4.6, 7.4).size(), 2 * space(4.6, 12.0).size());
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/crack/notch.hpp"
+
 namespace stria::coarse {
 namespace {
 
@@ -26,6 +28,29 @@ TEST(CrackAdvance, MovesTheFirstPointOfACrackThatStartsAtATip) {
     advance(crack, {.crack = 0, .position = {1.0, 1.0}, .direction = {-1.0, 0.0}, .s = 0.0, .upper = -1}, {-1.0, 0.0},
             0.25);
     EXPECT_EQ(crack.points.front(), Vec2(0.75, 1.0));
+    EXPECT_EQ(crack.grown_at_start, 0.25);
+}
+
+// A notch is an arc length from where the first point was.
+TEST(CrackAdvance, KnowsHowFarTheFirstPointHasMoved) {
+    CrackSection crack{.points = {{1.0, 1.0}, {2.0, 1.0}}, .contact = {}, .notch = 0.5};
+    const auto tip_at = [&](std::size_t point, int upper) {
+        const Vec2 before = crack.points[upper > 0 ? point - 1 : point + 1];
+        return Tip{.crack = 0,
+                   .position = crack.points[point],
+                   .direction = (crack.points[point] - before).normalized(),
+                   .s = 0.0,
+                   .upper = upper};
+    };
+    advance(crack, tip_at(1, 1), {1.0, 0.0}, 0.4);
+    EXPECT_EQ(crack.grown_at_start, 0.0) << "the other end";
+    advance(crack, tip_at(0, -1), {-1.0, 0.0}, 0.25);
+    advance(crack, tip_at(0, -1), {-0.8, 0.6}, 0.5);
+    advance(crack, tip_at(0, -1), {-0.8, 0.6}, 0.125);
+    EXPECT_EQ(crack.points.size(), 3U);
+    EXPECT_NEAR(crack.grown_at_start, 0.875, 1e-15);
+    const Notch notch = notch_of(crack, crack.grown_at_start);
+    EXPECT_TRUE(notch.holds(0.9) && notch.holds(1.37) && !notch.holds(0.87) && !notch.holds(1.38));
 }
 
 // Elements of 1 mm; the tip lies 0.3 mm along the crack beyond the edge y = 1 of the row that it has come from.
@@ -46,6 +71,7 @@ TEST(CrackAdvance, BendsBeforeTheEdgeThatItHasComeOver) {
         ASSERT_TRUE(bend_before_edge(crack, mesh, of_crack));
         EXPECT_LT((crack.points[1] - (tip - 0.32 * along)).norm(), 1e-12) << beyond;
         EXPECT_EQ(crack.points[2], end);
+        EXPECT_EQ(crack.grown_at_start, 0.0);
         EXPECT_FALSE(bend_before_edge(crack, mesh, of_crack)) << "it has gone straight on";
         const Vec2 bend = tip - 0.3 * along + Vec2(0.0, 0.1);  // beyond the edge
         CrackSection bent{.points = {bend - Vec2(0.0, 2.0), bend, tip, end}, .contact = {}};
