@@ -33,6 +33,22 @@ TEST(CrackGrowth, AnElasticBodyForgetsHowTheCrackCameThere) {
     EXPECT_NEAR(tip.CMOD, longer.tips[0].CMOD, 1e-9 * tip.CMOD);
 }
 
+// A tip on a node is held there by the mesh until it is a thousandth of an edge away.
+TEST(CrackGrowth, ShortStepsLeaveANode) {
+    for (const double increment : {0.0009, 0.0003}) {
+        Case input = specimen("plate", 40.0, {{0.0, 20.0}, {6.0, 20.0}});
+        input.mesh.width = 20.0;
+        input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+        input.load = {.steps = 2, .blocks = {{.cycles = 9, .max = 60.0, .min = 0.0}}};
+        input.growth = GrowthSection{.increment = increment, .direction = GrowthDirection::Straight};
+        double grown = 0.0;
+        for (const Followed& step : run_direct(input).increments)
+            for (const coarse::CycleResult& cycle : step.cycles) grown += cycle.da;
+        EXPECT_NEAR(grown, 8.0 * increment, 1e-3) << increment;
+        EXPECT_GT(grown, 0.0) << increment;
+    }
+}
+
 // So its faces part as soon as the load comes back, and bear none of it when it is gone.
 TEST(CrackGrowth, AnElasticBodyWhoseFacesTouchForgetsItToo) {
     Case input = edge_crack(0.3, 3.0, End::Pulled);

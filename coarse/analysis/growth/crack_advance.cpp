@@ -101,11 +101,21 @@ double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
     return std::numeric_limits<double>::infinity();
 }
 
+// By a node the mesh holds a tip on it (snapped_onto_mesh()). What it has been moved by along its way is owed to the
+// next advance, or short steps would not add up. A corner is where the mesh has it, or the way from there would lead
+// astray.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {
     std::vector<Vec2> way = from_other_end(crack, tip);
+    const double owed = (way.back() - tip.position).dot(direction);
+    const Vec2 next = tip.position + (increment + owed) * direction;
     const bool straight = std::abs(tip.direction.x() * direction.y() - tip.direction.y() * direction.x()) < 1e-12;
-    if (straight) way.pop_back();
-    way.push_back(tip.position + increment * direction);
+    if (!straight && way.size() > 2 && way[way.size() - 2] == tip.position) way.pop_back();  // it has not left it yet
+    if (!straight) {
+        way.back() = tip.position;
+        way.push_back(next);
+    } else {
+        way.back() = next;
+    }
     lead_along(crack, tip, std::move(way));
 }
 

@@ -34,7 +34,8 @@ inline constexpr double sharp_turn = std::numbers::pi / 18.0;
 /// Along a crack from its last sharp turn to a tip, mm; infinite where it has none.
 [[nodiscard]] double behind_sharp_turn(const CrackSection& crack, const Tip& tip);
 
-/// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves.
+/// Advances the end of a crack along a unit vector by `increment`, mm. On a straight crack its last point moves. Steps
+/// add up, however short beside what the mesh moves a tip by: `tip` is where the mesh has it.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment);
 
 /// Moves the bend that an advance has made at a tip of `mesh` back to a little before the edge over which the crack has

@@ -53,6 +53,25 @@ TEST(CrackAdvance, KnowsHowFarTheFirstPointHasMoved) {
     EXPECT_TRUE(notch.holds(0.9) && notch.holds(1.37) && !notch.holds(0.87) && !notch.holds(1.38));
 }
 
+// The mesh holds a tip on a node, 0.9 thousandths of an edge from where the crack ends.
+TEST(CrackAdvance, StepsShorterThanWhatANodePullsATipByAddUp) {
+    for (const int upper : {1, -1}) {
+        CrackSection crack{.points = {{0.0, 1.0}, {2.0, 1.0}}, .contact = {}};
+        if (upper < 0) std::swap(crack.points[0], crack.points[1]);
+        const Tip on_node{.crack = 0, .position = {2.0, 1.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = upper};
+        const auto end = [&] { return upper > 0 ? crack.points.back() : crack.points.front(); };
+        for (int step = 1; step <= 3; ++step) {
+            advance(crack, on_node, {1.0, 0.0}, 3e-4);
+            EXPECT_NEAR(end().x(), 2.0 + step * 3e-4, 1e-15);
+        }
+        const Vec2 along(0.8, 0.6);
+        for (int step = 1; step <= 2; ++step) advance(crack, on_node, along, 3e-4);
+        ASSERT_EQ(crack.points.size(), 3U) << "one corner, on the node";
+        EXPECT_EQ(crack.points[1], Vec2(2.0, 1.0));
+        EXPECT_LT((end() - Vec2(2.0, 1.0) - (0.8 * 9e-4 + 6e-4) * along).norm(), 1e-15);
+    }
+}
+
 // Elements of 1 mm; the tip lies 0.3 mm along the crack beyond the edge y = 1 of the row that it has come from.
 TEST(CrackAdvance, BendsBeforeTheEdgeThatItHasComeOver) {
     EnrichedMesh mesh;
