@@ -84,8 +84,9 @@ struct AnalysisState {
     GrowthIncrementMemory growth_increment;
     PeriodMemory growth_period;
     LifeMemory life;
-    std::vector<double> rate_at_turn;  // of tips that have just turned, else NaN, mm per cycle; empty: none has
-    std::vector<double> K_reached;     // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    std::vector<double> rate_at_turn;    // of tips that have just turned, else NaN, mm per cycle; empty: none has
+    std::vector<int> tips_without_room;  // that have been spoken of (RoomOfTips)
+    std::vector<double> K_reached;       // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
     ReachedExtremes extremes;
     DueGrowth due_growth;
     FaceRelease release;

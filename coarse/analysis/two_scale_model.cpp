@@ -31,7 +31,11 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
     std::optional<coupling::Patch> patch;
     if (body_.has_zone()) patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
     couple(patch, from);
-    if (from == nullptr) return;
+    if (from == nullptr) {
+        (void)room_.look_at(*rings_);  // what there is to say at the start has been said (case_warnings())
+        return;
+    }
+    room_ = RoomOfTips(from->tips_without_room);
     equilibrium_->restore(from->equilibrium);
     work_ = from->work;
 }
@@ -41,6 +45,7 @@ void TwoScaleModel::write(AnalysisState& state) const {
     state.load_factor = factors_.main;
     state.largest_force = largest_force_;
     state.work = work_;
+    state.tips_without_room = room_.known();
     state.equilibrium = equilibrium_->state();
 }
 
@@ -196,6 +201,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     find_far_where_some(in_zone);
     if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
     turn_to(in_zone, std::move(patch));
+    for (const std::string& warning : room_.look_at(*rings_)) note_("warning: " + warning);
     kept_far_.reset();
     if (far_ && !far_->is_of(body_.structure().factors().far.get())) find_far();  // lest two far parts stay
     if (increments) equilibrium_->restore(increments->added_to(equilibrium_->state(), body_.structure()));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coarse/analysis/growth/crack_growth.hpp"
+#include "coarse/analysis/growth/room_of_tips.hpp"
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"
@@ -77,8 +78,9 @@ private:
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::optional<StructureRings> rings_;  // of the present structure
-    Eigen::VectorXd displacement_;         // committed, of the whole mesh, mm; behind while increments are accepted:
-    bool is_behind_ = false;               // refresh_displacement()
+    RoomOfTips room_;
+    Eigen::VectorXd displacement_;  // committed, of the whole mesh, mm; behind while increments are accepted:
+    bool is_behind_ = false;        // refresh_displacement()
     using Far = std::shared_ptr<const FarDisplacement>;
     Far far_, kept_far_;          // what displacement_ lacks; and lacked when prepare_growth() was called
     bool is_kept_ = false;        // prepare_growth() has met a zone

@@ -99,7 +99,7 @@ std::optional<std::string> distance_warning(std::size_t tip, double distance, do
                        tip, distance, distance / element, element, to_distance, advice, with_room * element);
 }
 
-/// `small`: elements that would bear no function, mm; 0: they bear them whatever their size.
+/// `small`: elements that would bear no function, mm; 0: its own bear them whatever their size.
 std::string linear_warning(std::size_t tip, double small) {
     const std::string elements = small > 0.0 ? fmt::format(", and so do elements below {:.3g} mm", small) : "";
     return fmt::format("tip {}: nothing yields there, but what its functions leave behind as it grows holds the faces "
@@ -157,9 +157,8 @@ std::optional<std::string> bend_warning(const Scene& scene, std::size_t t) {
                        t, straight, straight / element, element, elements_to_bend);
 }
 
-/// Rings stay inside the body and clear of bends and other tips.
-std::optional<std::string> ring_warning(const Scene& scene, std::size_t t) {
-    const double radius = largest_ring(scene, static_cast<int>(t));
+/// Rings stay inside the body and clear of bends and other tips. `radius`: of the largest one, mm.
+std::optional<std::string> ring_warning(const Scene& scene, std::size_t t, double radius) {
     const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
     if (radius >= elements_in_ring * element) return std::nullopt;
     return fmt::format(
@@ -181,6 +180,10 @@ std::optional<std::string> metal_warning(const Scene& scene, std::size_t t) {
 
 }  // namespace
 
+std::optional<std::string> room_warning(const Scene& scene, std::size_t tip, double radius) {
+    return bend_warning(scene, tip) ? std::nullopt : ring_warning(scene, tip, radius);
+}
+
 double forward_zone(double K_I, double yield_stress, PlaneState plane) {
     return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.157) * length_of_flow(K_I, yield_stress);
 }
@@ -198,7 +201,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     };
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         std::optional<std::string> warning = bend_warning(scene, t);
-        if (!warning) warning = ring_warning(scene, t);
+        if (!warning) warning = ring_warning(scene, t, largest_ring(scene, static_cast<int>(t)));
         if (!warning) warning = metal_warning(scene, t);
         add(std::move(warning));
     }

@@ -1,6 +1,8 @@
 // Whether the mesh at the tips is fine enough for opening loads and growth: said before a run, not found out after it.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,5 +29,9 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
 /// (closure_distances): one per tip. Of zones nothing where nothing flows.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,
                                        const std::vector<double>& distance);
+
+/// Of these what growth may bring about: no ring of three elements about a tip. `radius`: of its largest ring, mm.
+/// Nothing where that is due to a bend behind it.
+std::optional<std::string> room_warning(const Scene& scene, std::size_t tip, double radius);
 
 }  // namespace stria::coarse

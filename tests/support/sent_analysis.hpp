@@ -38,6 +38,7 @@ struct RunHistory {
     std::vector<Followed> increments;
     std::vector<std::pair<coarse::LoadStep, coarse::NewtonReport>> attempts;
     std::vector<coarse::TipResult> nominal;  // elastic, for the load factor 1
+    std::vector<std::string> notes;          // lines for the log
     int cuts = 0, extensions = 0, yield_warnings = 0, mesh_splits = 0;
     std::int64_t full_checks = 0, checks_by_bound = 0;
     bool life_is_over = false;
@@ -75,6 +76,7 @@ inline RunHistory run_analysis(coarse::EquilibriumFactory& factory, const coarse
     listener.attempted = [&](const coarse::LoadStep& step, const coarse::NewtonReport& report) {
         history.attempts.emplace_back(step, report);
     };
+    listener.note = [&](const std::string& text) { history.notes.push_back(text); };
     coarse::FatigueAnalysis analysis(scene, factory, listener);
     analysis.run();
     history.life_is_over = analysis.life_is_over();

@@ -1,0 +1,77 @@
+// What a run says once its cracks have grown beyond what was said of the case at its start.
+#include <gtest/gtest.h>
+
+#include "coarse/zone/mesh_adequacy.hpp"
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+std::vector<std::string> notes_with(const std::vector<std::string>& notes, const std::string& words) {
+    std::vector<std::string> found;
+    for (const std::string& note : notes)
+        if (note.find(words) != std::string::npos) found.push_back(note);
+    return found;
+}
+
+/// Two edge cracks on one line, whose tips approach each other.
+Case approaching() {
+    Case input = specimen("plate", 20.0, {{0.0, 10.1}, {6.2, 10.1}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 0.5;
+    input.cracks.push_back(input.cracks[0]);
+    input.cracks[1].points = {{20.0, 10.1}, {13.8, 10.1}};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 2, .blocks = {{.cycles = 8, .max = 90.0, .min = 0.0}}};
+    input.growth = GrowthSection{.increment = 0.4};
+    return input;
+}
+
+TEST(SaidOfGrowth, NamesATipThatHasNoRoomAnyMoreOnce) {
+    const Case input = approaching();
+    const coarse::Scene scene = coarse::refined_scene(input);
+    EXPECT_TRUE(coarse::mesh_warnings(scene, {100.0, 100.0}, {1.0, 1.0}).empty()) << "there is room at the start";
+    const std::vector<std::string> notes = run_direct(input).notes;
+    for (const int tip : {0, 1}) {
+        const std::vector<std::string> of_tip =
+            notes_with(notes, fmt::format("warning: tip {}: the largest ring off edges", tip));
+        ASSERT_EQ(of_tip.size(), 1U) << tip;
+        EXPECT_NE(of_tip[0].find("elements of 0.5 mm; K and J want 3 or more"), std::string::npos) << of_tip[0];
+    }
+}
+
+TEST(SaidOfGrowth, IsNotSaidAgainOfWhatWasSaidAtTheStart) {
+    Case input = approaching();
+    input.cracks[0].points[1].x() = 8.45;
+    input.cracks[1].points[1].x() = 11.55;
+    input.growth->increment = 0.1;
+    input.load.blocks[0].cycles = 2;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    EXPECT_EQ(coarse::mesh_warnings(scene, {100.0, 100.0}, {1.0, 1.0}).size(), 2U);
+    const RunHistory run = run_direct(input);
+    EXPECT_NEAR(run.increments.back().tips[0].a, 8.65, 1e-3);
+    EXPECT_TRUE(notes_with(run.notes, "the largest ring").empty());
+}
+
+// The state remembers it.
+TEST(SaidOfGrowth, IsNotSaidAgainByARunThatGoesOn) {
+    const Case input = approaching();
+    const coarse::Scene scene = coarse::refined_scene(input);
+    std::vector<std::string> notes;
+    coarse::Listener listener;
+    listener.note = [&](const std::string& text) { notes.push_back(text); };
+    listener.reached = [&](const coarse::LoadStep& step) { return !(step.ends_cycle && step.cycle == 7); };
+    coarse::CondensedFactory first(nullptr, input), second(nullptr, input);
+    coarse::FatigueAnalysis begun(scene, first, listener);
+    begun.run();
+    EXPECT_EQ(notes_with(notes, "the largest ring").size(), 2U);
+    const coarse::AnalysisState state = begun.state();
+    coarse::FatigueAnalysis ended(scene, second, listener, &state);
+    ended.run();
+    EXPECT_TRUE(ended.finished());
+    EXPECT_EQ(notes_with(notes, "the largest ring").size(), 2U);
+}
+
+}  // namespace
+}  // namespace stria::test
