@@ -246,8 +246,7 @@ void members(auto& archive, Is<StillElements> auto& m) {
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
            cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period, life,
-           rate_at_turn, tips_without_room, K_reached, extremes, due_growth, release, load, work, equilibrium, zone] =
-        m;
+           rate_at_turn, without_room, K_reached, extremes, due_growth, release, load, work, equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -277,7 +276,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("growth_period", growth_period);
     archive("life", life);
     archive("rate_at_turn", rate_at_turn);
-    archive("tips_without_room", tips_without_room);
+    archive("tips_without_room", without_room);
     archive("K_reached", K_reached);
     archive("extremes", extremes);
     archive("due_growth", due_growth);

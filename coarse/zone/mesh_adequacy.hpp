@@ -24,7 +24,8 @@ double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
 /// ten in plane stress where it grows, with the `fine.refine` that would do; per tip whose distance of closure spans
 /// fewer than 1.2 elements; per tip that grows by two elements or more, or by one and a part, at a time, or in plane
 /// stress by more than a tenth of its zone and beyond the distance of closure; per tip that grows by its closure in
-/// plane strain; and per tip that grows between faces that may touch where nothing yields, and leaves functions
+/// plane strain; one for functions that stand at tips with elements small enough for none because others have larger
+/// ones; and per tip that grows between faces that may touch where nothing yields, and leaves functions
 /// behind. `K_I`, MPa sqrt(mm), of the cycles that opening loads are asked of (common_K_I), `distance`, mm, of closure
 /// (closure_distances): one per tip. Of zones nothing where nothing flows.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,

@@ -73,5 +73,21 @@ TEST(SaidOfGrowth, IsNotSaidAgainByARunThatGoesOn) {
     EXPECT_EQ(notes_with(notes, "the largest ring").size(), 2U);
 }
 
+// A crack of 4.85 mm through elements of 0.1 mm.
+TEST(SaidOfGrowth, SaysWhereFunctionsStandNoLonger) {
+    Case input = specimen("sent", 40.0, {{0.0, 20.05}, {4.85, 20.05}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 2.0;
+    input.mesh.grading = {
+        {.at = {{4.8, 20.02}, {5.2, 20.02}}, .size = 0.1, .outer_size = 0.2, .radius = 0.5, .growth = 0.3}};
+    input.cracks[0].contact = ContactSection{};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 2, .blocks = {{.cycles = 5, .max = 60.0, .min = 0.0}}};
+    input.growth = GrowthSection{.increment = 0.1, .direction = GrowthDirection::Straight};
+    EXPECT_EQ(notes_with(run_direct(input).notes, "warning: from here on no function stands at the tips").size(), 1U);
+    input.fine.enrichment = Enrichment::None;
+    EXPECT_TRUE(notes_with(run_direct(input).notes, "from here on").empty());
+}
+
 }  // namespace
 }  // namespace stria::test

@@ -8,6 +8,7 @@
 #include "coarse/analysis/growth/K_at_extremes.hpp"
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
+#include "coarse/analysis/growth/growth_texts.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/model/tip_reach.hpp"
@@ -70,6 +71,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
         grown = along_first_of(body, ways(present, guides, last));
         if (grown.longer) note_turns(body, *grown.longer, guides, last);
+        if (grown.longer) note_functions(present.enriched, grown.longer->enriched);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
@@ -141,10 +143,7 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
         if (std::abs(turn_of(tips[t], longer)) <= sharp_turn) continue;
         const std::vector<Vec2>& points = longer[at(tips[t].crack)].points;
         const double grows = ((tips[t].upper > 0 ? points.back() : points.front()) - tips[t].position).norm();
-        if (grows < elements_behind_turn * elements[t])
-            note_(fmt::format("warning: tip {} turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} "
-                              "mm: its K is not resolved until it is as far behind the bend",
-                              t, grows, elements[t]));
+        if (grows < elements_behind_turn * elements[t]) note_(turns_sharply(t, grows, elements[t]));
     }
 }
 
@@ -161,6 +160,11 @@ void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const
             rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle));
         if (t == fastest_of(rates)) life_.turn(rate_at_turn_[t]);
     }
+}
+
+void CrackGrowth::note_functions(const EnrichedMesh& before, const EnrichedMesh& longer) const {
+    const bool stand = longer.tip_functions > 0;
+    if (stand != (before.tip_functions > 0)) note_(functions_change(stand));
 }
 
 // What drives the tips has been measured.
@@ -209,8 +213,7 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
     }
     require_drive(tip_rates(), last);
     if (tip_rates().empty() || is_driven()) return false;
-    note_(fmt::format("nothing drives a tip any more: the crack is arrested{}",
-                      varies_ && !takes_mean_ ? ", by the last cycle of a load that varies (growth.every = 1)" : ""));
+    note_(is_arrested(varies_ && !takes_mean_));
     return true;
 }
 

@@ -87,6 +87,8 @@ private:
     [[nodiscard]] std::vector<double> tip_rates() const;
     /// Where a tip stands, at the end of a cycle.
     [[nodiscard]] static GrownTip grown_tip(const Scene& present, std::size_t t);
+    /// Where functions come to stand at the tips, or stand there no longer.
+    void note_functions(const EnrichedMesh& before, const EnrichedMesh& longer) const;
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 

@@ -232,5 +232,34 @@ TEST_F(Advice, NamesWhatALinearBodyLeavesBehind) {
     EXPECT_TRUE(at(600.0).empty());
 }
 
+// Elements of a tenth at both tips; one crack is fifty of them long, the other is not.
+TEST_F(Advice, NamesATipThatPutsFunctionsAtAnotherOne) {
+    input = specimen("plate", 40.0, {{0.0, 10.05}, {6.05, 10.05}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 1.0;
+    input.cracks.push_back({.points = {{20.0, 30.05}, {18.0, 30.05}}, .contact = ContactSection{}});
+    for (const Vec2& tip : {Vec2(6.0, 10.02), Vec2(18.0, 30.02)})
+        input.mesh.grading.push_back({.at = {tip}, .size = 0.1, .outer_size = 0.1, .radius = 0.6, .growth = 0.3});
+    input.cracks[0].contact = ContactSection{};
+    input.growth = GrowthSection{.increment = 0.1};
+    const auto named = [&] {
+        const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
+        const std::vector<std::string> all =
+            coarse::mesh_warnings(coarse::make_scene(input, mesh), {100.0, 100.0}, {1.0, 1.0});
+        return std::ranges::count_if(all, [](const std::string& warning) {
+            return warning.starts_with("tip 1: its elements of 0.0979 mm are larger than a fiftieth of its crack") &&
+                   warning.find("at tip 0, too") != std::string::npos &&
+                   warning.find("or elements below 0.04 mm at tip 1") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(named(), 1);
+    input.fine.enrichment = Enrichment::None;
+    EXPECT_EQ(named(), 0);
+    input.fine.enrichment = Enrichment::Auto;
+    input.cracks.pop_back();
+    input.mesh.grading.pop_back();
+    EXPECT_EQ(named(), 0);
+}
+
 }  // namespace
 }  // namespace stria::test

@@ -1,0 +1,27 @@
+#include "coarse/analysis/growth/growth_texts.hpp"
+
+#include <fmt/format.h>
+
+namespace stria::coarse {
+
+std::string turns_sharply(std::size_t tip, double grows, double element) {
+    return fmt::format(
+        "warning: tip {} turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} mm: its K "
+        "is not resolved until it is as far behind the bend",
+        tip, grows, element);
+}
+
+std::string functions_change(bool stand) {
+    return fmt::format(
+        "warning: from here on {} at the tips: {}all of their elements are smaller than a fiftieth of "
+        "their cracks (fine.enrichment = \"auto\"). Opening loads leap, by some hundredths of K_max in a "
+        "trial; with fine.enrichment = \"none\" from the start they do not",
+        stand ? "functions stand" : "no function stands", stand ? "not " : "");
+}
+
+std::string is_arrested(bool by_last_cycle) {
+    return fmt::format("nothing drives a tip any more: the crack is arrested{}",
+                       by_last_cycle ? ", by the last cycle of a load that varies (growth.every = 1)" : "");
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,19 @@
+// Sentences of a run about its growth.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace stria::coarse {
+
+/// A tip that `grows` by so much behind a sharp turn, less than two elements of this edge, mm.
+[[nodiscard]] std::string turns_sharply(std::size_t tip, double grows, double element);
+
+/// With fine.enrichment = "auto" cracks become so long that elements at their tips are small beside them.
+/// `stand`: functions do at the tips from there on, or do no longer.
+[[nodiscard]] std::string functions_change(bool stand);
+
+/// No tip is driven: `by_last_cycle` of a load that varies, of which others may drive one.
+[[nodiscard]] std::string is_arrested(bool by_last_cycle);
+
+}  // namespace stria::coarse
