@@ -30,9 +30,9 @@ void require_near(const Mesh& mesh, const std::vector<CrackSection>& cracks) {
     for (std::size_t c = 0; c < cracks.size(); ++c) {
         for (const Vec2& point : cracks[c].points) {
             if (point.lpNorm<Eigen::Infinity>() > farthest)
-                throw CaseError(fmt::format("crack[{}].points: ({}, {}) is too far from the body; a mouth may lie just "
+                throw CaseError(fmt::format("crack.{}.points: ({}, {}) is too far from the body; a mouth may lie just "
                                             "outside of it",
-                                            c + 1, point.x(), point.y()));
+                                            c, point.x(), point.y()));
         }
     }
 }
@@ -48,13 +48,13 @@ void require_room(const Mesh& mesh, const EnrichedMesh& enriched, int refined) {
                                         "body, at least {:.3g} mm",
                                         refined, edge, least));
         if (length < edge)
-            throw CaseError(fmt::format("crack[{}].points: the crack is {:.4g} mm long in the body, less than an "
+            throw CaseError(fmt::format("crack.{}.points: the crack is {:.4g} mm long in the body, less than an "
                                         "element at its tip, {:.4g} mm; {}",
-                                        tip.crack + 1, length, edge, advice));
+                                        tip.crack, length, edge, advice));
         if (distance < edge)
-            throw CaseError(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
+            throw CaseError(fmt::format("crack.{}.points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from the boundary, "
                                         "less than an element, {:.4g} mm; a mouth lies on or outside of it; {}",
-                                        tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
+                                        tip.crack, tip.position.x(), tip.position.y(), distance, edge, advice));
     }
 }
 
@@ -63,18 +63,18 @@ void require_room_beside_loads(const Mesh& mesh, const EnrichedMesh& enriched, c
         const double edge = tip_element_edge(enriched, tip) / refined;
         const double distance = distance_to_loads(mesh, loads, tip.position);
         if (distance < edge)
-            throw CrackOffMesh(fmt::format("crack[{}].points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from a node "
+            throw CrackOffMesh(fmt::format("crack.{}.points: the tip at ({:.6g}, {:.6g}) is {:.4g} mm from a node "
                                            "that is loaded or held, less than an element, {:.4g} mm; {}",
-                                           tip.crack + 1, tip.position.x(), tip.position.y(), distance, edge, advice));
+                                           tip.crack, tip.position.x(), tip.position.y(), distance, edge, advice));
     }
 }
 
 void require_tips(const EnrichedMesh& enriched, int cracks) {
     for (int crack = 0; crack < cracks; ++crack) {
         if (std::ranges::count(enriched.tips, crack, &Tip::crack) > 0) continue;
-        throw CaseError(fmt::format("crack[{}].points: the crack cuts through from boundary to boundary; one of "
+        throw CaseError(fmt::format("crack.{}.points: the crack cuts through from boundary to boundary; one of "
                                     "its ends must lie strictly inside",
-                                    crack + 1));
+                                    crack));
     }
 }
 

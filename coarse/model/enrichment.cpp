@@ -78,13 +78,13 @@ private:
                 if (cracks.size() > 1) {
                     throw CaseError(fmt::format(
                         "crack {}: near ({}, {}) it is less than two elements from crack {}; use smaller elements",
-                        *cracks.rbegin() + 1, x.x(), x.y(), *cracks.begin() + 1));
+                        *cracks.rbegin(), x.x(), x.y(), *cracks.begin()));
                 }
                 if (heaviside) continue;
                 if (last_tip >= 0 && last_tip != term.owner) {
                     throw CaseError(fmt::format(
                         "crack {}: near ({}, {}) its two tips are less than two elements apart; use smaller elements",
-                        *cracks.begin() + 1, x.x(), x.y()));
+                        *cracks.begin(), x.x(), x.y()));
                 }
                 last_tip = term.owner;
             }
@@ -134,7 +134,7 @@ private:
             throw CaseError(
                 fmt::format("crack {}: it is less than two elements long, and without tip functions none of "
                             "it opens; use smaller elements there",
-                            crack + 1));
+                            crack));
         const int tips = int(path.tip_at_start) + int(path.tip_at_end);
         sides.put_on_elements(std::span(result_.tips).last(at(tips)), result_.element_side);
         met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());
@@ -178,7 +178,7 @@ private:
         if (into.dot(tip.direction) >= 0.0 && std::ranges::none_of(path.pieces, hooks)) return;
         throw CrackOffMesh(fmt::format("crack {}: it turns by more than 90 degrees within two elements of its tip at "
                                        "({:.6g}, {:.6g}); use smaller elements there",
-                                       tip.crack + 1, tip.position.x(), tip.position.y()));
+                                       tip.crack, tip.position.x(), tip.position.y()));
     }
 
     void note_met_edges(const CrackPath& path) {

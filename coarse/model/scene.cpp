@@ -89,10 +89,10 @@ public:
     void hold(std::map<int, double>& prescribed) const {
         for (const auto& [unknown, term] : moved_) {
             if (!own_face_.contains(unknown) && term.crack >= 0 && lies_on(mesh_, term.crack, term.node))
-                throw CaseError(fmt::format("boundary: a support ends at ({:.6g}, {:.6g}), where crack[{}] begins, on "
+                throw CaseError(fmt::format("boundary: a support ends at ({:.6g}, {:.6g}), where crack {} begins, on "
                                             "the right of the crack's points; give them in reverse order",
                                             mesh_.nodes[at(term.node)].x(), mesh_.nodes[at(term.node)].y(),
-                                            term.crack + 1));
+                                            term.crack));
             prescribed[unknown] = 0.0;
         }
     }

@@ -135,7 +135,7 @@ Mesh make_mesh(const MeshSection& section, const std::vector<CrackSection>& crac
     const Body body = specimen.body(section);
     Mesh mesh = mesh_with_points(specimen, section, lines_of(regions), points_in(body, boundaries));
     for (std::size_t k = 0; k < cracks.size(); ++k) {
-        const std::string key = fmt::format("crack[{}].points", k + 1);
+        const std::string key = fmt::format("crack.{}.points", k);
         validate(cracks[k], key, body);
         spare_insert(cracks[k], key, mesh);
     }

@@ -29,7 +29,7 @@ bool holds(const std::vector<Vec2>& polygon, const Vec2& x) {
     return inside;
 }
 
-/// The elements of the k-th region, counted from 1, ascending.
+/// The elements of the k-th region, counted from 0, ascending.
 std::vector<int> elements_of(const Mesh& mesh, const RegionSection& region, int k) {
     if (!region.group) {
         const std::vector<Vec2> polygon = polygon_of(region);
@@ -41,7 +41,7 @@ std::vector<int> elements_of(const Mesh& mesh, const RegionSection& region, int 
     if (const auto found = mesh.groups.find(*region.group); found != mesh.groups.end()) return found->second;
     std::string names;
     for (const auto& [name, elements] : mesh.groups) names += (names.empty() ? "" : ", ") + name;
-    throw CaseError(fmt::format("region[{}].group: \"{}\" is no group of elements of the mesh, available: {}", k,
+    throw CaseError(fmt::format("region.{}.group: \"{}\" is no group of elements of the mesh, available: {}", k,
                                 *region.group, names.empty() ? "none" : names));
 }
 
@@ -79,19 +79,19 @@ void keep_each_once(MeshLines& lines) {
 
 std::vector<int> materials_of_elements(const Mesh& mesh, const std::vector<RegionSection>& regions) {
     std::vector<int> material(regions.empty() ? 0 : mesh.elements.size(), 0);
-    for (int k = 1; k <= std::ssize(regions); ++k) {
-        const RegionSection& region = regions[at(k - 1)];
+    for (int k = 0; k < std::ssize(regions); ++k) {
+        const RegionSection& region = regions[at(k)];
         const std::vector<int> elements = elements_of(mesh, region, k);
         for (const int e : elements) {
             const Vec2 middle = centre(mesh, e);
             if (material[at(e)] > 0)
-                throw CaseError(fmt::format("region[{}].{}: overlaps region {} near ({:.6g}, {:.6g})", k,
-                                            region.group ? "group" : "outline", material[at(e)], middle.x(),
+                throw CaseError(fmt::format("region.{}.{}: overlaps region {} near ({:.6g}, {:.6g})", k,
+                                            region.group ? "group" : "outline", material[at(e)] - 1, middle.x(),
                                             middle.y()));
-            material[at(e)] = k;
+            material[at(e)] = k + 1;
         }
         if (elements.empty())
-            throw CaseError(fmt::format("region[{}].outline: holds no element of the mesh: it lies outside the body, "
+            throw CaseError(fmt::format("region.{}.outline: holds no element of the mesh: it lies outside the body, "
                                         "or is smaller than the elements there",
                                         k));
     }
@@ -107,7 +107,7 @@ std::vector<std::string> region_warnings(const Mesh& mesh, const std::vector<Reg
         if (count > 0)
             warnings.push_back(fmt::format("region {}: its outline runs through {} elements; each is of the material "
                                            "at its centre, so the interface has steps",
-                                           k + 1, count));
+                                           k, count));
     }
     return warnings;
 }

@@ -61,7 +61,7 @@ void validate(const MeshSection& section, const Body& body) {
     require_positive("mesh.height", body.high.y() - body.low.y());
     require_positive("mesh.size", section.size);
     for (std::size_t k = 0; k < section.grading.size(); ++k) {
-        validate(section.grading[k], fmt::format("mesh.grading[{}]", k + 1), body);
+        validate(section.grading[k], fmt::format("mesh.grading.{}", k), body);
     }
 }
 

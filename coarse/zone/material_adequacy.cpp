@@ -68,7 +68,7 @@ std::vector<std::string> material_warnings(const Case& input) {
     };
     look_at("material", input.material);
     for (std::size_t k = 0; k < input.regions.size(); ++k)
-        look_at(fmt::format("region[{}].material", k + 1), input.regions[k].material);
+        look_at(fmt::format("region.{}.material", k), input.regions[k].material);
     return warnings;
 }
 

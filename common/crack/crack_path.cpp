@@ -30,7 +30,7 @@ public:
         path.tip_at_end = inside_body(points_.back());
         drop_slivers_at_tips(path);
         if (crossings_.empty()) {
-            if (!path.tip_at_start) throw CaseError(fmt::format("crack {}: it does not meet the body", crack_ + 1));
+            if (!path.tip_at_start) throw CaseError(fmt::format("crack {}: it does not meet the body", crack_));
             path.pieces.push_back(piece(nullptr, nullptr));
         } else {
             append_pieces(path);
@@ -71,7 +71,7 @@ private:
             if (auto next = between(crossings_[k], crossings_[k + 1])) path.pieces.push_back(std::move(*next));
         }
         if (path.tip_at_end && !ends_on_edge_) path.pieces.push_back(piece(&crossings_.back(), nullptr));
-        if (path.pieces.empty()) throw CaseError(fmt::format("crack {}: it does not meet the body", crack_ + 1));
+        if (path.pieces.empty()) throw CaseError(fmt::format("crack {}: it does not meet the body", crack_));
     }
 
     std::optional<CrackPiece> between(const Crossing& a, const Crossing& b) {
@@ -108,7 +108,7 @@ private:
         throw CrackOffMesh(
             fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
                         "change the mesh size a little",
-                        crack_ + 1, x.x(), x.y()));
+                        crack_, x.x(), x.y()));
     }
 
     // To rounding, whichever side an ulp puts it on.
@@ -155,7 +155,7 @@ private:
             if (inside == 0) refuse_partial_edge(middle);  // and then leaves it, or it would be one of the above
         }
         throw CaseError(
-            fmt::format("crack {}: no element holds the crack near ({}, {})", crack_ + 1, middle.x(), middle.y()));
+            fmt::format("crack {}: no element holds the crack near ({}, {})", crack_, middle.x(), middle.y()));
     }
 
     CrackPiece make_piece(int e, const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const Crossing* a,
@@ -192,15 +192,15 @@ private:
             if (path.pieces[k + 1].s.front() - path.pieces[k].s.back() <= 1e-9 * path.length) continue;
             throw CaseError(fmt::format("crack {}: at ({:.6g}, {:.6g}) it leaves the body and comes back; give the "
                                         "parts as cracks of their own",
-                                        crack_ + 1, x.x(), x.y()));
+                                        crack_, x.x(), x.y()));
         }
         std::set<int> crossed;
         for (const CrackPiece& p : path.pieces) {
             if (p.neighbour >= 0) continue;
             if (!crossed.insert(p.element).second) {
                 throw CrackOffMesh(
-                    fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there",
-                                crack_ + 1, p.points[0].x(), p.points[0].y()));
+                    fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there", crack_,
+                                p.points[0].x(), p.points[0].y()));
             }
         }
     }
@@ -226,7 +226,7 @@ void refuse_turning_back(int crack, const std::vector<Vec2>& points) {
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {
         if ((points[k] - points[k - 1]).dot(points[k + 1] - points[k]) >= 0.0) continue;
         throw CaseError(fmt::format("crack {}: at ({}, {}) it turns by more than 90 degrees, it may go on by up to 90",
-                                    crack + 1, points[k].x(), points[k].y()));
+                                    crack, points[k].x(), points[k].y()));
     }
 }
 

@@ -267,17 +267,17 @@ TEST(MeshFiles, CracksKnowTheHole) {
     Case input = plate_with_hole(5.0, 1);
     input.cracks[0].points = {{-10.0, 0.0}, {10.0, 0.0}};
     EXPECT_EQ(complaint_about(input),
-              "crack 1: at (-5, 0) it leaves the body and comes back; give the parts as cracks of "
+              "crack 0: at (-5, 0) it leaves the body and comes back; give the parts as cracks of "
               "their own");
     input.cracks[0].points = {{-1.0, 0.0}, {1.0, 0.0}};
-    EXPECT_EQ(complaint_about(input), "crack 1: it does not meet the body");
+    EXPECT_EQ(complaint_about(input), "crack 0: it does not meet the body");
     const double angle = 0.52;
     input.cracks[0].points = {5.0 * Vec2(std::cos(angle), std::sin(angle)), {10.0, 5.0}};
     EXPECT_NE(complaint_about(input).find("a mouth lies on or outside of it"), std::string::npos);
     input.cracks[0].points.front() *= 0.98;
     input.boundaries[0].on = "Top";
     EXPECT_EQ(complaint_about(input),
-              "boundary[1].on: \"Top\" is not a boundary of the mesh, available: bottom, hole, top, unnamed, point");
+              "boundary.0.on: \"Top\" is not a boundary of the mesh, available: bottom, hole, top, unnamed, point");
 }
 
 // Newman's collocation, docs/references.md 2.8: K over stress sqrt(pi (R + L)) there.

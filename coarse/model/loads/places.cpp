@@ -25,7 +25,7 @@ int node_of_point(const Mesh& mesh, const Vec2& point, const std::string& key) {
 
 }  // namespace
 
-std::string key_of(std::size_t section) { return fmt::format("boundary[{}]", section + 1); }
+std::string key_of(std::size_t section) { return fmt::format("boundary.{}", section); }
 
 Vec2 displacement_of(const BoundarySection& section) {
     return {section.displacement[0].value_or(0.0), section.displacement[1].value_or(0.0)};

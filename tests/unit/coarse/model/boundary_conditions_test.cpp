@@ -116,10 +116,10 @@ TEST(Boundaries, PrescribeEachNodeOnce) {
 TEST(Boundaries, RefuseWhatMakesNoSense) {
     EXPECT_TRUE(mentions(refusal({traction_on("tpo", 1.0, 0.0)}), "available: bottom, left, right, top, point"));
     EXPECT_TRUE(mentions(refusal({held_at(1.1, 0.0, 0.0, 0.0)}), "the nearest is (1, 0)"));
-    EXPECT_TRUE(mentions(refusal({held("bottom", 0.0, 0.0), held("left", 1.0, {})}), "boundary[2].displacement"));
+    EXPECT_TRUE(mentions(refusal({held("bottom", 0.0, 0.0), held("left", 1.0, {})}), "boundary.1.displacement"));
     BoundarySection section = traction_on("top", 0.0, 1.0);
     section.force = Vec2(1.0, 0.0);
-    EXPECT_TRUE(mentions(refusal({section}), "boundary[1].force"));
+    EXPECT_TRUE(mentions(refusal({section}), "boundary.0.force"));
     section = at_point(0.0, 0.0);
     section.traction = Vec2(1.0, 0.0);
     EXPECT_TRUE(mentions(refusal({section}), "give it a force"));

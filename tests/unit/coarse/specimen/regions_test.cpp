@@ -70,7 +70,7 @@ TEST(Regions, ObliqueOutlinesHaveStepsAndSaySo) {
     const Mesh mesh = make_mesh(plate(0.9), {}, regions);
     const std::vector<std::string> warnings = region_warnings(mesh, regions);
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings[0].find("region 1: its outline runs through"), std::string::npos);
+    EXPECT_NE(warnings[0].find("region 0: its outline runs through"), std::string::npos);
     const std::vector<int> material = materials_of_elements(mesh, regions);
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         if (const double x = centre(mesh, e).sum(); std::abs(x - 10.0) > 1e-9) {
@@ -98,19 +98,19 @@ TEST(Regions, MayBeGroupsOfTheMesh) {
     other.group = "cast";
     EXPECT_EQ(materials_of_elements(mesh, {weld}), (std::vector<int>{0, 1, 0, 1}));
     EXPECT_TRUE(region_warnings(mesh, {weld}).empty());
-    EXPECT_EQ(complaint(mesh, {all, weld}), "region[2].group: overlaps region 1 near (7.5, 2.5)");
+    EXPECT_EQ(complaint(mesh, {all, weld}), "region.1.group: overlaps region 0 near (7.5, 2.5)");
     EXPECT_EQ(complaint(mesh, {other}),
-              "region[1].group: \"cast\" is no group of elements of the mesh, available: all, weld");
+              "region.0.group: \"cast\" is no group of elements of the mesh, available: all, weld");
 }
 
 TEST(Regions, MustHoldElementsAndNotOverlap) {
     const Mesh mesh = make_mesh(plate(1.0), {});
     EXPECT_TRUE(materials_of_elements(mesh, {}).empty());
     EXPECT_EQ(complaint(mesh, {region({{1.0, 1.0}, {3.0, 3.0}})}), "none");
-    EXPECT_NE(complaint(mesh, {region({{11.0, 1.0}, {13.0, 3.0}})}).find("region[1].outline: holds no element"),
+    EXPECT_NE(complaint(mesh, {region({{11.0, 1.0}, {13.0, 3.0}})}).find("region.0.outline: holds no element"),
               std::string::npos);
     EXPECT_NE(complaint(mesh, {region({{1.0, 1.0}, {3.0, 3.0}}), region({{2.0, 2.0}, {4.0, 4.0}})})
-                  .find("region[2].outline: overlaps region 1 near (2.5, 2.5)"),
+                  .find("region.1.outline: overlaps region 0 near (2.5, 2.5)"),
               std::string::npos);
 }
 

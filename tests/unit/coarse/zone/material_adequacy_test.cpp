@@ -94,7 +94,7 @@ TEST(MaterialAdequacy, NamesTheRegion) {
     input.regions.resize(2);
     input.regions[0].material = input.regions[1].material = input.material;
     input.regions[1].material.young = 1e9;
-    EXPECT_TRUE(warning_of(input).starts_with("region[2].material: ")) << warning_of(input);
+    EXPECT_TRUE(warning_of(input).starts_with("region.1.material: ")) << warning_of(input);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(RefinedScene, LooksForRoomBeforeItResolvesLoads) {
         static_cast<void>(refined_scene(input));
         FAIL();
     } catch (const CaseError& error) {
-        EXPECT_NE(std::string(error.what()).find("crack[1].points"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("crack.0.points"), std::string::npos) << error.what();
     }
 }
 
