@@ -54,8 +54,8 @@ void fields(auto& wire, Is<TiedNode> auto& m) {
 void fields(auto& wire, Is<EnrichedMesh> auto& m) {
     auto& [nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, mouths, grown_at_start,
            tip_exponent, tip_functions, terms, element_side, branch, tied, first_unknown, first_gathered, unknowns] = m;
-    wire(nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, mouths, grown_at_start, tip_exponent,
-         tip_functions, terms, element_side, branch, tied, first_unknown, first_gathered, unknowns);
+    wire(nodes, elements, node_ids, element_ids, material, pieces, tips, left_tips, mouths, grown_at_start,
+         tip_exponent, tip_functions, terms, element_side, branch, tied, first_unknown, first_gathered, unknowns);
 }
 
 void fields(auto& wire, Is<TipMoves> auto& m) {
