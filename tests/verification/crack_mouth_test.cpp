@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "tests/support/pulled_plate.hpp"
 #include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
 
 namespace stria::test {
 namespace {
@@ -36,6 +39,22 @@ TEST(CrackMouth, OpensAsMuchWhereZoneOrStructureHoldsIt) {
                 EXPECT_NEAR(tip.opening / held_by_zone.opening, 1.0, tolerance) << plastic << contact << from_the_tip;
             }
     }
+}
+
+// docs/references.md 2.1. On elements half as large the openings change by 0.4 % at most.
+TEST(CrackMouth, OpensAsTheHandbookSaysOfEdgeCracks) {
+    constexpr double stated = 0.01, mesh = 0.01;
+    for (const double x : {0.1, 0.3, 0.5, 0.7})
+        for (const bool flows : {false, true}) {
+            Case input = edge_crack(x, 4.0, End::Pulled);
+            input.mesh.size = 1.0 / 40.0;
+            if (flows) input.material.yield_stress = 300.0;
+            input.load.blocks = {{.cycles = 1, .max = 1.0, .min = 0.5}};
+            input.load.steps = 2;
+            const double c = std::cos(std::numbers::pi * x / 2.0), V = (1.46 + 3.42 * (1.0 - c)) / (c * c);
+            const double CMOD = run_direct(input).increments.front().tips.at(0).CMOD;
+            EXPECT_NEAR(CMOD * plane_modulus / (4.0 * x * V), 1.0, stated + mesh) << x << flows;
+        }
 }
 
 }  // namespace
