@@ -79,8 +79,8 @@ void FatigueAnalysis::run() {
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
         controller_.accepted(openings(accepted_.tips), closure_.met());
-        if (controller_.misses_accuracy_by() && !std::exchange(told_of_accuracy_, true))
-            listener_.note(misses_accuracy(*controller_.misses_accuracy_by(), body_.scene().input.load.accuracy));
+        if (const std::optional<double> off = controller_.take_missed_accuracy())
+            listener_.note(misses_accuracy(*off, body_.scene().input.load.accuracy));
         if (growth_ && growth_->is_due(accepted_)) due_growth_ = {true, step->cycle, step->moment};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;

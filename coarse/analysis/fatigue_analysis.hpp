@@ -88,7 +88,6 @@ private:
     DueGrowth due_growth_;
     std::optional<AnalysisState> before_growth_;  // of a growth that has failed: the last state that is whole
     FaceRelease release_;
-    bool told_of_accuracy_ = false;
     TwoScaleModel model_;
 };
 

@@ -68,10 +68,10 @@ std::string work_out_of_balance(const WorkBalance& work) {
 
 std::string misses_accuracy(double off, double accuracy) {
     return fmt::format(
-        "warning: load.accuracy = {:g} is not kept: with as many increments as are chosen at most, a half "
-        "cycle is off by {:.2g} % of the range of the opening, by its estimate; more of them "
-        "(load.steps) tell",
-        accuracy, 100.0 * off);
+        "warning: load.accuracy = {:g} may not be kept: with as many increments as are chosen at most, a half cycle "
+        "is off by {:.2g} of the range of the opening, by its estimate, and half of the accuracy is its share; more of "
+        "them (load.steps) tell",
+        accuracy, off);
 }
 
 std::string elements_stay_elastic(const LoadStep& step, std::size_t elements) {

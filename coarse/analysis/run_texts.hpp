@@ -30,7 +30,7 @@ namespace stria::coarse {
 [[nodiscard]] std::string work_out_of_balance(const WorkBalance& work);
 
 /// Half cycles with as many increments as there may be are still off by a part of the range of the opening
-/// (IncrementSchedule::misses()).
+/// (IncrementSchedule::take_miss()).
 [[nodiscard]] std::string misses_accuracy(double off, double accuracy);
 
 /// Of so many elements outside the zone that are beyond yield.

@@ -29,8 +29,11 @@ void start_from(CycleResult& cycle, const CycleMemory::Station& start) {
 }
 
 /// Where a crack grows at its minimum loading begins with the longer one, whose K that load gives if no K is asked for.
-void begin_loading_again(CycleResult& cycle, bool K_is_asked) {
+/// `K`: as it grows. Under load cases it may have been less elsewhere in the cycle.
+void begin_loading_again(CycleResult& cycle, double K, bool K_is_asked) {
     constexpr CycleResult none;
+    constexpr double rounding = 1e-9;
+    if (K > cycle.K_min + rounding * std::abs(K)) return;
     if (!K_is_asked) cycle.K_min = none.K_min;
     cycle.CTOD.least = none.CTOD.least;
     cycle.opening_behind.least = none.opening_behind.least;
@@ -126,7 +129,7 @@ void CycleMeter::add(const Increment& increment) {
         const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, rise);
         const bool has_grown = tip.cycle.a > 0.0 && increment.tips[t].a > tip.cycle.a;  // within this cycle
-        if (has_grown) begin_loading_again(tip.cycle, K_is_asked_);
+        if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K(), K_is_asked_);
         if (!growing && !rises) tip.has_fallen = true;
         const bool loading_now = rises || increment.step.ends_cycle;
         const bool of_before = looks_ahead_ && is_rest_of_rise(tip, increment.step);

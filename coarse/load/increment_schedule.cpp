@@ -208,7 +208,8 @@ void IncrementSchedule::learn(bool rises) {
         const double share = state_.presses ? share_of_pressed_leg : share_of_leg;
         legs.increments = within_limits(static_cast<double>(taken) * std::sqrt(*error / (share * accuracy_)));
         const double part = static_cast<double>(taken) / legs.increments, left = *error * part * part;
-        if (legs.increments == most() && left > accuracy_ / 2.0) misses_ = left;
+        const bool misses = legs.increments == most() && left > accuracy_ / 2.0;
+        if (misses && !std::exchange(state_.missed, true)) miss_ = left;
         lay_out();
     }
 }

@@ -67,6 +67,7 @@ public:
         std::vector<double> meetings = {};  // likewise: parts of its way, ascending
         bool presses = false;               // likewise: it goes to or comes from a load that presses faces together
         bool tells = false;                 // likewise: an opening was known where it began
+        bool missed = false;                // the accuracy, by some leg so far
     };
 
     /// Chooses where load.steps is no number.
@@ -91,9 +92,9 @@ public:
     /// `presses`: it goes to a load that presses them together, or comes from there.
     void meet_at(std::vector<double> ways, bool presses = false);
 
-    /// What the last leg that was measured is still off by with as many increments as there may be, of the range of the
-    /// opening, where that is more than its half of the accuracy; since the program began.
-    [[nodiscard]] std::optional<double> misses() const { return misses_; }
+    /// What the first leg is off by that needs more increments than there may be, of the range of the opening: where
+    /// that is more than its half of the accuracy. Told once.
+    [[nodiscard]] std::optional<double> take_miss() { return std::exchange(miss_, std::nullopt); }
 
     [[nodiscard]] const State& state() const { return state_; }
     void resume(const State& state);
@@ -112,7 +113,7 @@ private:
     double accuracy_, grading_;
     std::vector<double> rising_, falling_;
     State state_;
-    std::optional<double> misses_;
+    std::optional<double> miss_;
 };
 
 }  // namespace stria::coarse

@@ -77,8 +77,8 @@ public:
     /// is off (IncrementSchedule); and the openings that it came to.
     [[nodiscard]] std::optional<LoadStep> two_as_one() const;
     void tried_as_one(std::vector<double> openings);
-    /// IncrementSchedule::misses().
-    [[nodiscard]] std::optional<double> misses_accuracy_by() const { return schedule_.misses(); }
+    /// IncrementSchedule::take_miss().
+    [[nodiscard]] std::optional<double> take_missed_accuracy() { return schedule_.take_miss(); }
 
     /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments. `met`: loads at which
     /// faces behind the tips met last, in units of the history; NaN: never.

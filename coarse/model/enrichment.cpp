@@ -231,10 +231,10 @@ private:
         const double size = diagonal(mesh_, piece.element);
         const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * size);
         if (!tip_enrichment_.radius) {
-            // Between the disks of two tips, half way reach each, no element sees functions of both.
+            // No element between two disks sees functions of both.
             constexpr double clear = 1.25;  // diagonals: from a disk's rim to its last nodes, and half an element
-            const double most = result_.tips.size() > 1 || cracks_.size() > 1 ? reach - clear * size : reach;
-            return std::min({0.75 * reach, most, tip_enrichment_.most_diagonals * size});
+            return std::min({0.75 * reach, half_way_to_others(cracks_, result_.tips, tip) - clear * size,
+                             tip_enrichment_.most_diagonals * size});
         }
         if (*tip_enrichment_.radius <= reach) return *tip_enrichment_.radius;
         throw CaseError(fmt::format(

@@ -83,19 +83,22 @@ double straight_length(const CrackSection& crack, const Tip& tip, double band) {
     return rest.empty() ? std::numeric_limits<double>::infinity() : (rest.front() - tip.position).norm();
 }
 
-double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
-                 double band) {
-    double reach = distance_to_boundary(mesh, tip.position);
+double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip) {
+    double nearest = std::numeric_limits<double>::infinity();
     for (const Tip& other : tips) {
         const double distance = (other.position - tip.position).norm();
-        if (distance > 0.0) reach = std::min(reach, distance / 2.0);
+        if (distance > 0.0) nearest = std::min(nearest, distance);
     }
-    for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack) {
-        const CrackSection& section = cracks[at(crack)];
-        reach = std::min(reach, crack == tip.crack ? distance_to(beyond_straight(section, tip, band), tip.position)
-                                                   : distance_to(section.points, tip.position) / 2.0);
-    }
-    return reach;
+    for (int crack = 0; crack < static_cast<int>(cracks.size()); ++crack)
+        if (crack != tip.crack) nearest = std::min(nearest, distance_to(cracks[at(crack)].points, tip.position));
+    return nearest / 2.0;
+}
+
+double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,
+                 double band) {
+    const double reach = std::min(distance_to_boundary(mesh, tip.position), half_way_to_others(cracks, tips, tip));
+    if (tip.crack >= std::ssize(cracks)) return reach;  // of a field that has a tip and no crack
+    return std::min(reach, distance_to(beyond_straight(cracks[at(tip.crack)], tip, band), tip.position));
 }
 
 Vec2 end_of(const CrackSection& crack, const Tip& tip) {

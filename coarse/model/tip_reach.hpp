@@ -15,6 +15,9 @@ namespace stria::coarse {
 /// A bend that leaves the tip's line by less than this times its element's diagonal is none that the mesh could show.
 constexpr double bend_to_element = 0.25;
 
+/// Half of the distance from a tip to the nearest other tip or crack, mm; infinite where there is none.
+double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip);
+
 /// Distance from a tip to the nearest of: the body's boundary, the middle between it and another tip or crack, and what
 /// its own crack is beyond the place where it leaves the line behind the tip by more than `band`, mm.
 double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip,

@@ -58,7 +58,7 @@ void members(auto& archive, Is<TwoAsOne> auto& m) {
 }
 
 void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
-    auto& [rising, falling, path, pairs, meetings, presses, tells] = m;
+    auto& [rising, falling, path, pairs, meetings, presses, tells, missed] = m;
     archive("rising", rising);
     archive("falling", falling);
     archive("path", path);
@@ -66,6 +66,7 @@ void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
     archive("meetings", meetings);
     archive("presses", presses);
     archive("tells", tells);
+    archive("missed", missed);
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {

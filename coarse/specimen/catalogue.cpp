@@ -63,16 +63,15 @@ void validate(const CrackSection& crack, const std::string& key, const Body& bod
     for (std::size_t k = 0; k < crack.points.size(); ++k) {
         const Vec2& point = crack.points[k];
         const bool end = k == 0 || k + 1 == crack.points.size();
-        if (!point.allFinite()) throw CaseError(fmt::format("{}: point {} is not finite", key, k + 1));
+        if (!point.allFinite()) throw CaseError(fmt::format("{}: point {} is not finite", key, k));
         if (!end && !body.holds(point)) {
             throw CaseError(
                 fmt::format("{}: point {} ({}, {}) is outside the body {}; only the first and the last point may be (a "
                             "mouth)",
-                            key, k + 1, point.x(), point.y(), text_of(body)));
+                            key, k, point.x(), point.y(), text_of(body)));
         }
         if (k == 0) continue;
-        if (point == crack.points[k - 1])
-            throw CaseError(fmt::format("{}: point {} repeats the one before", key, k + 1));
+        if (point == crack.points[k - 1]) throw CaseError(fmt::format("{}: point {} repeats the one before", key, k));
         meets_body = meets_body || crosses_interior(crack.points[k - 1], point, body);
     }
     require_length(crack, key, body);

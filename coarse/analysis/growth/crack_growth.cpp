@@ -150,16 +150,19 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
 void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
                              const std::vector<CycleResult>& last) {
     const std::vector<double> rates = tip_rates();
-    if (growth_.law == GrowthLaw::Prescribed || rates.empty()) return;
+    // Where the cycles that follow are other ones their rates are too.
+    if (growth_.law == GrowthLaw::Prescribed || rates.empty() || (varies_ && !takes_mean_)) return;
+    std::vector<char> turns(rates.size(), 0);
     rate_at_turn_.resize(rates.size(), std::numeric_limits<double>::quiet_NaN());
     const std::vector<TipResult> least = K_at_minimum(body, extremes_);
     for (std::size_t t = 0; t < rates.size(); ++t) {
         const double angle = turn_of(body.scene().enriched.tips[t], longer.input.cracks);
         if (std::abs(angle) <= sharp_turn) continue;
+        turns[t] = 1;
         rate_at_turn_[t] =
             rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle));
-        if (t == fastest_of(rates)) life_.turn(rate_at_turn_[t]);
     }
+    if (const std::size_t t = fastest_of(tip_rates()); turns[t] != 0) life_.turn(rate_at_turn_[t]);
 }
 
 void CrackGrowth::note_functions(const EnrichedMesh& before, const EnrichedMesh& longer) const {
@@ -284,7 +287,7 @@ double CrackGrowth::cycles_of_period(const Scene& present, int cycle, bool ends)
     GrownTip grown = grown_tip(present, fastest);
     grown.grown = ways[fastest];
     grown.ends = ends;
-    const double before = fastest_rate(rates_.before()), now = fastest_rate(tip_rates());
+    const double before = rates_.before().empty() ? 0.0 : rates_.before()[fastest], now = tip_rates()[fastest];
     return life_.passed(grown, before, takes_mean_ && cycle == cut_off_ ? before : now);
 }
 

@@ -190,6 +190,18 @@ TEST_F(CycleMeterTest, TakesTheLeastWhereItStartsIfALoadCaseRunsAgainstTheLoad) 
     EXPECT_NEAR(cycle.opening_range(), 0.060, 1e-15);
 }
 
+// The minimum of the load is not that of K: what was less before the crack grew there stays.
+TEST_F(CycleMeterTest, GrowthAtAMinimumKeepsALeastKThatIsElsewhere) {
+    go(0, 10.0, 1.0, false);
+    go(1, 40.0, 1.0, false);
+    go(1, 40.0, 1.25, false);  // grows
+    go(1, 10.0, 1.25, false);
+    go(2, 40.0, 1.25, false);
+    go(2, 40.0, 1.5, false);
+    go(2, 20.0, 1.5, false);
+    EXPECT_EQ(meter.finish().at(0).K_min, 125.0);
+}
+
 // By 97 it was 138: a load that lags lifted K a little more behind an overload, and so much counted in the next cycle.
 TEST_F(CycleMeterTest, LeavesWhatALoadThatLagsStillAddsToTheCycleBefore) {
     for (const bool soon : {true, false}) {

@@ -48,6 +48,22 @@ TEST(Enrichment, MouthOutsideTheBodyChangesNothing) {
     EXPECT_EQ(tip_nodes(inside), tip_nodes(outside));
 }
 
+// By three quarters of the way to the middle the disks met up to eleven elements apart. What is far away changes
+// nothing.
+TEST(Enrichment, DisksOfTwoTipsKeepClearOfEachOther) {
+    const Mesh mesh = square_mesh(40);
+    const auto cracked_by = [&](const std::vector<std::vector<Vec2>>& ways) {
+        std::vector<CrackSection> cracks;
+        for (const std::vector<Vec2>& points : ways) cracks.push_back({.points = points, .contact = {}});
+        return coarse::enrich(mesh, cracks, {4, 0.5, coarse::TipSupport::Nodal});
+    };
+    EXPECT_NO_THROW(cracked_by({{{0.0, 0.51}, {0.4, 0.51}}, {{1.0, 0.51}, {0.51, 0.51}}}));
+    const std::vector<Vec2> brief{{0.0, 0.51}, {0.1, 0.51}}, far{{1.0, 0.51}, {0.91, 0.51}};
+    const Nodes alone = tip_nodes(cracked_by({brief})), beside = tip_nodes(cracked_by({brief, far}));
+    EXPECT_GT(alone.size(), 4U);
+    for (const int n : alone) EXPECT_TRUE(beside.contains(n)) << n;
+}
+
 TEST(Enrichment, SingleTipFunction) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}}, 1);
     for (const int n : tip_nodes(mesh)) EXPECT_EQ(mesh.terms[at(n)].size(), 1U);
