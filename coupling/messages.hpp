@@ -172,9 +172,8 @@ struct StepReport {
     std::vector<RingReport> rings;       // one per ring of the patch; empty in brief
     std::vector<FaceSample> faces;       // ordered by crack and s; empty in brief
     std::vector<double> contact_length;  // per crack, mm
-    std::vector<double>
-        mouth_opening;       // per crack: opening where it meets the boundary if the zone holds that, else NaN
-    double dissipation = 0;  // N, per mm of thickness: by flow, in this increment
+    std::vector<double> mouth_opening;   // per crack: at its mouth; NaN where the zone does not hold that
+    double dissipation = 0;              // N, per mm of thickness: by flow, in this increment
     EnergyReport energy;
     std::int64_t points = 0, unknowns = 0, multipliers = 0;
     WorkCounts work;

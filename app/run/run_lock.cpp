@@ -34,6 +34,8 @@ void wait_until_free(const std::filesystem::path& folder, std::chrono::milliseco
             return;
         } catch (const CaseError&) {
             std::this_thread::sleep_for(milliseconds(20));
+        } catch (const FileFailure&) {
+            return;  // there is no folder to wait for
         }
     }
 }
