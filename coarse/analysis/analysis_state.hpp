@@ -7,8 +7,7 @@
 
 #include "coarse/analysis/closure_measurement.hpp"
 #include "coarse/analysis/growth/growth_increment.hpp"
-#include "coarse/analysis/growth/life_count.hpp"
-#include "coarse/analysis/growth/period_rates.hpp"
+#include "coarse/analysis/growth/tip_rates.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/elements/coarse_elements.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
@@ -34,6 +33,15 @@ struct DueGrowth {
 struct ReachedExtremes {
     LoadFactors maximum, minimum;
     std::vector<TipResult> tips;  // at the maximum, one each; empty: there was none
+};
+
+/// Of CrackGrowth.
+struct GrowthMemory {
+    bool ended = false;  // growth has ended the run
+    GrowthIncrementMemory increment;
+    TipRatesMemory rates;
+    std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    ReachedExtremes extremes;
 };
 
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.
@@ -80,14 +88,8 @@ struct AnalysisState {
     std::vector<TipResult> nominal;       // one per tip, of the present crack lengths
     UnitDisplacement unit_displacement;   // of the same body
     RunCounts counts;
-    bool growth_ended = false;  // growth has ended the run
-    GrowthIncrementMemory growth_increment;
-    PeriodMemory growth_period;
-    LifeMemory life;
-    std::vector<double> rate_at_turn;    // of tips that have just turned, else NaN, mm per cycle; empty: none has
+    GrowthMemory growth;
     std::vector<int> tips_without_room;  // that have been spoken of (RoomOfTips)
-    std::vector<double> K_reached;       // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    ReachedExtremes extremes;
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

@@ -58,10 +58,10 @@ std::vector<ExpectedCrossing> ClosureMeasurement::expected(const std::vector<dou
 
 std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report,
                                                const std::vector<OpeningChange>& changes, double unit) {
+    const ClosureMeter::Signals signals = meter_.signals();
     std::vector<double> now = meter_.signal(report, memory_.signal);
     for (const OpeningChange& change : changes)  // may have been on the way, and be seen no more
-        if (at(change.signal) >= meter_.signals().first_slip())
-            now[at(change.tip) * meter_.signals().all() + at(change.signal)] = 1.0;
+        if (signals.is_slip(at(change.signal))) now[signals.index(change.tip, change.signal)] = 1.0;
     memory_.signal = now;
     if (step.reversal) meter_.forget_slip(memory_.signal);
     for (std::vector<double>* loads : {&memory_.opened, &memory_.closed}) loads->resize(now.size(), NAN);
@@ -69,7 +69,7 @@ std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const Newto
         rates->resize(2 * now.size(), NAN);
     for (const OpeningChange& change : changes) {
         if (std::isnan(change.load_factor)) continue;  // nobody knows
-        const std::size_t k = at(change.tip) * meter_.signals().all() + at(change.signal);
+        const std::size_t k = signals.index(change.tip, change.signal);
         (change.closes ? memory_.closed : memory_.opened)[k] = change.target / unit;
         std::vector<double>& rates = change.closes ? memory_.closing_rates : memory_.opening_rates;
         for (std::size_t side = 0; side < 2; ++side)

@@ -23,7 +23,8 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
       cycle_meter_(scene.input, closure_.meter(), scene.enriched.tips, controller_.looks_ahead()),
       model_(body_, scene.input.solver, closure_.meter(), factory, effort_, listener_.note, from) {
     controller_.set_scale(body_.load_scale());
-    if (scene.input.growth) growth_.emplace(scene.input, listener_.note, from);
+    if (scene.input.growth)
+        growth_.emplace(scene.input, listener_.note, from != nullptr ? from->growth : GrowthMemory());
     if (from == nullptr) return;
     controller_.resume(from->load);
     cycle_meter_.resume(from->cycle);
@@ -33,8 +34,8 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     effort_.counts = from->counts;
 }
 
-double FatigueAnalysis::life_in_doubt() const { return growth_ ? growth_->life_in_doubt() : 0.0; }
-double FatigueAnalysis::uncounted_growth() const { return growth_ ? growth_->uncounted() : 0.0; }
+double FatigueAnalysis::life_in_doubt() const { return growth_ ? growth_->rates().life_in_doubt() : 0.0; }
+double FatigueAnalysis::uncounted_growth() const { return growth_ ? growth_->rates().uncounted() : 0.0; }
 
 bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->life_is_over(); }
 
@@ -53,7 +54,7 @@ AnalysisState FatigueAnalysis::state_beside_zone() const {
     state.cycle = cycle_meter_.memory();
     state.last_cycle = last_cycle_;
     state.counts = effort_.counts;
-    if (growth_) growth_->write(state);
+    if (growth_) state.growth = growth_->memory();
     state.due_growth = due_growth_;
     state.release = release_;
     state.load = controller_.position();
@@ -81,7 +82,7 @@ void FatigueAnalysis::run() {
         controller_.accepted(openings(accepted_.tips), closure_.met());
         if (const std::optional<double> off = controller_.take_missed_accuracy())
             listener_.note(misses_accuracy(*off, body_.scene().input.load.accuracy));
-        if (growth_ && growth_->is_due(accepted_)) due_growth_ = {true, step->cycle, step->moment};
+        if (growth_ && growth_->is_due_at(*step)) due_growth_ = {true, step->cycle, step->moment};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
     }
@@ -208,21 +209,17 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     increment.number = ++effort_.counts.increments;
     increment.signal = closure_.commit(step, report, changes, controller_.scale());
     increment.opening_changes = std::move(changes);
-    for (const TipResult& tip : body_.nominal()) {
-        increment.nominal_K.push_back(tip.K_I);
-        increment.K_initial.push_back(tip.K_initial);
-        if (!tip.K_I_of_cases.empty()) increment.K_of_cases.push_back(tip.K_I_of_cases);
-    }
+    increment.nominal = body_.nominal();
     for (const std::string& doubt : count_doubts(increment, body_.scene(), effort_.counts)) listener_.note(doubt);
     cycle_meter_.add(increment);
     if (step.ends_cycle) end_cycle(increment);
     listener_.accepted(increment, body_.structure());
     accepted_ = std::move(increment);
+    if (growth_) growth_->take(accepted_);
 }
 
 void FatigueAnalysis::end_cycle(Increment& increment) {
     increment.cycles = cycle_meter_.finish(peaks_ahead(increment, controller_.next_quarter()));
-    increment.nominal = body_.nominal();
     if (growth_) growth_->count_cycles(increment.step.cycle, increment.cycles, body_.scene());
     last_cycle_ = increment.cycles;
 }

@@ -52,7 +52,7 @@ ClosureMeter::Signals ClosureMeter::signals() const {
 }
 
 const char* ClosureMeter::what_a_tip_does(const OpeningChange& change) const {
-    if (at(change.signal) >= signals().first_slip()) return "slides";
+    if (signals().is_slip(at(change.signal))) return "slides";
     return change.closes ? "closes" : "opens";
 }
 
@@ -86,13 +86,13 @@ std::vector<double> ClosureMeter::signal(const NewtonReport& report, const std::
 void ClosureMeter::remember_slip(const std::vector<double>& before, std::vector<double>& signal) const {
     const Signals count = signals();
     for (std::size_t k = 0; k < signal.size(); ++k)
-        if (k % count.all() >= count.first_slip()) signal[k] = std::max(signal[k], before[k]);
+        if (count.is_slip(count.kind_of(k))) signal[k] = std::max(signal[k], before[k]);
 }
 
 void ClosureMeter::forget_slip(std::vector<double>& signal) const {
     const Signals count = signals();
     for (std::size_t k = 0; k < signal.size(); ++k)
-        if (k % count.all() >= count.first_slip()) signal[k] = -1.0;
+        if (count.is_slip(count.kind_of(k))) signal[k] = -1.0;
 }
 
 std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
@@ -120,10 +120,10 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
             const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
             const double target = std::lerp(way[i].target, way[i + 1].target, share);
             OpeningChange& change = changes.emplace_back(
-                OpeningChange{static_cast<int>(k / signals().all()), static_cast<int>(k % signals().all()),
+                OpeningChange{static_cast<int>(signals().tip_of(k)), static_cast<int>(signals().kind_of(k)),
                               is_closed(way[i + 1].signal[k]), load_factor,
                               (target - way.front().target) / (way.back().target - way.front().target), target});
-            const bool says_whether = k % signals().all() >= signals().first_slip();
+            const bool says_whether = signals().is_slip(signals().kind_of(k));
             if (known && !says_whether) change.rate = rates_beside(way, i, k, precision, target);
         }
         ++i;
@@ -133,7 +133,7 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
 
 Crossing ClosureMeter::seen_closed(const Crossing& found, const ClosureStation& before, const ClosureStation& after,
                                    std::size_t k, double precision) const {
-    const std::size_t kind = k % signals().all(), slip = k + signals().first_slip();
+    const std::size_t kind = signals().kind_of(k), slip = k + signals().first_slip();
     if (!slip_ || kind >= signals().contact || before.signal[slip] > 0.0 || after.signal[slip] > 0.0) return found;
     const double width = std::abs(after.target - before.target), back = 0.5 * precision / width;
     const bool closes = is_closed(after.signal[k]);

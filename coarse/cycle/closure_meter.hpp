@@ -46,6 +46,11 @@ public:
         std::size_t contact = 0, tension = 0, slip = 0;
         [[nodiscard]] std::size_t first_slip() const { return contact + tension; }
         [[nodiscard]] std::size_t all() const { return first_slip() + slip; }
+        [[nodiscard]] bool is_slip(std::size_t kind) const { return kind >= first_slip(); }
+        /// Where a vector of the signals of all tips holds one, and which one it holds there.
+        [[nodiscard]] std::size_t index(int tip, int kind) const { return at(tip) * all() + at(kind); }
+        [[nodiscard]] std::size_t tip_of(std::size_t index) const { return index / all(); }
+        [[nodiscard]] std::size_t kind_of(std::size_t index) const { return index % all(); }
     };
     [[nodiscard]] Signals signals() const;
     /// "opens", "closes" or "slides".

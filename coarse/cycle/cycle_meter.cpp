@@ -51,7 +51,7 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
     const TipResult& tip = increment.tips[t];
     const double K = increment.K_at_end(t);
     cycle.a = tip.a;
-    cycle.K_initial = increment.initial_K(t);
+    cycle.K_initial = increment.nominal[t].K_initial;
     cycle.K_min = std::isnan(K) ? K : std::min(cycle.K_min, K);
     if (std::isnan(K)) cycle.K_max = K;
     if (loading) {
@@ -123,14 +123,14 @@ void CycleMeter::add(const Increment& increment) {
     if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_.first_slip())
         begin(increment.step.cycle);
     const double rise = increment.step.target.value - now_.last_target;
-    const bool loading = rise > 0.0, growing = rise == 0.0;
+    const bool loading = rise > 0.0, stands = rise == 0.0;  // as the crack grows, or a dead load comes on
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
-        const bool rises = !growing && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
+        const bool rises = !stands && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
         measure(tip, increment, t, rise);
         const bool has_grown = tip.cycle.a > 0.0 && increment.tips[t].a > tip.cycle.a;  // within this cycle
         if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K(), K_is_asked_);
-        if (!growing && !rises) tip.has_fallen = true;
+        if (!stands && !rises) tip.has_fallen = true;
         const bool loading_now = rises || increment.step.ends_cycle;
         const bool of_before = looks_ahead_ && is_rest_of_rise(tip, increment.step);
         take_extremes(tip.cycle, increment, t, loading_now && !of_before, touches_[t]);
@@ -149,9 +149,9 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({tip.x, tip.y, increment.nominal_K[t], increment.K_beside(t), tip.CTOD, tip.opening,
-                             tip.CMOD, increment.load_factor, growing ? tip.plastic_zone : 0.0,
-                             growing ? tip.plastic_zone_axis : 0.0});
+        now_.last.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_beside(t), tip.CTOD, tip.opening,
+                             tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
+                             stands ? tip.plastic_zone_axis : 0.0});
         if (now_.x.size() > t) continue;
         now_.x.push_back(tip.x);
         now_.y.push_back(tip.y);
@@ -164,7 +164,7 @@ void CycleMeter::measure(CycleMemory::Tip& tip, const Increment& increment, std:
     for (const OpeningChange& change : increment.opening_changes) {
         if (change.tip != static_cast<int>(t)) continue;
         const auto s = at(change.signal);
-        if (s >= signals_.first_slip()) {
+        if (signals_.is_slip(s)) {
             std::vector<double>& K_slip = unloading ? cycle.K_slip_unloading : cycle.K_slip;
             note_slip(K_slip[s - signals_.first_slip()], change, increment.K_at(t, change));
             continue;
@@ -173,7 +173,8 @@ void CycleMeter::measure(CycleMemory::Tip& tip, const Increment& increment, std:
         tip.changed[s] = 1;
     }
     for (std::size_t s = 0; s < tip.was_open.size(); ++s) {
-        const bool is_open = increment.signal.empty() || increment.signal[t * signals_.all() + s] <= 0.0;
+        const bool is_open = increment.signal.empty() ||
+                             increment.signal[signals_.index(static_cast<int>(t), static_cast<int>(s))] <= 0.0;
         note_state(tip, s, is_open, increment.K_at_end(t), rise > 0.0);
     }
 }
@@ -186,11 +187,11 @@ OpeningLoads CycleMeter::of_signal(const CycleMemory::Tip& tip, std::size_t sign
 
 std::vector<double> peaks_ahead(const Increment& increment, const std::vector<LoadFactors>& loads) {
     if (loads.empty()) return {};
-    std::vector<double> peaks(increment.nominal_K.size(), -std::numeric_limits<double>::infinity());
+    std::vector<double> peaks(increment.nominal.size(), -std::numeric_limits<double>::infinity());
     for (std::size_t t = 0; t < peaks.size(); ++t)
         for (std::size_t k = 1; k < loads.size(); ++k) {
-            const double before = increment.K_under(t, loads[k - 1]);
-            if (increment.K_under(t, loads[k]) > before) continue;
+            const double before = K_I_under(increment.nominal[t], loads[k - 1]);
+            if (K_I_under(increment.nominal[t], loads[k]) > before) continue;
             peaks[t] = before;
             break;
         }

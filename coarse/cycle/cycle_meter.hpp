@@ -24,7 +24,7 @@ struct CycleMemory {
     struct Station {              // what the next increment, or cycle, starts from
         double x = 0.0, y = 0.0;  // of the tip, mm
         double nominal_K = 0.0, K_beside = 0.0, CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
-        double forward = 0.0, forward_axis = 0.0;  // of flow while the crack grew at its load
+        double forward = 0.0, forward_axis = 0.0;  // of flow while the load stood
 
         [[nodiscard]] double K() const { return nominal_K * load_factor + K_beside; }
     };
@@ -58,7 +58,7 @@ public:
 
 private:
     void begin(int cycle);
-    /// `rise`: of the load, over the increment; zero where the crack grows.
+    /// `rise`: of the load, over the increment; zero where it stands, as the crack grows.
     void measure(CycleMemory::Tip& tip, const Increment& increment, std::size_t t, double rise) const;
     [[nodiscard]] OpeningLoads of_signal(const CycleMemory::Tip& tip, std::size_t signal) const;
 

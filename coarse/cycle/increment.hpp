@@ -25,30 +25,18 @@ struct Increment {
     MachineReading machine;
     coupling::StepReport zone;
     std::vector<TipResult> tips;
-    std::vector<double> nominal_K;  // K_1(a) of every tip: elastic, traction-free faces, load factor 1, this length
-    std::vector<double> K_initial;  // likewise of the initial stress without load; empty: there is none
-    std::vector<std::vector<double>> K_of_cases = {};  // likewise of each load case at its factor 1
-    WorkBalance work;                                  // so far
-    std::vector<CycleResult> cycles;                   // one per tip where a cycle ends here
-    std::vector<TipResult> nominal = {};               // likewise: K_1(a) of both modes, and of each load case
+    std::vector<TipResult> nominal;   // elastic, traction-free faces, this length: of each load at its factor 1
+    WorkBalance work;                 // so far
+    std::vector<CycleResult> cycles;  // one per tip where a cycle ends here
 
-    [[nodiscard]] double initial_K(std::size_t tip) const { return K_initial.empty() ? 0.0 : K_initial[tip]; }
-    /// Nominal K of a tip that load cases and the initial stress have at a part of the way.
+    /// Nominal K_I of a tip that load cases and the initial stress have at a part of the way, MPa sqrt(mm).
     [[nodiscard]] double K_beside(std::size_t tip, double way = 1.0) const {
-        if (K_of_cases.empty()) return initial_K(tip);
-        return std::lerp(sum_over_cases(K_of_cases[tip], cases_before),
-                         sum_over_cases(K_of_cases[tip], step.target.cases), way) +
-               initial_K(tip);
+        return std::lerp(K_I_beside(nominal[tip], cases_before), K_I_beside(nominal[tip], step.target.cases), way);
     }
-    /// Nominal K of a tip under any loads.
-    [[nodiscard]] double K_under(std::size_t tip, const LoadFactors& loads) const {
-        const double of_cases = K_of_cases.empty() ? 0.0 : sum_over_cases(K_of_cases[tip], loads.cases);
-        return nominal_K[tip] * loads.main + of_cases + initial_K(tip);
-    }
-    /// Nominal K of a tip at its end, and at a change on the way.
-    [[nodiscard]] double K_at_end(std::size_t tip) const { return nominal_K[tip] * load_factor + K_beside(tip); }
+    /// Nominal K_I of a tip at its end, and at a change on the way.
+    [[nodiscard]] double K_at_end(std::size_t tip) const { return nominal[tip].K_I * load_factor + K_beside(tip); }
     [[nodiscard]] double K_at(std::size_t tip, const OpeningChange& change) const {
-        return nominal_K[tip] * change.load_factor + K_beside(tip, change.way);
+        return nominal[tip].K_I * change.load_factor + K_beside(tip, change.way);
     }
 };
 

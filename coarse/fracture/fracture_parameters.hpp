@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coarse/fracture/structure_rings.hpp"
+#include "coarse/load/load_factors.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
 
@@ -37,6 +38,18 @@ struct TipResult {
     for (std::size_t k = 0; k < of_unit.size() && std::cmp_less(k, factors.size()); ++k)
         sum += factors[static_cast<Eigen::Index>(k)] * of_unit[k];
     return sum;
+}
+
+/// Nominal K of a tip that load cases and the initial stress have, and with the load of [load]. One of each mode;
+/// MPa sqrt(mm).
+[[nodiscard]] inline double K_I_beside(const TipResult& nominal, const Eigen::VectorXd& cases) {
+    return sum_over_cases(nominal.K_I_of_cases, cases) + nominal.K_initial;
+}
+[[nodiscard]] inline double K_I_under(const TipResult& nominal, const LoadFactors& loads) {
+    return nominal.K_I * loads.main + K_I_beside(nominal, loads.cases);
+}
+[[nodiscard]] inline double K_II_under(const TipResult& nominal, const LoadFactors& loads) {
+    return nominal.K_II * loads.main + sum_over_cases(nominal.K_II_of_cases, loads.cases) + nominal.K_II_initial;
 }
 
 /// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:

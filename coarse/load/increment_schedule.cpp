@@ -13,12 +13,15 @@ namespace {
 constexpr int least_increments = 4, most_increments = 24, most_pressing_increments = 40;  // of a leg
 constexpr double usual_accuracy = 0.002;
 constexpr double most_times_as_many = 4.0;  // at a smaller one
-constexpr int none_taken = 13;              // legs unmeasured: the first measurement comes with the fourth one
+// Legs between two measurements: so many alike in a row, and most where they never are. The first comes with the
+// fourth.
+constexpr int measured_after = 16, in_a_row_before = 3, measured_at_last = 32;
 // Of the accuracy: a cycle has two legs, and other cycles may be worse than the one that is measured. Where faces are
 // pressed together what a leg is off by stays in what the tip leaves, and adds up as it grows.
 constexpr double share_of_leg = 1.0 / 3.0, share_of_pressed_leg = 1.0 / 6.0;
-constexpr double least_apart = 0.02;   // of the way: where faces meet, and other ends
-constexpr double closing_power = 1.3;  // with which increments grow from where faces meet
+constexpr double share_that_warns = 1.0 / 2.0;  // its part of a cycle
+constexpr double least_apart = 0.02;            // of the way: where faces meet, and other ends
+constexpr double closing_power = 1.3;           // with which increments grow from where faces meet
 // Least numbers of them in a leg that presses faces together; before one has been measured, and where it comes back.
 constexpr double pressing_increments = 8.0, first_pressing_increments = 20.0, first_returning_increments = 12.0;
 constexpr double share_before_meeting = 0.4;  // of those that press
@@ -98,7 +101,8 @@ IncrementSchedule::IncrementSchedule(const LoadSection& load, std::vector<double
 
 IncrementSchedule::IncrementSchedule(const LoadSection& load)
     : chooses_(load.steps.is_auto()), accuracy_(load.accuracy), grading_(load.power()) {
-    state_.rising = state_.falling = {.increments = load.first_steps() / 2, .unmeasured = none_taken};
+    state_.rising =
+        state_.falling = {.increments = load.first_steps() / 2, .unmeasured = measured_after - in_a_row_before};
     lay_out();
 }
 
@@ -117,7 +121,7 @@ int IncrementSchedule::within_limits(double wanted) const {
 // Once faces are closed no opening tells what an increment is off by. Where they meet nobody knows in the first leg.
 int IncrementSchedule::increments(const Legs& legs) const {
     const bool rises = &legs == &state_.rising, meet = !rises && !state_.meetings.empty();
-    const bool first = !rises && legs.unmeasured == none_taken;
+    const bool first = !rises && !legs.taken;
     const bool to_be_measured = state_.tells && !legs.knows_pressing;
     int least = meet ? (state_.rising.increments + 1) / 2 : 0;
     double pressing = meet ? pressing_increments : 0.0;
@@ -187,7 +191,8 @@ void IncrementSchedule::add(double way, std::vector<double> openings) {
 bool IncrementSchedule::measures(bool rises, bool alike) const {
     const Legs& legs = rises ? state_.rising : state_.falling;
     const int in_a_row = alike ? legs.alike + 1 : 0;
-    const bool due = legs.unmeasured >= 32 || (legs.unmeasured >= 16 && in_a_row == 3);
+    const bool due =
+        legs.unmeasured >= measured_at_last || (legs.unmeasured >= measured_after && in_a_row == in_a_row_before);
     return chooses_ && due && is_cycle(state_.path);
 }
 
@@ -198,6 +203,7 @@ void IncrementSchedule::add(TwoAsOne pair) {
 
 void IncrementSchedule::learn(bool rises) {
     Legs& legs = rises ? state_.rising : state_.falling;
+    legs.taken = true;
     ++legs.unmeasured;
     if (state_.pairs.empty()) return;
     legs.unmeasured = 0;
@@ -208,7 +214,7 @@ void IncrementSchedule::learn(bool rises) {
         const double share = state_.presses ? share_of_pressed_leg : share_of_leg;
         legs.increments = within_limits(static_cast<double>(taken) * std::sqrt(*error / (share * accuracy_)));
         const double part = static_cast<double>(taken) / legs.increments, left = *error * part * part;
-        const bool misses = legs.increments == most() && left > accuracy_ / 2.0;
+        const bool misses = legs.increments == most() && left > share_that_warns * accuracy_;
         if (misses && !std::exchange(state_.missed, true)) miss_ = left;
         lay_out();
     }

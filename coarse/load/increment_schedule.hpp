@@ -58,6 +58,7 @@ public:
         int increments = 0;           // of a leg
         int alike = 0;                // in a row, from and to the same
         int unmeasured = 0;           // since one was measured
+        bool taken = false;           // one has been, of a cycle
         bool knows_pressing = false;  // one has been measured that presses faces together, or comes back from there
     };
     struct State {

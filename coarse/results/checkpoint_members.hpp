@@ -4,6 +4,7 @@
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/results/case_mark.hpp"
+#include "coarse/results/growth_members.hpp"
 #include "coarse/results/load_members.hpp"
 #include "coarse/results/run_recorder.hpp"
 #include "coupling/transport/zone_snapshot_members.hpp"
@@ -123,21 +124,6 @@ void members(auto& archive, Is<CycleMemory::Station> auto& m) {
     archive("forward_axis", forward_axis);
 }
 
-void members(auto& archive, Is<PeriodMemory> auto& m) {
-    auto& [sum, cycles, grown, before] = m;
-    archive("sum", sum);
-    archive("cycles", cycles);
-    archive("grown", grown);
-    archive("before", before);
-}
-
-void members(auto& archive, Is<LifeMemory> auto& m) {
-    auto& [uncounted, rate_at_turn, doubt] = m;
-    archive("uncounted", uncounted);
-    archive("rate_at_turn", rate_at_turn);
-    archive("doubt", doubt);
-}
-
 void members(auto& archive, Is<CycleMemory> auto& m) {
     auto& [cycle, last_target, tips, last, x, y] = m;
     archive("cycle", cycle);
@@ -185,42 +171,6 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
     archive("case_forces", case_forces);
 }
 
-void members(auto& archive, Is<DueGrowth> auto& m) {
-    auto& [due, cycle, moment] = m;
-    archive("due", due);
-    archive("cycle", cycle);
-    archive("moment", moment);
-}
-
-void members(auto& archive, Is<ReachedExtremes> auto& m) {
-    auto& [maximum, minimum, tips] = m;
-    archive("maximum", maximum);
-    archive("minimum", minimum);
-    archive("tips", tips);
-}
-
-void members(auto& archive, Is<FaceRelease> auto& m) {
-    auto& [cycle, moment, held, part, cuts] = m;
-    archive("cycle", cycle);
-    archive("moment", moment);
-    archive("held", held);
-    archive("part", part);
-    archive("cuts", cuts);
-}
-
-void members(auto& archive, Is<GrowthPoint> auto& m) {
-    auto& [a, per_mm, closure] = m;
-    archive("a", a);
-    archive("per_mm", per_mm);
-    archive("closure", closure);
-}
-
-void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
-    auto& [increment, points] = m;
-    archive("increment", increment);
-    archive("points", points);
-}
-
 void members(auto& archive, Is<ClosureMemory> auto& m) {
     auto& [signal, opened, closed, opening_rates, closing_rates] = m;
     archive("signal", signal);
@@ -245,8 +195,8 @@ void members(auto& archive, Is<StillElements> auto& m) {
 
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
-           cycle, last_cycle, nominal, unit_displacement, counts, growth_ended, growth_increment, growth_period, life,
-           rate_at_turn, without_room, K_reached, extremes, due_growth, release, load, work, equilibrium, zone] = m;
+           cycle, last_cycle, nominal, unit_displacement, counts, growth, without_room, due_growth, release, load, work,
+           equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -271,14 +221,8 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("flowing_rings", flowing_rings);
     archive("overlapping_faces", overlapping_faces);
     archive("mesh_splits", mesh_splits);
-    archive("growth_ended", growth_ended);
-    archive("growth_increment", growth_increment);
-    archive("growth_period", growth_period);
-    archive("life", life);
-    archive("rate_at_turn", rate_at_turn);
+    archive("growth", growth);
     archive("tips_without_room", without_room);
-    archive("K_reached", K_reached);
-    archive("extremes", extremes);
     archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);

@@ -43,10 +43,11 @@ void members(auto& archive, Is<OpeningPath> auto& m) {
 }
 
 void members(auto& archive, Is<IncrementSchedule::Legs> auto& m) {
-    auto& [increments, alike, unmeasured, knows_pressing] = m;
+    auto& [increments, alike, unmeasured, taken, knows_pressing] = m;
     archive("increments", increments);
     archive("alike", alike);
     archive("unmeasured", unmeasured);
+    archive("taken", taken);
     archive("knows_pressing", knows_pressing);
 }
 

@@ -48,7 +48,7 @@ bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
 bool lives_by_closure(const Scene& scene, std::size_t t) {
     const std::optional<GrowthSection>& growth = scene.input.growth;
     const bool touches = scene.input.cracks[at(scene.enriched.tips[t].crack)].contact.has_value();
-    return growth && touches && (grows_by_opening_loads(*growth) || growth->law == GrowthLaw::Ctod);
+    return growth && touches && grows_by_openings(*growth);
 }
 
 /// What too few elements do to a life (docs/verification.md, lives on elements half as large).

@@ -19,6 +19,10 @@ bool grows_by_opening_loads(const GrowthSection& growth) {
            growth.driving == GrowthDriving::EffectiveRange;
 }
 
+bool grows_by_openings(const GrowthSection& growth) {
+    return grows_by_opening_loads(growth) || growth.law == GrowthLaw::Ctod;
+}
+
 bool needs_fine(const Case& scene) {
     const bool contact =
         std::ranges::any_of(scene.cracks, [](const CrackSection& crack) { return crack.contact.has_value(); });

@@ -283,6 +283,7 @@ struct Case {
 bool may_yield(const Case& scene);           // some material has a yield stress
 bool has_initial_stress(const Case& scene);  // there is stress before any load
 bool grows_by_opening_loads(const GrowthSection& growth);
+bool grows_by_openings(const GrowthSection& growth);  // by these loads, or by the opening behind the tip itself
 
 /// The fine component starts if, and only if, there is a yield stress, contact or refinement.
 bool needs_fine(const Case& scene);

@@ -47,8 +47,8 @@ Grown grow(const Growth& growth) {
         if (structure.in_zone() != in_zone) ++grown.changes_of_zone;
         in_zone = structure.in_zone();
         grown.near = static_cast<int>(structure.elements().near().size());
-        if (!grown.K.empty() && grown.K.back() == increment.nominal_K[0]) return;
-        grown.K.push_back(increment.nominal_K[0]);
+        if (!grown.K.empty() && grown.K.back() == increment.nominal[0].K_I) return;
+        grown.K.push_back(increment.nominal[0].K_I);
         grown.K_of_the_whole.push_back(coarse::solve_nominal(structure.scene()).tips[0].K_I);
     };
     coarse::FatigueAnalysis analysis(scene, factory, listener);

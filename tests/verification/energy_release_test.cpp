@@ -54,7 +54,7 @@ GrownRun grow(const Case& input, const coarse::Scene& scene) {
              .balanced = now.external - was.external - (now.stored - was.stored) - (now.dissipated - was.dissipated),
              .by_K = 0.5 * (from.K_I * from.K_I + to.K_I * to.K_I) / E * grown,
              .by_J = to.J * grown});
-        found.K_error = std::max(found.K_error, std::abs(to.K_I / (after.nominal_K[0] * after.load_factor) - 1.0));
+        found.K_error = std::max(found.K_error, std::abs(to.K_I / (after.nominal[0].K_I * after.load_factor) - 1.0));
     }
     return found;
 }

@@ -19,8 +19,8 @@ double sign_of_load(const ReachedExtremes& reached) {
 
 std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
     for (TipResult& tip : nominal) {
-        tip.K_I = factors.main * tip.K_I + sum_over_cases(tip.K_I_of_cases, factors.cases) + tip.K_initial;
-        tip.K_II = factors.main * tip.K_II + sum_over_cases(tip.K_II_of_cases, factors.cases) + tip.K_II_initial;
+        tip.K_I = K_I_under(tip, factors);
+        tip.K_II = K_II_under(tip, factors);
     }
     return nominal;
 }

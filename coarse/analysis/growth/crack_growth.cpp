@@ -20,44 +20,38 @@ namespace stria::coarse {
 
 namespace {
 
-constexpr double small_turn = 0.01;           // of a tip with K_II = 0.005 K_I
-constexpr double elements_behind_turn = 2.0;  // from where on K behind a sharp turn is resolved
+constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
 
 }  // namespace
 
-CrackGrowth::CrackGrowth(const Case& input, const Note& note, const AnalysisState* from)
-    : growth_(*input.growth), varies_(varies(input)), takes_mean_(takes_mean_rate(input)),
-      cut_off_(cycle_cut_off(input.load)), note_(note), ended_(from != nullptr && from->growth_ended),
-      increment_(from != nullptr ? from->growth_increment : GrowthIncrementMemory()),
-      rates_(from != nullptr ? from->growth_period : PeriodMemory()),
-      life_(from != nullptr ? from->life : LifeMemory()),
-      rate_at_turn_(from != nullptr ? from->rate_at_turn : std::vector<double>()),
-      K_reached_(from != nullptr ? from->K_reached : std::vector<double>()),
-      extremes_(from != nullptr ? from->extremes : ReachedExtremes()) {}
+CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memory)
+    : growth_(*input.growth), note_(note), ended_(memory.ended), increment_(std::move(memory.increment)),
+      rates_(input, std::move(memory.rates)), K_reached_(std::move(memory.K_reached)),
+      extremes_(std::move(memory.extremes)) {}
 
-void CrackGrowth::write(AnalysisState& state) const {
-    state.growth_ended = ended_;
-    state.growth_increment = increment_.memory();
-    state.growth_period = rates_.memory();
-    state.life = life_.memory();
-    state.rate_at_turn = rate_at_turn_;
-    state.K_reached = K_reached_;
-    state.extremes = extremes_;
+GrowthMemory CrackGrowth::memory() const {
+    return {.ended = ended_,
+            .increment = increment_.memory(),
+            .rates = rates_.memory(),
+            .K_reached = K_reached_,
+            .extremes = extremes_};
 }
 
-// A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
-bool CrackGrowth::is_due(const Increment& reached) {
+void CrackGrowth::take(const Increment& reached) {
     const LoadStep& step = reached.step;
     K_reached_.resize(reached.tips.size(), 0.0);
     for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
     const LoadFactors factors{reached.load_factor, step.target.cases};
     if (step.at_minimum) extremes_.minimum = factors;
-    if (step.at_maximum) {
-        extremes_.maximum = factors;
-        extremes_.tips = reached.tips;
-    }
+    if (!step.at_maximum) return;
+    extremes_.maximum = factors;
+    extremes_.tips = reached.tips;
+}
+
+// A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
+bool CrackGrowth::is_due_at(const LoadStep& step) const {
     if (grows_at(growth_, step)) return true;
-    return broken_tip() >= 0 && step.ends_cycle && (!takes_mean_ || ends_period(growth_, step.cycle));
+    return broken_tip() >= 0 && step.ends_cycle && (!rates_.are_means() || ends_period(growth_, step.cycle));
 }
 
 GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleResult>& last) {
@@ -66,8 +60,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
     const Scene& present = body.scene();
     GrownScene grown;
     if (!is_over(nominal, last)) {
-        // At minima the first chance to grow has a cycle less behind it, which would leave one out of the mean.
-        if (takes_mean_ && rates_.memory().cycles < growth_.every) return {};
+        if (!rates_.are_of_a_whole_period()) return {};
         const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
         grown = along_first_of(body, ways(present, guides, last));
         if (grown.longer) note_turns(body, *grown.longer, guides, last);
@@ -88,44 +81,27 @@ TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, dou
     return steps;
 }
 
-std::vector<double> CrackGrowth::tip_rates() const {
-    std::vector<double> rates = rates_.present();
-    for (std::size_t t = 0; t < std::min(rates.size(), rate_at_turn_.size()); ++t)
-        rates[t] = std::fmax(rates[t], rate_at_turn_[t]);  // what is not known is not a number
-    return rates;
-}
-
-std::vector<double> CrackGrowth::lengthening(const std::vector<Tip>& tips) const {
-    const std::vector<double> rates = tip_rates();
-    std::vector<double> of_tips;
-    for (const Tip& tip : tips) {
-        double sum = 0.0, ends = 0.0;
-        for (std::size_t t = 0; t < rates.size(); ++t)
-            if (tips[t].crack == tip.crack) sum += rates[t], ends += 1.0;
-        of_tips.push_back(ends > 0.0 ? sum / ends : 0.0);
-    }
-    return of_tips;
-}
-
 double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
                               const std::vector<double>& elements) {
-    const std::vector<double> rates = tip_rates(), lengthening = this->lengthening(present.enriched.tips);
+    const std::vector<Tip>& tips = present.enriched.tips;
+    const std::vector<double> lengthening = rates_.lengthening(tips);
     if (growth_.increment.is_auto())
-        return increment_.next(growth_, last, rates, lengthening,
-                               steps_about(fastest_of(rates), present, turn, elements));
+        return increment_.next(growth_, last, rates_.present(), lengthening,
+                               steps_about(fastest_of(rates_.shares(tips.size())), present, turn, elements));
     const double given = growth_.increment.value();
-    return growth_.law == GrowthLaw::Prescribed ? given : cut_to_end(given, growth_, last, rates, lengthening);
+    return growth_.law == GrowthLaw::Prescribed ? given : cut_to_end(given, growth_, last, lengthening);
 }
 
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
-    const std::vector<double> rates = tip_rates();
+    const std::vector<double> shares = rates_.shares(tips.size());
     std::vector<double> elements;
     for (const Tip& tip : tips) elements.push_back(tip_element_edge(present.enriched, tip));
     const auto by = [&](double increment, GrowthDirection direction) {
-        return longer_cracks(present.input.cracks, direction, tips, guides,
-                             advances(growth_, increment, rates, tips.size()), elements);
+        std::vector<double> advances = shares;
+        for (double& advance : advances) advance *= increment;
+        return longer_cracks(present.input.cracks, direction, tips, guides, advances, elements);
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
@@ -147,22 +123,18 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
+// Where the cycles that follow are other ones their rates are too.
 void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
                              const std::vector<CycleResult>& last) {
-    const std::vector<double> rates = tip_rates();
-    // Where the cycles that follow are other ones their rates are too.
-    if (growth_.law == GrowthLaw::Prescribed || rates.empty() || (varies_ && !takes_mean_)) return;
-    std::vector<char> turns(rates.size(), 0);
-    rate_at_turn_.resize(rates.size(), std::numeric_limits<double>::quiet_NaN());
+    if (growth_.law == GrowthLaw::Prescribed || last.empty() || rates_.end_with_the_cycle()) return;
     const std::vector<TipResult> least = K_at_minimum(body, extremes_);
-    for (std::size_t t = 0; t < rates.size(); ++t) {
+    std::vector<SharpTurn> turns;
+    for (std::size_t t = 0; t < last.size(); ++t) {
         const double angle = turn_of(body.scene().enriched.tips[t], longer.input.cracks);
-        if (std::abs(angle) <= sharp_turn) continue;
-        turns[t] = 1;
-        rate_at_turn_[t] =
-            rate_behind_leap(growth_, rates[t], leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle));
+        if (std::abs(angle) > sharp_turn)
+            turns.push_back({t, leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle)});
     }
-    if (const std::size_t t = fastest_of(tip_rates()); turns[t] != 0) life_.turn(rate_at_turn_[t]);
+    rates_.leap(turns);
 }
 
 void CrackGrowth::note_functions(const EnrichedMesh& before, const EnrichedMesh& longer) const {
@@ -171,7 +143,8 @@ void CrackGrowth::note_functions(const EnrichedMesh& before, const EnrichedMesh&
 }
 
 // What drives the tips has been measured.
-void CrackGrowth::require_drive(const std::vector<double>& rates, const std::vector<CycleResult>& last) const {
+void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
+    const std::vector<double> rates = rates_.present();
     const auto unread = std::ranges::find_if(rates, [](double rate) { return std::isnan(rate); });
     if (unread == rates.end()) return;
     const auto tip = unread - rates.begin();
@@ -186,16 +159,8 @@ void CrackGrowth::require_drive(const std::vector<double>& rates, const std::vec
                                            tip));
     throw NumericalFailure(fmt::format(
         "K_op drives the growth, and no equilibrium of {} tells it for tip {}; finer increments (load.steps) may",
-        takes_mean_ ? "a cycle since the growth before" : "the last cycle", tip));
+        rates_.are_means() ? "a cycle since the growth before" : "the last cycle", tip));
 }
-
-double CrackGrowth::uncounted() const {
-    const PeriodMemory& period = rates_.memory();
-    const bool is_under_way = takes_mean_ && period.cycles < growth_.every && !period.grown.empty();
-    return life_.memory().uncounted + (is_under_way ? std::ranges::max(period.grown) : 0.0);
-}
-
-bool CrackGrowth::is_driven() const { return fastest_rate(tip_rates()) > 0.0; }
 
 int CrackGrowth::broken_tip() const {
     if (!growth_.toughness) return -1;
@@ -214,9 +179,9 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
         note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", longest - nominal.begin(), longest->a));
         return true;
     }
-    require_drive(tip_rates(), last);
-    if (tip_rates().empty() || is_driven()) return false;
-    note_(is_arrested(varies_ && !takes_mean_));
+    require_drive(last);
+    if (last.empty() || rates_.drive_a_tip()) return false;
+    note_(is_arrested(rates_.end_with_the_cycle()));
     return true;
 }
 
@@ -258,37 +223,6 @@ GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& crack
     if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;
     note_("the next advance takes a crack out of the body: growth ends here");
     return {};
-}
-
-GrownTip CrackGrowth::grown_tip(const Scene& present, std::size_t t) {
-    const Tip& tip = present.enriched.tips[t];
-    return {.behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
-            .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip)};
-}
-
-void CrackGrowth::count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present) {
-    std::vector<double> grown;
-    for (const CycleResult& tip : cycles) grown.push_back(tip.da);
-    rates_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
-    if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
-    for (std::size_t t = 0; t < rate_at_turn_.size(); ++t)
-        if (!std::isnan(rate_at_turn_[t]) && grown_tip(present, t).is_resolved())
-            rate_at_turn_[t] = std::numeric_limits<double>::quiet_NaN();
-    const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
-    const bool ends = !takes_mean_ && std::ranges::any_of(cycles, is_long_enough);
-    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycle, ends) : 0.0;
-    for (CycleResult& tip : cycles) tip.dN = passed;
-}
-
-// The last cycle of a history may return to another maximum than the sequence goes on to: the mean is of another one.
-double CrackGrowth::cycles_of_period(const Scene& present, int cycle, bool ends) {
-    const std::vector<double>& ways = rates_.grown();
-    const std::size_t fastest = fastest_of(ways);
-    GrownTip grown = grown_tip(present, fastest);
-    grown.grown = ways[fastest];
-    grown.ends = ends;
-    const double before = rates_.before().empty() ? 0.0 : rates_.before()[fastest], now = tip_rates()[fastest];
-    return life_.passed(grown, before, takes_mean_ && cycle == cut_off_ ? before : now);
 }
 
 }  // namespace stria::coarse

@@ -13,10 +13,6 @@ GrowthPoint point_of(double rate, const CycleResult& tip) {
     return {.a = tip.a, .per_mm = 1.0 / rate, .closure = std::isfinite(K_op) ? K_op / tip.K_max : 0.0};
 }
 
-bool goes_by_openings(const GrowthSection& growth) {
-    return grows_by_opening_loads(growth) || growth.law == GrowthLaw::Ctod;
-}
-
 double from_edge_to_edge(double increment, const TipSteps& steps, bool one) {
     if (steps.element == 0.0) return increment;
     constexpr double rounding = 1e-6;
@@ -32,11 +28,10 @@ double largest_increment(const GrowthSection& growth, bool flows, double zone_ah
 }
 
 double cut_to_end(double increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
-                  const std::vector<double>& rates, const std::vector<double>& lengthening) {
+                  const std::vector<double>& lengthening) {
     if (!growth.until) return increment;
     for (std::size_t t = 0; t < last.size(); ++t)
-        if (lengthening[t] > 0.0)
-            increment = std::min(increment, (*growth.until - last[t].a) * fastest_rate(rates) / lengthening[t]);
+        if (lengthening[t] > 0.0) increment = std::min(increment, (*growth.until - last[t].a) / lengthening[t]);
     return increment;
 }
 
@@ -53,7 +48,7 @@ double GrowthIncrement::next(const GrowthSection& growth, const std::vector<Cycl
     memory_.increment = std::clamp(factor * memory_.increment, steps.least, std::max(steps.least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);
-    return cut_to_end(from_edge_to_edge(memory_.increment, steps, goes_by_openings(growth)), growth, last, rates,
+    return cut_to_end(from_edge_to_edge(memory_.increment, steps, grows_by_openings(growth)), growth, last,
                       lengthening);
 }
 

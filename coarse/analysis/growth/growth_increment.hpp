@@ -26,9 +26,9 @@ struct GrowthIncrementMemory {
 [[nodiscard]] double largest_increment(const GrowthSection& growth, bool flows, double zone_ahead, double a);
 
 /// An increment of the fastest tip, mm, cut to what it is until a crack is as long as asked. One per tip: cycles that
-/// have ended, of which the lengths count; `rates` and `lengthening`, as for GrowthIncrement::next().
+/// have ended, of which the lengths count; and `lengthening`, as for GrowthIncrement::next().
 [[nodiscard]] double cut_to_end(double increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
-                                const std::vector<double>& rates, const std::vector<double>& lengthening);
+                                const std::vector<double>& lengthening);
 
 /// What the mesh about the fastest tip asks of an increment, mm.
 struct TipSteps {
@@ -52,8 +52,8 @@ public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}
 
     /// The next one, mm. One per tip: `last`, the cycle that has ended; `rates`, mm per cycle, of which one at least is
-    /// not zero; `lengthening`, mm per cycle by which its `a` grows, that of half a crack with two tips. Only an end of
-    /// growth is nearer than the least.
+    /// not zero; `lengthening`, by which its `a` grows of what the fastest tip advances: that of half a crack with two
+    /// tips by half of what both do. Only an end of growth is nearer than the least.
     double next(const GrowthSection& growth, const std::vector<CycleResult>& last, const std::vector<double>& rates,
                 const std::vector<double>& lengthening, const TipSteps& steps);
 

@@ -78,13 +78,12 @@ double fastest_rate(const std::vector<double>& rates) {
     return fastest;
 }
 
-std::vector<double> advances(const GrowthSection& growth, double increment, const std::vector<double>& rates,
-                             std::size_t tips) {
-    std::vector<double> advance(tips, increment);
-    if (growth.law == GrowthLaw::Prescribed || rates.empty()) return advance;
+std::vector<double> shares_of_advance(const GrowthSection& growth, const std::vector<double>& rates, std::size_t tips) {
+    std::vector<double> shares(tips, 1.0);
+    if (growth.law == GrowthLaw::Prescribed || rates.empty()) return shares;
     const double fastest = fastest_rate(rates);
-    for (std::size_t t = 0; t < tips; ++t) advance[t] = fastest > 0.0 ? increment * (rates[t] / fastest) : 0.0;
-    return advance;
+    for (std::size_t t = 0; t < tips; ++t) shares[t] = fastest > 0.0 ? rates[t] / fastest : 0.0;
+    return shares;
 }
 
 double cycles_passed(double grown, double rate_before, double rate_after) {

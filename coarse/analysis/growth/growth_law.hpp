@@ -33,10 +33,10 @@ struct TipAtExtremes {
 /// The largest of them, mm per cycle; 0 if there are none, NaN where one is.
 [[nodiscard]] double fastest_rate(const std::vector<double>& rates);
 
-/// What each tip advances next, mm: the fastest one by `increment`, the others in proportion. By a prescribed law,
-/// and before the first cycle is over (`rates` is empty), all tips advance alike. `rates`: one per tip, mm per cycle.
-[[nodiscard]] std::vector<double> advances(const GrowthSection& growth, double increment,
-                                           const std::vector<double>& rates, std::size_t tips);
+/// What each tip advances of what the fastest one does: in proportion to `rates`, one per tip, mm per cycle. By a
+/// prescribed law, and before the first cycle is over (`rates` is empty), all tips advance alike.
+[[nodiscard]] std::vector<double> shares_of_advance(const GrowthSection& growth, const std::vector<double>& rates,
+                                                    std::size_t tips);
 
 /// Cycles that it took to grow by `grown`, mm, from one state to another with the rates da/dN, mm per cycle, of the
 /// fastest tip (trapezoidal rule).

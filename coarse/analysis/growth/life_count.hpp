@@ -5,6 +5,8 @@
 
 namespace stria::coarse {
 
+inline constexpr double elements_behind_turn = 2.0;  // from where on K behind a sharp turn is resolved
+
 /// About a tip at the end of a cycle.
 struct GrownTip {
     double grown = 0.0;        // since the end of the cycle before, mm
@@ -25,8 +27,7 @@ struct LifeMemory {
 
 /// By the trapezoidal rule of 1 / rate. Where a crack turns sharply its K leaps, and what follows is not resolved until
 /// the tip is two elements farther. So that growth is counted once K is known again: from the rate of a crack that has
-/// just turned to the one that the tip has then. Where the run ends before, to the larger of
-/// these.
+/// just turned to the one that the tip has then. Where the run ends before, to the larger of these.
 class LifeCount {
 public:
     explicit LifeCount(LifeMemory memory = {}) : memory_(memory) {}

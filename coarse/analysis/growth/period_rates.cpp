@@ -1,5 +1,8 @@
 #include "coarse/analysis/growth/period_rates.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -15,6 +18,16 @@ std::vector<double> PeriodRates::present() const {
     std::vector<double> means = memory_.sum;
     for (double& mean : means) mean /= memory_.cycles;
     return means;
+}
+
+std::vector<double> PeriodRates::ahead() const {
+    std::vector<double> rates = present();
+    const std::vector<double>& before = memory_.before;
+    if (before.empty() || std::ranges::none_of(memory_.grown, [](double way) { return way > 0.0; })) return rates;
+    constexpr double leap = 2.0;  // what changes by more does not go on so
+    for (std::size_t t = 0; t < rates.size(); ++t)
+        if (before[t] > 0.0) rates[t] *= std::clamp(std::sqrt(rates[t] / before[t]), 1.0 / leap, leap);
+    return rates;
 }
 
 }  // namespace stria::coarse

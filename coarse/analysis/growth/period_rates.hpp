@@ -26,6 +26,9 @@ public:
     /// Means of the present period, one per tip, mm per cycle. Empty before the first cycle.
     [[nodiscard]] std::vector<double> present() const;
     [[nodiscard]] const std::vector<double>& before() const { return memory_.before; }
+    /// What they are in the middle of a growth as long as the one before the period, one per tip, mm per cycle: their
+    /// logarithms go on as over that one, by a factor of 2 at most. Those of the present where nothing had grown.
+    [[nodiscard]] std::vector<double> ahead() const;
     [[nodiscard]] const std::vector<double>& grown() const { return memory_.grown; }
 
     [[nodiscard]] const PeriodMemory& memory() const { return memory_; }

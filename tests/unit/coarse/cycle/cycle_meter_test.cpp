@@ -24,8 +24,7 @@ protected:
         increment.step.cycle = cycle;
         increment.step.moment = moment;
         increment.step.target.value = increment.load_factor = load;
-        increment.nominal_K = {told ? 10.0 * a : NAN};
-        if (initial_K != 0.0) increment.K_initial = {initial_K};
+        increment.nominal = {{.K_I = told ? 10.0 * a : NAN, .K_initial = initial_K}};
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
@@ -246,9 +245,8 @@ TEST_F(CycleMeterTest, TakesTheRestOfTheRiseBeforeForItsOwnWhereItRisesAsHigh) {
 
 TEST_F(CycleMeterTest, LooksAheadToWhereKFalls) {
     Increment increment;
-    increment.nominal_K = {10.0, 10.0, -10.0};
-    increment.K_of_cases = {{3.0}, {8.0}, {3.0}};
-    increment.K_initial = {1.0, 1.0, 1.0};
+    for (const auto& [K_I, of_case] : {std::pair{10.0, 3.0}, {10.0, 8.0}, {-10.0, 3.0}})
+        increment.nominal.push_back({.K_I = K_I, .K_initial = 1.0, .K_I_of_cases = {of_case}});
     std::vector<LoadFactors> loads;
     for (const auto& [main, beside] : {std::pair{10.0, 0.0}, {9.0, 4.0}, {7.0, 7.0}})
         loads.emplace_back(main, Eigen::VectorXd::Constant(1, beside));

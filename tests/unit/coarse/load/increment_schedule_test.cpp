@@ -205,6 +205,21 @@ TEST(IncrementSchedule, HasManyOnTheWayIntoCompressionUntilOneIsMeasured) {
     EXPECT_EQ(numbers(unknown, {}, true, false), std::pair(begins, begins));
 }
 
+// The first of a run, and not each that is as long after a measurement as the first one is due after the beginning.
+TEST(IncrementSchedule, HasManyInTheFirstLegAlone) {
+    IncrementSchedule schedule{LoadSection()};
+    const auto steps = [&] {
+        schedule.begin({1.0});
+        schedule.meet_at({}, true);
+        return schedule.ways(false).size() - 1;
+    };
+    EXPECT_EQ(steps(), 20U);
+    IncrementSchedule::State later = schedule.state();
+    later.falling.taken = true;
+    schedule.resume(later);
+    EXPECT_EQ(steps(), LoadSection().first_steps() / 2);
+}
+
 // With as many as there may be.
 TEST(IncrementSchedule, SaysWhatItMisses) {
     const auto missed = [](double off) {

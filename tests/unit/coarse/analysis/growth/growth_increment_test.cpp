@@ -36,7 +36,7 @@ CycleResult tip_at(double a, double closure) {
 double next(GrowthIncrement& increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
             const TipSteps& by = steps) {
     const std::vector<double> rates = growth_rates(growth, last);
-    return increment.next(growth, last, rates, rates, by);
+    return increment.next(growth, last, rates, shares_of_advance(growth, rates, last.size()), by);
 }
 
 double first(GrowthIncrement increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
@@ -155,7 +155,7 @@ TEST(GrowthIncrement, NoTipPassesUntil) {
     EXPECT_NEAR(first(GrowthIncrement(), growth, both, far), 0.05 * ratio, 1e-14);
     // Half of a crack whose other tip stands still grows half as fast.
     const std::vector<CycleResult> ends{tip_at(10.0, 0.1), tip_at(10.0, 0.4)};
-    EXPECT_NEAR(GrowthIncrement().next(growth, ends, {0.01, 0.0}, {0.005, 0.005}, far), 0.1, 1e-14);
+    EXPECT_NEAR(GrowthIncrement().next(growth, ends, {0.01, 0.0}, {0.5, 0.5}, far), 0.1, 1e-14);
 }
 
 TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {

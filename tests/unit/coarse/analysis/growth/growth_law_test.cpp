@@ -125,12 +125,12 @@ TEST(GrowthLaw, KnowsNoRateWhereItsDriveIsNotFound) {
 TEST(GrowthLaw, LeadsWithTheFastestTip) {
     GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 2.0};
     const std::vector<CycleResult> last{cycle_with(300.0, 0.0, 0.0), cycle_with(600.0, 0.0, 0.0)};
-    const std::vector<double> found = advances(growth, 0.1, growth_rates(growth, last), 2);
-    EXPECT_NEAR(found[0], 0.025, 1e-15);
-    EXPECT_EQ(found[1], 0.1);
+    const std::vector<double> found = shares_of_advance(growth, growth_rates(growth, last), 2);
+    EXPECT_NEAR(found[0], 0.25, 1e-14);
+    EXPECT_EQ(found[1], 1.0);
     growth.law = GrowthLaw::Prescribed;
-    EXPECT_EQ(advances(growth, 0.1, {}, 2), (std::vector<double>{0.1, 0.1}));
-    EXPECT_EQ(advances(growth, 0.1, growth_rates(growth, last), 2), (std::vector<double>{0.1, 0.1}));
+    EXPECT_EQ(shares_of_advance(growth, {}, 2), (std::vector<double>{1.0, 1.0}));
+    EXPECT_EQ(shares_of_advance(growth, growth_rates(growth, last), 2), (std::vector<double>{1.0, 1.0}));
 }
 
 TEST(GrowthLaw, TakesTheCyclesBetweenTwoRates) {

@@ -35,5 +35,16 @@ TEST(PeriodRates, AreNotKnownWhereOneIsNot) {
     EXPECT_EQ(rates.present(), Tips{1.0});
 }
 
+// By logarithms, half of what they changed by over the growth before; a leap is cut, and zero is no trend.
+TEST(PeriodRates, GoOnToTheMiddleOfTheNextGrowth) {
+    PeriodRates rates;
+    rates.add({1.0, 1.0, 1.0, 0.0}, {0.0, 0.0, 0.0, 0.0}, true);
+    EXPECT_EQ(rates.ahead(), rates.present());
+    rates.add({4.0, 0.25, 100.0, 3.0}, {0.1, 0.1, 0.1, 0.0}, true);
+    EXPECT_EQ(rates.ahead(), (Tips{8.0, 0.125, 200.0, 3.0}));
+    rates.add({5.0, 0.2, 100.0, 3.0}, {0.0, 0.0, 0.0, 0.0}, true);  // by the scatter of cycles without growth: no trend
+    EXPECT_EQ(rates.ahead(), rates.present());
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -1,0 +1,76 @@
+// What a checkpoint holds of the growth of the cracks (checkpoint_members.hpp).
+#pragma once
+
+#include "coarse/analysis/analysis_state.hpp"
+#include "coarse/results/load_members.hpp"
+
+namespace stria::coarse {
+
+void members(auto& archive, Is<PeriodMemory> auto& m) {
+    auto& [sum, cycles, grown, before] = m;
+    archive("sum", sum);
+    archive("cycles", cycles);
+    archive("grown", grown);
+    archive("before", before);
+}
+
+void members(auto& archive, Is<LifeMemory> auto& m) {
+    auto& [uncounted, rate_at_turn, doubt] = m;
+    archive("uncounted", uncounted);
+    archive("rate_at_turn", rate_at_turn);
+    archive("doubt", doubt);
+}
+
+void members(auto& archive, Is<TipRatesMemory> auto& m) {
+    auto& [period, life, at_turn] = m;
+    archive("period", period);
+    archive("life", life);
+    archive("at_turn", at_turn);
+}
+
+void members(auto& archive, Is<GrowthPoint> auto& m) {
+    auto& [a, per_mm, closure] = m;
+    archive("a", a);
+    archive("per_mm", per_mm);
+    archive("closure", closure);
+}
+
+void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
+    auto& [increment, points] = m;
+    archive("increment", increment);
+    archive("points", points);
+}
+
+void members(auto& archive, Is<ReachedExtremes> auto& m) {
+    auto& [maximum, minimum, tips] = m;
+    archive("maximum", maximum);
+    archive("minimum", minimum);
+    archive("tips", tips);
+}
+
+void members(auto& archive, Is<GrowthMemory> auto& m) {
+    auto& [ended, increment, rates, K_reached, extremes] = m;
+    archive("ended", ended);
+    archive("increment", increment);
+    archive("rates", rates);
+    archive("K_reached", K_reached);
+    archive("extremes", extremes);
+}
+
+void members(auto& archive, Is<DueGrowth> auto& m) {
+    auto& [due, cycle, moment] = m;
+    archive("due", due);
+    archive("cycle", cycle);
+    archive("moment", moment);
+}
+
+void members(auto& archive, Is<FaceRelease> auto& m) {
+    auto& [cycle, moment, held, part, cuts] = m;
+    archive("cycle", cycle);
+    archive("moment", moment);
+    archive("held", held);
+    archive("part", part);
+    archive("cuts", cuts);
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,40 @@
+// Two cracks of unlike length: how far the slower one has come when the faster one is as long as asked.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/sent_analysis.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+/// Of the shorter of two edge cracks, from opposite sides and far from each other, mm.
+double shorter_crack_after(double increment) {
+    Case input = specimen("plate", 120.0, {{0.0, 30.3}, {10.3, 30.3}});
+    input.mesh.width = 40.0;
+    input.mesh.size = 1.0;
+    input.cracks.emplace_back().points = {{40.0, 90.3}, {33.3, 90.3}};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load.blocks = {{.cycles = 60, .max = 60.0, .min = 0.0}};
+    input.load.steps = 2;
+    input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = increment, .C = 1e-13, .m = 4.0};
+    input.growth->until = 20.3;
+    const RunHistory run = run_direct(input);
+    EXPECT_NEAR(run.increments.back().tips.at(0).a, 20.3, 1e-9);
+    return run.increments.back().tips.at(1).a;
+}
+
+// By rates of the middle of an increment: 7.5575, 7.3979, 7.3615 and 7.3592 mm with 2.5, 1, 0.25 and 0.1 mm. By those
+// of its beginning 1 and 0.25 mm gave 7.4902 and 7.3906.
+TEST(SlowerTips, GoAsFarToSecondOrderOfTheIncrement) {
+    constexpr double limit = 7.3588;  // of 0.1 and 0.05 mm, extrapolated
+    const double of_2 = shorter_crack_after(2.0) - limit, of_1 = shorter_crack_after(1.0) - limit,
+                 of_half = shorter_crack_after(0.5) - limit;
+    EXPECT_LT(of_1, 0.05);
+    EXPECT_GT(std::log2(of_2 / of_1), 1.7);
+    EXPECT_GT(std::log2(of_1 / of_half), 1.7);
+}
+
+}  // namespace
+}  // namespace stria::test
