@@ -16,7 +16,7 @@ double energy_as_given(const Scene& scene) {
         const auto& nodes = scene.mesh.elements[at(e)];
         const Vec2 a = scene.mesh.nodes[at(nodes[2])] - scene.mesh.nodes[at(nodes[0])];
         const Vec2 b = scene.mesh.nodes[at(nodes[3])] - scene.mesh.nodes[at(nodes[1])];
-        const double area = 0.5 * (a.x() * b.y() - a.y() * b.x());
+        const double area = 0.5 * cross(a, b);
         energy += area * scene.elastic(e).energy(scene.initial_stress(e, centre(scene.mesh, e)));
     }
     return energy;

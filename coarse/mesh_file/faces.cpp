@@ -80,7 +80,7 @@ private:
         double twice = 0.0;
         for (std::size_t k = 1; k + 1 < face.nodes.size(); ++k) {
             const Vec2 a = x_of(face.nodes[k]) - x_of(face.nodes[0]), b = x_of(face.nodes[k + 1]) - x_of(face.nodes[0]);
-            twice += a.x() * b.y() - a.y() * b.x();
+            twice += cross(a, b);
         }
         return 0.5 * twice;
     }
@@ -92,7 +92,7 @@ private:
         for (std::size_t k = 0; k < n; ++k) {
             const Vec2 here = x_of(face.nodes[k]);
             const Vec2 in = here - x_of(face.nodes[(k + n - 1) % n]), out = x_of(face.nodes[(k + 1) % n]) - here;
-            const double turn = in.x() * out.y() - in.y() * out.x();
+            const double turn = cross(in, out);
             if (turn > flat * in.norm() * out.norm()) continue;
             complain(fmt::format("element {} at ({:.6g}, {:.6g}) {} its node {}; the mesh needs convex elements there",
                                  face.number, here.x(), here.y(),

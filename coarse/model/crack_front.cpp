@@ -23,8 +23,6 @@ struct Exit {
     Vec2 position;
 };
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Where a ray from inside a convex element, or along one of its edges, leaves it. Within 1e-3 of an edge's length of a
 /// node it leaves there, as crossings do.
 Exit leaves(const std::array<Vec2, 4>& corners, const Vec2& from, const Vec2& direction) {

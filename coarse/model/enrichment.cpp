@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <set>
 #include <span>
@@ -60,7 +59,7 @@ private:
     [[nodiscard]] bool has_small_elements(const CrackPath& path) const {
         const double length = path.pieces.back().s.back() - path.pieces.front().s.front();
         const auto is_small = [&](const CrackPiece& piece) {
-            return diagonal(mesh_, piece.element) / std::numbers::sqrt2 < tip_enrichment_.none_below * length;
+            return edge_of_square(mesh_, piece.element) < tip_enrichment_.none_below * length;
         };
         return (!path.tip_at_start || is_small(path.pieces.front())) &&
                (!path.tip_at_end || is_small(path.pieces.back()));

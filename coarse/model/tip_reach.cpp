@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "coarse/model/boundary_conditions.hpp"
+#include "common/crack/crack_end.hpp"
 #include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
@@ -52,11 +52,10 @@ namespace {
 
 /// What a crack is beyond the place where its polyline, walked from the tip, leaves the band; empty where it does not.
 std::vector<Vec2> beyond_straight(const CrackSection& crack, const Tip& tip, double band) {
-    std::vector<Vec2> points = crack.points;
-    if (tip.upper > 0) std::ranges::reverse(points);
+    std::vector<Vec2> points = points_to(crack, tip);
+    std::ranges::reverse(points);
     const auto across = [&](const Vec2& x) {  // with its sign: a stretch may come from the other side
-        const Vec2 d = x - tip.position;
-        return tip.direction.x() * d.y() - tip.direction.y() * d.x();
+        return cross(tip.direction, x - tip.position);
     };
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         const double here = across(points[k]), next = across(points[k + 1]);
@@ -101,27 +100,14 @@ double tip_reach(const Mesh& mesh, const std::vector<CrackSection>& cracks, std:
     return std::min(reach, distance_to(beyond_straight(cracks[at(tip.crack)], tip, band), tip.position));
 }
 
-Vec2 end_of(const CrackSection& crack, const Tip& tip) {
-    return tip.upper > 0 ? crack.points.back() : crack.points.front();
-}
-
-Vec2 direction_of_end(const CrackSection& crack, const Tip& tip) {
-    const Vec2 before = tip.upper > 0 ? crack.points.end()[-2] : crack.points[1];
-    return (end_of(crack, tip) - before).normalized();
-}
-
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
-    double size = 0.0;
-    for (const CrackPiece& piece : mesh.pieces) {  // the crack's first, or its last
-        if (piece.crack != tip.crack) continue;
-        size = diagonal(mesh, piece.element);
-        if (tip.upper < 0) break;
-    }
-    return size;
+    const CrackPiece* const piece = piece_of(mesh.pieces, tip);
+    return piece != nullptr ? diagonal(mesh, piece->element) : 0.0;
 }
 
 double tip_element_edge(const EnrichedMesh& mesh, const Tip& tip) {
-    return tip_element_size(mesh, tip) / std::numbers::sqrt2;
+    const CrackPiece* const piece = piece_of(mesh.pieces, tip);
+    return piece != nullptr ? edge_of_square(mesh, piece->element) : 0.0;
 }
 
 }  // namespace stria::coarse

@@ -36,11 +36,7 @@ double distance_to_boundary(const Mesh& mesh, const Vec2& x);
 /// Distance to the nearest node on which a force acts or that is held, mm; infinite where there is none.
 double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
 
-/// The end of a crack at which a tip is, of this crack or of a shorter one, and the unit vector in which it gets there.
-Vec2 end_of(const CrackSection& crack, const Tip& tip);
-Vec2 direction_of_end(const CrackSection& crack, const Tip& tip);
-
-/// Diagonal of the element that holds a tip, mm.
+/// Diagonal of the element that holds a tip, mm; 0: the mesh has none of its crack.
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
 
 /// Edge of a square of that diagonal, mm.

@@ -8,18 +8,13 @@
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/crack/crack_end.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
 #include "coupling/flow_shells.hpp"
 
 namespace stria::coarse {
 namespace {
-
-const CrackPiece& piece_at(const EnrichedMesh& mesh, const Tip& tip) {
-    const auto of_crack = [&](const CrackPiece& piece) { return piece.crack == tip.crack; };
-    const auto first = std::ranges::find_if(mesh.pieces, of_crack);
-    return tip.upper < 0 ? *first : *(std::find_if_not(first, mesh.pieces.end(), of_crack) - 1);
-}
 
 /// How often an element at a tip is split.
 int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
@@ -51,7 +46,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
     std::vector<RefinedDisk> disks;
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
         const Tip& tip = mesh.tips[t];
-        const int element = piece_at(mesh, tip).element;
+        const int element = piece_of(mesh.pieces, tip)->element;
         const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
         const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
         const double radius = std::max(zone_radius(fine, yield_stress[t], K[t]), 3.0 * smallest);
@@ -118,7 +113,7 @@ ElementSet elements_with_more_than_jumps(const Scene& scene) {
     const auto sees_tip = [&](int node) { return std::ranges::any_of(mesh.terms[at(node)], is_of_tip); };
     for (int e = 0; e < found.size(); ++e)
         if (std::ranges::any_of(mesh.elements[at(e)], sees_tip)) found.insert(e);
-    for (const Tip& tip : mesh.tips) found.insert(piece_at(mesh, tip).element);
+    for (const Tip& tip : mesh.tips) found.insert(piece_of(mesh.pieces, tip)->element);
     for (const CrackPiece& piece : mesh.pieces) {
         if (!scene.input.cracks[at(piece.crack)].contact) continue;
         found.insert(piece.element);

@@ -19,7 +19,7 @@ struct TipPolar {
 
 inline TipPolar tip_polar(const Tip& tip, const Vec2& x, int side) {
     const Vec2 d = x - tip.position;
-    const double along = d.dot(tip.direction), across = tip.direction.x() * d.y() - tip.direction.y() * d.x();
+    const double along = d.dot(tip.direction), across = cross(tip.direction, d);
     double theta = std::atan2(across, along);
     const int upper = side * tip.upper;
     if (upper > 0 && theta < -std::numbers::pi / 2.0) theta += 2.0 * std::numbers::pi;

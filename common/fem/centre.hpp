@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
@@ -30,6 +31,11 @@ template <class AnyMesh> Vec2 centre(const AnyMesh& mesh, int element) {
 }
 template <class AnyMesh> double diagonal(const AnyMesh& mesh, int element) {
     return diagonal(corners_of_element(mesh, element));
+}
+
+/// Edge of a square with that diagonal, mm: what "an element" is long where sizes are told in elements.
+template <class AnyMesh> double edge_of_square(const AnyMesh& mesh, int element) {
+    return diagonal(mesh, element) / std::numbers::sqrt2;
 }
 
 }  // namespace stria

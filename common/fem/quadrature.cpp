@@ -95,10 +95,7 @@ std::span<const TrianglePoint> triangle_degree_5() {
     return rule;
 }
 
-double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-    const Vec2 ab = b - a, ac = c - a;
-    return 0.5 * (ab.x() * ac.y() - ab.y() * ac.x());
-}
+double triangle_area(const Vec2& a, const Vec2& b, const Vec2& c) { return 0.5 * cross(b - a, c - a); }
 
 double polygon_area(std::span<const Vec2> polygon) {
     double area = 0.0;

@@ -59,7 +59,7 @@ AuxiliaryField AuxiliaryFields::in_global_axes(double along, double across, doub
 // stress is 4 Re phi', the rotation (kappa + 1) / (2 mu) Im phi'.
 std::array<AuxiliaryField, 3> AuxiliaryFields::at(const Vec2& x, int side) const {
     const Vec2 &d = tip_.direction, from_tip = x - tip_.position;
-    const double along = from_tip.dot(d), across = d.x() * from_tip.y() - d.y() * from_tip.x();
+    const double along = from_tip.dot(d), across = cross(d, from_tip);
     const double r = from_tip.norm();
     const auto [c, s] = HalfAngle(along, across, r, side * tip_.upper);
     const double c3 = c * (4.0 * c * c - 3.0), s3 = s * (3.0 - 4.0 * s * s);

@@ -71,7 +71,7 @@ struct Stretch {
     [[nodiscard]] bool leads_to(const Tip& tip) const {
         const Vec2 d = to - from, to_tip = tip.position - from;
         const double nearest = std::min(std::abs(tip.s - first), std::abs(tip.s - last));
-        return std::abs(d.x() * to_tip.y() - d.y() * to_tip.x()) <= 1e-9 * d.norm() * to_tip.norm() &&
+        return std::abs(cross(d, to_tip)) <= 1e-9 * d.norm() * to_tip.norm() &&
                std::abs(distance(tip.position) - nearest) <= 1e-9 * (length() + nearest);
     }
 };

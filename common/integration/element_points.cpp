@@ -62,7 +62,7 @@ private:
                 for (const Vec2& end : {segment.first, segment.second}) {
                     const Vec2 d = end - a;
                     const double t = d.dot(edge) / edge.squaredNorm();
-                    const bool on_line = std::abs(edge.x() * d.y() - edge.y() * d.x()) < 1e-10 * size_ * edge.norm();
+                    const bool on_line = std::abs(cross(edge, d)) < 1e-10 * size_ * edge.norm();
                     if (on_line && t > 0.0 && t < 1.0 && end != a && end != quad[(k + 1) % 4])
                         on_edge.emplace_back(t, end);
                 }
@@ -109,7 +109,7 @@ private:
         const Vec2 middle = (*first + *last) / 2.0;
         for (std::size_t k = 0; k < 4; ++k) {
             const Vec2 edge = quad[(k + 1) % 4] - quad[k], d = middle - quad[k];
-            if ((edge.x() * d.y() - edge.y() * d.x()) / edge.norm() < 1e-10 * size_) return;
+            if (cross(edge, d) / edge.norm() < 1e-10 * size_) return;
         }
         const Vec2 from = merged(*first, quad, inside), to = merged(*last, quad, inside);
         inside.emplace_back(from, to);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numbers>
 #include <unsupported/Eigen/BVH>
 #include <utility>
 
@@ -15,8 +14,6 @@
 
 namespace stria {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Finds the element of a mesh that holds a place.
 class Places {
@@ -121,14 +118,9 @@ private:
     std::vector<std::optional<ElementField>> fields_;
 };
 
-double size_of(const EnrichedMesh& mesh, int element) {
-    const auto& nodes = mesh.elements[at(element)];
-    return (mesh.nodes[at(nodes[0])] - mesh.nodes[at(nodes[2])]).norm() / std::numbers::sqrt2;
-}
-
 double smallest_size(const EnrichedMesh& mesh) {
     double least = std::numeric_limits<double>::infinity();
-    for (int e = 0; e < std::ssize(mesh.elements); ++e) least = std::min(least, size_of(mesh, e));
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) least = std::min(least, edge_of_square(mesh, e));
     return least;
 }
 
@@ -226,7 +218,7 @@ std::optional<TipMoves> TipMoves::between(const EnrichedMesh& from, const Enrich
         const Vec2 old = centre(from, element_nearest_to(from, before));
         const int now = element_nearest_to(to, old + tip - before);
         const Vec2 move = tip == before ? Vec2::Zero() : Vec2(centre(to, now) - old);
-        if (tip != before && !lies_on_itself(from, to, tip, size_of(to, now), move)) return std::nullopt;
+        if (tip != before && !lies_on_itself(from, to, tip, edge_of_square(to, now), move)) return std::nullopt;
         moves.tips.push_back(tip);
         moves.moves.push_back(move);
     }

@@ -76,7 +76,7 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, c
                 const bool gap = branches_.empty() || s0 - branches_.back().last_s > rounding * (1.0 + s0);
                 const bool kink = !gap && std::acos(std::clamp(tangent.dot(last_tangent), -1.0, 1.0)) > kink_angle;
                 if (gap || kink) {
-                    const double size = diagonal(mesh, piece.element) / std::numbers::sqrt2;
+                    const double size = edge_of_square(mesh, piece.element);
                     branches_.push_back({s0, s0, tip_at(s0), false, size, {}, 0, 0});
                     if (s0 == piece.s.front()) note(piece.entry, s0);
                 }

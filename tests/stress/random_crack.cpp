@@ -90,8 +90,6 @@ Vec2 attracted(const CrackedPlate& plate, const Vec2& x, Dice& dice) {
     }
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 bool well_inside(const Vec2& x) { return (x - Vec2(0.5, 0.5)).lpNorm<Eigen::Infinity>() < 0.34; }
 
 }  // namespace

@@ -141,8 +141,7 @@ struct Halves {
         for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
             const Vec2 &x = mesh.nodes[at(n)], up = plus * x + shift_plus, down = minus * x + shift_minus;
             const Vec2 d = to - from, r = x - from;
-            const double side =
-                heaviside_side(mesh, n) != 0.0 ? heaviside_side(mesh, n) : d.x() * r.y() - d.y() * r.x();
+            const double side = heaviside_side(mesh, n) != 0.0 ? heaviside_side(mesh, n) : cross(d, r);
             u.segment<2>(mesh.unknown(n, 0, 0)) = side > 0.0 ? up : down;
             if (heaviside_side(mesh, n) != 0.0) u.segment<2>(mesh.unknown(n, 1, 0)) = (up - down) / 2.0;
         }
@@ -176,7 +175,7 @@ TEST(PatchTest, EachHalfHoldsItsOwnStrain) {
             const auto local = gather(u, op.unknowns);
             for (std::size_t q = 0; q < op.points.size(); ++q) {
                 const Vec2 d = to - from, r = op.points[q].x - from;
-                const Mandel strain = strain_of(d.x() * r.y() - d.y() * r.x() > 0.0 ? plus : minus);
+                const Mandel strain = strain_of(cross(d, r) > 0.0 ? plus : minus);
                 EXPECT_LT((op.strain(local, q) - strain).norm(), rounding);
             }
         });

@@ -141,9 +141,8 @@ void hold_boundary(coarse::Scene& scene) {
 /// A crack that grazes a node is snapped onto it: no longer straight, it bears some of the stress along it.
 bool is_straight(const EnrichedMesh& mesh, const Vec2& through, const Vec2& along) {
     return std::ranges::all_of(mesh.pieces, [&](const CrackPiece& piece) {
-        return std::ranges::all_of(piece.points, [&](const Vec2& x) {
-            return std::abs(along.x() * (x - through).y() - along.y() * (x - through).x()) < 1e-12;
-        });
+        return std::ranges::all_of(piece.points,
+                                   [&](const Vec2& x) { return std::abs(cross(along, x - through)) < 1e-12; });
     });
 }
 
@@ -182,7 +181,7 @@ TEST(RefinedMesh, RigidHalvesPartFreely) {
         for (const auto& [node, term, unknown] : enriched.own_unknowns()) {
             const Vec2& x = mesh.nodes[at(node)];
             double side = heaviside_side(enriched, node);
-            if (side == 0.0) side = along.x() * (x - centre).y() - along.y() * (x - centre).x() > 0.0 ? 1.0 : -1.0;
+            if (side == 0.0) side = cross(along, x - centre) > 0.0 ? 1.0 : -1.0;
             u.segment<2>(unknown) = term == 0 ? (side > 0.0 ? rigid(x) : Vec2::Zero()) : Vec2(rigid(x) / 2.0);
         }
         hold_boundary(scene);

@@ -48,7 +48,7 @@ TEST(RollingContact, ForceAndMomentAreThoseOfTheWheelEverywhere) {
             if (term != 0) continue;
             const Vec2 f = scene.case_forces[k].segment<2>(unknown), &x = scene.enriched.nodes[at(node)];
             force += f;
-            moment += x.x() * f.y() - x.y() * f.x();
+            moment += cross(x, f);
         }
         const double at_x = block_middle - 8.0 + 16.0 * static_cast<double>(k) / 38.0;
         EXPECT_NEAR(force.y(), -P, 1e-10 * P) << k;

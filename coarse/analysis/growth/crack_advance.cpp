@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "coarse/model/tip_reach.hpp"
+#include "common/crack/crack_end.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -18,18 +19,11 @@ constexpr double no_field = 1e-6;  // of the K of a unit load: faces that touch 
 
 double size_of(const TipResult& tip) { return std::hypot(tip.K_I, tip.K_II); }
 
-/// From the last corner, or the crack's other end, to a tip, mm.
-double last_stretch(const CrackSection& crack, const Tip& tip) {
-    const auto& points = crack.points;
-    const std::size_t end = tip.upper > 0 ? points.size() - 1 : 0, before = tip.upper > 0 ? points.size() - 2 : 1;
-    return (points[end] - points[before]).norm();
-}
-
 /// From the edge over which a crack has come into the element of its tip to the tip, mm; that of faces that end there,
 /// too. Infinite where it has come over none.
 double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
     if (tip.beyond > 0.0) return tip.beyond;
-    const double way = tip.upper > 0 ? 1.0 : -1.0, place = tip.s + way * tip.beyond;
+    const double way = tip.upper, place = tip.s + way * tip.beyond;
     double nearest = std::numeric_limits<double>::infinity();
     for (const CrackPiece& piece : mesh.pieces) {
         const double s = tip.upper > 0 ? piece.s.front() : piece.s.back();
@@ -40,14 +34,7 @@ double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
     return nearest;
 }
 
-/// The points of a crack, in the order that leads to a tip.
-std::vector<Vec2> from_other_end(const CrackSection& crack, const Tip& tip) {
-    std::vector<Vec2> way = crack.points;
-    if (tip.upper < 0) std::ranges::reverse(way);
-    return way;
-}
-
-/// From here on the crack runs along a `way` in that order. What lies at its other end stays where it is.
+/// From here on the crack runs along a `way` that leads to a tip. What lies at its other end stays where it is.
 void lead_along(CrackSection& crack, const Tip& tip, std::vector<Vec2> way) {
     if (tip.upper < 0) {
         std::ranges::reverse(way);
@@ -77,7 +64,7 @@ double turn(double angle, double stretch, double increment, double element) {
 
 double turn_of(const Tip& tip, const std::vector<CrackSection>& longer) {
     const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
-    return std::atan2(tip.direction.x() * now.y() - tip.direction.y() * now.x(), tip.direction.dot(now));
+    return std::atan2(cross(tip.direction, now), tip.direction.dot(now));
 }
 
 double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
@@ -87,16 +74,12 @@ double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection
 }
 
 double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
-    const auto at_end = static_cast<std::ptrdiff_t>(crack.points.size()) - 1;
-    const auto point = [&](std::ptrdiff_t back) -> const Vec2& {
-        return crack.points[at(tip.upper > 0 ? at_end - back : back)];
-    };
+    const std::vector<Vec2> way = points_to(crack, tip);
     double behind = 0.0;
-    for (std::ptrdiff_t k = 1; k < at_end; ++k) {
-        const Vec2 ahead = point(k - 1) - point(k), before = point(k) - point(k + 1);
+    for (std::size_t corner = way.size() - 2; corner > 0; --corner) {
+        const Vec2 ahead = way[corner + 1] - way[corner], before = way[corner] - way[corner - 1];
         behind += ahead.norm();
-        const double cross = before.x() * ahead.y() - before.y() * ahead.x();
-        if (std::abs(std::atan2(cross, before.dot(ahead))) > sharp_turn) return behind;
+        if (std::abs(std::atan2(cross(before, ahead), before.dot(ahead))) > sharp_turn) return behind;
     }
     return std::numeric_limits<double>::infinity();
 }
@@ -105,10 +88,10 @@ double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
 // next advance, or short steps would not add up. A corner is where the mesh has it, or the way from there would lead
 // astray.
 void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {
-    std::vector<Vec2> way = from_other_end(crack, tip);
+    std::vector<Vec2> way = points_to(crack, tip);
     const double owed = (way.back() - tip.position).dot(direction);
     const Vec2 next = tip.position + (increment + owed) * direction;
-    const bool straight = std::abs(tip.direction.x() * direction.y() - tip.direction.y() * direction.x()) < 1e-12;
+    const bool straight = std::abs(cross(tip.direction, direction)) < 1e-12;
     if (!straight && way.size() > 2 && way[way.size() - 2] == tip.position) way.pop_back();  // it has not left it yet
     if (!straight) {
         way.back() = tip.position;
@@ -124,7 +107,7 @@ bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip&
     constexpr double before_edge = 0.02, most_of_stretch = 0.9;  // elements; of the way since a bend
     const double element = tip_element_edge(mesh, tip);
     double back = behind_edge(mesh, tip) + before_edge * element;
-    std::vector<Vec2> way = from_other_end(longer, tip);
+    std::vector<Vec2> way = points_to(longer, tip);
     const Vec2 end = way.back();
     way.pop_back();
     if (way.back() != tip.position || back > element) return false;
@@ -174,7 +157,7 @@ std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, Growth
         CrackSection& crack = cracks[at(tips[t].crack)];
         double angle = 0.0;
         if (direction == GrowthDirection::HoopStress)
-            angle = turn(hoop_stress_angle(directing[t].K_I, directing[t].K_II), last_stretch(crack, tips[t]),
+            angle = turn(hoop_stress_angle(directing[t].K_I, directing[t].K_II), last_stretch(crack, tips[t]).norm(),
                          advance_by[t], elements[t]);
         advance(crack, tips[t], Eigen::Rotation2Dd(angle) * tips[t].direction, advance_by[t]);
     }

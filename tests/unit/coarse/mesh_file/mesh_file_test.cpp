@@ -30,7 +30,7 @@ void expect_closed(const Mesh& mesh, double area) {
         for (const BoundaryEdge& edge : edges) {
             const EdgeGeometry ends = edge_geometry(mesh, edge);
             sum += ends.to - ends.from;
-            enclosed += 0.5 * (ends.from.x() * ends.to.y() - ends.from.y() * ends.to.x());
+            enclosed += 0.5 * cross(ends.from, ends.to);
         }
     }
     EXPECT_LT(sum.norm(), 1e-12);

@@ -13,7 +13,7 @@ const std::vector<RefinedDisk> further = {{{0.45, 0.52}, {0.6, 0.55}, 0.12, 3, 0
 double area(const Mesh& body, int element) {
     const auto& n = body.elements[at(element)];
     const Vec2 a = body.nodes[at(n[2])] - body.nodes[at(n[0])], b = body.nodes[at(n[3])] - body.nodes[at(n[1])];
-    return (a.x() * b.y() - a.y() * b.x()) / 2.0;
+    return cross(a, b) / 2.0;
 }
 
 void expect_sound(const Mesh& body) {

@@ -151,7 +151,7 @@ TEST(RectangleMesh, HasPositiveElementsThatFillTheBodyAndNamedEdges) {
     for (const auto& element : mesh.elements) {
         const auto node = [&](std::size_t k) { return mesh.nodes[at(element[k])]; };
         const Vec2 right = node(1) - node(0), up = node(3) - node(0);
-        EXPECT_GT(right.x() * up.y() - right.y() * up.x(), 0.0);
+        EXPECT_GT(cross(right, up), 0.0);
         area += right.x() * up.y();
     }
     EXPECT_NEAR(area, 50.0 * 200.0, 1e-9);

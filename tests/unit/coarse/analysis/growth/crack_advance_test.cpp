@@ -148,7 +148,7 @@ double farthest_from_a_circle(double increment, double element) {
     for (double s = 0.0; s < 20.0; s += increment) {
         const Vec2 end = crack.points.back(), along = (end - crack.points[crack.points.size() - 2]).normalized();
         const Vec2 tangent = Vec2(centre.y() - end.y(), end.x() - centre.x()).normalized();
-        const double angle = std::asin(along.x() * tangent.y() - along.y() * tangent.x());
+        const double angle = std::asin(cross(along, tangent));
         const double K_II = -std::sin(angle) / (3.0 * std::cos(angle) - 1.0);  // of the largest hoop stress there
         const Tip tip{.crack = 0, .position = end, .direction = along, .s = 0.0, .upper = 1};
         crack = longer_cracks({crack}, GrowthDirection::HoopStress, {tip}, {{.K_I = 1.0, .K_II = K_II}}, {increment},

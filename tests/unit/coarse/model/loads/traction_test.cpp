@@ -22,7 +22,7 @@ Resultant resultant(const Traction& traction, const std::vector<Vec2>& points) {
         for (const auto& [fraction, length] : edge_points(traction, edge, 0.0, 1.0, 2)) {
             const Vec2 x = edge.at(fraction), force = length * traction.at(x, edge.inward_normal());
             sum.force += force;
-            sum.moment += x.x() * force.y() - x.y() * force.x();
+            sum.moment += cross(x, force);
         }
     }
     return sum;
