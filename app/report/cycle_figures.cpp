@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "coarse/load/growth_schedule.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::report {
 
@@ -222,12 +223,9 @@ std::vector<Figure> cycle_figures(const RunRecord& run) {
     std::vector<Figure> figures;
     if (grows(growth_rates(run, 0))) figures.push_back(growth(run));
     // Where it is prescribed the rate is given, not found. A mean rate is that of many ranges.
-    const bool given = run.input && run.input->growth && run.input->growth->law == GrowthLaw::Prescribed;
+    const bool given = run.input && run.input->growth && is_prescribed(*run.input->growth);
     if (!given && !(run.input && coarse::takes_mean_rate(*run.input))) figures.push_back(rates(run));
-    const bool never_touch = run.input && std::ranges::none_of(run.input->cracks, [](const CrackSection& crack) {
-                                 return crack.contact.has_value();
-                             });
-    if (!never_touch) figures.push_back(closure(run));
+    if (!run.input || some_touch(run.input->cracks)) figures.push_back(closure(run));
     figures.push_back(zones(run));
     if (run.input && run.load_cases.rows > 0) figures.push_back(load_cases(run));
     return figures;

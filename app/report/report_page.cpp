@@ -11,6 +11,7 @@
 #include "app/report/fields/body_picture.hpp"
 #include "app/report/fields/field_picture.hpp"
 #include "app/report/history_figures.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::report {
 
@@ -44,8 +45,7 @@ std::string sentence_on_count(const RunRecord& run, const char* name, const std:
 
 std::string sentence_on_opening_loads(const RunRecord& run) {
     if (!run.cycles.columns.contains("K_op") ||
-        (run.input && !run.input->cracks.empty() &&
-         std::ranges::none_of(run.input->cracks, [](const CrackSection& crack) { return crack.contact.has_value(); })))
+        (run.input && !run.input->cracks.empty() && !some_touch(run.input->cracks)))
         return "";
     const auto lost = std::ranges::count_if(run.cycles["K_op"], [](double K) { return std::isnan(K); });
     return lost > 0

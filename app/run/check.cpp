@@ -20,6 +20,7 @@
 #include "coarse/zone/work_estimate.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/memory.hpp"
 
 namespace stria {

@@ -5,6 +5,7 @@
 #include "app/run/mpi_parting.hpp"
 #include "app/run/run.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/error.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "common/memory.hpp"

@@ -6,6 +6,7 @@
 #include "app/run/run_files.hpp"
 #include "app/run/run_lock.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 

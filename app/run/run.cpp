@@ -10,6 +10,7 @@
 #include "app/run/monolithic/monolithic.hpp"
 #include "app/run/mpi_parting.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/error.hpp"
 #include "common/linear/sparse_lu.hpp"
 #include "common/memory.hpp"

@@ -8,6 +8,7 @@
 #include "app/run/launch.hpp"
 #include "app/study/runner.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::study {
 

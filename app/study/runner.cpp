@@ -13,6 +13,7 @@
 #include "app/run/run_lock.hpp"
 #include "app/study/plan.hpp"
 #include "common/case/case_file.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/error.hpp"
 #include "common/io/checksum.hpp"
 

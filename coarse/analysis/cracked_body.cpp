@@ -7,6 +7,7 @@
 #include "coarse/load/load_scale.hpp"
 #include "coarse/structure/structure_chain.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/enrichment/same_functions.hpp"
 #include "common/error.hpp"
 #include "common/integration/parts_of_elements.hpp"

@@ -6,6 +6,7 @@
 
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::coarse {
 namespace {

@@ -1,6 +1,7 @@
 #include "coarse/elements/coarse_elements.hpp"
 
 #include "coarse/elements/elastic_force.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/index_lists.hpp"
 #include "common/linear/symmetric_assembly.hpp"
 

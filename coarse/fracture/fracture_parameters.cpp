@@ -8,6 +8,7 @@
 
 #include "coarse/model/crack_front.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "coupling/flow_shells.hpp"
@@ -175,7 +176,7 @@ const coupling::FaceSample* deepest_overlap(const std::vector<coupling::FaceSamp
     const coupling::FaceSample* deepest = nullptr;
     double largest = 0.0;
     for (const coupling::FaceSample& sample : faces) {
-        if (cracks[at(sample.crack)].contact) continue;
+        if (may_touch(cracks[at(sample.crack)])) continue;
         largest = std::max(largest, std::abs(sample.opening));
         if (deepest == nullptr || sample.opening < deepest->opening) deepest = &sample;
     }

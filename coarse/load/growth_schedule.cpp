@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "coarse/load/load_history.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::coarse {
 namespace {

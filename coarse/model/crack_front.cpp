@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "common/crack/crack_crossings.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/index.hpp"
@@ -23,10 +24,9 @@ struct Exit {
     Vec2 position;
 };
 
-/// Where a ray from inside a convex element, or along one of its edges, leaves it. Within 1e-3 of an edge's length of a
-/// node it leaves there, as crossings do.
+/// Where a ray from inside a convex element, or along one of its edges, leaves it. As near to a node as crossings
+/// are snapped onto it, it leaves there.
 Exit leaves(const std::array<Vec2, 4>& corners, const Vec2& from, const Vec2& direction) {
-    constexpr double at_node = 1e-3;
     Exit exit{-1.0, 0.0, from};
     for (std::size_t k = 0; k < 4; ++k) {
         const Vec2 &a = corners[k], edge = corners[(k + 1) % 4] - a;
@@ -35,7 +35,7 @@ Exit leaves(const std::array<Vec2, 4>& corners, const Vec2& from, const Vec2& di
         const double distance = cross(a - from, edge) / across;
         if (exit.distance >= 0.0 && distance >= exit.distance) continue;
         const double t = std::clamp(edge.dot(from + distance * direction - a) / edge.squaredNorm(), 0.0, 1.0);
-        const double snapped = t < at_node ? 0.0 : t > 1.0 - at_node ? 1.0 : t;
+        const double snapped = t < snap_fraction ? 0.0 : t > 1.0 - snap_fraction ? 1.0 : t;
         exit = {distance, std::fmod(static_cast<double>(k) + snapped, 4.0), a + snapped * edge};
     }
     return exit;

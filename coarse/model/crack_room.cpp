@@ -5,6 +5,7 @@
 
 #include "coarse/model/crack_front.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "coarse/specimen/specimen.hpp"
 #include "common/crack/crack_path.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -12,7 +13,6 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double smallest_edge = 1e-6;  // of the body
 constexpr const char* advice = "smaller elements there (mesh.grading) give it room";
 
 /// Largest size of a coordinate, mm.

@@ -12,6 +12,7 @@
 #include "coarse/model/crack_front.hpp"
 #include "coarse/model/crack_sides.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/enrichment/tip_functions.hpp"
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
@@ -263,11 +264,9 @@ TipEnrichment choose_enrichment(const Case& input) {
     const FineSection& fine = input.fine;
     const double exponent = 1.0 / (singular_n(input) + 1.0);
     const TipEnrichment none{0, 0.5}, single{1, exponent}, topological{6, exponent};
-    constexpr double small = 0.02;
-    const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = small};
-    const auto may_touch = [](const CrackSection& crack) { return crack.contact.has_value(); };
-    const bool leaves_faces = input.growth && std::ranges::any_of(input.cracks, may_touch);
-    const TipEnrichment linear{.functions = 6, .exponent = exponent, .none_below = leaves_faces ? small : 0.0};
+    const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = small_elements};
+    const bool leaves_faces = input.growth && some_touch(input.cracks);
+    const TipEnrichment linear{.functions = 6, .exponent = exponent, .none_below = leaves_faces ? small_elements : 0.0};
     // Four of the six span the singular fields of elasticity.
     const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, fine.enrichment_radius};
     const TipEnrichment near_sliding{4, 0.5, TipSupport::Nodal, {}, 1.6};

@@ -14,15 +14,17 @@ namespace stria::coarse {
 /// with one pair of unknowns a function, freed from its interpolant (as well conditioned as plain elements).
 enum class TipSupport { Topological, Nodal, Gathered };
 
+/// No functions where the elements at all tips are smaller than this part of their crack: an end that is half an
+/// element off changes K by a quarter of it.
+constexpr double small_elements = 0.02;
+
 struct TipEnrichment {
     int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on an edge near its tip
     double exponent = 0.5;  // 1/(n+1)
     TipSupport support = TipSupport::Topological;
     std::optional<double> radius = {};  // mm, of fixed-radius supports; absent: 3/4 of the tip's reach, at most
     double most_diagonals = 20.0;  // so many diagonals of the tip's element: a larger disk costs more than it gains
-    // No functions where the elements at all tips are smaller than this part of their crack: an end that is half an
-    // element off changes K by a quarter of it.
-    double none_below = 0.0;
+    double none_below = 0.0;       // of the crack's length: small_elements, or 0 where functions always stand
 };
 
 /// `auto`: within a fixed radius where nothing yields or touches; six functions with n = 1 of the tip's element where

@@ -15,6 +15,9 @@ namespace stria::coarse {
 /// A bend that leaves the tip's line by less than this times its element's diagonal is none that the mesh could show.
 constexpr double bend_to_element = 0.25;
 
+/// From so many elements behind a bend on K is resolved: rings about a tip pass over one that is nearer.
+constexpr double elements_behind_bend = 2.0;
+
 /// Half of the distance from a tip to the nearest other tip or crack, mm; infinite where there is none.
 double half_way_to_others(const std::vector<CrackSection>& cracks, std::span<const Tip> tips, const Tip& tip);
 

@@ -46,7 +46,7 @@ bool crosses_interior(const Vec2& from, const Vec2& to, const Body& body) {
 
 /// What no mesh can tell from nothing: a crack, or what of it lies in the body, shorter than rounding lets it be.
 void require_length(const CrackSection& crack, const std::string& key, const Body& body) {
-    const double least = 1e-6 * (body.high - body.low).maxCoeff();
+    const double least = smallest_edge * (body.high - body.low).maxCoeff();
     double length = length_of(crack.points);
     for (const Vec2& end : {crack.points.front(), crack.points.back()})
         if (body.holds_inside(end))

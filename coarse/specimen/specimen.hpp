@@ -10,6 +10,9 @@
 
 namespace stria::coarse {
 
+/// Of the body: beside it edges and cracks that are smaller are lost in the rounding of the coordinates.
+constexpr double smallest_edge = 1e-6;
+
 /// The rectangle that a specimen fills, mm.
 struct Body {
     Vec2 low, high;

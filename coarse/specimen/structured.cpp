@@ -14,7 +14,6 @@ namespace stria::coarse {
 namespace {
 
 constexpr std::size_t max_elements = 4'000'000;
-constexpr double smallest_edge = 1e-6;  // of the body: beyond, rounding of the coordinates shows
 
 void require_positive(const std::string& key, double value) {
     if (!std::isfinite(value) || value <= 0.0) {

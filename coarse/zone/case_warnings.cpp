@@ -10,6 +10,7 @@
 #include "coarse/zone/material_adequacy.hpp"
 #include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -32,7 +33,7 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
         const CrackSection& crack = scene.input.cracks[at(tips[t].crack)];
         const auto of_crack = [&](const Tip& tip) { return tip.crack == tips[t].crack; };
         const double own = length_of(crack.points) / static_cast<double>(std::ranges::count_if(tips, of_crack));
-        if (crack.contact && distance[t] >= own)
+        if (may_touch(crack) && distance[t] >= own)
             all.push_back(
                 fmt::format("tip {}: closure is looked at {:.3g} mm behind it, and its faces end after {:.3g} "
                             "mm: nothing touches there (closure.distance)",

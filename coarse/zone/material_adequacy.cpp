@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "coarse/load/rate_law.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -73,9 +74,7 @@ std::vector<std::string> material_warnings(const Case& input) {
 }
 
 std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K) {
-    if (!input.growth || input.growth->law == GrowthLaw::Prescribed || input.growth->law == GrowthLaw::Ctod ||
-        K.empty())
-        return {};
+    if (!input.growth || is_prescribed(*input.growth) || input.growth->law == GrowthLaw::Ctod || K.empty()) return {};
     const GrowthSection& growth = *input.growth;
     const double largest = std::ranges::max(K);
     if (largest <= 0.0) return {};

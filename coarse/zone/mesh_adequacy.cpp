@@ -12,6 +12,7 @@
 #include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/regions.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/case/method_schema.hpp"
 
 namespace stria::coarse {
@@ -25,7 +26,6 @@ constexpr double most_at_a_time = 2.0;    // elements
 constexpr double part_of_element = 0.05;  // by which growth may miss a whole number of them
 constexpr double most_of_zone = 0.1;      // at a time, in plane stress
 constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
-constexpr double elements_to_bend = 2.0;  // from the tip
 constexpr double least_for_K = 0.3;       // elements to another metal
 
 /// (K / sigma_y)^2, mm; zero under pressure.
@@ -34,21 +34,18 @@ double length_of_flow(double K_I, double yield_stress) {
     return ratio * ratio;
 }
 
-bool asks_for_opening_loads(const Case& input) {
-    const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
-    return input.growth || std::ranges::any_of(input.cracks, touches);
-}
+bool asks_for_opening_loads(const Case& input) { return input.growth || some_touch(input.cracks); }
 
 bool leaves_functions_in_contact(const Scene& scene, std::size_t t) {
     const Tip& tip = scene.enriched.tips[t];
-    return scene.input.growth && scene.enriched.tip_functions > 0 && scene.input.cracks[at(tip.crack)].contact;
+    return scene.input.growth && scene.enriched.tip_functions > 0 && may_touch(scene.input.cracks[at(tip.crack)]);
 }
 
 /// A tip whose life its opening loads decide.
 bool lives_by_closure(const Scene& scene, std::size_t t) {
     const std::optional<GrowthSection>& growth = scene.input.growth;
-    const bool touches = scene.input.cracks[at(scene.enriched.tips[t].crack)].contact.has_value();
-    return growth && touches && grows_by_openings(*growth);
+    const CrackSection& crack = scene.input.cracks[at(scene.enriched.tips[t].crack)];
+    return growth && may_touch(crack) && grows_by_openings(*growth);
 }
 
 /// What too few elements do to a life (docs/verification.md, lives on elements half as large).
@@ -151,10 +148,10 @@ std::optional<std::string> bend_warning(const Scene& scene, std::size_t t) {
     const double straight = straight_length(scene.input.cracks[at(tip.crack)], tip,
                                             bend_to_element * tip_element_size(scene.enriched, tip));
     const double element = tip_element_edge(scene.enriched, tip);
-    if (straight >= elements_to_bend * element) return std::nullopt;
+    if (straight >= elements_behind_bend * element) return std::nullopt;
     return fmt::format("tip {}: its crack bends {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; K is "
                        "not resolved nearer than {:g}: smaller elements there",
-                       t, straight, straight / element, element, elements_to_bend);
+                       t, straight, straight / element, element, elements_behind_bend);
 }
 
 /// Rings stay inside the body and clear of bends and other tips. `radius`: of the largest one, mm.
@@ -174,17 +171,17 @@ std::optional<std::string> functions_warning(const Scene& scene) {
     if (mesh.tip_functions == 0 || none_below == 0.0) return std::nullopt;
     const auto small = [&](const Tip& tip) { return none_below * length_in_body(mesh, tip.crack); };
     const auto wants_none = [&](const Tip& tip) {
-        return scene.input.cracks[at(tip.crack)].contact && tip_element_edge(mesh, tip) < small(tip);
+        return may_touch(scene.input.cracks[at(tip.crack)]) && tip_element_edge(mesh, tip) < small(tip);
     };
     const auto wants_some = [&](const Tip& tip) { return tip_element_edge(mesh, tip) >= small(tip); };
     const auto none = std::ranges::find_if(mesh.tips, wants_none), some = std::ranges::find_if(mesh.tips, wants_some);
     if (none == mesh.tips.end() || some == mesh.tips.end()) return std::nullopt;
-    return fmt::format("tip {}: its elements of {:.3g} mm are larger than a fiftieth of its crack, so functions stand "
+    return fmt::format("tip {}: its elements of {:.3g} mm are larger than 1/{:g} of its crack, so functions stand "
                        "at all tips, at tip {}, too, whose elements are small enough for none; what they leave behind "
                        "makes opening loads there too high, by a tenth of K_max in a trial: fine.enrichment = "
                        "\"none\", or elements below {:.3g} mm at tip {}",
-                       some - mesh.tips.begin(), tip_element_edge(mesh, *some), none - mesh.tips.begin(), small(*some),
-                       some - mesh.tips.begin());
+                       some - mesh.tips.begin(), tip_element_edge(mesh, *some), 1.0 / none_below,
+                       none - mesh.tips.begin(), small(*some), some - mesh.tips.begin());
 }
 
 /// K and T are taken across metals, J is not.

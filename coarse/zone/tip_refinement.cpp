@@ -114,11 +114,7 @@ ElementSet elements_with_more_than_jumps(const Scene& scene) {
     for (int e = 0; e < found.size(); ++e)
         if (std::ranges::any_of(mesh.elements[at(e)], sees_tip)) found.insert(e);
     for (const Tip& tip : mesh.tips) found.insert(piece_of(mesh.pieces, tip)->element);
-    for (const CrackPiece& piece : mesh.pieces) {
-        if (!scene.input.cracks[at(piece.crack)].contact) continue;
-        found.insert(piece.element);
-        if (piece.neighbour >= 0) found.insert(piece.neighbour);
-    }
+    add_touching_faces(scene, found);
     return found;
 }
 

@@ -6,6 +6,7 @@
 #include "coarse/elements/near_elements.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/memory.hpp"
 
@@ -81,9 +82,8 @@ double growths_of(const Case& input, const std::vector<TipResult>& tips, double 
 
 /// Per cycle, on an average.
 double increments_of_cycle(const Case& input, const std::vector<Leg>& legs) {
-    const auto touches = [](const CrackSection& crack) { return crack.contact.has_value(); };
     const auto presses = [](const Leg& leg) { return leg.to < 0.0; };
-    const bool compresses = std::ranges::any_of(input.cracks, touches) && std::ranges::any_of(legs, presses);
+    const bool compresses = some_touch(input.cracks) && std::ranges::any_of(legs, presses);
     return input.load.first_steps() * (input.load.steps.is_auto() && compresses ? compressed : 1.0);
 }
 

@@ -7,6 +7,7 @@
 
 #include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/centre.hpp"
 #include "common/index.hpp"
@@ -24,21 +25,11 @@ NodeSet nodes_with_functions_of(const EnrichedMesh& mesh, int tip) {
     return nodes;
 }
 
-/// Cut elements whose faces may touch.
-void add_touching_faces(const Scene& scene, ElementSet& zone) {
-    for (const CrackPiece& piece : scene.enriched.pieces) {
-        if (!scene.input.cracks[at(piece.crack)].contact) continue;
-        zone.insert(piece.element);
-        if (piece.neighbour >= 0) zone.insert(piece.neighbour);
-    }
-}
-
 /// Unknowns of tip functions are the zone's own, however small the disk (full compression: none).
 void add_disk(const Scene& scene, int t, double radius, ElementSet& zone) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(t)];
-    const bool touches = scene.input.cracks[at(tip.crack)].contact.has_value();
-    if (radius <= 0.0 && !touches && !scene.materials.may_yield()) return;
+    if (radius <= 0.0 && !may_touch(scene.input.cracks[at(tip.crack)]) && !scene.materials.may_yield()) return;
     const NodeSet nodes = nodes_with_functions_of(mesh, t);
     const auto carries_function = [&](int node) { return nodes.contains(node); };
     for (int e = 0; e < zone.size(); ++e) {
@@ -80,7 +71,7 @@ void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
     for (const CrackPiece& piece : mesh.pieces) {
         const bool along_edge = piece.neighbour >= 0;
         if (along_edge ? !(zone.contains(piece.element) || zone.contains(piece.neighbour))
-                       : !scene.input.cracks[at(piece.crack)].contact)
+                       : !may_touch(scene.input.cracks[at(piece.crack)]))
             continue;
         zone.insert(piece.element);
         if (along_edge) zone.insert(piece.neighbour);
@@ -116,6 +107,14 @@ std::vector<double> closure_distances(const ClosureSection& closure, const std::
 double zone_radius(const FineSection& fine, double yield_stress, double K) {
     if (fine.radius) return *fine.radius;
     return subdivision_radius(fine.beta, std::max(K, 0.0), yield_stress);
+}
+
+void add_touching_faces(const Scene& scene, ElementSet& elements) {
+    for (const CrackPiece& piece : scene.enriched.pieces) {
+        if (!may_touch(scene.input.cracks[at(piece.crack)])) continue;
+        elements.insert(piece.element);
+        if (piece.neighbour >= 0) elements.insert(piece.neighbour);
+    }
 }
 
 ElementSet select_zone(const Scene& scene, const std::vector<double>& K) {

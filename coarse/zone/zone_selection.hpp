@@ -22,6 +22,9 @@ double subdivision_radius(double beta, double K, double yield_stress);
 /// infinite where nothing yields.
 double zone_radius(const FineSection& fine, double yield_stress, double K);
 
+/// Takes in the cut elements whose faces may touch: of a crack along an edge those on both sides.
+void add_touching_faces(const Scene& scene, ElementSet& elements);
+
 /// The elements of the zone. `K`: the largest of the load history, MPa sqrt(mm), one per tip. None in elastic,
 /// traction-free scenes.
 ElementSet select_zone(const Scene& scene, const std::vector<double>& K);

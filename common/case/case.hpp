@@ -280,20 +280,4 @@ struct Case {
     bool operator==(const Case&) const = default;
 };
 
-bool may_yield(const Case& scene);           // some material has a yield stress
-bool has_initial_stress(const Case& scene);  // there is stress before any load
-bool grows_by_opening_loads(const GrowthSection& growth);
-bool grows_by_openings(const GrowthSection& growth);  // by these loads, or by the opening behind the tip itself
-
-/// The fine component starts if, and only if, there is a yield stress, contact or refinement.
-bool needs_fine(const Case& scene);
-
-/// Sub-quadrangles per element edge in a zone: where a crack is or goes straight on, and away from both. A refined zone
-/// has elements as small as sub-quadrangles are meant to be.
-int subcells_at_crack(const FineSection& fine);
-int subcells_elsewhere(const FineSection& fine);
-
-/// Some faces have friction.
-bool has_friction(const std::vector<CrackSection>& cracks);
-
 }  // namespace stria

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "common/case/case_questions.hpp"
 #include "common/case/loads/load_case_checks.hpp"
 #include "common/memory.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 
 namespace stria {

@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "common/case/case_questions.hpp"
+
 namespace stria::fine {
 namespace {
 
@@ -70,10 +72,10 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
         const Notch notch = notch_of(section, mesh.grown_at_start_of(crack));
         for (FaceStation& station : face_stations(mesh, crack, subcells, points_of_element)) {
             station.fixed_jump = frozen.jump(crack, station.x);
-            const bool may_touch = section.contact && !notch.holds(station.s);
-            (may_touch ? stations_ : free_stations_).push_back(std::move(station));
+            const bool meets = may_touch(section) && !notch.holds(station.s);
+            (meets ? stations_ : free_stations_).push_back(std::move(station));
         }
-        if (!section.contact) continue;
+        if (!may_touch(section)) continue;
         spaces_.push_back({crack, count, space_on(mesh, boundary, crack, section)});
         const MultiplierSpace& space = spaces_.back().space;
         count += space.size();

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "common/case/case_questions.hpp"
 #include "common/crack/notch.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
@@ -134,7 +135,7 @@ std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& ma
              .numbers = std::move(numbers),
              .stations = {},
              .density = density});
-        if (!crack.contact) continue;
+        if (!may_touch(crack)) continue;
         std::vector<FaceStation>& stations = all.back().stations = face_stations_about(patch.mesh, tip, subcells, 4);
         const Notch notch = notch_of(crack, patch.mesh.grown_at_start_of(tip.crack));
         std::erase_if(stations, [&](const FaceStation& station) { return notch.holds(station.s); });

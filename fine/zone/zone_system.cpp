@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/case/case_questions.hpp"
 #include "common/enrichment/same_functions.hpp"
 #include "common/index.hpp"
 #include "common/stopwatch.hpp"
@@ -40,8 +41,6 @@ TakenOver ZoneSystem::set_patch(const coupling::Patch& patch) {
         open_new_faces(before);
     return taken_over(bulk_->elements(), stays, *contact_, old_contact.get());
 }
-
-MaterialLaws ZoneSystem::make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
 
 IntegrationRule ZoneSystem::rule() const {
     // Of elastic elements around a tip that slides: points without a history, so that there may be many.

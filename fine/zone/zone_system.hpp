@@ -103,7 +103,7 @@ public:
     [[nodiscard]] double contact_seconds() const { return contact_s_; }
 
 private:
-    [[nodiscard]] MaterialLaws make_laws() const;
+    [[nodiscard]] MaterialLaws make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
     [[nodiscard]] IntegrationRule rule() const;
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);

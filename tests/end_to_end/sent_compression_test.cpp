@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/end_to_end/figures.hpp"

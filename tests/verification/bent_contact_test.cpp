@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "coarse/zone/refined_scene.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "fine/contact/face_operators.hpp"
 #include "tests/support/comparison.hpp"

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "coarse/zone/refined_scene.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "coarse/zone/refined_scene.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "tests/support/comparison.hpp"

@@ -12,6 +12,7 @@
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/crack/crack_path.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -55,7 +56,7 @@ bool CrackGrowth::is_due_at(const LoadStep& step) const {
 }
 
 GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleResult>& last) {
-    if (growth_.law != GrowthLaw::Prescribed && last.empty()) return {};  // no cycle has told a rate yet
+    if (!is_prescribed(growth_) && last.empty()) return {};  // no cycle has told a rate yet
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
     GrownScene grown;
@@ -89,7 +90,7 @@ double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene&
         return increment_.next(growth_, last, rates_.present(), lengthening,
                                steps_about(fastest_of(rates_.shares(tips.size())), present, turn, elements));
     const double given = growth_.increment.value();
-    return growth_.law == GrowthLaw::Prescribed ? given : cut_to_end(given, growth_, last, lengthening);
+    return is_prescribed(growth_) ? given : cut_to_end(given, growth_, last, lengthening);
 }
 
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
@@ -119,14 +120,14 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
         if (std::abs(turn_of(tips[t], longer)) <= sharp_turn) continue;
         const std::vector<Vec2>& points = longer[at(tips[t].crack)].points;
         const double grows = ((tips[t].upper > 0 ? points.back() : points.front()) - tips[t].position).norm();
-        if (grows < elements_behind_turn * elements[t]) note_(turns_sharply(t, grows, elements[t]));
+        if (grows < elements_behind_bend * elements[t]) note_(turns_sharply(t, grows, elements[t]));
     }
 }
 
 // Where the cycles that follow are other ones their rates are too.
 void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
                              const std::vector<CycleResult>& last) {
-    if (growth_.law == GrowthLaw::Prescribed || last.empty() || rates_.end_with_the_cycle()) return;
+    if (is_prescribed(growth_) || last.empty() || rates_.end_with_the_cycle()) return;
     const std::vector<TipResult> least = K_at_minimum(body, extremes_);
     std::vector<SharpTurn> turns;
     for (std::size_t t = 0; t < last.size(); ++t) {

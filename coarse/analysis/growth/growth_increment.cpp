@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coarse/analysis/growth/growth_law.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::coarse {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/load/rate_law.hpp"
+#include "common/case/case_questions.hpp"
 
 namespace stria::coarse {
 

@@ -2,21 +2,24 @@
 
 #include <fmt/format.h>
 
+#include "coarse/model/enrichment.hpp"
+#include "coarse/model/tip_reach.hpp"
+
 namespace stria::coarse {
 
 std::string turns_sharply(std::size_t tip, double grows, double element) {
     return fmt::format(
-        "warning: tip {} turns sharply and grows by {:.3g} mm, less than two elements of {:.3g} mm: its K "
+        "warning: tip {} turns sharply and grows by {:.3g} mm, less than {:g} elements of {:.3g} mm: its K "
         "is not resolved until it is as far behind the bend",
-        tip, grows, element);
+        tip, grows, elements_behind_bend, element);
 }
 
 std::string functions_change(bool stand) {
     return fmt::format(
-        "warning: from here on {} at the tips: {}all of their elements are smaller than a fiftieth of "
+        "warning: from here on {} at the tips: {}all of their elements are smaller than 1/{:g} of "
         "their cracks (fine.enrichment = \"auto\"). Opening loads leap, by some hundredths of K_max in a "
         "trial; with fine.enrichment = \"none\" from the start they do not",
-        stand ? "functions stand" : "no function stands", stand ? "not " : "");
+        stand ? "functions stand" : "no function stands", stand ? "not " : "", 1.0 / small_elements);
 }
 
 std::string is_arrested(bool by_last_cycle) {

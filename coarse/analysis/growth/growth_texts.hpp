@@ -6,7 +6,7 @@
 
 namespace stria::coarse {
 
-/// A tip that `grows` by so much behind a sharp turn, less than two elements of this edge, mm.
+/// A tip that `grows` by so much behind a sharp turn, less than elements_behind_bend of this edge, mm.
 [[nodiscard]] std::string turns_sharply(std::size_t tip, double grows, double element);
 
 /// With fine.enrichment = "auto" cracks become so long that elements at their tips are small beside them.

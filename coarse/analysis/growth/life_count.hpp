@@ -5,8 +5,6 @@
 
 namespace stria::coarse {
 
-inline constexpr double elements_behind_turn = 2.0;  // from where on K behind a sharp turn is resolved
-
 /// About a tip at the end of a cycle.
 struct GrownTip {
     double grown = 0.0;        // since the end of the cycle before, mm

@@ -10,6 +10,7 @@
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
 #include "coarse/model/tip_reach.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -21,7 +22,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 GrownTip grown_tip(const Scene& present, std::size_t t) {
     const Tip& tip = present.enriched.tips[t];
     return {.behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
-            .resolved = elements_behind_turn * tip_element_edge(present.enriched, tip)};
+            .resolved = elements_behind_bend * tip_element_edge(present.enriched, tip)};
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ void TipRates::count_cycles(int cycle, std::vector<CycleResult>& cycles, const S
     std::vector<double> grown;
     for (const CycleResult& tip : cycles) grown.push_back(tip.da);
     period_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
-    if (growth_.law == GrowthLaw::Prescribed || cycles.empty()) return;  // each stands for itself
+    if (is_prescribed(growth_) || cycles.empty()) return;  // each stands for itself
     for (std::size_t t = 0; t < at_turn_.size(); ++t)
         if (has_just_turned(t) && grown_tip(present, t).is_resolved()) at_turn_[t] = not_known;
     const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };

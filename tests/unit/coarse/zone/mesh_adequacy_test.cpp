@@ -247,7 +247,7 @@ TEST_F(Advice, NamesATipThatPutsFunctionsAtAnotherOne) {
         const std::vector<std::string> all =
             coarse::mesh_warnings(coarse::make_scene(input, mesh), {100.0, 100.0}, {1.0, 1.0});
         return std::ranges::count_if(all, [](const std::string& warning) {
-            return warning.starts_with("tip 1: its elements of 0.0979 mm are larger than a fiftieth of its crack") &&
+            return warning.starts_with("tip 1: its elements of 0.0979 mm are larger than 1/50 of its crack") &&
                    warning.find("at tip 0, too") != std::string::npos &&
                    warning.find("or elements below 0.04 mm at tip 1") != std::string::npos;
         });

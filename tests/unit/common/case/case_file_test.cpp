@@ -1,5 +1,6 @@
 #include "common/case/case_file.hpp"
 
+#include "common/case/case_questions.hpp"
 #include "common/error.hpp"
 #include "common/memory.hpp"
 #include "tests/support/folders.hpp"

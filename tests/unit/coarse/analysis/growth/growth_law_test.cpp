@@ -1,6 +1,7 @@
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
+#include "common/case/case_questions.hpp"
 
 #include <gtest/gtest.h>
 
