@@ -25,7 +25,7 @@ ORDER = {
     ],
     "coupling": [".", "transport", "ranks"],
     "coarse": [
-        "load", "mesh_file", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "cycle", "analysis", "fields", "results",
+        "load", "mesh_file", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "advice", "cycle", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
     "app": ["process", "run", "charts", "report", "study", "material", "."],

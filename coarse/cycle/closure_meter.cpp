@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/model/tip_reach.hpp"
-#include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
 
 namespace stria::coarse {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/model/tip_reach.hpp"
-#include "coarse/zone/mesh_adequacy.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/crack/crack_end.hpp"
 #include "common/fem/centre.hpp"
@@ -18,13 +18,6 @@ namespace {
 
 /// How often an element at a tip is split.
 int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
-
-/// How far ahead of a tip metal flows at its largest load, measured along the crack, mm. In plane strain it flows to
-/// the sides: the elastic stresses reach yield at most 0.47 times as far ahead as away from the tip (nu = 0.3).
-double flow_ahead(PlaneState plane, double K, double yield_stress) {
-    const double away = forward_zone(K, yield_stress, plane);
-    return plane == PlaneState::Strain ? 0.47 * away : away;
-}
 
 /// How far small elements lie ahead of a tip that grows, mm: as far as metal flows, because it is never split again.
 double way_ahead(const Case& input, double flow, double radius, Room room) {
@@ -50,7 +43,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
         const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
         const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
         const double radius = std::max(zone_radius(fine, yield_stress[t], K[t]), 3.0 * smallest);
-        const double flow = flow_ahead(scene.input.model.plane, K[t], yield_stress[t]);
+        const double flow = elastic_zone_ahead(K[t], yield_stress[t], scene.input.model.plane);
         const Vec2 ahead = way_ahead(scene.input, flow, radius, room) * direction_of_end(cracks[at(tip.crack)], tip);
         disks.push_back({tip.position, end_of(cracks[at(tip.crack)], tip) + ahead, radius, levels, fine.growth});
     }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
+#include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/model/rings.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
@@ -89,20 +89,6 @@ void add_elements_that_jump(const Scene& scene, ElementSet& zone) {
 }
 
 }  // namespace
-
-double subdivision_radius(double beta, double K, double yield_stress) {
-    return beta * (std::numbers::pi / 16.0) * (K * K) / (yield_stress * yield_stress);
-}
-
-std::vector<double> closure_distances(const ClosureSection& closure, const std::vector<double>& K,
-                                      const std::vector<double>& yield_stress) {
-    constexpr double share_of_radius = 0.1;
-    std::vector<double> distances;
-    for (std::size_t t = 0; t < K.size(); ++t)
-        distances.push_back(
-            closure.distance.value_or(share_of_radius * subdivision_radius(1.0, K[t], yield_stress[t])));
-    return distances;
-}
 
 double zone_radius(const FineSection& fine, double yield_stress, double K) {
     if (fine.radius) return *fine.radius;

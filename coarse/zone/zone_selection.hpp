@@ -10,14 +10,6 @@
 
 namespace stria::coarse {
 
-/// Eq. (3): R_sub = beta * (pi/16) * K^2 / sigma_y^2, mm. `K`: largest_K (load_scale.hpp).
-double subdivision_radius(double beta, double K, double yield_stress);
-
-/// How far behind each tip closure and the opening are looked at, mm: as the case says, or a tenth of eq. (3) where
-/// beta is 1. `K`: K_of_closure (load_scale.hpp), MPa sqrt(mm), `yield_stress`, MPa: one per tip.
-[[nodiscard]] std::vector<double> closure_distances(const ClosureSection& closure, const std::vector<double>& K,
-                                                    const std::vector<double>& yield_stress);
-
 /// Radius of the zone about a tip, mm: that of the case, or eq. (3). 0 without either. `yield_stress`: at the tip, MPa;
 /// infinite where nothing yields.
 double zone_radius(const FineSection& fine, double yield_stress, double K);

@@ -1,7 +1,7 @@
 // What a run says once its cracks have grown beyond what was said of the case at its start.
 #include <gtest/gtest.h>
 
-#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/advice/mesh_adequacy.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 

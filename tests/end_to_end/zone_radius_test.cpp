@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "coarse/zone/zone_selection.hpp"
+#include "coarse/fracture/plastic_zone.hpp"
 #include "tests/support/sent_analysis.hpp"
 
 namespace stria::test {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/enrichment.hpp"
-#include "coarse/zone/mesh_adequacy.hpp"
 #include "common/error.hpp"
 #include "common/fracture/williams.hpp"
 #include "common/integration/crack_faces.hpp"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/index.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/advice/mesh_adequacy.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {

@@ -42,11 +42,6 @@ bool has_tip_function(const Scene& scene, int element) {
 
 constexpr double K_for_radius_1 = 300.0 * 1.595769121605731;  // beta = 2: R = (2 pi/16) (K/300)^2
 
-TEST(ZoneSelection, RadiusIsEquation3) {
-    EXPECT_NEAR(subdivision_radius(2.0, 850.0, 300.0), 2.0 * 3.14159265358979 / 16.0 * 850.0 * 850.0 / 9e4, 1e-12);
-    EXPECT_NEAR(subdivision_radius(2.0, K_for_radius_1, 300.0), 1.0, 1e-12);
-}
-
 TEST(ZoneSelection, DiskHoldsElementsByTheirCentresAndAllTipFunctions) {
     const Scene scene = cracked_plate(true, false);
     for (const double radius : {0.1, 1.0, 2.7, 4.2}) {

@@ -1,5 +1,5 @@
 // Whether a mesh is fine enough for opening loads.
-#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/advice/mesh_adequacy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,6 @@
 
 namespace stria::test {
 namespace {
-
-// 300 MPa sqrt(mm) at 300 MPa.
-TEST(MeshAdequacy, KnowsTheForwardZone) {
-    EXPECT_NEAR(coarse::forward_zone(300.0, 300.0, PlaneState::Stress), 0.3183099, 1e-7);
-    EXPECT_NEAR(coarse::forward_zone(300.0, 300.0, PlaneState::Strain), 0.157, 1e-7);
-    EXPECT_EQ(coarse::forward_zone(-300.0, 300.0, PlaneState::Strain), 0.0);
-    EXPECT_NEAR(coarse::forward_zone_ahead(300.0, 300.0, PlaneState::Stress), 0.3183099, 1e-7);
-    EXPECT_NEAR(coarse::forward_zone_ahead(300.0, 300.0, PlaneState::Strain), 0.04, 1e-7);
-    EXPECT_EQ(coarse::forward_zone_ahead(-300.0, 300.0, PlaneState::Strain), 0.0);
-}
 
 class Advice : public testing::Test {
 protected:

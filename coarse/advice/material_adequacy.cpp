@@ -1,4 +1,4 @@
-#include "coarse/zone/material_adequacy.hpp"
+#include "coarse/advice/material_adequacy.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "coarse/zone/mesh_adequacy.hpp"
+#include "coarse/advice/mesh_adequacy.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/model/crack_front.hpp"
 #include "coarse/model/enrichment.hpp"
 #include "coarse/model/rings.hpp"
@@ -27,12 +27,6 @@ constexpr double part_of_element = 0.05;  // by which growth may miss a whole nu
 constexpr double most_of_zone = 0.1;      // at a time, in plane stress
 constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
 constexpr double least_for_K = 0.3;       // elements to another metal
-
-/// (K / sigma_y)^2, mm; zero under pressure.
-double length_of_flow(double K_I, double yield_stress) {
-    const double ratio = std::max(K_I, 0.0) / yield_stress;
-    return ratio * ratio;
-}
 
 bool asks_for_opening_loads(const Case& input) { return input.growth || some_touch(input.cracks); }
 
@@ -154,16 +148,6 @@ std::optional<std::string> bend_warning(const Scene& scene, std::size_t t) {
                        t, straight, straight / element, element, elements_behind_bend);
 }
 
-/// Rings stay inside the body and clear of bends and other tips. `radius`: of the largest one, mm.
-std::optional<std::string> ring_warning(const Scene& scene, std::size_t t, double radius) {
-    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-    if (radius >= elements_in_ring * element) return std::nullopt;
-    return fmt::format(
-        "tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
-        "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
-        t, radius, radius / element, element, elements_in_ring);
-}
-
 /// Tip functions stand at all tips or at none, and what they leave on the faces is seen where elements are small.
 std::optional<std::string> functions_warning(const Scene& scene) {
     const EnrichedMesh& mesh = scene.enriched;
@@ -198,15 +182,12 @@ std::optional<std::string> metal_warning(const Scene& scene, std::size_t t) {
 }  // namespace
 
 std::optional<std::string> room_warning(const Scene& scene, std::size_t tip, double radius) {
-    return bend_warning(scene, tip) ? std::nullopt : ring_warning(scene, tip, radius);
-}
-
-double forward_zone(double K_I, double yield_stress, PlaneState plane) {
-    return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.157) * length_of_flow(K_I, yield_stress);
-}
-
-double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane) {
-    return (plane == PlaneState::Stress ? std::numbers::inv_pi : 0.04) * length_of_flow(K_I, yield_stress);
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
+    if (radius >= elements_in_ring * element || bend_warning(scene, tip)) return std::nullopt;
+    return fmt::format(
+        "tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
+        "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
+        tip, radius, radius / element, element, elements_in_ring);
 }
 
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,
@@ -218,7 +199,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
     };
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         std::optional<std::string> warning = bend_warning(scene, t);
-        if (!warning) warning = ring_warning(scene, t, largest_ring(scene, static_cast<int>(t)));
+        if (!warning) warning = room_warning(scene, t, largest_ring(scene, static_cast<int>(t)));
         if (!warning) warning = metal_warning(scene, t);
         add(std::move(warning));
     }

@@ -1,5 +1,5 @@
 // Materials that are no metals: who has typed GPa, or Pa, learns it before the run.
-#include "coarse/zone/material_adequacy.hpp"
+#include "coarse/advice/material_adequacy.hpp"
 
 #include <gtest/gtest.h>
 

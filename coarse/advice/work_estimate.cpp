@@ -1,4 +1,4 @@
-#include "coarse/zone/work_estimate.hpp"
+#include "coarse/advice/work_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

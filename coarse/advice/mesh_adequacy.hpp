@@ -10,14 +10,6 @@
 
 namespace stria::coarse {
 
-/// Largest extent of the flow about a tip at its largest load, mm: (K / sigma_y)^2 / pi in plane stress (Irwin), 0.157
-/// (K / sigma_y)^2 in plane strain, at 71 degrees to the crack (Levy et al., Int. J. Fracture Mech. 7, 1971).
-double forward_zone(double K_I, double yield_stress, PlaneState plane);
-
-/// Its extent straight ahead of the tip, mm: the same in plane stress, 0.04 (K / sigma_y)^2 in plane strain
-/// (docs/verification.md, opening loads). There the faces close that a growing tip leaves.
-double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
-
 /// One sentence per region whose outline elements do not follow; per tip less than two elements from a bend behind it,
 /// or about which no ring of three elements lies, or, of several materials, none of four in its own; per tip whose
 /// forward zone spans fewer than five elements where contact is asked for, or, straight ahead, five in plane strain and

@@ -1,15 +1,15 @@
-#include "coarse/zone/case_warnings.hpp"
+#include "coarse/advice/case_warnings.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 #include <utility>
 
+#include "coarse/advice/material_adequacy.hpp"
+#include "coarse/advice/mesh_adequacy.hpp"
+#include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
-#include "coarse/zone/material_adequacy.hpp"
-#include "coarse/zone/mesh_adequacy.hpp"
-#include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"

@@ -1,5 +1,5 @@
 // What `stria check` says of the work that a run will be.
-#include "coarse/zone/work_estimate.hpp"
+#include "coarse/advice/work_estimate.hpp"
 
 #include <gtest/gtest.h>
 
