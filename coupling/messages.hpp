@@ -27,6 +27,7 @@ struct Hello {
 struct Ring {
     std::int32_t tip = 0, number = 0;               // of the tip's rings
     double inner_radius = 0.0, outer_radius = 0.0;  // mm
+    double element = 0.0;                           // edge of the one that holds the tip, mm
 };
 
 /// The last increments as guesses about new tips (MovedField), on all unknowns of a new mesh, mm: a column each, the

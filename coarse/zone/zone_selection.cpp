@@ -186,12 +186,13 @@ coupling::Patch make_patch(const Scene& scene, const ElementSet& in_zone, const 
     put_case_loads(scene, whole, patch);
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
         const std::vector<Annulus> rings = rings_about(scene, t);
+        const double element = tip_element_edge(scene.enriched, scene.enriched.tips[at(t)]);
         for (int k = 0; k < std::ssize(rings); ++k) {
             const auto& [inner, outer, one_metal] = rings[at(k)];
             // An initial stress counts inside of a ring too, and another metal.
             if (scene.initial_stress().any() || !one_metal ||
                 reaches(patch.mesh, scene.enriched.tips[at(t)], rings[at(k)]))
-                patch.rings.push_back({t, k, inner, outer});
+                patch.rings.push_back({t, k, inner, outer, element});
         }
     }
     return patch;

@@ -27,8 +27,8 @@ void fields(auto& wire, Is<Commit> auto& m) {
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {
-    auto& [tip, number, inner_radius, outer_radius] = m;
-    wire(tip, number, inner_radius, outer_radius);
+    auto& [tip, number, inner_radius, outer_radius, element] = m;
+    wire(tip, number, inner_radius, outer_radius, element);
 }
 
 void fields(auto& wire, Is<Term> auto& m) {

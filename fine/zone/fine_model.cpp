@@ -52,10 +52,7 @@ void FineModel::evaluate() {
         if (!asked_.further) correct();
         system_.move(asked_.step * correction_.displacement, asked_.step * correction_.traction);
     }
-    system_.set_held(asked_.held);
-    system_.set_elastic(asked_.elastic);
-    system_.set_load_factor(asked_.load_factor);
-    system_.set_cases(asked_.cases);
+    system_.bear({asked_.load_factor, asked_.cases, asked_.held, asked_.elastic});
     system_.set_boundary(asked_.boundary);
     // New faces send the stress where no half cycle before has sent it: every iterate looks at what rests.
     const bool opens = system_.opens_faces() || asked_.opens_faces;

@@ -5,8 +5,9 @@
 #include <numeric>
 
 #include "common/case/case_questions.hpp"
+#include "common/crack/crack_crossings.hpp"
+#include "common/crack/crack_end.hpp"
 #include "common/crack/notch.hpp"
-#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::fine {
@@ -52,12 +53,11 @@ void add_tractions(RingSums& sums, const CommittedZone& zone, const std::vector<
     }
 }
 
-/// By more than a mesh moves a tip onto itself, which is a thousandth of an edge (docs/notation.md).
-bool has_grown(const Tip& tip, const CrackSection& at_first) {
-    constexpr double seen = 1e-3;
-    const double moved = seen * length_of(at_first.points);
-    const auto has_left = [&](const Vec2& end) { return (tip.position - end).norm() > moved; };
-    return has_left(at_first.points.front()) && has_left(at_first.points.back());
+/// By more than a mesh moves a tip onto a node: by a thousandth of an edge that meets there (docs/method.md, section
+/// 2). Such an edge may be longer than the `element`, a square of its size, mm. All ranks are told the same one.
+bool has_grown(const Tip& tip, const CrackSection& at_first, double element) {
+    constexpr double seen = 4.0 * snap_fraction;
+    return (tip.position - end_of(at_first, tip)).norm() > seen * element;
 }
 
 /// Up to the middle of a crack with two tips: beyond it they belong to the other tip.
@@ -98,6 +98,42 @@ void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
                 contact.slides_behind(faces_behind(tips, t, distance), jumps, smallest_slip) ? 1 : 0);
 }
 
+std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
+                               const std::vector<CrackSection>& cracks, int subcells) {
+    std::vector<TipRings> all;
+    std::vector<int> elements(patch.mesh.elements.size());
+    std::iota(elements.begin(), elements.end(), 0);
+    for (int t = 0; t < std::ssize(patch.mesh.tips); ++t) {
+        const Tip& tip = patch.mesh.tips[at(t)];
+        std::vector<Annulus> annuli;
+        std::vector<int> numbers;
+        double element = 0.0;
+        for (const coupling::Ring& ring : patch.rings) {
+            if (ring.tip != t) continue;
+            annuli.push_back({ring.inner_radius, ring.outer_radius});
+            numbers.push_back(ring.number);
+            element = ring.element;
+        }
+        const bool with_inside = materials.initial_stress().any() || materials.count() > 1;
+        const CrackSection& crack = cracks[at(tip.crack)];
+        const EnergyDensity density =
+            has_grown(tip, crack, element) ? EnergyDensity::Elastic : EnergyDensity::StressWork;
+        all.push_back(
+            {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, with_inside},
+             .numbers = std::move(numbers),
+             .stations = {},
+             .density = density});
+        if (!may_touch(crack)) continue;
+        std::vector<FaceStation>& stations = all.back().stations = face_stations_about(patch.mesh, tip, subcells, 4);
+        const Notch notch = notch_of(crack, patch.mesh.grown_at_start_of(tip.crack));
+        std::erase_if(stations, [&](const FaceStation& station) { return notch.holds(station.s); });
+    }
+    return all;
+}
+
+namespace {
+
+/// One per tip of the mesh.
 std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     const EnrichedMesh& mesh = zone.patch.mesh;
     std::vector<coupling::TipReport> reports(mesh.tips.size());
@@ -113,36 +149,7 @@ std::vector<coupling::TipReport> report_tips(const CommittedZone& zone) {
     return reports;
 }
 
-std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
-                               const std::vector<CrackSection>& cracks, int subcells) {
-    std::vector<TipRings> all;
-    std::vector<int> elements(patch.mesh.elements.size());
-    std::iota(elements.begin(), elements.end(), 0);
-    for (int t = 0; t < std::ssize(patch.mesh.tips); ++t) {
-        const Tip& tip = patch.mesh.tips[at(t)];
-        std::vector<Annulus> annuli;
-        std::vector<int> numbers;
-        for (const coupling::Ring& ring : patch.rings) {
-            if (ring.tip != t) continue;
-            annuli.push_back({ring.inner_radius, ring.outer_radius});
-            numbers.push_back(ring.number);
-        }
-        const bool with_inside = materials.initial_stress().any() || materials.count() > 1;
-        const CrackSection& crack = cracks[at(tip.crack)];
-        const EnergyDensity density = has_grown(tip, crack) ? EnergyDensity::Elastic : EnergyDensity::StressWork;
-        all.push_back(
-            {.sums = {patch.mesh, tip, materials.elastic(tip.material), std::move(annuli), elements, with_inside},
-             .numbers = std::move(numbers),
-             .stations = {},
-             .density = density});
-        if (!may_touch(crack)) continue;
-        std::vector<FaceStation>& stations = all.back().stations = face_stations_about(patch.mesh, tip, subcells, 4);
-        const Notch notch = notch_of(crack, patch.mesh.grown_at_start_of(tip.crack));
-        std::erase_if(stations, [&](const FaceStation& station) { return notch.holds(station.s); });
-    }
-    return all;
-}
-
+/// One per ring of the patch, tip by tip.
 std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::vector<TipRings>& rings) {
     std::vector<coupling::RingReport> reports;
     for (int t = 0; t < std::ssize(rings); ++t) {
@@ -156,6 +163,7 @@ std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::v
     return reports;
 }
 
+/// One per station that may touch, by crack and arc length, and those of free faces behind them.
 std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone) {
     std::vector<coupling::FaceSample> samples;
     const FaceOperators& faces = zone.contact.operators();
@@ -164,6 +172,7 @@ std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone) {
     return samples;
 }
 
+/// Length in contact, mm, one per crack.
 std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t cracks) {
     std::vector<double> lengths(cracks, 0.0);
     for (const FaceStation& station : zone.contact.operators().stations())
@@ -172,6 +181,7 @@ std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t crack
     return lengths;
 }
 
+/// Opening where each crack meets the boundary, mm: NaN where it has two tips, or the zone does not hold that end.
 std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks) {
     const EnrichedMesh& mesh = zone.patch.mesh;
     std::vector<double> openings(cracks, std::numeric_limits<double>::quiet_NaN());
@@ -180,6 +190,18 @@ std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks
         if (!mouth.terms.empty()) openings[crack] = opening(zone, mouth);
     }
     return openings;
+}
+
+}  // namespace
+
+void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks, bool brief,
+               coupling::StepReport& report) {
+    report.tips = report_tips(zone);
+    report.contact_length = contact_lengths(zone, cracks);
+    report.mouth_opening = mouth_openings(zone, cracks);
+    if (brief) return;
+    report.rings = report_rings(zone, rings);
+    report.faces = report_faces(zone);
 }
 
 }  // namespace stria::fine

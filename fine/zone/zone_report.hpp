@@ -39,9 +39,6 @@ struct TrialFaces {
 };
 void put_faces(const TrialFaces& faces, coupling::Digest& digest);
 
-/// One per tip of the mesh.
-[[nodiscard]] std::vector<coupling::TipReport> report_tips(const CommittedZone& zone);
-
 /// The rings of a patch about a tip, and those stations of its crack's faces near it that may touch.
 struct TipRings {
     RingSums sums;
@@ -54,16 +51,9 @@ struct TipRings {
 [[nodiscard]] std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
                                              const std::vector<CrackSection>& cracks, int subcells);
 
-/// One per ring of the patch, tip by tip.
-[[nodiscard]] std::vector<coupling::RingReport> report_rings(const CommittedZone& zone, std::vector<TipRings>& rings);
-
-/// One per station that may touch, by crack and arc length.
-[[nodiscard]] std::vector<coupling::FaceSample> report_faces(const CommittedZone& zone);
-
-/// Length in contact, mm, one per crack. `cracks`: of the case.
-[[nodiscard]] std::vector<double> contact_lengths(const CommittedZone& zone, std::size_t cracks);
-
-/// Opening where each crack meets the boundary, mm: NaN where it has two tips, or the zone does not hold that end.
-[[nodiscard]] std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks);
+/// Puts into a report what it says of tips, lengths in contact and mouths and, unless it is to be brief, of rings and
+/// faces. `cracks`: how many the case has.
+void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks, bool brief,
+               coupling::StepReport& report);
 
 }  // namespace stria::fine

@@ -104,16 +104,11 @@ void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd
     largest_move_ = displacement.size() > 0 ? displacement.cwiseAbs().maxCoeff() : 0.0;
 }
 
-void ZoneSystem::set_boundary(const Eigen::VectorXd& displacement) {
-    for (std::size_t k = 0; k < patch_.boundary.size(); ++k)
-        trial_.displacement[patch_.boundary[k]] = displacement[static_cast<Eigen::Index>(k)];
-}
-
 void ZoneSystem::linearise() {
     if (steps_ == 1) memory_.opening.begin(trial_.displacement - memory_.committed.displacement);
     {
         const Stopwatch watch(constitutive_s_);
-        bulk_->evaluate(trial_.displacement, elastic_);
+        bulk_->evaluate(trial_.displacement, loading_.elastic);
     }
     const Stopwatch watch(contact_s_);
     jumps_ = contact_->jumps_that_matter(trial_.displacement, trial_.traction, contact_work_);
@@ -121,10 +116,10 @@ void ZoneSystem::linearise() {
     if (steps_ > 0 || !memory_.opening.any()) contact_->choose_statuses(trial_.traction, jumps_);
     Eigen::VectorXd force = bulk_->internal_force();
     contact_->operators().add_force(contact_->awake(trial_.traction), force);
-    load_ = load_factor_ * patch_.unit_load - force;
+    load_ = loading_.load_factor * patch_.unit_load - force;
     // Factors beyond the end of those given are zero, as where an initial stress comes to equilibrium.
-    if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads.leftCols(cases_.size()) * cases_;
-    memory_.opening.hold(held_, load_);
+    if (patch_.case_loads.cols() > 0) load_ += patch_.case_loads.leftCols(loading_.cases.size()) * loading_.cases;
+    memory_.opening.hold(loading_.held, load_);
     at_rest_.forget_response();
 }
 
@@ -163,11 +158,6 @@ void ZoneSystem::wake_all_but(Resting still, UnknownSet inside) {
         if (!still.elements.contains(e)) summary_->follow(*bulk_, e);
     contact_->resting().wake_all_but(std::move(still.multipliers));
     at_rest_ = ZoneAtRest(*bulk_, *contact_, std::move(inside));
-}
-
-void ZoneSystem::wake_all() {
-    wake_all_but({ElementSet(bulk_->elements().count()), MultiplierSet(contact_->multipliers())},
-                 UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
 }
 
 Eigen::VectorXd ZoneSystem::moved_since_rest() const {
@@ -225,26 +215,51 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     contact_->clean(trial_.traction);
     const ZoneUnknowns move{trial_.displacement - memory_.committed.displacement,
                             trial_.traction - memory_.committed.traction};
-    const double friction = contact_->dissipated(memory_.committed.traction, trial_.traction, jumps_);
-    const bool begins = bulk_->history().half_cycle_ended();
-    const double contact =  // a release holds the loads, which do their work by no trapezoid
-        what.releases ? 0.0 : contact_->operators().work_by_trapezoid(memory_.committed.at_faces(), trial_.at_faces());
-    memory_.committed = trial_;
     const double dissipated = summary_->dissipation();
+    coupling::StepReport report;
+    report.energy = spent_at_faces(what.releases);
+    take_over_trial(what);
+    add_energies(move, report.energy);
+    memory_.increments.push(move);
+    report_on({.patch = patch_,
+               .bulk = *bulk_,
+               .summary = *summary_,
+               .contact = *contact_,
+               .frozen = memory_.frozen,
+               .displacement = memory_.committed.displacement,
+               .traction = memory_.committed.traction},
+              rings_, input_.cracks.size(), what.brief, report);
+    report.dissipation = summary_->dissipation() - dissipated;
+    put_counts(report);
+    return report;
+}
+
+// On the way to the trial state. A release holds the loads, which do their work by no trapezoid.
+coupling::EnergyReport ZoneSystem::spent_at_faces(bool releases) const {
+    const ZoneUnknowns& before = memory_.committed;
+    coupling::EnergyReport energy;
+    energy.friction = contact_->dissipated(before.traction, trial_.traction, jumps_);
+    if (!releases) energy.contact = contact_->operators().work_by_trapezoid(before.at_faces(), trial_.at_faces());
+    return energy;
+}
+
+void ZoneSystem::take_over_trial(const coupling::Commit& what) {
+    const bool begins = bulk_->history().half_cycle_ended();
+    memory_.committed = trial_;
     bulk_->commit(what.reversal, !what.releases);
     contact_->commit(memory_.committed.displacement);
     if (what.reversal && !what.releases) contact_->note_half_cycle();
     summary_->update(*bulk_, begins);
-    coupling::StepReport report;
-    report.energy = {.stored = summary_->stored_energy() + at_rest_.energy(moved_since_rest()),
-                     .released = memory_.opening.release(move.displacement, held_),
-                     .friction = friction,
-                     .contact = contact,
-                     .load_path = patch_.unit_load.dot(move.displacement)};
-    if (patch_.case_loads.cols() > 0) report.energy.case_paths = patch_.case_loads.transpose() * move.displacement;
-    memory_.increments.push(move);
-    report_on(report, what.brief);
-    report.dissipation = summary_->dissipation() - dissipated;
+}
+
+void ZoneSystem::add_energies(const ZoneUnknowns& move, coupling::EnergyReport& energy) {
+    energy.stored = summary_->stored_energy() + at_rest_.energy(moved_since_rest());
+    energy.released = memory_.opening.release(move.displacement, loading_.held);
+    energy.load_path = patch_.unit_load.dot(move.displacement);
+    if (patch_.case_loads.cols() > 0) energy.case_paths = patch_.case_loads.transpose() * move.displacement;
+}
+
+void ZoneSystem::put_counts(coupling::StepReport& report) const {
     report.points = bulk_->history().points();
     report.unknowns = patch_.mesh.unknowns + contact_->tractions();
     report.multipliers = contact_->tractions();
@@ -253,23 +268,6 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
     report.work.interface_elements = contact_->operators().interface_elements();
     report.constitutive_s = constitutive_s_;
     report.contact_s = contact_s_;
-    return report;
-}
-
-void ZoneSystem::report_on(coupling::StepReport& report, bool brief) {
-    const CommittedZone zone{.patch = patch_,
-                             .bulk = *bulk_,
-                             .summary = *summary_,
-                             .contact = *contact_,
-                             .frozen = memory_.frozen,
-                             .displacement = memory_.committed.displacement,
-                             .traction = memory_.committed.traction};
-    report.tips = report_tips(zone);
-    report.contact_length = contact_lengths(zone, input_.cracks.size());
-    report.mouth_opening = mouth_openings(zone, input_.cracks.size());
-    if (brief) return;
-    report.rings = report_rings(zone, rings_);
-    report.faces = report_faces(zone);
 }
 
 coupling::ZoneState ZoneSystem::state() const {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
@@ -14,6 +15,14 @@
 #include "fine/zone/zone_sections.hpp"
 
 namespace stria::fine {
+
+/// What a zone bears in an iterate, beside the displacement of its boundary.
+struct ZoneLoading {
+    double load_factor = 0.0;
+    Eigen::VectorXd cases = {};  // factors of the load cases; those beyond the end are zero
+    double held = 0.0;           // share of the forces on faces that growth has opened that still holds them
+    bool elastic = false;        // as if no point flowed
+};
 
 class ZoneSystem {
 public:
@@ -27,21 +36,15 @@ public:
     /// Remembers the way to the present trial state, as Predictor has it.
     void put_aside();
 
-    /// Of the trial state.
-    void set_load_factor(double load_factor) { load_factor_ = load_factor; }
-    /// Factors of the load cases; those beyond the end are zero.
-    void set_cases(const Eigen::VectorXd& cases) { cases_ = cases; }
-    [[nodiscard]] double load_factor() const { return load_factor_; }
-
-    /// Share of the forces on faces that growth has opened that still holds them, until it is set again.
-    void set_held(double share) { held_ = share; }
-    void set_elastic(bool elastic) { elastic_ = elastic; }
+    /// Of the trial state, until it is told anew.
+    void bear(ZoneLoading loading) { loading_ = std::move(loading); }
+    [[nodiscard]] double load_factor() const { return loading_.load_factor; }
     /// Growth has opened faces that forces still hold in the committed state.
     [[nodiscard]] bool opens_faces() const { return memory_.opening.any(); }
 
     /// Moves the trial unknowns: displacements of the zone, tractions of the faces.
     void move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction);
-    void set_boundary(const Eigen::VectorXd& displacement);
+    void set_boundary(const Eigen::VectorXd& displacement) { trial_.displacement(patch_.boundary) = displacement; }
 
     /// Stresses, tangents, gaps and statuses at the trial unknowns.
     void linearise();
@@ -59,7 +62,10 @@ public:
     [[nodiscard]] Restless follow(const Eigen::VectorXd& moved);
     /// All but those that still rest are evaluated again.
     void wake_all_but(Resting still, UnknownSet inside);
-    void wake_all();
+    void wake_all() {
+        wake_all_but({ElementSet(bulk_->elements().count()), MultiplierSet(contact_->multipliers())},
+                     UnknownSet(patch_.mesh.unknowns + contact_->tractions()));
+    }
     /// What is due on them where they came to rest, and what the unknowns have moved since then.
     [[nodiscard]] const Eigen::VectorXd& rest_load() const { return at_rest_.load(); }
     [[nodiscard]] Eigen::VectorXd moved_since_rest() const;
@@ -109,7 +115,10 @@ private:
     void begin_with(const coupling::Patch& patch);
     [[nodiscard]] double smallest_slip() const;
     void open_new_faces(const EnrichedMesh& before);
-    void report_on(coupling::StepReport& report, bool brief);
+    [[nodiscard]] coupling::EnergyReport spent_at_faces(bool releases) const;
+    void take_over_trial(const coupling::Commit& what);
+    void add_energies(const ZoneUnknowns& move, coupling::EnergyReport& energy);
+    void put_counts(coupling::StepReport& report) const;
 
     ZoneSections input_;
     coupling::Patch patch_;
@@ -119,12 +128,12 @@ private:
     std::vector<TipRings> rings_;  // per tip
     ZoneMemory memory_;
     ZoneUnknowns trial_;
-    Eigen::VectorXd load_, cases_;
+    ZoneLoading loading_;
+    Eigen::VectorXd load_;
     ContactInterface::Jumps jumps_;
     ZoneAtRest at_rest_;
     int steps_ = 0;  // of Newton's method in this attempt
-    double largest_move_ = 0.0, load_factor_ = 0.0, held_ = 0.0;
-    bool elastic_ = false;  // as if no point flowed
+    double largest_move_ = 0.0;
     double constitutive_s_ = 0.0, contact_s_ = 0.0;
     coupling::WorkCounts contact_work_;
 };

@@ -51,10 +51,8 @@ public:
         taken_.resize(0);
         reuse_ = coarse::FactorReuse(zone_.tolerance());
         zone_.predict(predictor);
-        zone_.set_held(target.held);
-        zone_.set_elastic(false);
-        zone_.set_load_factor(factors_.main);
-        zone_.set_cases(factors_.cases);
+        loading_ = {.load_factor = factors_.main, .cases = factors_.cases, .held = target.held};
+        zone_.bear(loading_);
         zone_.set_boundary(on_boundary());
     }
 
@@ -109,11 +107,15 @@ public:
         factors_.main += move[n + m];
         impose_held();
         zone_.move(gather(move.head(n), whole_), move.segment(n, m));
-        zone_.set_load_factor(factors_.main);
+        loading_.load_factor = factors_.main;
+        zone_.bear(loading_);
         zone_.set_boundary(on_boundary());
     }
 
-    void set_elastic(bool elastic) override { zone_.set_elastic(elastic); }
+    void set_elastic(bool elastic) override {
+        loading_.elastic = elastic;
+        zone_.bear(loading_);
+    }
 
     void put_aside() override {
         increments_.put_aside({trial_ - committed_, factors_.main - committed_factors_.main});
@@ -226,6 +228,7 @@ private:
     const coarse::Structure& structure_;
     const coarse::Scene& scene_;
     fine::ZoneSystem& zone_;
+    fine::ZoneLoading loading_;
     std::vector<std::int32_t> yielding_;  // points, per element of the zone
     SparseMatrix stiffness_;
     std::vector<int> whole_;                  // whole-mesh unknown of each zone unknown

@@ -46,7 +46,7 @@ Patch small_patch() {
             .boundary = {0, 1, 6},
             .unit_load = Eigen::VectorXd::LinSpaced(12, 0.0, 3.0),
             .displacement = Eigen::VectorXd::LinSpaced(12, -0.1, 1.0 / 7.0),
-            .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5}},
+            .rings = {{.tip = 0, .number = 1, .inner_radius = 1.5, .outer_radius = 2.5, .element = 0.5}},
             .opening_at = {0.25},
             .contact_at = {{0.25, 1.0}},
             .ahead = {0.125},
