@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
-#include <utility>
 
 #include "coarse/advice/material_adequacy.hpp"
 #include "coarse/advice/mesh_adequacy.hpp"

@@ -10,16 +10,26 @@
 
 namespace stria::coarse {
 
-/// One sentence per region whose outline elements do not follow; per tip less than two elements from a bend behind it,
-/// or about which no ring of three elements lies, or, of several materials, none of four in its own; per tip whose
-/// forward zone spans fewer than five elements where contact is asked for, or, straight ahead, five in plane strain and
-/// ten in plane stress where it grows, with the `fine.refine` that would do; per tip whose distance of closure spans
-/// fewer than 1.2 elements; per tip that grows by two elements or more, or by one and a part, at a time, or in plane
-/// stress by more than a tenth of its zone and beyond the distance of closure; per tip that grows by its closure in
-/// plane strain; one for functions that stand at tips with elements small enough for none because others have larger
-/// ones; and per tip that grows between faces that may touch where nothing yields, and leaves functions
-/// behind. `K_I`, MPa sqrt(mm), of the cycles that opening loads are asked of (common_K_I), `distance`, mm, of closure
-/// (closure_distances): one per tip. Of zones nothing where nothing flows.
+/// What the mesh is too coarse for, one sentence each.
+///
+/// Of the body: a region whose outline elements do not follow. Functions that stand at tips whose elements are small
+/// enough for none, because other tips have larger ones.
+///
+/// Of each tip the first that holds: a bend less than two elements behind it; no ring of three elements about it; no
+/// ring of four in its own metal, where there are several.
+///
+/// Of each tip about which metal flows, where its faces may touch or cracks grow:
+/// - its forward zone spans too few elements. Five are wanted or, straight ahead of a tip that grows, five in plane
+///   strain and ten in plane stress. The `fine.refine` that would do is told;
+/// - its distance of closure spans fewer than 1.2 elements;
+/// - it grows by two elements or more at a time, or by one and a part;
+/// - it grows in plane stress by more than a tenth of its zone at a time, and beyond the distance of closure;
+/// - it grows by its closure in plane strain.
+///
+/// Of each tip about which nothing flows: it grows between faces that may touch, and leaves functions behind.
+///
+/// `K_I`, MPa sqrt(mm): of the cycles that opening loads are asked of (common_K_I). `distance`, mm: of closure
+/// (closure_distances). Both hold one number per tip.
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,
                                        const std::vector<double>& distance);
 

@@ -2,7 +2,9 @@
 // between its ends.
 #pragma once
 
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/load/load_controller.hpp"

@@ -2,15 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 
 #include "coarse/model/loads/places.hpp"
 #include "common/error.hpp"
-#include "common/fem/quadrature.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {

@@ -13,6 +13,7 @@
 #include "coarse/model/crack_sides.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/crack/crack_end.hpp"
 #include "common/enrichment/tip_functions.hpp"
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
@@ -121,6 +122,7 @@ private:
 
     void add_crack(int crack, const CrackPath& path) {
         const CrackSides sides(mesh_, path);
+        const int before = static_cast<int>(result_.tips.size());
         std::set<int> without_jump;  // the tip functions open the crack there
         if (path.tip_at_start) add_tip(crack, path, true, without_jump);
         if (path.tip_at_end) add_tip(crack, path, false, without_jump);
@@ -135,13 +137,12 @@ private:
                 fmt::format("crack {}: it is less than two elements long, and without tip functions none of "
                             "it opens; use smaller elements there",
                             crack));
-        const int tips = int(path.tip_at_start) + int(path.tip_at_end);
-        sides.put_on_elements(std::span(result_.tips).last(at(tips)), result_.element_side);
+        sides.put_on_elements(std::span(result_.tips).subspan(at(before)), result_.element_side);
         met_nodes_.insert(sides.nodes_on_crack().begin(), sides.nodes_on_crack().end());
         note_met_edges(path);
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
         result_.mouths.push_back(path.mouth());
-        add_tip_terms(path, sides, tips);
+        for (int tip = before; tip < std::ssize(result_.tips); ++tip) add_tip_terms(tip, path, sides);
     }
 
     void add_tip(int crack, const CrackPath& path, bool start, std::set<int>& without_jump) {
@@ -192,31 +193,25 @@ private:
         }
     }
 
-    void add_tip_terms(const CrackPath& path, const CrackSides& sides, int count) {
-        const bool gathered = tip_enrichment_.support == TipSupport::Gathered;
-        for (int k = 0; k < count; ++k) {
-            const int index = static_cast<int>(result_.tips.size()) - count + k;
-            const CrackPiece& piece = path.tip_at_start && k == 0 ? path.pieces.front() : path.pieces.back();
-            for (const auto& [node, side] : enriched_nodes(result_.tips[at(index)], piece, sides)) {
-                const auto value =
-                    tip_functions(result_.tips[at(index)], mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
-                for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha) {
-                    result_.terms[at(node)].push_back(
-                        {gathered ? Term::Kind::Gathered : Term::Kind::Tip, index, alpha, value[alpha]});
-                }
-            }
+    void add_tip_terms(int index, const CrackPath& path, const CrackSides& sides) {
+        const Tip& tip = result_.tips[at(index)];
+        const Term::Kind kind =
+            tip_enrichment_.support == TipSupport::Gathered ? Term::Kind::Gathered : Term::Kind::Tip;
+        for (const auto& [node, side] : enriched_nodes(index, *piece_of(path.pieces, tip), sides)) {
+            const auto value = tip_functions(tip, mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
+            for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha)
+                result_.terms[at(node)].push_back({kind, index, alpha, value[alpha]});
         }
     }
 
     /// Nodes that carry a tip's functions, with the side of the crack that chooses the branch of theta there.
-    [[nodiscard]] std::map<int, int> enriched_nodes(const Tip& tip, const CrackPiece& piece,
-                                                    const CrackSides& sides) const {
+    [[nodiscard]] std::map<int, int> enriched_nodes(int tip, const CrackPiece& piece, const CrackSides& sides) const {
         std::map<int, int> nodes;
         if (tip_enrichment_.support != TipSupport::Topological) {
             const double radius = disk_radius(tip, piece);
             for (int element = 0; element < static_cast<int>(mesh_.elements.size()); ++element) {
                 // Whole elements: there the functions are complete.
-                if ((centre(mesh_, element) - tip.position).norm() > radius) continue;
+                if ((centre(mesh_, element) - result_.tips[at(tip)].position).norm() > radius) continue;
                 for (const int node : mesh_.elements[at(element)]) {
                     const auto beside = sides.of_nodes().find(node);
                     nodes[node] = beside != sides.of_nodes().end() ? beside->second : 0;
@@ -227,7 +222,7 @@ private:
         return nodes;
     }
 
-    [[nodiscard]] double disk_radius(const Tip& tip, const CrackPiece& piece) const {
+    [[nodiscard]] double disk_radius(int tip, const CrackPiece& piece) const {
         const double size = diagonal(mesh_, piece.element);
         const double reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * size);
         if (!tip_enrichment_.radius) {
@@ -237,10 +232,11 @@ private:
                              tip_enrichment_.most_diagonals * size});
         }
         if (*tip_enrichment_.radius <= reach) return *tip_enrichment_.radius;
+        const Vec2& x = result_.tips[at(tip)].position;
         throw CaseError(fmt::format(
             "fine.enrichment_radius: {} mm is too large for the tip at ({}, {}): the boundary, "
             "a bend of its own crack, or the middle between it and another tip or crack lies {:.4g} mm away",
-            *tip_enrichment_.radius, tip.position.x(), tip.position.y(), reach));
+            *tip_enrichment_.radius, x.x(), x.y(), reach));
     }
 
     const Mesh& mesh_;
@@ -263,13 +259,16 @@ double singular_n(const Case& input) {
 TipEnrichment choose_enrichment(const Case& input) {
     const FineSection& fine = input.fine;
     const double exponent = 1.0 / (singular_n(input) + 1.0);
-    const TipEnrichment none{0, 0.5}, single{1, exponent}, topological{6, exponent};
+    const TipEnrichment none{.functions = 0, .exponent = 0.5};
+    const TipEnrichment single{.functions = 1, .exponent = exponent}, topological{.functions = 6, .exponent = exponent};
     const TipEnrichment growing{.functions = 1, .exponent = exponent, .none_below = small_elements};
     const bool leaves_faces = input.growth && some_touch(input.cracks);
     const TipEnrichment linear{.functions = 6, .exponent = exponent, .none_below = leaves_faces ? small_elements : 0.0};
     // Four of the six span the singular fields of elasticity.
-    const TipEnrichment geometrical{4, 0.5, TipSupport::Gathered, fine.enrichment_radius};
-    const TipEnrichment near_sliding{4, 0.5, TipSupport::Nodal, {}, 1.6};
+    const TipEnrichment geometrical{
+        .functions = 4, .exponent = 0.5, .support = TipSupport::Gathered, .radius = fine.enrichment_radius};
+    const TipEnrichment near_sliding{
+        .functions = 4, .exponent = 0.5, .support = TipSupport::Nodal, .most_diagonals = 1.6};
     switch (fine.enrichment) {
     case Enrichment::None:
         return none;

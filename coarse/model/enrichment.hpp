@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "common/case/case.hpp"
-#include "common/crack/crack_path.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
+#include "common/fem/mesh.hpp"
 
 namespace stria::coarse {
 

@@ -63,7 +63,7 @@ double largest_ring(const Scene& scene, int tip_index) {
     const EnrichedMesh& mesh = scene.enriched;
     const Tip& tip = mesh.tips[at(tip_index)];
     const double reach =
-        tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip, bend_to_element * tip_element_size(mesh, tip));
+        tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip_index, bend_to_element * tip_element_size(mesh, tip));
     const double radius = 0.95 * std::min(reach, distance_to_loads(scene.mesh, scene.loads, tip.position));
     const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
     return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);

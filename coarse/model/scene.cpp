@@ -13,7 +13,6 @@
 #include "coarse/specimen/regions.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/error.hpp"
-#include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/index.hpp"
 #include "common/integration/cut_element.hpp"

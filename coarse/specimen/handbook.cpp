@@ -57,8 +57,6 @@ double sent_K(double width, double a, double load) { return in_tension(sent_fact
 double mt_K(double width, double a, double load) { return in_tension(mt_factor(2.0 * a / width), width, a, load); }
 double ct_K(double width, double a, double load) { return load * ct_factor(a / width) / std::sqrt(width); }
 
-double ct_crack_length_from_load_line(double C) { return crack_length(load_line, C); }
-double ct_crack_length_from_front_face(double C) { return crack_length(front_face, C); }
 double ct_load_line_compliance(double x) { return compliance(load_line, x); }
 double ct_front_face_compliance(double x) { return compliance(front_face, x); }
 

@@ -21,12 +21,9 @@ double sent_K(double width, double a, double load);
 double mt_K(double width, double a, double load);
 double ct_K(double width, double a, double load);
 
-/// Crack length a/W of a compact specimen from its compliance C = E' B v / P, with v the opening on the load line or on
-/// the front face x = -W/4: Saxena and Hudak (1978), as in ASTM E647 and E1820; for 0.2 <= x <= 0.975.
-double ct_crack_length_from_load_line(double C);
-double ct_crack_length_from_front_face(double C);
-
-/// The inverses: the compliance of a crack length. Solved for to 1e-12, so as accurate as the polynomials (6e-4 in x).
+/// Compact specimen: the compliance C = E' B v / P at the crack length x = a/W, with v the opening on the load line or
+/// on the front face x = -W/4. The inverse of the crack length that Saxena and Hudak (1978) give by a compliance, as in
+/// ASTM E647 and E1820, for 0.2 <= x <= 0.975. Solved for to 1e-12, so as accurate as their polynomials (6e-4 in x).
 double ct_load_line_compliance(double x);
 double ct_front_face_compliance(double x);
 

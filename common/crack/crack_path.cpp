@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <limits>
 #include <optional>

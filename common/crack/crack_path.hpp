@@ -1,7 +1,6 @@
 // A crack polyline resolved on a mesh: where it crosses element edges, and its piece inside each element.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "common/crack/crack_piece.hpp"

@@ -13,6 +13,7 @@
 #include "coarse/zone/structure_stresses.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/index.hpp"
+#include "tests/support/compact_tension.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -134,7 +135,7 @@ TEST(Specimens, CompactTension) {
                     .within = x == 0.3 ? 0.015 : 0.01,
                     .mesh = mesh_of(solution)});
         }
-        EXPECT_NEAR(coarse::ct_crack_length_from_front_face(lines[3].own), x, 0.003);
+        EXPECT_NEAR(ct_crack_length_from_front_face(lines[3].own), x, 0.003);
     }
 }
 

@@ -42,9 +42,9 @@ TEST(TipReach, EndsAtAStretchOfTheSameCrackThatComesBack) {
     CrackSection hook;
     hook.points = {{6.0, -4.0}, {-8.0, -4.0}, {-8.0, 0.0}, {0.0, 0.0}};
     const Tip tip = tip_at_origin();
-    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), tip, 0.2), 4.0, 1e-12);
+    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), 0, 0.2), 4.0, 1e-12);
     hook.points = {{-8.0, -9.0}, {-8.0, 0.0}, {0.0, 0.0}};
-    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), tip, 0.2), std::hypot(8.0, 0.2), 1e-12);
+    EXPECT_NEAR(tip_reach(far_away, {hook}, std::span(&tip, 1), 0, 0.2), std::hypot(8.0, 0.2), 1e-12);
 }
 
 }  // namespace

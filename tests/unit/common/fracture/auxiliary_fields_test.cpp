@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "common/fracture/domain_integral.hpp"
+#include "tests/support/point_force_field.hpp"
 
 namespace stria::test {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "common/geometry/vec2.hpp"
 #include "tests/support/elastic_scene.hpp"
+#include "tests/support/point_force_field.hpp"
 
 namespace stria::test {
 namespace {
