@@ -9,9 +9,7 @@
 namespace stria::coarse {
 namespace {
 
-bool varies_under_law(const Case& input) {
-    return input.growth && input.growth->law != GrowthLaw::Prescribed && varies(input);
-}
+bool varies_under_law(const Case& input) { return input.growth && !is_prescribed(*input.growth) && varies(input); }
 
 }  // namespace
 
@@ -43,7 +41,7 @@ int cycle_cut_off(const LoadSection& load) {
 std::vector<std::string> growth_warnings(const Case& input) {
     std::vector<std::string> all;
     const auto never_touches = [](const CrackSection& crack) { return !crack.contact; };
-    if (input.growth && input.growth->law != GrowthLaw::Prescribed && grows_by_opening_loads(*input.growth) &&
+    if (input.growth && !is_prescribed(*input.growth) && grows_by_opening_loads(*input.growth) &&
         std::ranges::any_of(input.cracks, never_touches))
         all.emplace_back("opening loads drive the growth (growth.driving), and a crack without contact never closes: "
                          "its K_op is K_min, and what lies in compression drives it too");

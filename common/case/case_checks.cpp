@@ -99,7 +99,7 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
     if (growth.law == GrowthLaw::Table && !is_curve(growth.ranges, growth.rates))
         reject(place.inside("law"), *find(table, "law"), {},
                "needs ranges and rates, as long, with two numbers at least, both positive and ascending");
-    if (growth.law == GrowthLaw::Prescribed && growth.increment.is_auto())
+    if (is_prescribed(growth) && growth.increment.is_auto())
         reject(place.inside("increment"), *find(table, "increment"), {},
                "needs law = \"paris\", \"table\" or \"ctod\"");
     const auto belongs = [&](const char* key, bool given, GrowthLaw law, const char* name) {

@@ -43,7 +43,7 @@ bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
 }  // namespace
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
-    if (growth.law == GrowthLaw::Prescribed) return growth.increment.value();
+    if (is_prescribed(growth)) return growth.increment.value();
     if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
     return rate_of_range(growth, growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth, cycle));
 }
@@ -81,7 +81,7 @@ double fastest_rate(const std::vector<double>& rates) {
 
 std::vector<double> shares_of_advance(const GrowthSection& growth, const std::vector<double>& rates, std::size_t tips) {
     std::vector<double> shares(tips, 1.0);
-    if (growth.law == GrowthLaw::Prescribed || rates.empty()) return shares;
+    if (is_prescribed(growth) || rates.empty()) return shares;
     const double fastest = fastest_rate(rates);
     for (std::size_t t = 0; t < tips; ++t) shares[t] = fastest > 0.0 ? rates[t] / fastest : 0.0;
     return shares;
