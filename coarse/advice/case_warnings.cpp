@@ -10,6 +10,7 @@
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/crack/notch.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -24,18 +25,28 @@ std::vector<std::string> thickness_warnings(const Case& input) {
                         t, t)};
 }
 
-/// Beyond the other end of a crack, or its middle where that is a tip, nothing touches.
+/// Of the faces behind a tip those that may touch, mm along them: up to the notch of the crack, and to its middle where
+/// the other end is a tip.
+double faces_that_touch(const Scene& scene, const Tip& tip) {
+    const CrackSection& crack = scene.input.cracks[at(tip.crack)];
+    const auto of_crack = [&](const Tip& other) { return other.crack == tip.crack; };
+    const double length = length_of(crack.points),
+                 own = length / static_cast<double>(std::ranges::count_if(scene.enriched.tips, of_crack));
+    if (crack.notch == 0.0) return own;
+    const Notch notch = notch_of(crack, crack.grown_at_start);
+    return std::min(own, tip.upper > 0 ? length - notch.to : notch.from);
+}
+
+/// Beyond them nothing touches.
 std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<double>& distance) {
     std::vector<std::string> all;
     const std::vector<Tip>& tips = scene.enriched.tips;
     for (std::size_t t = 0; t < tips.size(); ++t) {
-        const CrackSection& crack = scene.input.cracks[at(tips[t].crack)];
-        const auto of_crack = [&](const Tip& tip) { return tip.crack == tips[t].crack; };
-        const double own = length_of(crack.points) / static_cast<double>(std::ranges::count_if(tips, of_crack));
-        if (may_touch(crack) && distance[t] >= own)
+        const double own = faces_that_touch(scene, tips[t]);
+        if (may_touch(scene.input.cracks[at(tips[t].crack)]) && distance[t] >= own)
             all.push_back(
-                fmt::format("tip {}: closure is looked at {:.3g} mm behind it, and its faces end after {:.3g} "
-                            "mm: nothing touches there (closure.distance)",
+                fmt::format("tip {}: closure is looked at {:.3g} mm behind it, and its faces that may touch end after "
+                            "{:.3g} mm: nothing touches there, and it counts as open all the cycle (closure.distance)",
                             t, distance[t], own));
     }
     return all;
@@ -50,7 +61,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(thickness_warnings(scene.input));
-    add(rate_warnings(scene.input, K));
+    add(rate_warnings(scene.input, K, K_of_closure(scene.input, nominal)));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));

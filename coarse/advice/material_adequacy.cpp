@@ -73,11 +73,12 @@ std::vector<std::string> material_warnings(const Case& input) {
     return warnings;
 }
 
-std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K) {
+std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K,
+                                       const std::vector<double>& largest_K) {
     if (!input.growth || is_prescribed(*input.growth) || input.growth->law == GrowthLaw::Ctod || K.empty()) return {};
     const GrowthSection& growth = *input.growth;
-    const double largest = std::ranges::max(K);
-    if (largest <= 0.0) return {};
+    const double usual = std::ranges::max(K), largest = std::ranges::max(largest_K);
+    if (usual <= 0.0) return {};
     const bool table = growth.law == GrowthLaw::Table;
     if (largest < threshold_of(growth)) {
         if (growth.driving == GrowthDriving::FullRange) return {};  // larger than K
@@ -88,12 +89,13 @@ std::vector<std::string> rate_warnings(const Case& input, const std::vector<doub
         return {fmt::format("growth.ranges ends at dK = {:.4g} MPa sqrt(mm), and that of a tip may be {:.4g}: the last "
                             "line goes on",
                             growth.ranges.back(), largest)};
-    const double rate = rate_of_range(growth, largest);
+    const double rate = rate_of_range(growth, usual);
+    if (usual < threshold_of(growth)) return {};  // and a rarer cycle drives a tip
     if (rate >= slowest_rate && rate <= fastest_rate) return {};
     const std::string grows =
         fmt::format("{}: at dK = {:.4g} MPa sqrt(mm) the law gives da/dN = {:.2g} mm, and no crack "
                     "grows so{} (1e-8 to 0.1)",
-                    table ? "growth.rates" : "growth.C", largest, rate, rate > fastest_rate ? " fast" : " slowly");
+                    table ? "growth.rates" : "growth.C", usual, rate, rate > fastest_rate ? " fast" : " slowly");
     if (table) return {grows};
     const double per_root_metre = growth.C * std::pow(1000.0, -0.5 * growth.m);
     return {fmt::format("{}. If C is of mm/cycle and MPa sqrt(m), growth.C = {:.3g}; if of m/cycle and MPa sqrt(m), "

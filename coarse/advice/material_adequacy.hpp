@@ -16,6 +16,7 @@ std::vector<std::string> material_warnings(const Case& input);
 /// One sentence where a law of dK gives a rate that no crack has, most are printed for m/cycle or MPa sqrt(m); where it
 /// lets no tip grow; or where its table ends before. `K`: of the cycles that growth is made of, MPa sqrt(mm), one per
 /// tip (common_K_I).
-std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K);
+std::vector<std::string> rate_warnings(const Case& input, const std::vector<double>& K,
+                                       const std::vector<double>& largest_K);
 
 }  // namespace stria::coarse

@@ -16,10 +16,11 @@ std::string rings_flow(double load_factor, std::ptrdiff_t tip) {
                        load_factor, tip);
 }
 
-std::string faces_overlap(double load_factor, const coupling::FaceSample& deepest) {
-    return fmt::format("warning: load factor {:.6g}: faces of crack {} overlap, by {:.3g} mm at ({:.6g}, {:.6g}), and "
-                       "metal flows by it: they touch with contact = {{}} in its section",
-                       load_factor, deepest.crack, -deepest.opening, deepest.x, deepest.y);
+std::string faces_overlap(double load_factor, const coupling::FaceSample& deepest, bool metal_may_flow) {
+    return fmt::format("warning: load factor {:.6g}: faces of crack {} overlap, by {:.3g} mm at ({:.6g}, {:.6g}){}: "
+                       "they touch with contact = {{}} in its section",
+                       load_factor, deepest.crack, -deepest.opening, deepest.x, deepest.y,
+                       metal_may_flow ? ", and metal flows by it" : "");
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ std::vector<std::string> count_doubts(const Increment& increment, const Scene& s
         first.push_back(rings_flow(increment.load_factor, tip - increment.tips.begin()));
     const coupling::FaceSample* deepest = deepest_overlap(increment.zone.faces, scene.input.cracks);
     if (deepest != nullptr && counts.overlapping_faces++ == 0)
-        first.push_back(faces_overlap(increment.load_factor, *deepest));
+        first.push_back(faces_overlap(increment.load_factor, *deepest, scene.materials.may_yield()));
     return first;
 }
 

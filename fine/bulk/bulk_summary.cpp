@@ -12,8 +12,9 @@
 namespace stria::fine {
 namespace {
 
-/// Accumulated plastic strain from which on a point has flowed, for rings: rounding decides which of those that come
-/// back to the yield stress flow by 1e-9 of strain, and a ring would come and go with one of them.
+/// Accumulated plastic strain from which on a point has flowed, of its life or of a half cycle: rounding decides which
+/// of those that come back to the yield stress flow by 1e-9 of strain. A ring would come and go with one of them, and
+/// with it the extent of a plastic zone.
 constexpr double least_flow = 1e-6;
 
 void raise(double& largest, double value) { largest = std::max(largest, value); }
@@ -54,7 +55,7 @@ void BulkSummary::look_at(const Bulk& bulk, int e) {
         const auto own = at(std::ranges::min_element(tips, {}, distance) - tips.begin());
         const TipPolar polar = tip_polar(tips[own], points[q].x, 0);
         if (history.accumulated(e, q) > least_flow) raise(extents[own].ever, polar.r);
-        if (!history.is_plastic(e, q)) continue;
+        if (history.flow(e, q) <= least_flow) continue;
         raise(extents[own].zone, polar.r);
         if (std::abs(polar.theta) <= std::numbers::pi / 12.0) raise(extents[own].axis, polar.r);
     }

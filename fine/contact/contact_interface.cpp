@@ -249,8 +249,7 @@ double ContactInterface::contact_behind(const FacesBehind& part, const Eigen::Ve
     constexpr double least = std::numeric_limits<double>::min();  // the status decides the sign, not rounding
     double contact = -std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, int>> open;  // gaps may be bounds: the most that -c g can be, and the multiplier
-    for (int k = 0; k < multipliers(); ++k) {
-        if (!part.contain(operators_.crack(k), operators_.middle(k))) continue;
+    for (const int k : multipliers_of(operators_, part)) {
         if (is_closed(status_[at(k)]))
             contact = std::max({contact, traction[k], least});
         else
@@ -266,10 +265,9 @@ double ContactInterface::contact_behind(const FacesBehind& part, const Eigen::Ve
 bool ContactInterface::slides_behind(const FacesBehind& part, const Jumps& jumps, double rounding) const {
     double nearest = std::numeric_limits<double>::infinity();
     bool sliding = false;
-    for (int k = 0; k < multipliers(); ++k) {
+    for (const int k : multipliers_of(operators_, part)) {
         const double behind = part.distance(operators_.middle(k));
-        if (!is_closed(status_[at(k)]) || !part.contain(operators_.crack(k), operators_.middle(k)) || behind >= nearest)
-            continue;
+        if (!is_closed(status_[at(k)]) || behind >= nearest) continue;
         nearest = behind;
         sliding = slides(k) && std::abs(jumps.slip[k]) > rounding;
     }

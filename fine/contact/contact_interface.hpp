@@ -15,21 +15,10 @@
 #include "coupling/messages.hpp"
 #include "fine/contact/contact_law.hpp"
 #include "fine/contact/face_operators.hpp"
+#include "fine/contact/faces_behind.hpp"
 #include "fine/contact/resting_faces.hpp"
 
 namespace stria::fine {
-
-/// The faces of a crack between two distances behind a tip, mm along them.
-struct FacesBehind {
-    int crack;
-    double tip;  // arc length
-    double from, to = std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] double distance(double s) const { return std::abs(tip - s); }
-    [[nodiscard]] bool contain(int of_crack, double s) const {
-        return of_crack == crack && distance(s) >= from && distance(s) <= to;
-    }
-};
 
 class ContactInterface {
 public:

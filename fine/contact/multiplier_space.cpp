@@ -21,6 +21,13 @@ constexpr double too_short = 0.05;
 constexpr double rounding = 1e-9;
 constexpr double kink_angle = 10.0 * std::numbers::pi / 180.0;
 
+/// A notch holds an arc length, or ends there: by rounding it does so behind a node or before it. A multiplier at the
+/// end of the faces would act on half of its node's share alone.
+bool holds_or_ends_at(const Notch& notch, double s) {
+    const double close = rounding * (1.0 + s);
+    return notch.from != notch.to && s > notch.from - close && s < notch.to + close;
+}
+
 struct Stretch {
     double from, to;  // arc lengths, mm; nothing where they do not ascend
 };
@@ -61,7 +68,7 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, c
         if (piece.crack != crack) continue;
         const auto& element = mesh.elements[at(piece.element)];
         const auto note = [&](double place, double s) {
-            if (place < 0.0 || (s > notch.from && s < notch.to) || tip_at(s)) return;
+            if (place < 0.0 || holds_or_ends_at(notch, s) || tip_at(s)) return;
             const auto edge = static_cast<std::size_t>(place);
             const bool at_node = place == std::floor(place);
             std::vector<int> nodes;

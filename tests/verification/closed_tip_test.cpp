@@ -1,6 +1,7 @@
 // K_I of a tip whose faces are pressed shut: of the loads and of the pressure on the faces together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,24 @@ TEST(ClosedTip, OfAnElasticBodyHasNoKAndNoJ) {
     for (const coarse::TipResult& tip : pressed.tips) {
         EXPECT_LT(std::abs(tip.K_I), 1e-5 * K);
         EXPECT_LT(std::abs(tip.J), 1e-9 * K * K / plane_modulus);
+    }
+}
+
+// Of a crack of three and a half elements whose faces open and close at no load. No multiplier may stand between the
+// place where contact is looked at and the middle of the crack, and yet its faces are pressed there: K_op was K_min.
+TEST(ClosedTip, OfAShortCrackOpensAtNoLoadAtBothEnds) {
+    Case input =
+        specimen("plate", 20.0, {{3.6966341607599564, 8.46854040617404}, {5.846190507728574, 11.226763742586297}});
+    input.mesh.width = 10.0;
+    input.mesh.size = 10.0 / 13.0;
+    input.cracks[0].contact = ContactSection{};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 4, .blocks = {{.cycles = 1, .max = 50.0, .min = -50.0}}};
+    input.closure.distance = 1.0;
+    for (const bool reversed : {false, true}) {
+        if (reversed) std::ranges::reverse(input.cracks[0].points);
+        for (const coarse::CycleResult& tip : run_direct(input).increments.back().cycles)
+            EXPECT_LT(std::abs(tip.opening.K_op), 0.05 * tip.K_max) << reversed;
     }
 }
 

@@ -37,7 +37,7 @@ void read_rows(const coupling::ZoneSnapshot& snapshot, const std::vector<Element
             "a snapshot has the points of its zone and the states of its law");
     for_each_row(operators, [&](int e, std::size_t q, std::size_t place) {
         const double* row = &snapshot.history[place * at(snapshot.columns)];
-        history.set_plastic(e, q, row[7] != 0.0);
+        history.set_flow(e, q, row[7]);
         Eigen::Matrix2d frozen;
         frozen << row[8], row[9], row[10], row[11];
         if (!frozen.isZero(0.0)) history.freeze_gradient(e, q, frozen);
@@ -54,8 +54,8 @@ void write_rows(const std::vector<ElementOperator>& operators, const PointHistor
         const Eigen::Matrix2d frozen = history.frozen_gradient(e, q);
         snapshot.history.insert(snapshot.history.end(),
                                 {p.x.x(), p.x.y(), p.xi.x(), p.xi.y(), p.weight, static_cast<double>(p.side),
-                                 static_cast<double>(p.region), history.is_plastic(e, q) ? 1.0 : 0.0, frozen(0, 0),
-                                 frozen(0, 1), frozen(1, 0), frozen(1, 1)});
+                                 static_cast<double>(p.region), history.flow(e, q), frozen(0, 0), frozen(0, 1),
+                                 frozen(1, 0), frozen(1, 1)});
         for (int c = 0; c < history.state_size(); ++c) snapshot.history.push_back(history.value(c, e, q));
     });
 }

@@ -20,7 +20,7 @@ PointHistory::PointHistory(MaterialLaws laws, std::vector<int> material, const s
     strain_.assign(4 * n, 0.0);
     tangent_.assign(can_yield_ ? 16 * n : 0, 0.0);
     yielding_.assign(n, 0);
-    plastic_.assign(n, 0);
+    flow_.assign(n, 0.0);
 }
 
 void PointHistory::update(std::span<const ElementOperator> operators, int begin, int end,
@@ -73,11 +73,12 @@ void PointHistory::return_points(int begin, int end) {
 }
 
 void PointHistory::commit(bool reversal, const ElementSet& without_trial) {
-    if (half_cycle_ended_) std::ranges::fill(plastic_, static_cast<unsigned char>(0));
+    if (half_cycle_ended_) std::ranges::fill(flow_, 0.0);
+    const auto p = at(state::accumulated) * at(points());
     for_each_run(without_trial, false, [&](int begin, int end) {
-        commit(begin, end);
         for (auto q = at(first_[at(begin)]); q < at(first_[at(end)]); ++q)
-            plastic_[q] = static_cast<unsigned char>(plastic_[q] | yielding_[q]);
+            if (yielding_[q] != 0) flow_[q] += trial_[p + q] - committed_[p + q];
+        commit(begin, end);
     });
     half_cycle_ended_ = reversal;
 }
@@ -124,14 +125,14 @@ double PointHistory::largest_plastic_increment() const {
 }
 
 bool PointHistory::is_plastic(int e) const {
-    return std::ranges::any_of(std::span(&plastic_[place(0, e, 0)], at(points(e))), [](auto p) { return p != 0; });
+    return std::ranges::any_of(std::span(&flow_[place(0, e, 0)], at(points(e))), [](double p) { return p > 0.0; });
 }
 
 void PointHistory::take(int begin, int end, const PointHistory& other, int from) {
     const auto count = first_[at(end)] - first_[at(begin)];
     for (int c = 0; c < std::min(state_size_, other.state_size_); ++c)
         std::copy_n(&other.committed_[other.place(c, from, 0)], count, &committed_[place(c, begin, 0)]);
-    std::copy_n(&other.plastic_[other.place(0, from, 0)], count, &plastic_[place(0, begin, 0)]);
+    std::copy_n(&other.flow_[other.place(0, from, 0)], count, &flow_[place(0, begin, 0)]);
     if (!other.has_frozen_gradients()) return;
     begin_frozen_gradients();
     std::copy_n(&other.frozen_gradient_[other.place(0, from, 0)], count, &frozen_gradient_[place(0, begin, 0)]);
@@ -140,7 +141,7 @@ void PointHistory::take(int begin, int end, const PointHistory& other, int from)
 void PointHistory::add_share(int e, std::size_t q, double share, const PointHistory& other, int from,
                              std::size_t from_q) {
     for (int c = 0; c < state_size_; ++c) committed_[place(c, e, q)] += share * other.committed(c, from, from_q);
-    set_plastic(e, q, is_plastic(e, q) || other.is_plastic(from, from_q));
+    flow_[place(0, e, q)] += share * other.flow(from, from_q);
 }
 
 Eigen::Matrix2d PointHistory::frozen_gradient(int e, std::size_t q) const {

@@ -85,10 +85,11 @@ public:
     /// Of the accumulated plastic strain, over points that yield.
     [[nodiscard]] double largest_plastic_increment() const;
 
-    /// Whether a point has yielded in a committed increment since the last half cycle ended.
-    [[nodiscard]] bool is_plastic(int e, std::size_t q) const { return plastic_[place(0, e, q)] != 0; }
+    /// Of the accumulated plastic strain, in the committed increments since the last half cycle ended.
+    [[nodiscard]] double flow(int e, std::size_t q) const { return flow_[place(0, e, q)]; }
+    void set_flow(int e, std::size_t q, double flow) { flow_[place(0, e, q)] = flow; }
+    /// A point of the element has yielded since then, however little.
     [[nodiscard]] bool is_plastic(int e) const;
-    void set_plastic(int e, std::size_t q, bool plastic) { plastic_[place(0, e, q)] = plastic ? 1 : 0; }
     /// The last commit ended a half cycle.
     [[nodiscard]] bool half_cycle_ended() const { return half_cycle_ended_; }
     void set_half_cycle_ended(bool ended) { half_cycle_ended_ = ended; }
@@ -140,7 +141,7 @@ private:
     std::vector<double> strain_;                    // 4 components: the increment
     std::vector<double> tangent_;                   // 16 components; empty: no point can yield
     std::vector<unsigned char> yielding_;           // per point
-    std::vector<unsigned char> plastic_;            // per point, in this half cycle
+    std::vector<double> flow_;                      // per point, in this half cycle
     bool half_cycle_ended_ = false;                 // the next plastic increment is the first of a half cycle
     std::vector<Eigen::Matrix2d> frozen_gradient_;  // per point; empty: none
     std::int64_t evaluated_ = 0;

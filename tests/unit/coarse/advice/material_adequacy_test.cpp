@@ -56,35 +56,37 @@ TEST(MaterialAdequacy, AsksForTheUnitsOfALawOfGrowth) {
     Case input = metal(200e3, 300.0);
     input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.1, .C = 2.18e-13, .m = 3.0};
     const std::vector<double> K{20.0, 600.0};
-    EXPECT_TRUE(coarse::rate_warnings(input, K).empty());
-    EXPECT_TRUE(coarse::rate_warnings(input, {}).empty());
-    EXPECT_TRUE(coarse::rate_warnings(input, {0.0}).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, K, K).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, {}, {}).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, {0.0}, {0.0}).empty());
     input.growth->C = 6.9e-9;  // mm/cycle, MPa sqrt(m)
-    ASSERT_EQ(coarse::rate_warnings(input, K).size(), 1U);
-    EXPECT_NE(coarse::rate_warnings(input, K)[0].find("da/dN = 1.5 mm, and no crack grows so fast"), std::string::npos)
-        << coarse::rate_warnings(input, K)[0];
-    EXPECT_NE(coarse::rate_warnings(input, K)[0].find("MPa sqrt(m), growth.C = 2.18e-13; if"), std::string::npos);
+    ASSERT_EQ(coarse::rate_warnings(input, K, K).size(), 1U);
+    EXPECT_NE(coarse::rate_warnings(input, K, K)[0].find("da/dN = 1.5 mm, and no crack grows so fast"),
+              std::string::npos)
+        << coarse::rate_warnings(input, K, K)[0];
+    EXPECT_NE(coarse::rate_warnings(input, K, K)[0].find("MPa sqrt(m), growth.C = 2.18e-13; if"), std::string::npos);
     input.growth->C = 2.18e-19;
-    EXPECT_NE(coarse::rate_warnings(input, K)[0].find("so slowly"), std::string::npos);
+    EXPECT_NE(coarse::rate_warnings(input, K, K)[0].find("so slowly"), std::string::npos);
     input.growth->law = GrowthLaw::Prescribed;
-    EXPECT_TRUE(coarse::rate_warnings(input, K).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, K, K).empty());
 }
 
 TEST(MaterialAdequacy, SaysWhereALawEnds) {
     Case input = metal(200e3, 300.0);
     input.growth =
         GrowthSection{.law = GrowthLaw::Paris, .increment = 0.1, .C = 2.18e-13, .m = 3.0, .threshold = 650.0};
-    const auto said = [&] { return coarse::rate_warnings(input, {20.0, 600.0}).at(0); };
+    const auto said = [&] { return coarse::rate_warnings(input, {20.0, 600.0}, {20.0, 600.0}).at(0); };
     EXPECT_EQ(said(),
               "growth.threshold: no growth by a dK below 650 MPa sqrt(mm), and that of no tip is larger than 600");
+    EXPECT_TRUE(coarse::rate_warnings(input, {600.0}, {700.0}).empty()) << "cycles that are rarer";
     input.growth->driving = GrowthDriving::FullRange;  // compression too
-    EXPECT_TRUE(coarse::rate_warnings(input, {20.0, 600.0}).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, {20.0, 600.0}, {20.0, 600.0}).empty());
     input.growth =
         GrowthSection{.law = GrowthLaw::Table, .increment = 0.1, .ranges = {200.0, 500.0}, .rates = {1e-6, 1e-4}};
     EXPECT_EQ(said(),
               "growth.ranges ends at dK = 500 MPa sqrt(mm), and that of a tip may be 600: the last line goes on");
     input.growth->ranges[1] = 700.0;
-    EXPECT_TRUE(coarse::rate_warnings(input, {20.0, 600.0}).empty());
+    EXPECT_TRUE(coarse::rate_warnings(input, {20.0, 600.0}, {20.0, 600.0}).empty());
     input.growth->rates = {1e-2, 1.0};
     EXPECT_TRUE(said().starts_with("growth.rates: at dK = 600 MPa sqrt(mm) the law gives da/dN = 0.57 mm")) << said();
 }

@@ -134,7 +134,7 @@ TEST(Bulk, PlasticPointsBelongToTheNearestTip) {
 }
 
 // Rounding decides which points that come back to the yield stress flow by as little.
-TEST(BulkSummary, CountsNoFlowOfRoundingAgainstRings) {
+TEST(BulkSummary, CountsNoFlowOfRounding) {
     const Eigen::VectorXd u = random_vector(plate.unknowns, 4e-3, 1);
     const auto extents_at = [&](double scale) {
         Bulk bulk = make_bulk(plate, scene);
@@ -142,13 +142,23 @@ TEST(BulkSummary, CountsNoFlowOfRoundingAgainstRings) {
         bulk.commit(false);
         return fine::BulkSummary(bulk).plastic_extents(plate)[0];
     };
+    const auto yields_at = [&](double scale) {
+        Bulk bulk = make_bulk(plate, scene);
+        bulk.evaluate(scale * u);
+        bulk.commit(false);
+        bool yields = false;
+        for (int e = 0; e < bulk.elements().count(); ++e) yields = yields || bulk.history().is_plastic(e);
+        return yields;
+    };
     double elastic = 0.0, flows = 1.0;
     while (flows - elastic > 1e-6 * flows) {
         const double middle = 0.5 * (elastic + flows);
-        (extents_at(middle).flow.empty() ? elastic : flows) = middle;
+        (yields_at(middle) ? flows : elastic) = middle;
     }
     EXPECT_TRUE(extents_at(flows).flow_ever.empty());
+    EXPECT_TRUE(extents_at(flows).flow.empty()) << "nor of a half cycle";
     EXPECT_FALSE(extents_at(1.1 * flows).flow_ever.empty());
+    EXPECT_FALSE(extents_at(1.1 * flows).flow.empty());
 }
 
 // After each commit as if all of them had been looked at: at rest, woken, and in a new half cycle.

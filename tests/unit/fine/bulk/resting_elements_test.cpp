@@ -31,10 +31,10 @@ TEST_F(Rest, IsForThoseThatStayedElasticTheLastTimeInThisDirectionAndWhatIsAroun
     };
     resting.note_half_cycle(history);
     EXPECT_TRUE(may_rest().none());
-    history.set_plastic(3, 0, true);
+    history.set_flow(3, 0, 1e-9);
     resting.note_half_cycle(history);
     EXPECT_EQ(may_rest().count(), plate.elements.count());
-    history.set_plastic(3, 0, false);
+    history.set_flow(3, 0, 0.0);
     resting.note_half_cycle(history);
     for (int e = 0; e < plate.elements.count(); ++e) EXPECT_EQ(may_rest().contains(e), !touches(e, 3)) << e;
     EXPECT_GT(may_rest().count(), 0);

@@ -131,6 +131,17 @@ TEST(MultiplierSpace, EveryMultiplierHasAPositiveWeight) {
         EXPECT_GT(least_weight(MultiplierSpace(mesh, shared, 0, Notch{0.0, notch}), notch, 5.9), 0.0) << notch;
 }
 
+// On a mesh line, and by rounding before or behind it: the same multipliers. One at the end itself would act on half of
+// its node's share.
+TEST(MultiplierSpace, ANotchEndsOnANodeOrBesideIt) {
+    const std::vector<Vec2> crack{{0.0, 3.0}, {6.3, 3.0}};
+    const MultiplierSpace at_node = space_of(crack, 4.0);
+    EXPECT_NEAR(at_node.nodes()[0], 5.0, 1e-12);
+    for (const double beside : {-1e-10, 1e-10})
+        EXPECT_EQ(space_of(crack, 4.0 + beside).nodes().size(), at_node.nodes().size()) << beside;
+    EXPECT_NEAR(space_of(crack).nodes()[0], 0.0, 1e-12) << "no notch";
+}
+
 // In through a node whose jump the zone shares, and a kink on the second crossing: the branch's end is as long as its
 // only interval, and what hats gain beyond that they have lost before.
 TEST(MultiplierSpace, TheLastOfTwoKeepsItsWeight) {

@@ -1,0 +1,44 @@
+// What is said of a case before it is run.
+#include "coarse/advice/case_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "coarse/zone/refined_scene.hpp"
+#include "tests/support/specimens.hpp"
+
+namespace stria::test {
+namespace {
+
+/// That nothing touches where closure is looked at; empty: it is not said.
+std::string nothing_touches(double distance, double notch, double grown_at_start = 0.0) {
+    Case input = specimen("plate", 20.0, {{0.0, 10.13}, {4.0, 10.13}});
+    input.mesh.width = 10.0;
+    input.mesh.size = 0.5;
+    input.material.yield_stress = 250.0;
+    input.cracks[0].contact.emplace();
+    input.cracks[0].notch = notch;
+    input.cracks[0].grown_at_start = grown_at_start;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load.blocks = {{.cycles = 2, .max = 60.0, .min = -60.0}};
+    input.closure.distance = distance;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const std::vector<std::string> all = coarse::case_warnings(scene, {.K_I = {5.0}, .K_II = {0.0}});
+    const auto found =
+        std::ranges::find_if(all, [](const std::string& text) { return text.find("nothing touches") != text.npos; });
+    return found != all.end() ? *found : "";
+}
+
+TEST(CaseWarnings, ClosureIsLookedAtWhereFacesMayTouch) {
+    EXPECT_EQ(nothing_touches(0.5, 0.0), "");
+    EXPECT_NE(nothing_touches(4.1, 0.0).find("end after 4 mm"), std::string::npos);
+    EXPECT_EQ(nothing_touches(0.7, 3.2), "");
+    EXPECT_NE(nothing_touches(0.9, 3.2).find("end after 0.8 mm"), std::string::npos) << nothing_touches(0.9, 3.2);
+    EXPECT_NE(nothing_touches(0.7, 3.0, 0.5).find("end after 0.5 mm"), std::string::npos) << "a notch that stays";
+}
+
+}  // namespace
+}  // namespace stria::test
