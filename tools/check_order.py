@@ -28,7 +28,7 @@ ORDER = {
         "load", "mesh_file", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "advice", "cycle", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
-    "app": ["process", "run", "charts", "report", "study", "material", "."],
+    "app": ["process", "results", "run", "charts", "report", "study", "material", "."],
 }
 
 # Folders whose sources all live in a sub-folder.

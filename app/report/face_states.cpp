@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "coarse/results/result_files.hpp"
 
 namespace stria::report {
 
@@ -18,8 +19,7 @@ std::vector<std::size_t> evenly(std::size_t size, std::size_t count) {
     return places;
 }
 
-FaceState state_of(const NumberTable& faces, std::vector<std::size_t> rows, std::size_t most_stations) {
-    std::ranges::sort(rows, {}, [&](std::size_t row) { return faces["s"][row]; });
+FaceState state_of(const NumberTable& faces, const std::vector<std::size_t>& rows, std::size_t most_stations) {
     std::vector<std::size_t> kept;
     for (const std::size_t place : evenly(rows.size(), most_stations)) kept.push_back(rows[place]);
     return {.increment = faces["increment"][rows.front()],
@@ -34,7 +34,7 @@ FaceState state_of(const NumberTable& faces, std::vector<std::size_t> rows, std:
 
 std::vector<double> written_increments(const RunRecord& run) {
     std::vector<double> written;
-    static_cast<void>(read_table(run.folder / "faces.csv", [&](double increment) {
+    static_cast<void>(read_table(run.folder / coarse::result_files::faces, [&](double increment) {
         if (written.empty() || written.back() != increment) written.push_back(increment);
         return false;  // no row is kept
     }));
@@ -66,14 +66,14 @@ std::vector<double> chosen_increments(const RunRecord& run, const std::vector<do
 
 std::vector<FaceState> face_states(const RunRecord& run, int crack, const std::vector<double>& increments,
                                    std::size_t most_stations) {
-    const NumberTable faces = read_table(run.folder / "faces.csv", [&](double increment) {
+    const NumberTable faces = read_table(run.folder / coarse::result_files::faces, [&](double increment) {
         return std::ranges::find(increments, increment) != increments.end();
     });
-    std::map<double, std::vector<std::size_t>> rows;
-    for (std::size_t row = 0; row < faces.rows; ++row)
-        if (faces["crack"][row] == crack) rows[faces["increment"][row]].push_back(row);
     std::vector<FaceState> states;
-    for (const auto& [increment, of_state] : rows) states.push_back(state_of(faces, of_state, most_stations));
+    for (const double increment : increments) {
+        const std::vector<std::size_t> rows = rows_of_crack(faces, crack, increment);
+        if (!rows.empty()) states.push_back(state_of(faces, rows, most_stations));
+    }
     return states;
 }
 

@@ -27,13 +27,13 @@ double last_of(const NumberTable& table, const std::string& column) {
 }
 
 std::string sentence_on_status(const RunRecord& run) {
-    const std::string status = run.status();
-    if (status == "done") return "";
+    const std::optional<coarse::RunStatus> status = run.status();
+    if (status == coarse::RunStatus::Done) return "";
     const double increment = last_of(run.history, "increment");
     const std::string until =
         std::isnan(increment) ? "no increment yet" : fmt::format("results up to increment {}", increment);
-    if (status == "failed") return "The run has failed: " + until + ".";
-    if (status == "interrupted") return "The run was interrupted: " + until + ".";
+    if (status == coarse::RunStatus::Failed) return "The run has failed: " + until + ".";
+    if (status == coarse::RunStatus::Interrupted) return "The run was interrupted: " + until + ".";
     return "The run has not ended, or was cut off: " + until + ".";
 }
 
@@ -69,7 +69,7 @@ std::string fact(const std::string& name, double value, const std::string& unit)
 std::string facts(const RunRecord& run) {
     const double K_max = last_of(run.cycles, "K_max");
     std::string text = "<ul class=\"facts\">\n";
-    text += fmt::format("<li>status<b>{}</b></li>\n", escaped(run.status()));
+    text += fmt::format("<li>status<b>{}</b></li>\n", run.status() ? to_text(*run.status()) : "not ended");
     text += fact("N", last_of(run.cycles, "N"), " cycles");
     text += fact("life", run.summary.number("life"), " cycles");
     text += fact("a", last_of(run.cycles.rows > 0 ? run.cycles : run.history, "a"), " mm");
@@ -81,12 +81,9 @@ std::string facts(const RunRecord& run) {
 }
 
 std::string origin(const RunRecord& run) {
-    const auto word = [&](const char* name) {
-        const auto found = run.summary.words.find(name);
-        return found != run.summary.words.end() ? found->second : std::string();
-    };
     std::string text = std::filesystem::weakly_canonical(run.folder).filename().string();
-    if (!word("version").empty()) text += fmt::format(", {}, mode {}", word("version"), word("mode"));
+    if (const std::string version = run.summary.word("version"); !version.empty())
+        text += fmt::format(", {}, mode {}", version, run.summary.word("mode"));
     return "<p>" + escaped(text) + ". The last values are those of the first tip; units are N, mm, MPa.</p>\n";
 }
 
@@ -100,8 +97,8 @@ std::string resolved_case(const RunRecord& run) {
 
 std::vector<std::string> warnings_of(const RunRecord& run) {
     std::vector<std::string> all = {sentence_on_status(run)};
-    if (const auto found = run.summary.lists.find("warnings"); found != run.summary.lists.end())
-        all.insert(all.end(), found->second.begin(), found->second.end());
+    const std::vector<std::string> met = run.summary.list("warnings");
+    all.insert(all.end(), met.begin(), met.end());
     all.push_back(sentence_on_count(run, "yield_warnings", "increments with yield outside the zone."));
     all.push_back(sentence_on_count(run, "flowing_rings",
                                     "increments in which a tip had no ring outside what has flowed: K_I, K_II and T "

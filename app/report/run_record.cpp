@@ -1,23 +1,17 @@
 #include "app/report/run_record.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
-#include <limits>
 
+#include "coarse/results/result_files.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
 
 namespace stria::report {
 
-namespace {
+namespace result_files = coarse::result_files;
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+namespace {
 
 void require_columns(const NumberTable& table, const std::filesystem::path& path,
                      std::initializer_list<const char*> names) {
@@ -45,10 +39,7 @@ std::string RunRecord::title() const {
     return std::filesystem::weakly_canonical(folder).filename().string();
 }
 
-std::string RunRecord::status() const {
-    const auto found = summary.words.find("status");
-    return found != summary.words.end() ? found->second : "not ended";
-}
+std::optional<coarse::RunStatus> RunRecord::status() const { return coarse::run_status(summary.word("status")); }
 
 std::size_t RunRecord::tips() const {
     double last = 0.0;
@@ -60,32 +51,15 @@ std::size_t RunRecord::tips() const {
 RunRecord read_run(const std::filesystem::path& folder) {
     RunRecord run;
     run.folder = folder;
-    run.history = read_table(folder / "history.csv");
-    require_columns(run.history, folder / "history.csv", {"increment", "cycle", "load_factor", "tip", "a"});
-    run.cycles = read_table(folder / "cycles.csv");
-    if (!run.cycles.columns.empty()) require_columns(run.cycles, folder / "cycles.csv", {"cycle", "tip"});
-    run.load_cases = read_table(folder / "load-cases.csv");
-    run.resolved = text_of(folder / "case.resolved.toml");
-    run.input = read_back(folder / "case.resolved.toml");
-    run.summary = read_json(folder / "summary.json");
+    run.history = read_table(folder / result_files::history);
+    require_columns(run.history, folder / result_files::history, {"increment", "cycle", "load_factor", "tip", "a"});
+    run.cycles = read_table(folder / result_files::cycles);
+    if (!run.cycles.columns.empty()) require_columns(run.cycles, folder / result_files::cycles, {"cycle", "tip"});
+    run.load_cases = read_table(folder / result_files::load_cases);
+    run.resolved = read_text(folder / result_files::resolved_case);
+    run.input = read_back(folder / result_files::resolved_case);
+    run.summary = read_json(folder / result_files::summary);
     return run;
-}
-
-std::vector<std::size_t> rows_of_tip(const NumberTable& table, std::size_t tip) {
-    std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < table.rows; ++row) {
-        const double number = table["tip"][row];
-        if (std::isnan(number) ? tip == 0 : number == static_cast<double>(tip)) rows.push_back(row);
-    }
-    return rows;
-}
-
-std::vector<double> values_of(const NumberTable& table, const std::string& column,
-                              const std::vector<std::size_t>& rows) {
-    std::vector<double> values(rows.size(), std::numeric_limits<double>::quiet_NaN());
-    if (!table.columns.contains(column)) return values;
-    std::ranges::transform(rows, values.begin(), [&](std::size_t row) { return table[column][row]; });
-    return values;
 }
 
 }  // namespace stria::report

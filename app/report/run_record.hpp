@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
+#include "app/results/run_tables.hpp"
+#include "coarse/results/run_status.hpp"
 #include "common/case/case.hpp"
 #include "common/io/number_table.hpp"
 
@@ -22,20 +24,13 @@ struct RunRecord {
     NumberTable load_cases;  // empty without any
 
     [[nodiscard]] std::string title() const;
-    /// "done", "failed", "interrupted"; "not ended" without a summary.
-    [[nodiscard]] std::string status() const;
+    /// Nothing as long as the run has not ended.
+    [[nodiscard]] std::optional<coarse::RunStatus> status() const;
     /// At least 1: rows of a scene without tips count as those of tip 0.
     [[nodiscard]] std::size_t tips() const;
 };
 
 /// Throws CaseError where the folder holds no run.
 RunRecord read_run(const std::filesystem::path& folder);
-
-/// Rows of that tip, in their order.
-std::vector<std::size_t> rows_of_tip(const NumberTable& table, std::size_t tip);
-
-/// Those rows of a column; NaN where the table has no such column.
-std::vector<double> values_of(const NumberTable& table, const std::string& column,
-                              const std::vector<std::size_t>& rows);
 
 }  // namespace stria::report

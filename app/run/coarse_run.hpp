@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "app/run/run_options.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/results/checkpoint.hpp"
+#include "coarse/results/summary.hpp"
 
 namespace stria {
 
@@ -41,16 +43,34 @@ public:
     [[nodiscard]] const coarse::Scene& scene() const { return scene_; }
 
 private:
+    /// What lives as long as the run is performed.
+    struct Course {
+        const FineSide* fine;
+        coarse::FatigueAnalysis* analysis = nullptr;
+        std::unique_ptr<coarse::RunRecorder> recorder = nullptr;  // from the first increment on
+    };
+
+    [[nodiscard]] coarse::Listener listener_of(Course& course);
+    void take_note(const std::string& text);
+    void take_increment(Course& course, const coarse::Increment& increment, const coarse::Structure& structure);
+    /// Whether the run goes on once a load has been reached. Writes a checkpoint where one is due.
+    [[nodiscard]] bool goes_on_after(const coarse::LoadStep& step, const Course& course);
+    void warn_of_case(const coarse::FatigueAnalysis& analysis);
+    void begin_tables(Course& course, coarse::EquilibriumFactory& factory);
+    void run_analysis(const Course& course);
+    /// Returns the exit code.
+    int end(const Course& course);
+
     [[nodiscard]] double seconds() const;
-    [[nodiscard]] std::filesystem::path checkpoint_path() const { return directory_ / "checkpoint.h5"; }
+    [[nodiscard]] std::filesystem::path checkpoint_path() const {
+        return directory_ / coarse::result_files::checkpoint;
+    }
     void read_last_checkpoint();
     void note_sizes(const coarse::Structure& structure);
     [[nodiscard]] bool is_due(const coarse::LoadStep& step) const;
     void write_checkpoint(const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder);
     [[nodiscard]] std::string last_checkpoint() const;
-    void warn_at_end(const coarse::FatigueAnalysis& analysis, double N);
-    void summarise(const char* status, const coarse::FatigueAnalysis& analysis, const coarse::RunRecorder& recorder,
-                   const FineSide* fine) const;
+    void summarise(coarse::RunStatus status, const Course& course) const;
 
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     const RunOptions& options_;

@@ -2,9 +2,10 @@
 
 #include "app/process/children.hpp"
 #include "app/process/told_exit.hpp"
-#include "app/run/fine_side.hpp"
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
 #include "app/run/run_lock.hpp"
+#include "coarse/results/result_files.hpp"
+#include "coarse/results/run_status.hpp"
 #include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/error.hpp"
@@ -85,6 +86,12 @@ void choose_way_of_messages(int processes) {
     if (way == WayOfMessages::Loopback) setenv("OMPI_MCA_btl_tcp_if_include", "lo", 0);
 }
 
+/// The folder holds a run that has come to its end.
+bool is_done(const std::filesystem::path& folder) {
+    const JsonObject summary = read_json(folder / coarse::result_files::summary);
+    return coarse::run_status(summary.word("status")) == coarse::RunStatus::Done;
+}
+
 /// Where this program and its components are.
 std::string programs_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path().string(); }
 
@@ -95,11 +102,9 @@ void claim_output_directory(RunOptions& options) {
         options.output_directory = "runs/" + read_case(options.case_path, options.overrides).name;
     const std::filesystem::path folder = options.output_directory;
     std::error_code problem;
-    const auto exists = [&](const char* result) { return std::filesystem::exists(folder / result, problem); };
-    if (options.resume && !exists("checkpoint.h5") && !exists("checkpoint.previous.h5") &&
-        read_json(folder / "summary.json").words["status"] == "done")
+    if (options.resume && !coarse::has_checkpoint(folder) && is_done(folder))
         throw CaseError(fmt::format("{} holds a run that left no checkpoint to go on from", folder.string()));
-    if (!options.force && !options.resume && (exists("summary.json") || exists("history.csv")))
+    if (!options.force && !options.resume && coarse::has_results(folder))
         throw CaseError(fmt::format("{} holds results; --resume goes on from its checkpoint, --force overwrites them, "
                                     "-o DIR writes elsewhere",
                                     folder.string()));

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
+#include "app/results/run_tables.hpp"
+#include "coarse/results/result_files.hpp"
 #include "common/io/number_table.hpp"
 
 namespace stria::study {
+
+namespace result_files = coarse::result_files;
 
 namespace {
 
@@ -57,9 +60,8 @@ void keep(Outcome& outcome, const std::string& name, double value) {
 }
 
 void read_summary(const std::filesystem::path& folder, Outcome& outcome) {
-    const JsonObject summary = read_json(folder / "summary.json");
-    if (const auto status = summary.words.find("status"); status != summary.words.end())
-        outcome.status = status->second;
+    const JsonObject summary = read_json(folder / result_files::summary);
+    outcome.status = coarse::run_status(summary.word("status")).value_or(RunStatus::NotRun);
     const auto take = [&](const std::string& name, const std::string& path) {
         if (const auto found = summary.numbers.find(path); found != summary.numbers.end())
             keep(outcome, name, found->second);
@@ -74,14 +76,6 @@ void read_summary(const std::filesystem::path& folder, Outcome& outcome) {
     keep(outcome, "ms_per_iteration", 1e3 * solving / iterations);
 }
 
-/// Rows of the first tip, or of the scene where it has none.
-std::vector<std::size_t> rows_of_first_tip(const NumberTable& history) {
-    std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < history.rows; ++row)
-        if (!(history["tip"][row] > 0.0)) rows.push_back(row);
-    return rows;
-}
-
 /// The first row at the largest load (`sign` 1) or the smallest (-1).
 std::size_t extreme_row(const NumberTable& history, const std::vector<std::size_t>& rows, double sign) {
     const std::vector<double>& load = history["load_factor"];
@@ -91,24 +85,15 @@ std::size_t extreme_row(const NumberTable& history, const std::vector<std::size_
 }
 
 Profile profile_at(const NumberTable& faces, double increment) {
-    std::vector<std::size_t> rows;
-    for (std::size_t row = 0; row < faces.rows; ++row)
-        if (faces["increment"][row] == increment && faces["crack"][row] == 0.0) rows.push_back(row);
-    std::ranges::sort(rows, {}, [&](std::size_t row) { return faces["s"][row]; });
-    Profile profile;
-    for (const std::size_t row : rows) {
-        profile.s.push_back(faces["s"][row]);
-        profile.opening.push_back(faces["opening"][row]);
-    }
-    return profile;
+    const std::vector<std::size_t> rows = rows_of_crack(faces, 0, increment);
+    return {.s = values_of(faces, "s", rows), .opening = values_of(faces, "opening", rows)};
 }
 
 /// The closed station with the largest s; NaN where none is closed.
 double contact_edge(const NumberTable& faces, double increment) {
     double edge = missing;
-    for (std::size_t row = 0; row < faces.rows; ++row)
-        if (faces["increment"][row] == increment && faces["crack"][row] == 0.0 && faces["status"][row] > 0.0)
-            edge = std::fmax(edge, faces["s"][row]);
+    for (const std::size_t row : rows_of_crack(faces, 0, increment))
+        if (faces["status"][row] > 0.0) edge = faces["s"][row];
     return edge;
 }
 
@@ -146,7 +131,7 @@ LastExtremes last_extremes(const NumberTable& history, const NumberTable& faces)
 }
 
 void read_faces(const std::filesystem::path& folder, const NumberTable& history, Outcome& outcome) {
-    const NumberTable faces = read_table(folder / "faces.csv");
+    const NumberTable faces = read_table(folder / result_files::faces);
     if (faces.rows == 0) return;
     const LastExtremes last = last_extremes(history, faces);
     outcome.at_maximum = profile_at(faces, last.maximum);
@@ -157,18 +142,18 @@ void read_faces(const std::filesystem::path& folder, const NumberTable& history,
 }
 
 void read_endings(const std::filesystem::path& folder, Outcome& outcome) {
-    keep(outcome, "life", read_json(folder / "summary.json").number("life"));
-    const NumberTable cycles = read_table(folder / "cycles.csv");
+    keep(outcome, "life", read_json(folder / result_files::summary).number("life"));
+    const NumberTable cycles = read_table(folder / result_files::cycles);
     if (cycles.rows == 0) return;
-    const std::size_t last = rows_of_first_tip(cycles).back();
+    const std::size_t last = rows_of_tip(cycles, 0).back();
     for (const char* name : {"a", "N", "K_op", "U"})
         if (cycles.columns.contains(name)) keep(outcome, std::string(name) + "_end", cycles[name][last]);
 }
 
 void read_results(const std::filesystem::path& folder, Outcome& outcome) {
-    const NumberTable history = read_table(folder / "history.csv");
+    const NumberTable history = read_table(folder / result_files::history);
     if (history.rows == 0) return;
-    const std::vector<std::size_t> rows = rows_of_first_tip(history);
+    const std::vector<std::size_t> rows = rows_of_tip(history, 0);
     const std::size_t maximum = extreme_row(history, rows, 1.0), minimum = extreme_row(history, rows, -1.0);
     for (const char* name : {"J", "K_I", "CTOD", "CMOD", "plastic_zone"}) keep(outcome, name, history[name][maximum]);
     keep(outcome, "contact_length", history["contact_length"][minimum]);
@@ -191,7 +176,7 @@ double Outcome::value(const std::string& name) const {
 Outcome read_outcome(const std::filesystem::path& folder) {
     Outcome outcome;
     read_summary(folder, outcome);
-    if (outcome.status != "done") return outcome;
+    if (outcome.status != RunStatus::Done) return outcome;
     read_results(folder, outcome);
     read_endings(folder, outcome);
     return outcome;

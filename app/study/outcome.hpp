@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/study/profile.hpp"
+#include "coarse/results/run_status.hpp"
 
 namespace stria::study {
 
@@ -28,12 +29,11 @@ std::span<const Quantity> results();
 /// summary.json. They can have an error too.
 std::span<const Quantity> endings();
 
-/// The status of a variant that nobody has begun.
-inline constexpr const char* not_run = "not run";
+using coarse::RunStatus;
 
 struct Outcome {
-    std::string status = not_run;  // "done", "failed", ...
-    std::string message = {};      // why it is not done
+    RunStatus status = RunStatus::NotRun;
+    std::string message = {};  // why it is not done
     int exit_code = 0;
     std::map<std::string, double> values = {};  // by the name of the quantity; missing ones are absent
     Profile at_maximum = {}, at_minimum = {};   // of the first crack

@@ -77,7 +77,7 @@ std::string line_of(const Row& row, const Report& report, const std::vector<Colu
         const auto setting = std::ranges::find(row.settings, axis.key, &Setting::key);
         text += fmt::format("<td class=\"word\">{}</td>", setting != row.settings.end() ? escaped(setting->value) : "");
     }
-    text += fmt::format("<td class=\"word\">{}</td>", escaped(row.outcome.status));
+    text += fmt::format("<td class=\"word\">{}</td>", to_text(row.outcome.status));
     for (const Column& column : columns)
         text += fmt::format("<td>{}</td>", number(column.factor * row.outcome.value(column.quantity)));
     for (const Quantity& error : errors) text += fmt::format("<td>{}</td>", percent(row.error(error.name)));
@@ -104,8 +104,9 @@ std::string complaints(const Report& report) {
 }
 
 std::string introduction(const Report& report) {
-    const auto done = std::ranges::count_if(report.rows, [](const Row& row) { return row.outcome.status == "done"; });
-    const auto running = [](const Row& row) { return row.outcome.status == "running"; };
+    const auto is_done = [](const Row& row) { return row.outcome.status == RunStatus::Done; };
+    const auto running = [](const Row& row) { return row.outcome.status == RunStatus::Running; };
+    const auto done = std::ranges::count_if(report.rows, is_done);
     std::string text =
         fmt::format("<p>{} of {} variants of {} done.", done, report.rows.size(), escaped(report.case_path));
     if (std::ranges::any_of(report.rows, running) || std::ranges::any_of(report.references, running))

@@ -87,7 +87,7 @@ void read_reference(const StudyOptions& options, Plan& plan) {
     if (std::filesystem::is_directory(options.reference)) {
         plan.reference_folder = options.reference;
         plan.reference_run = read_outcome(options.reference);
-        if (plan.reference_run.status != "done")
+        if (plan.reference_run.status != RunStatus::Done)
             throw CaseError(fmt::format("--reference {}: holds no run that is done", options.reference));
         for (Row& variant : plan.variants) variant.reference = options.reference;
         return;

@@ -8,10 +8,11 @@
 
 #include "app/process/exit_code.hpp"
 #include "app/process/version.hpp"
+#include "app/results/run_files.hpp"
 #include "app/run/launch.hpp"
-#include "app/run/run_files.hpp"
 #include "app/run/run_lock.hpp"
 #include "app/study/plan.hpp"
+#include "coarse/results/result_files.hpp"
 #include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/error.hpp"
@@ -19,12 +20,9 @@
 
 namespace stria::study {
 
-namespace {
+namespace result_files = coarse::result_files;
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+namespace {
 
 /// The last complaint in what a run has said: a line "stria...: ..."; without one, its last line.
 std::string complaint_in(const std::filesystem::path& log) {
@@ -38,22 +36,22 @@ std::string complaint_in(const std::filesystem::path& log) {
     return complaint.empty() ? last : complaint;
 }
 
-std::string status_of(int exit_code) {
+RunStatus status_of(int exit_code) {
     switch (exit_code) {
     case Done:
-        return "done";
+        return RunStatus::Done;
     case InputWrong:
-        return "wrong input";
+        return RunStatus::WrongInput;
     case NumbersFailed:
-        return "failed";
+        return RunStatus::Failed;
     case LostComponent:
-        return "lost";
+        return RunStatus::Lost;
     case FileFailed:
-        return "no file";
+        return RunStatus::NoFile;
     case Interrupted:
-        return "interrupted";
+        return RunStatus::Interrupted;
     default:
-        return "error";
+        return RunStatus::Error;
     }
 }
 
@@ -63,25 +61,16 @@ enum class Found { Nothing, Begun, Done };
 Found found_in(const RunOptions& options) {
     const std::filesystem::path folder = options.output_directory;
     const Case input = read_case(options.case_path, options.overrides);
-    if (text_of(folder / "case.resolved.toml") != resolved_toml(input)) return Found::Nothing;
-    const JsonObject summary = read_json(folder / "summary.json");
+    if (read_text(folder / result_files::resolved_case) != resolved_toml(input)) return Found::Nothing;
+    const JsonObject summary = read_json(folder / result_files::summary);
     if (summary.words.empty()) return Found::Begun;  // it is written last
-    const auto is = [&](const char* name, const std::string& word) {
-        const auto found = summary.words.find(name);
-        return found != summary.words.end() && found->second == word;
-    };
     const auto [fine_ranks, processes] = parts_of(options, needs_fine(input));
-    if (!is("version", version_text()) || !is("mode", options.mode) || summary.number("ranks") != processes ||
-        summary.number("fine_ranks") != fine_ranks)
+    if (summary.word("version") != version_text() || summary.word("mode") != options.mode ||
+        summary.number("ranks") != processes || summary.number("fine_ranks") != fine_ranks)
         return Found::Nothing;
     // The case names its mesh: what is in the file may be another one since.
-    if (input.mesh.file && !is("mesh_file", checksum_of(*input.mesh.file))) return Found::Nothing;
-    return is("status", "done") ? Found::Done : Found::Begun;
-}
-
-bool has_checkpoint(const std::filesystem::path& folder) {
-    return std::filesystem::exists(folder / "checkpoint.h5") ||
-           std::filesystem::exists(folder / "checkpoint.previous.h5");
+    if (input.mesh.file && summary.word("mesh_file") != checksum_of(*input.mesh.file)) return Found::Nothing;
+    return coarse::run_status(summary.word("status")) == RunStatus::Done ? Found::Done : Found::Begun;
 }
 
 /// Makes the folder. Results of an earlier run must not be taken for those of one that dies before it writes any.
@@ -90,8 +79,7 @@ void make_ready(const RunOptions& options) {
     const std::filesystem::path folder = options.output_directory;
     std::filesystem::create_directories(folder);
     const RunLock lock(folder);
-    if (options.resume) return;
-    for (const char* file : {"summary.json", "history.csv", "faces.csv"}) std::filesystem::remove(folder / file);
+    if (!options.resume) coarse::remove_results(folder);
 }
 
 Outcome outcome_of(const std::filesystem::path& folder, int code) {
@@ -114,12 +102,12 @@ bool is_written_to(const std::filesystem::path& folder) {
 
 /// Of a run that others make. One that has failed says so in its log.
 Outcome outcome_so_far(const RunOptions& options) {
-    if (is_written_to(options.output_directory)) return {.status = "running"};
+    if (is_written_to(options.output_directory)) return {.status = RunStatus::Running};
     Outcome outcome;
     if (found_in(options) != Found::Nothing) outcome = read_outcome(options.output_directory);
-    if (outcome.status == "failed")
+    if (outcome.status == RunStatus::Failed)
         outcome = outcome_of(options.output_directory, NumbersFailed);
-    else if (outcome.status == "interrupted")
+    else if (outcome.status == RunStatus::Interrupted)
         outcome.exit_code = Interrupted;
     return outcome;
 }
@@ -164,19 +152,19 @@ void Runner::begin(Row& row, std::size_t number) {
         say(row, number, "done before");
         return;
     }
-    options.resume = found == Found::Begun && has_checkpoint(options.output_directory);
+    options.resume = found == Found::Begun && coarse::has_checkpoint(options.output_directory);
     try {
         make_ready(options);
     } catch (const CaseError& taken) {
         row.outcome = {.status = status_of(InputWrong), .message = taken.what(), .exit_code = InputWrong};
-        say(row, number, row.outcome.status + ": " + row.outcome.message);
+        say(row, number, to_text(row.outcome.status) + ": " + row.outcome.message);
         return;
     }
     const int part = free_part();
     const std::string log = (std::filesystem::path(options.output_directory) / log_name).string();
     const pid_t process = start_child(run_command(options), {.log = log, .cores = share_of(cores_, part, jobs_)});
     running_[process] = {&row, number, part, std::chrono::steady_clock::now()};
-    row.outcome.status = "running";
+    row.outcome.status = RunStatus::Running;
 }
 
 void Runner::end(const EndedChild& child) {
@@ -189,7 +177,7 @@ void Runner::end(const EndedChild& child) {
     interrupted_ = interrupted_ || row.outcome.exit_code == Interrupted;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - job.start).count();
     const std::string why = row.outcome.message.empty() ? "" : ": " + row.outcome.message;
-    say(row, job.number, fmt::format("{} in {:.1f} s{}", row.outcome.status, seconds, why));
+    say(row, job.number, fmt::format("{} in {:.1f} s{}", to_text(row.outcome.status), seconds, why));
 }
 
 int Runner::free_part() const {

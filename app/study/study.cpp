@@ -99,7 +99,7 @@ std::vector<Row*> rows_of(Plan& plan) {
 /// Rows that an interruption has left are a reason to come again, also where all that have run are done.
 int worst_code(const std::vector<Row*>& rows, bool interrupted) {
     const auto code_of = [&](const Row* row) {
-        return interrupted && row->outcome.status == not_run ? Interrupted : row->outcome.exit_code;
+        return interrupted && row->outcome.status == RunStatus::NotRun ? Interrupted : row->outcome.exit_code;
     };
     int worst = Done;
     for (const Row* row : rows) worst = std::max(worst, code_of(row));

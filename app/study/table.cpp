@@ -31,7 +31,7 @@ std::vector<std::string> columns(const std::vector<Axis>& axes, bool with_errors
 std::vector<Cell> cells(const Row& row, bool with_errors) {
     std::vector<Cell> line = {std::int64_t{row.number}};
     for (const Setting& setting : row.settings) line.emplace_back(setting.value);
-    line.emplace_back(row.outcome.status);
+    line.emplace_back(to_text(row.outcome.status));
     line.emplace_back(std::int64_t{row.outcome.exit_code});
     for (const auto& group : {sizes(), phases(), work(), results()})
         for (const Quantity& quantity : group) line.emplace_back(row.outcome.value(quantity.name));

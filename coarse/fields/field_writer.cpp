@@ -46,7 +46,7 @@ void FieldWriter::remove_others() const {
     for (const Step& step : steps_) known.insert(std::filesystem::path(file_name(step.increment)).stem());
     std::error_code no_folder;
     std::vector<std::filesystem::path> others;
-    for (const auto& entry : std::filesystem::directory_iterator(directory_ / "fields", no_folder))
+    for (const auto& entry : std::filesystem::directory_iterator(directory_ / fields_folder, no_folder))
         if (entry.path().filename().string().starts_with("step_") && !known.contains(entry.path().stem()))
             others.push_back(entry.path());
     for (const std::filesystem::path& file : others) std::filesystem::remove(file);
@@ -59,11 +59,11 @@ void FieldWriter::remove_others() const {
 }
 
 std::string FieldWriter::file_name(std::int64_t increment) const {
-    return fmt::format("fields/step_{:05}.{}", increment, format_ == FieldFormat::VtkHdf ? "hdf" : "vtu");
+    return fmt::format("{}/step_{:05}.{}", fields_folder, increment, format_ == FieldFormat::VtkHdf ? "hdf" : "vtu");
 }
 
 void FieldWriter::write(std::int64_t increment, const FieldData& data, double time) {
-    std::filesystem::create_directories(directory_ / "fields");
+    std::filesystem::create_directories(directory_ / fields_folder);
     const std::filesystem::path path = directory_ / file_name(increment);
     if (format_ == FieldFormat::VtkHdf) {
         write_vtkhdf(path, data);

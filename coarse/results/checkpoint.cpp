@@ -21,10 +21,6 @@ void forget_former_end(Checkpoint& checkpoint, const CaseMark& now, const Output
     if (output.fields == Written::Extremes) checkpoint.recorder.fields.clear();
 }
 
-std::filesystem::path previous_checkpoint(std::filesystem::path path) {
-    return path.replace_filename(path.stem().string() + ".previous" + path.extension().string());
-}
-
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
     const std::string image = hdf5::image_of([&](hdf5::Group& root) {
         hdf5::Saver save(root);

@@ -7,6 +7,7 @@
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/results/case_mark.hpp"
+#include "coarse/results/result_files.hpp"
 #include "coarse/results/run_recorder.hpp"
 
 namespace stria::coarse {
@@ -22,10 +23,7 @@ struct Checkpoint {
 /// are no extremes of the last: an undisturbed run would not have written them.
 void forget_former_end(Checkpoint& checkpoint, const CaseMark& now, const OutputSection& output);
 
-/// Beside `path`: the checkpoint before the last one.
-std::filesystem::path previous_checkpoint(std::filesystem::path path);
-
-/// With a checksum. An earlier one at `path` becomes the previous one.
+/// With a checksum. An earlier one at `path` becomes the previous one (result_files.hpp).
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Throws CaseError where the file is damaged or of another version.

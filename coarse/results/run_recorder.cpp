@@ -5,6 +5,7 @@
 #include "coarse/fields/zone_fields.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
+#include "coarse/results/result_files.hpp"
 #include "coarse/results/rows.hpp"
 #include "common/io/whole_file.hpp"
 #include "common/stopwatch.hpp"
@@ -25,18 +26,20 @@ RunRecorder::RunRecorder(const Scene& scene, std::filesystem::path directory,
                          std::function<coupling::ZoneState()> zone_state, const RecorderState* from)
     : output_(scene.input.output), last_cycle_(cycle_count(scene.input.load)), growth_(scene.input.growth),
       zone_state_(std::move(zone_state)), loaded_(loaded_boundary(scene.mesh, scene.input, scene.loads)),
-      history_(table(directory / "history.csv", history_columns(), from, from ? from->history_rows : 0)),
-      cycles_(table(directory / "cycles.csv", cycle_columns(), from, from ? from->cycle_rows : 0)),
-      faces_(table(directory / "faces.csv", face_columns(), from, from ? from->face_rows : 0)),
+      history_(table(directory / result_files::history, history_columns(), from, from ? from->history_rows : 0)),
+      cycles_(table(directory / result_files::cycles, cycle_columns(), from, from ? from->cycle_rows : 0)),
+      faces_(table(directory / result_files::faces, face_columns(), from, from ? from->face_rows : 0)),
       fields_(directory, field_format(scene.input.output.format),
               from ? from->fields : std::vector<FieldWriter::Step>()) {
     if (!scene.input.closure.profile.empty())
-        closure_.emplace(table(directory / "closure.csv", closure_columns(), from, from ? from->closure_rows : 0));
+        closure_.emplace(
+            table(directory / result_files::closure, closure_columns(), from, from ? from->closure_rows : 0));
     if (!scene.loads.cases.empty())
-        loads_.emplace(table(directory / "loads.csv", load_columns(scene.input), from, from ? from->load_rows : 0));
+        loads_.emplace(
+            table(directory / result_files::loads, load_columns(scene.input), from, from ? from->load_rows : 0));
     if (!scene.input.load_cases.empty())  // its rows are those of cycles.csv
-        load_cases_.emplace(
-            table(directory / "load-cases.csv", load_case_columns(scene.input), from, from ? from->cycle_rows : 0));
+        load_cases_.emplace(table(directory / result_files::load_cases, load_case_columns(scene.input), from,
+                                  from ? from->cycle_rows : 0));
     if (from == nullptr) return;
     cycle_iterations_ = from->cycle_iterations;
     N_ = from->N;

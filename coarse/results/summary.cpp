@@ -44,7 +44,7 @@ Json last_values(const HistoryRow& row) {
 Json to_json(const Summary& summary) {
     Json::Array tips;
     for (const HistoryRow& row : summary.last) tips.push_back(last_values(row));
-    Json::Object object{{"status", summary.status},
+    Json::Object object{{"status", to_text(summary.status)},
                         {"version", summary.version},
                         {"mode", summary.mode},
                         {"ranks", summary.ranks},

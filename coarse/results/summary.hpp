@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coarse/results/run_status.hpp"
 #include "coarse/results/tables.hpp"
 #include "coarse/structure/coarse_effort.hpp"
 #include "common/io/json.hpp"
@@ -19,7 +20,7 @@ struct Timing {
 };
 
 struct Summary {
-    std::string status;  // "done", "running", "interrupted", "failed"
+    RunStatus status = RunStatus::Done;
     std::string version;
     std::string mode;  // "mpi", "inprocess", "monolithic"
     int ranks = 1;

@@ -1,5 +1,5 @@
 // A case as the user writes it (docs/case-reference.md), one struct per section. Units N, mm, MPa throughout.
-// Keys, units, ranges and sentences are declared once, in body_schema, load_schema and method_schema.
+// Keys, units, ranges and sentences are declared once: body_schema, region_schema, load_schema and method_schema.
 #pragma once
 
 #include <Eigen/Core>

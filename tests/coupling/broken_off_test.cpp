@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "app/results/run_files.hpp"
 #include "app/run/coarse_run.hpp"
-#include "app/run/run_files.hpp"
 #include "common/error.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/deadline.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <set>
 
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/followed_run.hpp"
 #include "tests/support/sent_analysis.hpp"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <vector>
 
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"

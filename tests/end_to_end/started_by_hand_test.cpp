@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
 #include "tests/support/followed_run.hpp"
 #include "tests/support/sent_analysis.hpp"
 

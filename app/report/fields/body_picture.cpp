@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "app/report/face_states.hpp"
 #include "app/report/fields/field_cells.hpp"
 #include "app/report/fields/outline.hpp"
 #include "app/report/fields/plan_view.hpp"
+#include "coarse/fields/field_writer.hpp"
+#include "coarse/results/result_files.hpp"
+#include "common/crack/notch.hpp"
 #include "common/index.hpp"
 
 namespace stria::report {
@@ -16,7 +20,7 @@ namespace {
 
 using Polygon = std::vector<FieldPoint>;
 
-constexpr std::size_t most_cracks = 40;
+constexpr int most_cracks = 40;
 constexpr double finest = 0.3;  // pixels: corners nearer to each other are one
 
 /// "M10 20L30 40z"; corners that fall together on paper are drawn once.
@@ -46,35 +50,74 @@ std::string edge_of(const std::vector<Polygon>& polygons, const Plan& plan) {
     return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"0.8\"/>\n", outlines);
 }
 
-/// Of a crack that began as a notch: as it was given, up to where its faces begin.
-Polygon notch_of(const CrackSection& crack, double until) {
-    Polygon way;
-    if (crack.notch <= 0.0) return way;
-    double s = 0.0;
-    for (std::size_t k = 0; k < crack.points.size() && s < until; ++k) {
-        way.push_back({crack.points[k].x(), crack.points[k].y()});
+/// A point of a crack at the arc length s from the crack's present first point, mm.
+struct PlaceOnCrack {
+    double s;
+    FieldPoint point;
+};
+
+double distance_of(FieldPoint a, FieldPoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// Where a tip has been up to an increment, row by row of history.csv.
+Polygon places_of_tip(const RunRecord& run, std::size_t tip, double increment) {
+    Polygon places;
+    for (const std::size_t row : rows_of_tip(run.history, tip))
+        if (run.history["increment"][row] <= increment)
+            places.push_back({run.history["x"][row], run.history["y"][row]});
+    return places;
+}
+
+/// Arc by which growth has moved the first point of a crack on, mm: the way of the tip that it was. A mouth stays.
+double grown_at_start(const RunRecord& run, const CrackSection& crack, double increment) {
+    constexpr double same_place = 1e-6;  // mm
+    if (!run.history.columns.contains("x") || !run.history.columns.contains("y")) return 0.0;
+    const FieldPoint first{crack.points.front().x(), crack.points.front().y()};
+    for (std::size_t tip = 0; tip < run.tips(); ++tip) {
+        const Polygon places = places_of_tip(run, tip, increment);
+        if (places.empty() || !(distance_of(places.front(), first) <= same_place)) continue;
+        double way = 0.0;
+        for (std::size_t k = 1; k < places.size(); ++k) way += distance_of(places[k - 1], places[k]);
+        return way;
+    }
+    return 0.0;
+}
+
+/// What was machined, as it was given: no face need have a station at its mouth and bends.
+std::vector<PlaceOnCrack> corners_of_notch(const RunRecord& run, const CrackSection& crack, double increment) {
+    std::vector<PlaceOnCrack> corners;
+    if (crack.notch <= 0.0) return corners;
+    const Notch notch = notch_of(crack, grown_at_start(run, crack, increment));
+    double s = notch.from;
+    for (std::size_t k = 0; k < crack.points.size() && notch.holds(s); ++k) {
+        corners.push_back({s, {crack.points[k].x(), crack.points[k].y()}});
         if (k + 1 < crack.points.size()) s += (crack.points[k + 1] - crack.points[k]).norm();
     }
+    return corners;
+}
+
+/// From mouth to tip, or from tip to tip; empty without faces.
+Polygon way_of(const RunRecord& run, const NumberTable& faces, int crack, double increment) {
+    const std::vector<std::size_t> rows = rows_of_crack(faces, crack, increment);
+    if (rows.empty()) return {};
+    std::vector<PlaceOnCrack> places;
+    if (run.input && crack < std::ssize(run.input->cracks))
+        places = corners_of_notch(run, run.input->cracks[at(crack)], increment);
+    for (const std::size_t row : rows) places.push_back({faces["s"][row], {faces["x"][row], faces["y"][row]}});
+    std::ranges::stable_sort(places, {}, &PlaceOnCrack::s);
+    Polygon way(places.size());
+    std::ranges::transform(places, way.begin(), &PlaceOnCrack::point);
     return way;
 }
 
-/// From mouth to tip, or from tip to tip.
 std::vector<Polygon> ways_of_cracks(const RunRecord& run) {
     std::vector<Polygon> ways;
     const std::vector<double> written = written_increments(run);
     if (written.empty()) return ways;
+    const double last = written.back();
     const NumberTable faces =
-        read_table(run.folder / "faces.csv", [&](double increment) { return increment == written.back(); });
-    for (std::size_t crack = 0; crack < most_cracks; ++crack) {
-        std::vector<std::size_t> rows;
-        for (std::size_t row = 0; row < faces.rows; ++row)
-            if (faces["crack"][row] == static_cast<double>(crack)) rows.push_back(row);
-        if (rows.empty()) continue;
-        std::ranges::sort(rows, {}, [&](std::size_t row) { return faces["s"][row]; });
-        const bool given = run.input && crack < run.input->cracks.size();
-        ways.push_back(given ? notch_of(run.input->cracks[crack], faces["s"][rows.front()]) : Polygon());
-        for (const std::size_t row : rows) ways.back().push_back({faces["x"][row], faces["y"][row]});
-    }
+        read_table(run.folder / coarse::result_files::faces, [&](double increment) { return increment == last; });
+    for (int crack = 0; crack < most_cracks; ++crack)
+        if (Polygon way = way_of(run, faces, crack, last); !way.empty()) ways.push_back(std::move(way));
     return ways;
 }
 
@@ -128,7 +171,7 @@ std::string picture(const FieldCells& field, const std::vector<Polygon>& ways) {
 
 charts::Figure body_picture(const RunRecord& run) {
     charts::Figure figure{.title = "Body and crack", .sentence = "The body as it was made, and what it holds now."};
-    const std::vector<std::filesystem::path> files = last_fields(run.folder / "fields", 1);
+    const std::vector<std::filesystem::path> files = last_fields(run.folder / coarse::fields_folder, 1);
     if (files.empty()) return figure;
     try {
         figure.charts = {charts::captioned(picture(read_field_cells(files.back()), ways_of_cracks(run)), "")};

@@ -7,6 +7,7 @@
 
 #include "app/report/fields/field_cells.hpp"
 #include "app/report/fields/plan_view.hpp"
+#include "coarse/fields/field_writer.hpp"
 #include "common/index.hpp"
 
 namespace stria::report {
@@ -145,7 +146,7 @@ charts::Figure field_picture(const RunRecord& run) {
     charts::Figure figure{.title = "Plastic zone and wake",
                           .sentence = "Accumulated plastic strain, means of the elements."};
     // The last two: of a cycle that is its smallest and its largest load.
-    for (const std::filesystem::path& file : last_fields(run.folder / "fields", 2)) {
+    for (const std::filesystem::path& file : last_fields(run.folder / coarse::fields_folder, 2)) {
         try {
             figure.charts.push_back(charts::captioned(picture(read_field_cells(file)), ""));
         } catch (const std::runtime_error&) {

@@ -88,7 +88,7 @@ TEST(Tables, SayHowLoadCasesLoadAndWhereAWheelIs) {
 
 TEST(SummaryJson, HoldsItsKeys) {
     Summary summary;
-    summary.status = "done";
+    summary.status = RunStatus::Done;
     summary.last.resize(2);
     summary.last[0].tip = 0;
     const std::string text = to_json(summary).text();

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fstream>
 
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
 #include "app/study/table.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"
@@ -42,7 +42,7 @@ Outcome outcome_of_done_run() {
 
 TEST(StudyOutcome, TakesTheFirstTipAtTheFirstLargestLoad) {
     const Outcome run = outcome_of_done_run();
-    EXPECT_EQ(run.status, "done");
+    EXPECT_EQ(run.status, RunStatus::Done);
     EXPECT_EQ(run.value("J"), 4.0);
     EXPECT_EQ(run.value("K_I"), 20.0);
     EXPECT_EQ(run.value("plastic_zone"), 0.4);
@@ -123,7 +123,7 @@ TEST(StudyOutcome, DividesWorkByNewtonIterations) {
 
 TEST(StudyOutcome, GivesNoResultsOfARunThatIsNotDone) {
     const test::TemporaryFolder folder;
-    EXPECT_EQ(read_outcome(folder / "nowhere").status, "not run");
+    EXPECT_EQ(read_outcome(folder / "nowhere").status, RunStatus::NotRun);
     write_run(folder, "failed");
     const Outcome run = read_outcome(folder / "");
     EXPECT_EQ(run.value("fine_points"), 100.0);

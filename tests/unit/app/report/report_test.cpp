@@ -6,21 +6,19 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <numeric>
 #include <sstream>
 
 #include "app/report/cycle_figures.hpp"
 #include "app/report/face_states.hpp"
-#include "app/report/fields/body_picture.hpp"
-#include "app/report/fields/field_picture.hpp"
-#include "app/report/fields/outline.hpp"
 #include "app/report/report_page.hpp"
-#include "coarse/fields/vtk_files.hpp"
 #include "common/error.hpp"
+#include "tests/support/counted_words.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace stria::report {
 namespace {
+
+using test::count;
 
 /// A crack that grows by 0.01 mm in each cycle of four increments, with faces at the extremes of each.
 void write_long_run(const test::TemporaryFolder& folder, int cycles, int stations) {
@@ -86,12 +84,6 @@ std::string columns_of(const std::string& csv, const std::vector<std::string>& n
         text += '\n';
     }
     return text;
-}
-
-int count(const std::string& text, const std::string& word) {
-    int found = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
-    return found;
 }
 
 TEST(Report, NumbersAreThoseOfTheTablesToTheLastDigit) {
@@ -203,93 +195,6 @@ TEST(Report, SaysFirstWhatTheReaderHasToKnow) {
     EXPECT_EQ(warnings[2].substr(0, 12), "3 increments");
     const std::string page = page_of(read_run(folder / ""));
     EXPECT_LT(page.find("a &lt;sentence&gt;"), page.find("<svg"));
-}
-
-/// Two squares of 1 mm, one above the other; they part at y = 1 by 0.002 mm.
-coarse::FieldData opened_pair(double strain) {
-    coarse::FieldData data;
-    for (const double y : {0.0, 1.0, 1.0, 2.0})
-        for (const double x : {0.0, 1.0}) data.points.emplace_back(x, y, 0.0);
-    coarse::FieldArray displacement{"displacement", 3, {}};
-    for (int point = 0; point < 8; ++point)
-        displacement.values.insert(displacement.values.end(), {0.0, point < 4 ? -0.001 : 0.001, 0.0});
-    data.add_cell(coarse::CellType::Quad, {0, 1, 3, 2});
-    data.add_cell(coarse::CellType::Quad, {4, 5, 7, 6});
-    data.point_arrays = {displacement};
-    data.cell_arrays = {{"accumulated_plastic_strain", 1, {strain, 0.0}}, {"zone", 1, {1.0, 0.0}}};
-    data.whole_arrays = {{"load_factor", 1, {50.0}}, {"cycle", 1, {7.0}}};
-    return data;
-}
-
-TEST(Report, DrawsWhatHasFlowedWithTheCrackOpen) {
-    const test::TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "fields");
-    coarse::write_vtkhdf(folder / "fields/step_00001.hdf", opened_pair(0.0));
-    coarse::write_vtkhdf(folder / "fields/step_00002.hdf", opened_pair(0.02));
-    write_long_run(folder, 2, 2);
-    const std::vector<std::string> charts = field_picture(read_run(folder / "")).charts;
-    ASSERT_EQ(charts.size(), 2);
-    EXPECT_EQ(charts[0], "");  // nothing has flowed
-    EXPECT_EQ(count(charts[1], "<title>Cycle 7, load factor 50, displacement x 50</title>"), 1);
-    EXPECT_EQ(count(charts[1], "<path class=\"l5\""), 1);
-    EXPECT_EQ(count(charts[1], "<path class=\"l0\""), 1);
-    EXPECT_EQ(count(charts[1], "&gt; 0.005"), 1);  // 30 % of 0.02, rounded down
-}
-
-/// A square of 3 mm about a hole of 1 mm, of eight squares; the one in the lower left corner is split in four.
-FieldCells holed_square() {
-    FieldCells field;
-    const auto add_square = [&](double x, double y, double size) {
-        const int first = static_cast<int>(field.points.size());
-        for (const auto& [right, up] : {std::pair(0.0, 0.0), {size, 0.0}, {size, size}, {0.0, size}})
-            field.points.push_back({x + right, y + up});
-        field.cells.push_back({first, first + 1, first + 2, first + 3});
-    };
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            if ((row != 1 || column != 1) && row + column > 0) add_square(column, row, 1.0);
-    for (const double y : {0.0, 0.5})
-        for (const double x : {0.0, 0.5}) add_square(x, y, 0.5);
-    return field;
-}
-
-double twice_area(const std::vector<FieldPoint>& polygon) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const auto &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-        sum += a.x * b.y - b.x * a.y;
-    }
-    return sum;
-}
-
-TEST(Report, AnOutlineHasTheHolesAndNoNodeThatHangs) {
-    const FieldCells field = holed_square();
-    std::vector<std::size_t> all(field.cells.size());
-    std::iota(all.begin(), all.end(), 0U);
-    const auto polygons = outline_of(field, all);
-    ASSERT_EQ(polygons.size(), 2);
-    std::vector<double> areas = {0.5 * twice_area(polygons[0]), 0.5 * twice_area(polygons[1])};
-    std::ranges::sort(areas);
-    EXPECT_NEAR(areas[0], -1.0, 1e-9);  // clockwise about the hole
-    EXPECT_NEAR(areas[1], 9.0, 1e-9);
-    const auto split = outline_of(field, {7, 8, 9, 10});
-    ASSERT_EQ(split.size(), 1);
-    EXPECT_EQ(split[0].size(), 4);
-    EXPECT_NEAR(twice_area(split[0]), 2.0, 1e-9);
-}
-
-TEST(Report, DrawsTheBodyWithItsCrackAndItsZone) {
-    const test::TemporaryFolder folder;
-    write_long_run(folder, 2, 5);
-    EXPECT_TRUE(body_picture(read_run(folder / "")).charts.empty());  // no fields
-    std::filesystem::create_directories(folder / "fields");
-    coarse::write_vtkhdf(folder / "fields/step_00002.hdf", opened_pair(0.0));
-    const std::string picture = body_picture(read_run(folder / "")).charts.at(0);
-    EXPECT_EQ(count(picture, "<path class=\"l0\""), 1);  // one body, though the crack parts it
-    EXPECT_EQ(count(picture, "<path class=\"l2\""), 1);
-    EXPECT_EQ(count(picture, "<path class=\"c1\""), 1);
-    const std::size_t body = picture.find("<path class=\"l0\"");
-    EXPECT_EQ(count(picture.substr(body, picture.find('>', body) - body), "M"), 1);
 }
 
 TEST(Report, AFolderWithoutARunIsASentence) {

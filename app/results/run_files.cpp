@@ -1,7 +1,8 @@
-#include "app/run/run_files.hpp"
+#include "app/results/run_files.hpp"
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,21 @@ void collect(const nlohmann::json& object, const std::string& prefix, JsonObject
 double JsonObject::number(const std::string& path) const {
     const auto found = numbers.find(path);
     return found != numbers.end() ? found->second : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string JsonObject::word(const std::string& path) const {
+    const auto found = words.find(path);
+    return found != words.end() ? found->second : "";
+}
+
+std::vector<std::string> JsonObject::list(const std::string& path) const {
+    const auto found = lists.find(path);
+    return found != lists.end() ? found->second : std::vector<std::string>();
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 JsonObject read_json(const std::filesystem::path& path) {

@@ -1,4 +1,4 @@
-// The files of a run read back: summary.json as numbers, words and lists of words by their path.
+// The files of a run read back: a text as it is, summary.json as numbers, words and lists of words by their path.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,13 @@ struct JsonObject {
 
     /// NaN where it is missing.
     [[nodiscard]] double number(const std::string& path) const;
+    /// Both are empty where it is missing.
+    [[nodiscard]] std::string word(const std::string& path) const;
+    [[nodiscard]] std::vector<std::string> list(const std::string& path) const;
 };
+
+/// All of a file; empty where there is none.
+std::string read_text(const std::filesystem::path& path);
 
 /// Empty where there is no such file or it holds no JSON object.
 JsonObject read_json(const std::filesystem::path& path);
