@@ -3,14 +3,15 @@
 #include <map>
 #include <string>
 
-#include "common/case/case_checks.hpp"
-#include "common/case/material_checks.hpp"
+#include "common/case/checks/boundary_checks.hpp"
+#include "common/case/checks/case_checks.hpp"
+#include "common/case/checks/material_checks.hpp"
+#include "common/schema/given.hpp"
 
 namespace stria {
 
-using schema::find;
+using schema::Given;
 using schema::Place;
-using schema::reject;
 using schema::Section;
 using schema::Value;
 
@@ -61,15 +62,15 @@ double standard_height(const std::string& specimen) {
 
 /// Either a specimen with its sizes, or a file and no more.
 void check_mesh_source(const MeshSection& mesh, const Value& table, const Place& place) {
+    const Given given{table, place};
     if (mesh.file) {
         for (const char* key : {"specimen", "width", "height", "size", "grading"})
-            if (const Value* given = find(table, key))
-                reject(place.inside(key), given->line, "belongs to a specimen; the mesh is that of mesh.file");
+            if (given.has(key)) given.refuse(key, "belongs to a specimen; the mesh is that of mesh.file");
         return;
     }
-    if (mesh.specimen.empty()) reject(place, table.line, "needs specimen or file");
+    if (mesh.specimen.empty()) given.refuse("needs specimen or file");
     for (const char* key : {"width", "size"})
-        if (find(table, key) == nullptr) reject(place.inside(key), table.line, "is missing: a specimen needs it");
+        if (!given.has(key)) reject(place.inside(key), table.line, "is missing: a specimen needs it");
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "common/case/case_file.hpp"
 
-#include "common/case/body_schema.hpp"
-#include "common/case/case_checks.hpp"
 #include "common/case/case_schema.hpp"
+#include "common/case/checks/case_checks.hpp"
 #include "common/case/loads/load_increments.hpp"
 #include "common/case/loads/spectrum.hpp"
 #include "common/case/not_in_this_version.hpp"
+#include "common/case/region_schema.hpp"
 #include "common/error.hpp"
 #include "common/io/checksum.hpp"
 

@@ -1,9 +1,10 @@
 #include "common/case/case_schema.hpp"
 
 #include "common/case/body_schema.hpp"
-#include "common/case/case_checks.hpp"
+#include "common/case/checks/case_checks.hpp"
 #include "common/case/load_schema.hpp"
 #include "common/case/method_schema.hpp"
+#include "common/case/region_schema.hpp"
 
 namespace stria {
 

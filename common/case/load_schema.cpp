@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "common/case/case_checks.hpp"
+#include "common/case/checks/case_checks.hpp"
+#include "common/case/checks/material_checks.hpp"
 #include "common/case/loads/load_case_checks.hpp"
-#include "common/case/material_checks.hpp"
 #include "common/schema/auto_values.hpp"
 
 namespace stria {
@@ -37,10 +37,7 @@ Section<LoadBlock> test_block_section() {
     return with_extremes(std::move(s), "Largest strain, or stress in MPa: see control.", "Smallest strain or stress.");
 }
 
-}  // namespace
-
-Section<LoadSection> load_section() {
-    Section<LoadSection> s;
+void declare_increments(Section<LoadSection>& s) {
     s.value("steps", &LoadSection::steps)
         .at_least(2)
         .at_most(100'000)
@@ -67,6 +64,9 @@ Section<LoadSection> load_section() {
         .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.4: "
               "large where little flows, small where the load turns. Where load cases lag and this is absent, equal "
               "angles of the cycle.");
+}
+
+void declare_sequence(Section<LoadSection>& s) {
     s.list("blocks", &LoadSection::blocks, block_section())
         .says("Blocks of equal cycles, one after the other. A cycle runs from its maximum to its minimum and on to the "
               "maximum of the next one.");
@@ -80,6 +80,9 @@ Section<LoadSection> load_section() {
         .positive()
         .says("Multiplies every max and min of [load]; load cases have factors of their own.");
     s.value("repeat", &LoadSection::repeat).at_least(1).says("How often the whole sequence of blocks is gone through.");
+}
+
+void declare_control(Section<LoadSection>& s) {
     s.choice<Control>(
          "control", &LoadSection::control,
          {{"load", Control::Load}, {"displacement", Control::Displacement}, {"K", Control::StressIntensity}})
@@ -90,6 +93,15 @@ Section<LoadSection> load_section() {
     s.value("K_gradient", &LoadSection::K_gradient)
         .in("1/mm")
         .says("With control = \"K\": K is that of the blocks times exp(K_gradient (a - a at the start)), ASTM E647.");
+}
+
+}  // namespace
+
+Section<LoadSection> load_section() {
+    Section<LoadSection> s;
+    declare_increments(s);
+    declare_sequence(s);
+    declare_control(s);
     return s;
 }
 
@@ -149,8 +161,9 @@ Section<MaterialTestSection> material_test_section() {
     return s;
 }
 
-Section<GrowthSection> growth_section() {
-    Section<GrowthSection> s;
+namespace {
+
+void declare_growth_increments(Section<GrowthSection>& s) {
     s.choice<GrowthLaw>("law", &GrowthSection::law,
                         {{"prescribed", GrowthLaw::Prescribed},
                          {"paris", GrowthLaw::Paris},
@@ -188,6 +201,9 @@ Section<GrowthSection> growth_section() {
             "that it repeats, for a growth takes the mean rate of its cycles.");
     s.choice<GrowthAt>("at", &GrowthSection::at, {{"max", GrowthAt::Maximum}, {"min", GrowthAt::Minimum}})
         .says("At which extreme of the cycle the crack grows.");
+}
+
+void declare_law(Section<GrowthSection>& s) {
     s.value("C", &GrowthSection::C).in("mm/cycle, MPa sqrt(mm) or mm").at_least(0.0).says("paris, ctod: of the law.");
     s.value("m", &GrowthSection::m).at_least(0.0).says("paris, ctod: of the law.");
     s.value("threshold", &GrowthSection::threshold)
@@ -201,6 +217,9 @@ Section<GrowthSection> growth_section() {
             "table: dK, ascending; no growth below the first. Straight lines between the logarithms; the last one goes "
             "on.");
     s.value("rates", &GrowthSection::rates).in("mm/cycle").says("table: da/dN at these, ascending.");
+}
+
+void declare_tips(Section<GrowthSection>& s) {
     s.choice<Retain>("retain", &GrowthSection::retain, {{"frozen", Retain::Frozen}, {"all", Retain::All}})
         .says("Functions of a tip that has moved on: frozen: a fixed displacement. all: they stay unknowns, for "
               "comparison.");
@@ -219,6 +238,9 @@ Section<GrowthSection> growth_section() {
                               {{"hoop", GrowthDirection::HoopStress}, {"straight", GrowthDirection::Straight}})
         .says("hoop: of the largest hoop stress at the maximum of a cycle, of all loads and the initial stress; "
               "straight on within 1e-4 of an element. straight: as it begins.");
+}
+
+void declare_ends(Section<GrowthSection>& s) {
     s.value("until", &GrowthSection::until)
         .in("mm")
         .positive()
@@ -227,6 +249,16 @@ Section<GrowthSection> growth_section() {
         .in("MPa sqrt(mm)")
         .positive()
         .says("The run ends when K_max of a tip reaches it.");
+}
+
+}  // namespace
+
+Section<GrowthSection> growth_section() {
+    Section<GrowthSection> s;
+    declare_growth_increments(s);
+    declare_law(s);
+    declare_tips(s);
+    declare_ends(s);
     s.check(check_growth);
     return s;
 }

@@ -1,4 +1,5 @@
-// Regions of other materials, the stress before any load, and what may be named of the mesh.
+#include "common/case/region_schema.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,12 +13,12 @@
 #include "common/geometry/clipping.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"
+#include "common/schema/given.hpp"
 
 namespace stria {
 
-using schema::find;
+using schema::Given;
 using schema::Place;
-using schema::reject;
 using schema::Section;
 using schema::Value;
 
@@ -41,55 +42,35 @@ bool crosses_itself(const std::vector<Vec2>& polygon) {
 }
 
 void check_outline(const RegionSection& region, const Value& table, const Place& place) {
-    const Value* const found = find(table, "outline");
-    if ((found != nullptr) == region.group.has_value())
-        reject(place, table.line, "needs outline or group, one of them");
-    if (found == nullptr) return;
-    const Value& given = *found;
+    const Given given{table, place};
+    if (given.has("outline") == region.group.has_value()) given.refuse("needs outline or group, one of them");
+    if (!given.has("outline")) return;
     const std::vector<Vec2>& outline = region.outline;
-    if (outline.size() < 2)
-        reject(place.inside("outline"), given, {}, "must be a polygon, or two opposite corners of a rectangle");
-    if (outline.size() == 2 && ((outline[0] - outline[1]).array() == 0.0).any())
-        reject(place.inside("outline"), given, {}, "must be two opposite corners: the rectangle has no area");
-    if (outline.size() > 2 && crosses_itself(outline))
-        reject(place.inside("outline"), given, {}, "must not cross or touch itself");
+    given.demand(outline.size() >= 2, "outline", "must be a polygon, or two opposite corners of a rectangle");
+    given.demand(outline.size() > 2 || ((outline[0] - outline[1]).array() != 0.0).all(), "outline",
+                 "must be two opposite corners: the rectangle has no area");
+    given.demand(outline.size() == 2 || !crosses_itself(outline), "outline", "must not cross or touch itself");
 }
 
 void check_profile(const StressProfile& profile, const Value& table, const Place& place) {
-    if (!ascends(profile.at)) reject(place.inside("at"), *find(table, "at"), {}, "must be two or more, ascending");
-    if (profile.stress.size() != profile.at.size())
-        reject(place.inside("stress"), *find(table, "stress"), {}, "must have one number per place of at");
+    const Given given{table, place};
+    given.demand(ascends(profile.at), "at", "must be two or more, ascending");
+    given.demand(profile.stress.size() == profile.at.size(), "stress", "must have one number per place of at");
 }
 
 void check_grid(const StressGrid& grid, const Value& table, const Place& place) {
+    const Given given{table, place};
     for (const auto& [name, axis] : {std::pair{"x", &grid.x}, std::pair{"y", &grid.y}})
-        if (!ascends(*axis)) reject(place.inside(name), *find(table, name), {}, "must be two or more, ascending");
+        given.demand(ascends(*axis), name, "must be two or more, ascending");
     for (const auto& [name, values] : {std::pair{"xx", &grid.xx}, std::pair{"yy", &grid.yy}, std::pair{"xy", &grid.xy}})
-        if (values->size() != grid.x.size() * grid.y.size())
-            reject(place.inside(name), *find(table, name), {}, "must have one number per node, x fastest");
+        given.demand(values->size() == grid.x.size() * grid.y.size(), name, "must have one number per node, x fastest");
 }
 
-void check_initial_stress(const InitialStressSection& given, const Value& table, const Place& place) {
-    if (!given.sigma_x && !given.sigma_y && !given.file && !given.grid)
-        reject(place, table.line, "needs sigma_x, sigma_y, file or grid");
-    if (given.file && given.grid) reject(place, table.line, "has both file and grid; one of them says it");
-}
-
-/// What a boundary of a specimen may say; of a file's groups only the mesh knows.
-void check_pins(const BoundarySection& boundary, const Value& table, const Place& place) {
-    const bool pin = boundary.on.starts_with("pin-");
-    const auto complain = [&](const char* key, const char* demand) {
-        if (const Value* given = find(table, key)) reject(place.inside(key), *given, {}, demand);
-    };
-    if (boundary.on != "point" && !pin) complain("force", "needs on = \"point\" or a pin");
-    if (!pin) return;
-    complain("displacement", "needs an edge or a point: a pin turns freely and carries a force");
-    for (const char* key : {"traction", "pressure"}) complain(key, "needs an edge, not a point");
-    if (!boundary.traction_gradient.isZero(0.0)) complain("traction_gradient", "needs an edge, not a point");
-}
-
-const Value& entry_of(const Value& root, const char* list, std::size_t index) {
-    return std::get<schema::List>(find(root, list)->data)[index];
+void check_initial_stress(const InitialStressSection& stress, const Value& table, const Place& place) {
+    const Given given{table, place};
+    if (!stress.sigma_x && !stress.sigma_y && !stress.file && !stress.grid)
+        given.refuse("needs sigma_x, sigma_y, file or grid");
+    if (stress.file && stress.grid) given.refuse("has both file and grid; one of them says it");
 }
 
 Section<StressProfile> profile_section() {
@@ -158,17 +139,6 @@ Section<InitialStressSection> initial_stress_section() {
         .says("Stress at the nodes of a grid that covers the body, bilinear between them.");
     s.check(check_initial_stress);
     return s;
-}
-
-void check_names_of_mesh(const Case& whole, const Value& root, const Place& place) {
-    if (whole.mesh.file) return;
-    for (std::size_t k = 0; k < whole.boundaries.size(); ++k)
-        check_pins(whole.boundaries[k], entry_of(root, "boundary", k),
-                   place.inside("boundary").inside(std::to_string(k)));
-    for (std::size_t k = 0; k < whole.regions.size(); ++k)
-        if (whole.regions[k].group)
-            reject(place.inside("region").inside(std::to_string(k)).inside("group"),
-                   *find(entry_of(root, "region", k), "group"), {}, "needs mesh.file, whose groups have names");
 }
 
 StressGrid read_stress_grid(const std::filesystem::path& path) {

@@ -1,5 +1,4 @@
-// Conditions on loads beside the main one: load cases, and pressures that travel or follow a cosine. As
-// case_checks.hpp.
+// Conditions on load cases, the loads beside the main one. As case_checks.hpp.
 #pragma once
 
 #include "common/case/case.hpp"
@@ -11,7 +10,6 @@ namespace stria {
 [[nodiscard]] bool is_of_main_load(const BoundarySection& boundary);
 
 void check_load_case(const LoadCaseSection& load_case, const schema::Value& table, const schema::Place& place);
-void check_pressure(const BoundarySection& boundary, const schema::Value& table, const schema::Place& place);
 
 /// Names of load cases, and who uses them.
 void check_load_cases(const Case& whole, const schema::Value& root, const schema::Place& place);

@@ -11,9 +11,11 @@ void check_grading(const Grading& grading, const schema::Value& table, const sch
 void check_mesh(const MeshSection& mesh, const schema::Value& table, const schema::Place& place);
 void check_growth(const GrowthSection& growth, const schema::Value& table, const schema::Place& place);
 void check_crack(const CrackSection& crack, const schema::Value& table, const schema::Place& place);
-void check_boundary(const BoundarySection& boundary, const schema::Value& table, const schema::Place& place);
 void check_block(const LoadBlock& block, const schema::Value& table, const schema::Place& place);
 void check_load(const Case& whole, const schema::Value& root, const schema::Place& place);  // spectrum included
+
+/// Pins are those of specimens, groups those of a file.
+void check_names_of_mesh(const Case& whole, const schema::Value& root, const schema::Place& place);
 void check_case(const Case& whole, const schema::Value& root, const schema::Place& place);
 
 }  // namespace stria
