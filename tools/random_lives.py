@@ -11,7 +11,6 @@ Resumed and made longer the tables are the same to the last digit. On several ra
 1e-8 of the largest of their column. Runs that end with 2 or 3 do so alike. Exit code 1 where a life does neither.
 """
 
-import argparse
 import csv
 import json
 import random
@@ -20,12 +19,12 @@ import subprocess
 import sys
 import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import cross_check  # noqa: E402
 import random_scenes as scenes  # noqa: E402
+import random_trials  # noqa: E402
 
 INTERRUPTED = 130
 TABLES = ["history.csv", "cycles.csv", "faces.csv", "closure.csv"]
@@ -183,21 +182,7 @@ def judge(arguments, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("seed", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--programs", type=Path, default=scenes.ROOT / "build/release/bin")
-    parser.add_argument("--keep", type=Path, help="folder for the lives that are wrong")
-    parser.add_argument("--jobs", type=int, default=2)
-    arguments = parser.parse_args()
-    good = ended = bad = 0
-    with ThreadPoolExecutor(arguments.jobs) as pool:
-        for seed, wrong, end in pool.map(lambda k: judge(arguments, arguments.seed + k), range(arguments.count)):
-            good, ended, bad = good + (end == "good" and not wrong), ended + (end != "good" and not wrong), bad + bool(wrong)
-            if wrong or end != "good":
-                print(f"{seed}: {'WRONG: ' + '; '.join(wrong) if wrong else end}", flush=True)
-    print(f"{good} good, {ended} ended alike with 2 or 3, {bad} wrong")
-    return 1 if bad else 0
+    return random_trials.run(judge, random_trials.arguments_of(__doc__, scenes.ROOT / "build/release/bin", "lives that are wrong"))
 
 
 if __name__ == "__main__":

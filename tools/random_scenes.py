@@ -19,7 +19,6 @@ ways between these release between half of the first step's and half of the last
 what it says is released.
 """
 
-import argparse
 import csv
 import json
 import os
@@ -29,8 +28,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+import random_trials
 
 ROOT = Path(__file__).resolve().parent.parent
 MODES = ["inprocess", "monolithic", "mpi"]
@@ -297,20 +297,13 @@ def judge(arguments, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("seed", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--programs", type=Path, default=ROOT / "build/release/bin")
-    parser.add_argument("--keep", type=Path, help="folder for the scenes that do not agree")
-    parser.add_argument("--jobs", type=int, default=2)
-    arguments = parser.parse_args()
+    arguments = random_trials.arguments_of(__doc__, ROOT / "build/release/bin", "scenes that do not agree")
     counts, wrong = {}, 0
-    with ThreadPoolExecutor(arguments.jobs) as pool:
-        for seed, verdict, detail in pool.map(lambda k: judge(arguments, arguments.seed + k), range(arguments.count)):
-            counts[verdict] = counts.get(verdict, 0) + 1
-            if not verdict.startswith("agrees"):
-                print(f"{seed}: {verdict}: {detail}", flush=True)
-            wrong += verdict.isupper()
+    for seed, verdict, detail in random_trials.verdicts(judge, arguments):
+        counts[verdict] = counts.get(verdict, 0) + 1
+        if not verdict.startswith("agrees"):
+            print(f"{seed}: {verdict}: {detail}", flush=True)
+        wrong += verdict.isupper()
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
     return 1 if wrong else 0
 

@@ -25,7 +25,6 @@ numbers may differ by the bounds of TOLERANCE, relative to the largest of their 
 alike. Exit code 1 where twins do neither.
 """
 
-import argparse
 import csv
 import json
 import math
@@ -34,13 +33,13 @@ import shutil
 import sys
 import tempfile
 import tomllib
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import other_words  # noqa: E402
 import random_lives as lives  # noqa: E402
 import random_scenes as scenes  # noqa: E402
+import random_trials  # noqa: E402
 from other_words import TOLERANCE, WIDTH, kind_of, same  # noqa: E402
 
 TABLES = ["history.csv", "cycles.csv", "closure.csv"]
@@ -181,21 +180,7 @@ def judge(arguments, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("seed", type=int)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--programs", type=Path, default=scenes.ROOT / "build/release/bin")
-    parser.add_argument("--keep", type=Path, help="folder for the cases whose twins differ")
-    parser.add_argument("--jobs", type=int, default=2)
-    arguments = parser.parse_args()
-    good = ended = bad = 0
-    with ThreadPoolExecutor(arguments.jobs) as pool:
-        for seed, wrong, end in pool.map(lambda k: judge(arguments, arguments.seed + k), range(arguments.count)):
-            good, ended, bad = good + (end == "good" and not wrong), ended + (end != "good" and not wrong), bad + bool(wrong)
-            if wrong or end != "good":
-                print(f"{seed}: {'WRONG: ' + '; '.join(wrong) if wrong else end}", flush=True)
-    print(f"{good} good, {ended} ended alike with 2 or 3, {bad} wrong")
-    return 1 if bad else 0
+    return random_trials.run(judge, random_trials.arguments_of(__doc__, scenes.ROOT / "build/release/bin", "cases whose twins differ"))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 #include "app/study/figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>

@@ -90,8 +90,7 @@ Section<MeshSection> mesh_section() {
         .positive()
         .or_else("must be given for a specimen")
         .says("Width of the specimen, from the origin at its lower left corner; of ct W, from the origin on the load "
-              "line "
-              "at mid-height: 1.25 width in all.");
+              "line at mid-height: 1.25 width in all.");
     s.value("height", &MeshSection::height)
         .in("mm")
         .positive()
@@ -121,9 +120,8 @@ Section<IsotropicHardening> isotropic_section() {
     s.value("law", &IsotropicHardening::law)
         .one_of({"linear", "voce", "power", "table"})
         .says("Isotropic hardening: what R(p) adds to the yield stress. linear: modulus p. voce: Q (1 - exp(-b p)). "
-              "power: "
-              "Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, less p at the yield stress. table: "
-              "straight lines.");
+              "power: Ramberg and Osgood's p = alpha reference / E (sigma / reference)^n, less p at the yield stress. "
+              "table: straight lines.");
     s.value("modulus", &IsotropicHardening::modulus).in("MPa").at_least(0.0).says("linear: dR/dp.");
     s.value("Q", &IsotropicHardening::Q)
         .in("MPa")

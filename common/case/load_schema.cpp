@@ -44,20 +44,20 @@ void declare_increments(Section<LoadSection>& s) {
         .even()
         .says("Increments per cycle; the first ramp takes half as many more. auto: 12 in the first cycle, then as many "
               "as accuracy wants, from 4 to 24 between two reversals; where a load from above zero goes on into "
-              "compression 32 in the first cycles, then up to 40 between two reversals; 12 always where load cases are "
-              "there, or no tip "
-              "whose opening is known; 24 where load cases lag; where a pressure travels so many that each takes it on "
-              "by no more than a quarter of its half width.");
+              "compression 32 in the first cycles, then up to 40 between two reversals. It stays at 12 with load "
+              "cases, and where no opening behind a tip is known; with load cases that lag it is 24. Where a pressure "
+              "travels there are so many that each takes it on by no more than a quarter of its half width.");
     s.value("accuracy", &LoadSection::accuracy)
         .positive()
         .below(1.0)
         .says(
-            "With steps = \"auto\": error of the opening behind a tip, at closure.distance, at the end of a half "
-            "cycle, of its range: a third of it for each half cycle, measured now and then by two increments as one; "
-            "what is smaller than the default may take four times as many of them. A run warns where as many as are "
-            "chosen at most leave more. Before it is first measured, in the fourth cycle, and where faces close less "
-            "than 1.2 elements behind the tip in compression, errors of 0.4 % were seen, and K_op was off by 0.002 of "
-            "K_max at most.");
+            "With steps = \"auto\": by how much of its range the opening behind a tip, at closure.distance, may be off "
+            "at the end of a half cycle. Half cycles get the increments for a third of this error, and for a sixth "
+            "where faces are pressed together, since what those are off by adds up as a crack grows. The error is "
+            "measured now and then, by two increments tried as one. Below the default there may be up to four times as "
+            "many increments. A run warns where even the most of them leave more than half of this error. Errors of "
+            "0.4 % were seen before the first measurement, which is in the fourth cycle, and where faces close less "
+            "than 1.2 elements behind the tip in compression; K_op was then off by 0.002 of K_max at most.");
     s.value("grading", &LoadSection::grading)
         .positive()
         .or_else("1 where the load presses faces with friction; else 0.4 with steps = \"auto\", 0.6 with a number")
@@ -270,8 +270,7 @@ Section<ClosureSection> closure_section() {
         .positive()
         .or_else("a tenth of the radius of eq. (3) with beta = 1 and K_I alone")
         .says("Contact nearer to the tip does not count; the opening is read there; tension is the mean over this "
-              "distance "
-              "ahead of the tip.");
+              "distance ahead of the tip.");
     s.choice<OpeningDefinition>("definition", &ClosureSection::definition,
                                 {{"contact", OpeningDefinition::Contact},
                                  {"offset", OpeningDefinition::Offset},

@@ -119,8 +119,7 @@ Section<RegionSection> region_section() {
     s.table("initial_stress", &RegionSection::initial_stress, misfit_section())
         .says("The stress that it would have if nothing around it gave way: a misfit, -E alpha dT / (1 - nu) of a "
               "film that has warmed up by dT. Equilibrium lets go of a part of it. In plane strain zz is nu (xx + yy), "
-              "so "
-              "the flow of a film that is held across the plane too begins late.");
+              "so the flow of a film that is held across the plane too begins late.");
     s.leave_out({"outline"}, [](const RegionSection& region) { return region.group.has_value(); });
     s.check(check_outline);
     return s;
