@@ -1,4 +1,3 @@
-#include "common/case/case_questions.hpp"
 #include "common/case/checks/case_checks.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "common/case/case_questions.hpp"
 #include "common/case/checks/boundary_checks.hpp"
 #include "common/case/loads/load_case_checks.hpp"
 #include "common/memory.hpp"
@@ -91,7 +91,7 @@ void check_growth(const GrowthSection& growth, const Value& table, const Place& 
     given.demand(!power || (growth.C > 0.0 && growth.m > 0.0), "law", "needs C and m, both positive");
     given.demand(growth.law != GrowthLaw::Table || is_curve(growth.ranges, growth.rates), "law",
                  "needs ranges and rates, as long, with two numbers at least, both positive and ascending");
-    given.demand(growth.law != GrowthLaw::Prescribed || !growth.increment.is_auto(), "increment",
+    given.demand(!is_prescribed(growth) || !growth.increment.is_auto(), "increment",
                  "needs law = \"paris\", \"table\" or \"ctod\"");
     for (const auto& [key, value] : {std::pair("C", growth.C), std::pair("m", growth.m)})
         given.demand(growth.law != GrowthLaw::Table || value == 0.0, key, "belongs to law = \"paris\" or \"ctod\"");
