@@ -40,8 +40,8 @@ struct ZoneSnapshot {
 
     double weighed_cost = 0.0;  // of an iteration, when the ranks last thought of another sharing
 
-    // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, whether it has
-    // flowed in this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.
+    // Per point, element by element, a row of `columns` numbers: x, y, xi, eta, weight, side, region, the plastic
+    // strain of this half cycle, the frozen displacement gradient (xx, xy, yx, yy), then the state of its material law.
     std::int32_t columns = 0;
     std::vector<double> history;
     bool half_cycle_ended = false;

@@ -25,8 +25,8 @@ std::vector<std::string> thickness_warnings(const Case& input) {
                         t, t)};
 }
 
-/// Of the faces behind a tip those that may touch, mm along them: up to the notch of the crack, and to its middle where
-/// the other end is a tip.
+/// How far behind a tip faces that may touch end, mm along them: at the notch, or beyond it at the other end of the
+/// crack; at its middle where that end is a tip.
 double faces_that_touch(const Scene& scene, const Tip& tip) {
     const CrackSection& crack = scene.input.cracks[at(tip.crack)];
     const auto of_crack = [&](const Tip& other) { return other.crack == tip.crack; };
@@ -34,7 +34,8 @@ double faces_that_touch(const Scene& scene, const Tip& tip) {
                  own = length / static_cast<double>(std::ranges::count_if(scene.enriched.tips, of_crack));
     if (crack.notch == 0.0) return own;
     const Notch notch = notch_of(crack, crack.grown_at_start);
-    return std::min(own, tip.upper > 0 ? length - notch.to : notch.from);
+    const auto behind = [&](double s) { return std::clamp(tip.upper > 0 ? length - s : s, 0.0, own); };
+    return std::max(behind(notch.from), behind(notch.to)) < own ? own : std::min(behind(notch.from), behind(notch.to));
 }
 
 /// Beyond them nothing touches.
@@ -61,7 +62,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(thickness_warnings(scene.input));
-    add(rate_warnings(scene.input, K, K_of_closure(scene.input, nominal)));
+    add(rate_warnings(scene.input, K, largest_K_I(scene.input, nominal)));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));

@@ -82,6 +82,7 @@ void FatigueAnalysis::run() {
         controller_.accepted(openings(accepted_.tips), closure_.met());
         if (const std::optional<double> off = controller_.take_missed_accuracy())
             listener_.note(misses_accuracy(*off, body_.scene().input.load.accuracy));
+        if (growth_) growth_->take(accepted_);
         if (growth_ && growth_->is_due_at(*step)) due_growth_ = {true, step->cycle, step->moment};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;
@@ -215,7 +216,6 @@ void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, s
     if (step.ends_cycle) end_cycle(increment);
     listener_.accepted(increment, body_.structure());
     accepted_ = std::move(increment);
-    if (growth_) growth_->take(accepted_);
 }
 
 void FatigueAnalysis::end_cycle(Increment& increment) {

@@ -138,11 +138,15 @@ std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal)
     return K;
 }
 
+std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal) {
+    return largest_of(input, nominal).opening;
+}
+
 std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
-    if (!input.growth) return largest_of(input, nominal).opening;
+    if (!input.growth) return largest_K_I(input, nominal);
     Case common = input;
     common.load.blocks = {{.max = median_maximum(input.load, exponent_of_K(*input.growth)) / input.load.scale}};
-    return largest_of(common, nominal).opening;
+    return largest_K_I(common, nominal);
 }
 
 }  // namespace stria::coarse

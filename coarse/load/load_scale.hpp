@@ -51,6 +51,9 @@ LoadSection graded_load(const Case& input, const UnitResponse& nominal);
 /// What the default distance of closure goes by: the K_I of largest_K; where nothing opens the crack, largest_K.
 std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal);
 
+/// The K_I of largest_K, MPa sqrt(mm), one per tip; 0 where nothing opens the crack.
+std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal);
+
 /// The K_I of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip: by a maximum up to which the
 /// cycles make half of the growth (median_maximum), so that a few peaks do not stand for all. Without growth the
 /// largest.

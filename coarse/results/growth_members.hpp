@@ -7,11 +7,12 @@
 namespace stria::coarse {
 
 void members(auto& archive, Is<PeriodMemory> auto& m) {
-    auto& [sum, cycles, grown, before] = m;
+    auto& [sum, cycles, grown, before, at_growth] = m;
     archive("sum", sum);
     archive("cycles", cycles);
     archive("grown", grown);
     archive("before", before);
+    archive("at_growth", at_growth);
 }
 
 void members(auto& archive, Is<LifeMemory> auto& m) {
@@ -35,10 +36,17 @@ void members(auto& archive, Is<GrowthPoint> auto& m) {
     archive("closure", closure);
 }
 
+void members(auto& archive, Is<ForwardZone> auto& m) {
+    auto& [ahead, anywhere] = m;
+    archive("ahead", ahead);
+    archive("anywhere", anywhere);
+}
+
 void members(auto& archive, Is<GrowthIncrementMemory> auto& m) {
-    auto& [increment, points] = m;
+    auto& [increment, points, zones] = m;
     archive("increment", increment);
     archive("points", points);
+    archive("zones", zones);
 }
 
 void members(auto& archive, Is<ReachedExtremes> auto& m) {

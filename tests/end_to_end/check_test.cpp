@@ -54,7 +54,8 @@ TEST_F(Check, SaysThatThicknessChangesNothing) {
 }
 
 TEST_F(Check, SaysThatClosureIsLookedAtBesideTheFaces) {
-    const std::string warns = "# warning: tip 0: closure is looked at 6 mm behind it, and its faces end after 5 mm";
+    const std::string warns =
+        "# warning: tip 0: closure is looked at 6 mm behind it, and its faces that may touch end after 5 mm";
     (void)said_of(1.25);
     ASSERT_EQ(run_program("stria",
                           {"check", folder / "case.toml", "--set", "crack.0.contact={}", "--set", "closure.distance=6"},

@@ -148,6 +148,21 @@ TEST(LoadHistories, TheCrackBreaksInTheCycleThatReachesItsToughness) {
     EXPECT_EQ(last_cycle(input), 4);
 }
 
+// The crack grows at an overload, and is longer when cycles of less follow: the load of the overload does not come
+// again.
+TEST(LoadHistories, NoCrackBreaksByALoadThatIsGone) {
+    Case input = elastic_plate();
+    input.load.control = Control::Load;
+    input.load.blocks = {{.cycles = 2, .max = 100.0, .min = 0.0}, {.cycles = 3, .max = 60.0, .min = 0.0}};
+    double reached = 0.0;
+    const RunHistory run = run_direct(input);
+    for (const coarse::Increment& increment : run.increments)
+        for (const coarse::CycleResult& cycle : increment.cycles) reached = std::max(reached, cycle.K_max);
+    input.growth->toughness = 1.02 * reached;
+    ASSERT_GT(100.0 * run.nominal[0].K_I, *input.growth->toughness) << "of the overload, had it come again";
+    EXPECT_EQ(run_direct(input).increments.back().step.cycle, 5);
+}
+
 // A crack breaks in the first cycle whose maximum reaches the toughness, be it an overload amid cycles after which
 // nothing grows, or the cracks grow at minima: K_max has reached it in the last cycles, from one growth to the next,
 // and in none before.
@@ -212,7 +227,7 @@ TEST(LoadHistories, EachOfTwoTipsGrowsByItsOwnRate) {
             EXPECT_NEAR(slow.da, increment * at_begin, 1e-9);
         } else {
             EXPECT_GT(std::abs(at_begin / at_end - 1.0), 0.02);
-            EXPECT_NEAR(slow.da, increment * std::midpoint(at_begin, at_end), 0.001 * slow.da);
+            EXPECT_NEAR(slow.da, increment * std::midpoint(at_begin, at_end), 0.002 * slow.da);
         }
         EXPECT_NEAR(fast.dN, 0.5 * increment * (1.0 / rate(before) + 1.0 / rate(fast)), 1e-6 * fast.dN);
     }

@@ -12,6 +12,7 @@
 #include "coarse/fields/field_writer.hpp"
 #include "coarse/results/result_files.hpp"
 #include "common/crack/notch.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::report {
@@ -69,12 +70,12 @@ Polygon places_of_tip(const RunRecord& run, std::size_t tip, double increment) {
 
 /// Arc by which growth has moved the first point of a crack on, mm: the way of the tip that it was. A mouth stays.
 double grown_at_start(const RunRecord& run, const CrackSection& crack, double increment) {
-    constexpr double same_place = 1e-6;  // mm
+    constexpr double by_mesh = 1e-3;  // of the crack: a mesh moves a tip onto a node that is as near
     if (!run.history.columns.contains("x") || !run.history.columns.contains("y")) return 0.0;
     const FieldPoint first{crack.points.front().x(), crack.points.front().y()};
     for (std::size_t tip = 0; tip < run.tips(); ++tip) {
         const Polygon places = places_of_tip(run, tip, increment);
-        if (places.empty() || !(distance_of(places.front(), first) <= same_place)) continue;
+        if (places.empty() || !(distance_of(places.front(), first) <= by_mesh * length_of(crack.points))) continue;
         double way = 0.0;
         for (std::size_t k = 1; k < places.size(); ++k) way += distance_of(places[k - 1], places[k]);
         return way;

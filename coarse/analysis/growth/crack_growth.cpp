@@ -75,7 +75,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
 // From one element edge to another where faces end on edges; where they end is not known about another direction.
 TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, double turn,
                                   const std::vector<double>& elements) const {
-    TipSteps steps{.least = elements[fastest]};
+    TipSteps steps{.tip = fastest, .least = elements[fastest]};
     if (present.enriched.tip_functions > 0) return steps;
     steps.element = elements[fastest];
     if (turn <= sharp_turn) steps.beyond = present.enriched.tips[fastest].beyond;

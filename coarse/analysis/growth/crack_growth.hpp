@@ -34,7 +34,8 @@ public:
     }
     [[nodiscard]] const TipRates& rates() const { return rates_; }
 
-    /// What loading has `reached`: the largest K, and the extremes of the cycle.
+    /// What loading has `reached`: the largest K, and the extremes of the cycle. A release of new faces is none: the
+    /// load of an overload may not come again.
     void take(const Increment& reached);
     /// The cracks grow there, or a K as large as growth.toughness ends the run.
     [[nodiscard]] bool is_due_at(const LoadStep& step) const;
@@ -46,8 +47,9 @@ public:
     /// what drives the growth was not found in a cycle that tells its rate.
     [[nodiscard]] GrownScene next(const CrackedBody& body, const std::vector<CycleResult>& last);
 
-    /// TipRates::count_cycles().
+    /// A cycle has ended: TipRates::count_cycles().
     void count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present) {
+        increment_.add(cycles);
         rates_.count_cycles(cycle, cycles, present);
     }
 

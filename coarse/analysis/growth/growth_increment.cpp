@@ -36,16 +36,26 @@ double cut_to_end(double increment, const GrowthSection& growth, const std::vect
     return increment;
 }
 
+void GrowthIncrement::add(const std::vector<CycleResult>& cycles) {
+    memory_.zones.resize(cycles.size());
+    for (std::size_t t = 0; t < cycles.size(); ++t) {
+        ForwardZone& zone = memory_.zones[t];
+        if (cycles[t].da > 0.0) zone = {};
+        zone.ahead = std::max(zone.ahead, cycles[t].forward_axis);
+        zone.anywhere = std::max(zone.anywhere, cycles[t].forward);
+    }
+}
+
 double GrowthIncrement::next(const GrowthSection& growth, const std::vector<CycleResult>& last,
                              const std::vector<double>& rates, const std::vector<double>& lengthening,
                              const TipSteps& steps) {
-    const CycleResult& fastest = last[fastest_of(rates)];
-    const double largest_rate = fastest_rate(rates);
-    const GrowthPoint now = point_of(largest_rate, fastest);
+    const CycleResult& fastest = last[steps.tip];
+    const ForwardZone zone = steps.tip < memory_.zones.size() ? memory_.zones[steps.tip] : ForwardZone();
+    const GrowthPoint now = point_of(rates[steps.tip], fastest);
     double factor = 2.0;
     if (const double error = error_at(now); error > 0.0)
         factor = std::clamp(std::sqrt(growth.accuracy / error), 0.5, 2.0);
-    const double largest = largest_increment(growth, fastest.forward > 0.0, fastest.forward_axis, fastest.a);
+    const double largest = largest_increment(growth, zone.anywhere > 0.0, zone.ahead, fastest.a);
     memory_.increment = std::clamp(factor * memory_.increment, steps.least, std::max(steps.least, largest));
     if (memory_.points.size() == 2) memory_.points.erase(memory_.points.begin());
     memory_.points.push_back(now);

@@ -15,10 +15,16 @@ struct GrowthPoint {
     double closure = 0.0;  // K_op / K_max; 0 where nothing is measured
 };
 
+/// Of a tip, the largest forward plastic zone in the cycles since it has grown, mm: one that has shaken down has none.
+struct ForwardZone {
+    double ahead = 0.0, anywhere = 0.0;  // straight ahead; and to the sides as well
+};
+
 /// A checkpoint holds it.
 struct GrowthIncrementMemory {
-    double increment = 0.0;           // mm, the last one chosen; 0: none yet
-    std::vector<GrowthPoint> points;  // the last two
+    double increment = 0.0;               // mm, the last one chosen; 0: none yet
+    std::vector<GrowthPoint> points;      // the last two
+    std::vector<ForwardZone> zones = {};  // one per tip
 };
 
 /// The largest that is chosen, mm, for what the forward plastic zone extends straight ahead of the tip and a crack
@@ -32,6 +38,7 @@ struct GrowthIncrementMemory {
 
 /// What the mesh about the fastest tip asks of an increment, mm.
 struct TipSteps {
+    std::size_t tip = 0;
     double least = 0.0;
     double element = 0.0;  // increments are whole numbers of it; 0: of any size
     double beyond = 0.0;   // Tip::beyond, which the next one makes up for
@@ -50,6 +57,9 @@ struct TipSteps {
 class GrowthIncrement {
 public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}
+
+    /// A cycle has ended; one result per tip.
+    void add(const std::vector<CycleResult>& cycles);
 
     /// The next one, mm. One per tip: `last`, the cycle that has ended; `rates`, mm per cycle, of which one at least is
     /// not zero; `lengthening`, by which its `a` grows of what the fastest tip advances: that of half a crack with two

@@ -45,16 +45,13 @@ bool TipRates::drive_a_tip() const { return fastest_rate(present()) > 0.0; }
 
 bool TipRates::are_of_a_whole_period() const { return !takes_mean_ || period_.memory().cycles >= growth_.every; }
 
-// With the rates at its beginning a slower tip would go too far where its share falls. Other cycles that follow, a tip
-// that has just turned and openings, which swing from cycle to cycle, tell no trend.
+// With the rates at its beginning a slower tip would go too far where its share falls. Cycles that differ, openings,
+// which swing from cycle to cycle, and a tip that has just turned tell no trend; and rates of two moments make no
+// share.
 std::vector<double> TipRates::shares(std::size_t tips) const {
-    std::vector<double> rates = present();
-    if (!end_with_the_cycle() && !grows_by_openings(growth_)) {
-        const std::vector<double> ahead = period_.ahead();
-        for (std::size_t t = 0; t < rates.size(); ++t)
-            if (!has_just_turned(t)) rates[t] = ahead[t];
-    }
-    return shares_of_advance(growth_, rates, tips);
+    bool go_on = !varies_ && !grows_by_openings(growth_);
+    for (std::size_t t = 0; t < tips; ++t) go_on = go_on && !has_just_turned(t);
+    return shares_of_advance(growth_, go_on ? period_.ahead() : present(), tips);
 }
 
 std::vector<double> TipRates::lengthening(const std::vector<Tip>& tips) const {

@@ -13,9 +13,12 @@
 namespace stria::test {
 namespace {
 
+const std::vector<Vec2> from_mouth{{0.0, 10.13}, {4.0, 10.13}}, from_tip{{4.0, 10.13}, {0.0, 10.13}};
+
 /// That nothing touches where closure is looked at; empty: it is not said.
-std::string nothing_touches(double distance, double notch, double grown_at_start = 0.0) {
-    Case input = specimen("plate", 20.0, {{0.0, 10.13}, {4.0, 10.13}});
+std::string nothing_touches(double distance, double notch, double grown_at_start = 0.0,
+                            const std::vector<Vec2>& points = from_mouth) {
+    Case input = specimen("plate", 20.0, points);
     input.mesh.width = 10.0;
     input.mesh.size = 0.5;
     input.material.yield_stress = 250.0;
@@ -37,7 +40,11 @@ TEST(CaseWarnings, ClosureIsLookedAtWhereFacesMayTouch) {
     EXPECT_NE(nothing_touches(4.1, 0.0).find("end after 4 mm"), std::string::npos);
     EXPECT_EQ(nothing_touches(0.7, 3.2), "");
     EXPECT_NE(nothing_touches(0.9, 3.2).find("end after 0.8 mm"), std::string::npos) << nothing_touches(0.9, 3.2);
-    EXPECT_NE(nothing_touches(0.7, 3.0, 0.5).find("end after 0.5 mm"), std::string::npos) << "a notch that stays";
+    EXPECT_NE(nothing_touches(0.7, 4.5).find("end after 0 mm"), std::string::npos) << nothing_touches(0.7, 4.5);
+    EXPECT_EQ(nothing_touches(1.5, 1.0, 0.0, from_tip), "") << "beyond the notch faces may touch";
+    EXPECT_EQ(nothing_touches(0.7, 3.0, 0.5), "") << "nor beyond one that stays";
+    EXPECT_NE(nothing_touches(4.1, 3.0, 0.5).find("end after 4 mm"), std::string::npos)
+        << nothing_touches(4.1, 3.0, 0.5);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/plates.hpp"
 
 namespace stria::test {
@@ -24,7 +26,7 @@ std::vector<fine::EnergyDensity> densities_with_tip_at(double x, bool leftward =
     return densities;
 }
 
-// The crack is 12 elements long, as it were of 12 000 where they are small: a thousandth of it is no measure.
+// A thousandth of this crack is 0.012 elements, and of a longer one may be many: its length is no measure.
 TEST(ZoneReport, ATipHasGrownWhereItHasLeftItsPlaceByAPartOfAnElement) {
     const std::vector stress_work{fine::EnergyDensity::StressWork}, elastic{fine::EnergyDensity::Elastic};
     EXPECT_EQ(densities_with_tip_at(12.25), stress_work);

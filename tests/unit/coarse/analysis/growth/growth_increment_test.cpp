@@ -35,6 +35,7 @@ CycleResult tip_at(double a, double closure) {
 
 double next(GrowthIncrement& increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
             const TipSteps& by = steps) {
+    increment.add(last);
     const std::vector<double> rates = growth_rates(growth, last);
     return increment.next(growth, last, rates, shares_of_advance(growth, rates, last.size()), by);
 }
@@ -132,7 +133,8 @@ TEST(GrowthIncrement, TakesOneElementWhereOpeningsDriveIt) {
     const auto next_by = [](GrowthSection growth, const TipSteps& by) {
         growth.zone_fraction = 0.5;
         GrowthIncrement increment({.increment = 0.09, .points = {}});
-        return increment.next(growth, {tip_at(10.0, 0.3)}, {0.01}, {0.01}, by);
+        increment.add({tip_at(10.0, 0.3)});
+        return increment.next(growth, {tip_at(10.0, 0.3)}, {0.01}, {1.0}, by);
     };
     constexpr TipSteps edges{.least = edge, .element = edge, .beyond = -0.02};
     GrowthSection by_range = by_K_eff, by_opening = by_K_eff;
@@ -165,6 +167,20 @@ TEST(GrowthIncrement, WithoutFlowGoesByTheCrackLength) {
     GrowthSection growth = by_K_eff;
     growth.driving = GrowthDriving::Range;
     EXPECT_NEAR(first(GrowthIncrement({.increment = 1.0, .points = {}}), growth, {tip}, steps), 0.1, 1e-15);
+}
+
+// Where cracks do not grow in each cycle the metal shakes down: the zone is that of the cycle with the growth.
+TEST(GrowthIncrement, GoesByTheZoneSinceTheLastGrowth) {
+    CycleResult grown = tip_at(10.0, 0.1), shaken_down = grown;
+    grown.da = 0.1;
+    shaken_down.forward = shaken_down.forward_axis = 0.0;
+    GrowthIncrement increment({.increment = 1.0, .points = {}});
+    increment.add({shaken_down});
+    increment.add({grown});
+    increment.add({shaken_down});
+    EXPECT_NEAR(next(increment, by_K_eff, {shaken_down}), 0.25 * 0.4, 1e-15);
+    grown.forward_axis = 0.2;
+    EXPECT_NEAR(next(increment, by_K_eff, {grown}), 0.25 * 0.2, 1e-15) << "of another growth";
 }
 
 // Metal flows, and to the sides alone.

@@ -42,8 +42,9 @@ TEST(PeriodRates, GoOnToTheMiddleOfTheNextGrowth) {
     EXPECT_EQ(rates.ahead(), rates.present());
     rates.add({4.0, 0.25, 100.0, 3.0}, {0.1, 0.1, 0.1, 0.0}, true);
     EXPECT_EQ(rates.ahead(), (Tips{8.0, 0.125, 200.0, 3.0}));
-    rates.add({5.0, 0.2, 100.0, 3.0}, {0.0, 0.0, 0.0, 0.0}, true);  // by the scatter of cycles without growth: no trend
-    EXPECT_EQ(rates.ahead(), rates.present());
+    rates.add({4.0, 1.0, 1.0, 4.0}, {0.0, 0.0, 0.0, 0.0}, true);  // without growth: the trend is that of the last one
+    EXPECT_EQ(rates.ahead(), (Tips{8.0, 1.0, 1.0, 4.0}));
+    EXPECT_EQ(PeriodRates(rates.memory()).ahead(), rates.ahead());
 }
 
 }  // namespace
