@@ -190,7 +190,7 @@ TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGTERMTwiceLong) {
     expect_to_go_on();
 }
 
-TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGINTTwice) {
+TEST_F(StartedByHand, LeavesWhatIsWrittenOnSIGINTTwiceLong) {
     send({"INT", "INT"}, 1);
     expect_to_go_on();
 }
