@@ -8,6 +8,12 @@
 namespace stria::coupling {
 namespace {
 
+/// An element or more lies between: on a mesh of equal elements exactly one often does, and rounding must not tell.
+bool is_apart(const FlowShell& shell, const FlowShell& next) {
+    constexpr double rounding = 1e-6;
+    return next.begin > (1.0 - rounding) * shell.end;
+}
+
 void join(FlowShell& shell, const FlowShell& next) {
     shell.end = std::max(shell.end, next.end);
     shell.reach = std::max(shell.reach, next.reach);
@@ -27,7 +33,7 @@ std::vector<FlowShell> joined(std::vector<FlowShell> shells) {
     std::ranges::sort(shells, {}, &FlowShell::begin);
     std::vector<FlowShell> all;
     for (const FlowShell& next : shells) {
-        if (all.empty() || next.begin > all.back().end)
+        if (all.empty() || is_apart(all.back(), next))
             all.push_back(next);
         else
             join(all.back(), next);
@@ -38,7 +44,7 @@ std::vector<FlowShell> joined(std::vector<FlowShell> shells) {
 FlowShell shell_at_tip(const std::vector<FlowShell>& shells, double element_size) {
     FlowShell own{.end = 2.0 * element_size};
     for (const FlowShell& next : shells) {
-        if (next.begin > own.end) break;
+        if (is_apart(own, next)) break;
         join(own, next);
     }
     return own;

@@ -13,6 +13,10 @@ namespace {
 
 using Segment = std::pair<Vec2, Vec2>;
 
+/// Of a triangle, of the element's diagonal squared: less is what rounding leaves between two lines. It weighs nothing,
+/// and what flows there and nowhere else would make a plastic zone.
+constexpr double least_area = 1e-13;
+
 bool same(const Vec2& a, const Vec2& b, double length) { return (a - b).norm() < 1e-10 * length; }
 
 class Placer {
@@ -133,7 +137,7 @@ private:
 
     void add_triangle(const std::array<Vec2, 3>& triangle) {
         const double area = triangle_area(triangle[0], triangle[1], triangle[2]);
-        if (area < 1e-16 * size_ * size_) return;
+        if (area < least_area * size_ * size_) return;
         const int side = side_at((triangle[0] + triangle[1] + triangle[2]) / 3.0);
         for (const auto& [x, weight] : triangle_points(triangle))
             add_point(x, map_to_parent(corners_, x), weight, side);

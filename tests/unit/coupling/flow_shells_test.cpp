@@ -18,6 +18,15 @@ TEST(FlowShells, JoinWhereTheyOverlap) {
     EXPECT_EQ(all[1].reach, 7.75);
 }
 
+// Of equal elements one lies between exactly, and by rounding a little more or less.
+TEST(FlowShells, AreApartWhereAnElementLiesBetween) {
+    for (const double rounding : {-1e-12, 0.0, 1e-12}) {
+        EXPECT_EQ(joined({shell(0.0, 2.0 + rounding), shell(2.0, 3.0)}).size(), 2U) << rounding;
+        EXPECT_EQ(shell_at_tip({shell(0.4 + rounding, 1.0)}, 0.2).reach, 0.0) << rounding;
+        EXPECT_EQ(shell_at_tip({shell(0.1, 2.0 + rounding), shell(2.0, 3.0)}, 0.2).reach, 1.75 + rounding);
+    }
+}
+
 // However the elements are shared out among ranks.
 TEST(FlowShells, AreThoseOfTheWholeInAnyParts) {
     const std::vector<FlowShell> elements{shell(0.3, 1.0), shell(0.9, 2.0), shell(1.9, 4.5), shell(5.0, 13.0),

@@ -82,6 +82,24 @@ TEST(ElementOperator, NoTriangleStraddlesTheCrack) {
     }
 }
 
+// Of a crack from a free edge, whose first point lies beside the edge by rounding: a triangle of 3e-16 mm2 there flowed
+// alone, and made a plastic zone.
+TEST(ElementOperator, HasNoPointsThatWeighNothing) {
+    Mesh mesh;
+    mesh.nodes = {{9.48066063525751, 8.782977994485238},
+                  {10.704215835749459, 8.85642949436735},
+                  {10.641371239919353, 10.0},
+                  {9.423881373407449, 10.0},
+                  {11.8974863161962, 8.998014949729079},
+                  {11.810400309329511, 10.0}};
+    mesh.elements = {{0, 1, 2, 3}, {1, 4, 5, 2}};
+    const Vec2 mouth(11.154893404542053, 10.0), beyond(9.003252308498121, 8.540397110918565);
+    const EnrichedMesh plate = cracked(mesh, {mouth, mouth + 0.45 * (beyond - mouth)}, 1);
+    for (const CrackPiece& piece : plate.pieces)
+        for (const IntegrationPoint& point : make_operator(plate, piece.element, &piece, {.subcells = 2}).points)
+            EXPECT_GT(point.weight, 1e-14) << piece.element;
+}
+
 TEST(ElementOperator, PointsKnowTheirParentCoordinates) {
     for_each_operator({.subcells = 2}, [](const EnrichedMesh& mesh, const ElementOperator& op) {
         for (const IntegrationPoint& point : op.points) {
