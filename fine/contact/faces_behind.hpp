@@ -16,8 +16,11 @@ struct FacesBehind {
     double from, to = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] double distance(double s) const { return std::abs(tip - s); }
+    /// Both ends are inside, by rounding: a node often lies in the middle of a crack with two tips, or as many elements
+    /// behind a tip as are asked for.
     [[nodiscard]] bool contain(int of_crack, double s) const {
-        return of_crack == crack && distance(s) >= from && distance(s) <= to;
+        constexpr double rounding = 1e-9;
+        return of_crack == crack && distance(s) >= (1.0 - rounding) * from && distance(s) <= (1.0 + rounding) * to;
     }
 };
 
