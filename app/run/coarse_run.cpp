@@ -58,7 +58,7 @@ double CoarseRun::seconds() const {
 
 void CoarseRun::read_last_checkpoint() {
     const std::filesystem::path newest = checkpoint_path(), previous = coarse::previous_checkpoint(newest);
-    if (!std::filesystem::exists(newest) && !std::filesystem::exists(previous)) {
+    if (!coarse::has_checkpoint(directory_)) {
         progress_.note(fmt::format("{}: no checkpoint yet, the run starts from the beginning", directory_.string()));
         return;
     }

@@ -35,7 +35,8 @@ double faces_that_touch(const Scene& scene, const Tip& tip) {
     if (crack.notch == 0.0) return own;
     const Notch notch = notch_of(crack, crack.grown_at_start);
     const auto behind = [&](double s) { return std::clamp(tip.upper > 0 ? length - s : s, 0.0, own); };
-    return std::max(behind(notch.from), behind(notch.to)) < own ? own : std::min(behind(notch.from), behind(notch.to));
+    const auto [begins, ends] = std::minmax({behind(notch.from), behind(notch.to)});
+    return ends < own ? own : begins;
 }
 
 /// Beyond them nothing touches.

@@ -89,8 +89,8 @@ std::vector<std::string> rate_warnings(const Case& input, const std::vector<doub
         return {fmt::format("growth.ranges ends at dK = {:.4g} MPa sqrt(mm), and that of a tip may be {:.4g}: the last "
                             "line goes on",
                             growth.ranges.back(), largest)};
+    if (usual < threshold_of(growth)) return {};  // a rarer cycle drives a tip
     const double rate = rate_of_range(growth, usual);
-    if (usual < threshold_of(growth)) return {};  // and a rarer cycle drives a tip
     if (rate >= slowest_rate && rate <= fastest_rate) return {};
     const std::string grows =
         fmt::format("{}: at dK = {:.4g} MPa sqrt(mm) the law gives da/dN = {:.2g} mm, and no crack "

@@ -1,4 +1,4 @@
-// How far metal flows about a tip, by formulas: four lengths that answer four questions.
+// How far metal flows about a tip, by formulas: each length answers a question of its own.
 #pragma once
 
 #include <vector>

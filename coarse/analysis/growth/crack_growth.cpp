@@ -10,9 +10,9 @@
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/analysis/growth/growth_texts.hpp"
 #include "coarse/load/growth_schedule.hpp"
-#include "coarse/load/load_history.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/crack/crack_end.hpp"
 #include "common/crack/crack_path.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -118,8 +118,7 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
                                       const std::vector<double>& elements) const {
     for (std::size_t t = 0; t < tips.size(); ++t) {
         if (std::abs(turn_of(tips[t], longer)) <= sharp_turn) continue;
-        const std::vector<Vec2>& points = longer[at(tips[t].crack)].points;
-        const double grows = ((tips[t].upper > 0 ? points.back() : points.front()) - tips[t].position).norm();
+        const double grows = (end_of(longer[at(tips[t].crack)], tips[t]) - tips[t].position).norm();
         if (grows < elements_behind_bend * elements[t]) note_(turns_sharply(t, grows, elements[t]));
     }
 }

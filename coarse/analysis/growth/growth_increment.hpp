@@ -38,7 +38,7 @@ struct GrowthIncrementMemory {
 
 /// What the mesh about the fastest tip asks of an increment, mm.
 struct TipSteps {
-    std::size_t tip = 0;
+    std::size_t tip = 0;  // its number
     double least = 0.0;
     double element = 0.0;  // increments are whole numbers of it; 0: of any size
     double beyond = 0.0;   // Tip::beyond, which the next one makes up for
