@@ -41,7 +41,7 @@ CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& n
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
         still_.far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
         still_of_nominal_ = still_;
-        structure_ = take_nominal_of(scene);
+        structure_ = take_nominal_of(scene, {});
         if (!nominal_.empty()) first_length_ = nominal_.front().a;
     }
     nominal_at_start_ = unit_response(scene, nominal_, unit_displacement_);
@@ -125,11 +125,11 @@ std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const Eleme
 
 // K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
 // the structure, it condenses what is near or in the zone.
-std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene) {
+std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene, const ElementSet& zone) {
     const bool known = knows_far_part();
     NominalSolution nominal = nominal_serves(scene)
-                                  ? with_tips_moved(scene, still_of_nominal_, std::move(nominal_fields_->fields))
-                                  : nominal_solution(scene, known);
+                                  ? with_tips_moved(scene, still_of_nominal_, zone, std::move(nominal_fields_->fields))
+                                  : nominal_solution(scene, known, zone);
     nominal_ = nominal.tips;
     rings_ = std::move(nominal.rings);
     unit_displacement_ = unit_displacement(nominal.fields);
@@ -147,12 +147,12 @@ void CrackedBody::find_largest_K(const Scene& scene) {
 }
 
 // `far_known`: a far body that was there before: the guard knows how it answers.
-NominalSolution CrackedBody::nominal_solution(const Scene& scene, bool far_known) {
+NominalSolution CrackedBody::nominal_solution(const Scene& scene, bool far_known, const ElementSet& zone) {
     note_if_large("elastic solution of the whole body");
     auto core = std::exchange(factors_.core, nullptr);
     auto body = condense(scene, ElementSet(scene.mesh.elements.size()), still_of_nominal_);
     factors_.core = std::move(core);  // of the structure
-    return far_known ? solve_nominal_near(std::move(body)) : solve_nominal(std::move(body));
+    return far_known ? solve_nominal_near(std::move(body), zone) : solve_nominal(std::move(body));
 }
 
 // While a tip moves on inside its element nothing else changes: the body does what it did.
@@ -241,7 +241,7 @@ ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet expected) {
     const std::vector<double> at_most = expected_K(largest_K_);
     still_ = still_elements(longer, expected, still_);
     choose_behind(longer);
-    std::unique_ptr<Structure> body = take_nominal_of(longer);
+    std::unique_ptr<Structure> body = take_nominal_of(longer, expected);
     if (!has_zone()) structure_ = std::move(body);
     if (!has_zone() || !std::ranges::equal(largest_K_, at_most, std::ranges::less_equal()))
         expected |= select_zone(longer, largest_K_);

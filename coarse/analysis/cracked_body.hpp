@@ -1,6 +1,7 @@
 // The body with its cracks as long as they are now: its scene, its nominal solution, and its structure.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -28,8 +29,10 @@ public:
     /// Of the structure; those of the nominal solution serve.
     [[nodiscard]] StructureRings take_rings() {
         std::vector<RingForms> known = std::exchange(rings_, {});
-        return {structure_->elements(),
-                known.empty() ? StructureRings::forms_of(structure_->elements()) : std::move(known)};
+        const bool serve = !known.empty() && std::ranges::all_of(known, [&](const RingForms& rings) {
+            return rings.serve_beside(in_zone_);
+        });
+        return {structure_->elements(), serve ? std::move(known) : StructureRings::forms_of(structure_->elements())};
     }
 
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip.
@@ -105,8 +108,8 @@ private:
         return still_of_nominal_.far == still_.far && still_of_nominal_.middle == still_.middle;
     }
     void keep_behind(const EnrichedMesh& on);
-    [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene);
-    [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known);
+    [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene, const ElementSet& zone);
+    [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known, const ElementSet& zone);
     [[nodiscard]] bool nominal_serves(const Scene& scene) const;
     void go_on_from(const AnalysisState& state);
     void find_largest_K(const Scene& scene);

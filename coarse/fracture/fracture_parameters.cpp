@@ -29,6 +29,15 @@ double opening_at(const CoarseElements& structure, const FaceStation& station, c
     return is_elsewhere ? std::nan("") : station.opening(u);
 }
 
+TipResult at_place_of(const Scene& scene, const Tip& tip) {
+    TipResult result;
+    result.a = crack_length(scene, tip);
+    result.x = tip.position.x();
+    result.y = tip.position.y();
+    result.CTOD = std::nan("");
+    return result;
+}
+
 /// One ring's parameters.
 struct RingValues {
     double J, K_I, K_II, T_stress;
@@ -46,6 +55,13 @@ double T_of_initial_stress(const Scene& scene, const Tip& tip) {
     return ahead - poisson * across;
 }
 
+/// `T_initial`: what T has of the initial stress, MPa.
+RingValues values_of(const DomainIntegral& of_ring, double plane_modulus, double T_initial) {
+    const DomainIntegral sum = of_ring.without_rotation();
+    return {sum.J, plane_modulus / 2.0 * sum.interaction_I, plane_modulus / 2.0 * sum.interaction_II,
+            plane_modulus * sum.interaction_T + T_initial};
+}
+
 std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainIntegral> total,
                                   const coupling::StepReport& report) {
     for (const coupling::RingReport& share : report.rings) {
@@ -54,11 +70,7 @@ std::vector<RingValues> values_on(int t, const Scene& scene, std::vector<DomainI
     const Tip& tip = scene.enriched.tips[at(t)];
     const double modulus = scene.elastic(tip).plane_modulus(), of_initial = T_of_initial_stress(scene, tip);
     std::vector<RingValues> values;
-    for (const DomainIntegral& of_ring : total) {
-        const DomainIntegral sum = of_ring.without_rotation();
-        values.push_back({sum.J, modulus / 2.0 * sum.interaction_I, modulus / 2.0 * sum.interaction_II,
-                          modulus * sum.interaction_T + of_initial});
-    }
+    for (const DomainIntegral& of_ring : total) values.push_back(values_of(of_ring, modulus, of_initial));
     return values;
 }
 
@@ -137,16 +149,26 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
     const Scene& scene = rings.elements().scene();
     std::vector<TipResult> results;
     for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
-        const Tip& tip = scene.enriched.tips[at(t)];
-        TipResult result;
-        result.a = crack_length(scene, tip);
-        result.x = tip.position.x();
-        result.y = tip.position.y();
-        result.CTOD = std::nan("");
+        TipResult result = at_place_of(scene, scene.enriched.tips[at(t)]);
         put_openings(rings.elements(), t, u, report, behind, result);
         const auto flow_ever = report.tips.empty() ? std::vector<coupling::FlowShell>() : report.tips[at(t)].flow_ever;
         put_rings(rings.about(t).rings(), values_on(t, scene, own[at(t)], report), flow_ever, result);
         results.push_back(result);
+    }
+    return results;
+}
+
+std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::VectorXd& u) {
+    const Scene& scene = rings.elements().scene();
+    std::vector<TipResult> results;
+    for (int t = 0; t < std::ssize(scene.enriched.tips); ++t) {
+        const Tip& tip = scene.enriched.tips[at(t)];
+        const RingValues values = values_of(rings.about(t).of_K(u), scene.elastic(tip).plane_modulus(), 0.0);
+        results.push_back(at_place_of(scene, tip));
+        results.back().J = results.back().J_spread = results.back().K_spread = std::nan("");
+        results.back().K_I = values.K_I;
+        results.back().K_II = values.K_II;
+        results.back().T_stress = values.T_stress;
     }
     return results;
 }

@@ -23,12 +23,11 @@ NominalFields fields_of(const Structure& body, Eigen::VectorXd unit) {
     return fields;
 }
 
-std::vector<TipResult> tips_of(const StructureRings& rings, const NominalFields& fields) {
-    std::vector<TipResult> tips =
-        fracture_parameters(rings, fields.unit, rings.integrals_of_displacement(fields.unit), {});
+/// `tips`: those of the load factor 1.
+std::vector<TipResult> with_other_loads(std::vector<TipResult> tips, const StructureRings& rings,
+                                        const NominalFields& fields) {
     for (const Eigen::VectorXd& alone : fields.of_cases) {
-        const std::vector<TipResult> of_case =
-            fracture_parameters(rings, alone, rings.integrals_of_displacement(alone), {});
+        const std::vector<TipResult> of_case = nominal_K(rings, alone);
         for (std::size_t t = 0; t < tips.size(); ++t) {
             tips[t].K_I_of_cases.push_back(of_case[t].K_I);
             tips[t].K_II_of_cases.push_back(of_case[t].K_II);
@@ -44,30 +43,34 @@ std::vector<TipResult> tips_of(const StructureRings& rings, const NominalFields&
     return tips;
 }
 
-NominalSolution solution_of(std::unique_ptr<Structure> body, Eigen::VectorXd unit) {
-    NominalFields fields = fields_of(*body, std::move(unit));
-    StructureRings rings(body->elements());
-    std::vector<TipResult> tips = tips_of(rings, fields);
+NominalSolution solution_of_K(std::unique_ptr<Structure> body, const CoarseElements& elements, const ElementSet& for_K,
+                              NominalFields fields) {
+    StructureRings rings(elements, StructureRings::forms_of(elements, for_K));
+    std::vector<TipResult> tips = with_other_loads(nominal_K(rings, fields.unit), rings, fields);
     return {std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
 }
 
 }  // namespace
 
 NominalSolution solve_nominal(std::unique_ptr<Structure> body) {
-    Eigen::VectorXd u = body->expand({}, 1.0);
-    return solution_of(std::move(body), std::move(u));
+    NominalFields fields = fields_of(*body, body->expand({}, 1.0));
+    StructureRings rings(body->elements());
+    const RingIntegrals integrals = rings.integrals_of_displacement(fields.unit);
+    std::vector<TipResult> tips =
+        with_other_loads(fracture_parameters(rings, fields.unit, integrals, {}), rings, fields);
+    return {std::move(body), std::move(fields), std::move(tips), std::move(rings).take_forms()};
 }
 
-NominalSolution solve_nominal_near(std::unique_ptr<Structure> body) {
-    Eigen::VectorXd u = near_displacement(*body, 1.0, 0.0);
-    return solution_of(std::move(body), std::move(u));
+NominalSolution solve_nominal_near(std::unique_ptr<Structure> body, const ElementSet& for_K) {
+    NominalFields fields = fields_of(*body, near_displacement(*body, 1.0, 0.0));
+    const CoarseElements& elements = body->elements();
+    return solution_of_K(std::move(body), elements, for_K, std::move(fields));
 }
 
-NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, NominalFields known) {
+NominalSolution with_tips_moved(const Scene& scene, const StillElements& still, const ElementSet& for_K,
+                                NominalFields known) {
     const CoarseElements elements(scene, ElementSet(scene.mesh.elements.size()), still);
-    StructureRings rings(elements);
-    std::vector<TipResult> tips = tips_of(rings, known);
-    return {nullptr, std::move(known), std::move(tips), std::move(rings).take_forms()};
+    return solution_of_K(nullptr, elements, for_K, std::move(known));
 }
 
 NominalSolution solve_nominal(const Scene& scene) { return solve_nominal(std::make_unique<Structure>(scene)); }

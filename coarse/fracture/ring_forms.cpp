@@ -1,6 +1,9 @@
 #include "coarse/fracture/ring_forms.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <limits>
 
 #include "coarse/model/rings.hpp"
 #include "common/index.hpp"
@@ -99,24 +102,48 @@ private:
     std::array<double, most_regions> dilatation_{};
 };
 
+/// Those in a set, or all but those; one of size zero holds none.
+std::vector<int> near_elements(const CoarseElements& elements, const ElementSet& set, bool inside) {
+    std::vector<int> found;
+    std::ranges::copy_if(elements.near(), std::back_inserter(found),
+                         [&](int element) { return (set.size() > 0 && set.contains(element)) == inside; });
+    return found;
+}
+
+RingWeights weights_of(const CoarseElements& elements, int tip, std::span<const Annulus> rings,
+                       const std::vector<int>& among) {
+    const EnrichedMesh& mesh = elements.scene().enriched;
+    return {mesh, mesh.tips[at(tip)], rings, among, !rings.back().one_metal};
+}
+
 }  // namespace
 
-RingForms::RingForms(const CoarseElements& elements, int tip)
-    : tip_(tip), rings_(rings_about(elements.scene(), tip)),
-      weights_(elements.scene().enriched, elements.scene().enriched.tips[at(tip)], rings_, elements.near(),
-               !rings_.back().one_metal) {
+RingForms::RingForms(const CoarseElements& elements, int tip, const ElementSet& for_K)
+    : tip_(tip), rings_(rings_about(elements.scene(), tip)), all_{0, weights_of(elements, tip, rings_,
+                                                                                near_elements(elements, for_K, false))},
+      for_K_{first_for_K(rings_), weights_of(elements, tip, std::span(rings_).subspan(first_for_K(rings_), 1),
+                                             near_elements(elements, for_K, true))} {
+    find_forms(elements, all_);
+    find_forms(elements, for_K_);
+}
+
+bool RingForms::serve_beside(const ElementSet& zone) const {
+    return std::ranges::all_of(for_K_.weights.elements(), [&](int element) { return zone.contains(element); });
+}
+
+void RingForms::find_forms(const CoarseElements& elements, Part& part) const {
     const Scene& scene = elements.scene();
-    const Tip& about = scene.enriched.tips[at(tip)];
+    const Tip& about = scene.enriched.tips[at(tip_)];
     const AuxiliaryFields auxiliary(about, scene.elastic(about));
-    constexpr std::size_t most_values = 3 * 8;  // of most elements in a ring
-    forms_.reserve(most_values * weights_.entries());
-    elements.for_each(weights_.elements(),
-                      [&](const auto& op) { append_forms(op, weights_.of(first_.size()), auxiliary, scene); });
+    constexpr std::size_t most_values = 8;  // of most elements in a ring
+    part.forms.reserve(most_values * (3 * part.weights.entries() + part.weights.elements().size()));
+    elements.for_each(part.weights.elements(), [&](const auto& op) { append_forms(op, auxiliary, scene, part); });
 }
 
 template <class Operator>
-void RingForms::append_forms(const Operator& op, std::span<const RingWeights::Entered> entered,
-                             const AuxiliaryFields& auxiliary, const Scene& scene) {
+void RingForms::append_forms(const Operator& op, const AuxiliaryFields& auxiliary, const Scene& scene,
+                             Part& part) const {
+    const std::span<const RingWeights::Entered> entered = part.weights.of(part.first.size());
     const Tip& about = scene.enriched.tips[at(tip_)];
     const MandelMatrix& elastic = scene.stiffness(op.element);
     const int material = scene.enriched.material_of(op.element), side = branch_side(scene.enriched, op.element);
@@ -124,10 +151,16 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
     const bool is_of_tips_metal = scene.materials.are_alike(about.material, material);
     const ElementForm<Operator> zero(op);
     std::vector<std::array<ElementForm<Operator>, 3>> forms(entered.size(), {zero, zero, zero});
+    typename Operator::Values turning = Operator::Values::Zero(std::ssize(op.unknowns));
+    double area = 0.0;
     for (std::size_t q = 0; q < op.points.size(); ++q) {
         const IntegrationPoint& point = op.points[q];
         const std::array<AuxiliaryField, 3> fields = auxiliary.at(point.x, point.side != 0 ? point.side : side);
         const CornerGradients& gradients = corner_gradients(op, scene.enriched, q);
+        const auto& own = op.gradients[q];
+        for (Eigen::Index f = 0; f < own.rows(); ++f)
+            turning.template segment<2>(2 * f) += 0.5 * point.weight * Vec2(-own(f, 1), own(f, 0));
+        area += point.weight;
         std::array<Mandel, 3> stress_slopes;
         if (!is_of_tips_metal) stress_slopes = auxiliary.stress_slopes(point.x, point.side != 0 ? point.side : side);
         for (std::size_t k = 0; k < entered.size(); ++k) {
@@ -143,13 +176,17 @@ void RingForms::append_forms(const Operator& op, std::span<const RingWeights::En
             }
         }
     }
-    first_.push_back(forms_.size());
+    part.first.push_back(part.forms.size());
+    part.unknowns.insert(part.unknowns.end(), op.unknowns.begin(), op.unknowns.end());
+    part.first_unknown.push_back(part.unknowns.size());
+    part.area.push_back(area);
+    part.forms.insert(part.forms.end(), turning.begin(), turning.end());
     for (const std::array<ElementForm<Operator>, 3>& of_ring : forms) {
         for (const ElementForm<Operator>& form : of_ring) {
             const typename Operator::Values values = form.values(op);
-            forms_.insert(forms_.end(), values.begin(), values.end());
+            part.forms.insert(part.forms.end(), values.begin(), values.end());
         }
-        for (const ElementForm<Operator>& form : of_ring) forms_.push_back(form.of_turning(about.direction));
+        for (const ElementForm<Operator>& form : of_ring) part.forms.push_back(form.of_turning(about.direction));
     }
 }
 
@@ -162,38 +199,64 @@ std::vector<DomainIntegral> RingForms::values(const CoarseElements& elements, co
         const auto local = gather(u, op.unknowns);
         const ElementStrains strains(op, local);
         Eigen::Vector4d own = Eigen::Vector4d::Zero();  // what J has of q at each corner
-        double area = 0.0, turn = 0.0;
         for (std::size_t q = 0; q < op.points.size(); ++q) {
             const Eigen::Matrix2d gradient = strains.gradient(q);
             const Mandel strain = strains.strain(q, gradient), stress = elastic * strain;
             const Vec2 momentum = energy_momentum(about, stress, gradient, 0.5 * stress.dot(strain));
             own += corner_gradients(op, scene.enriched, q) * (op.points[q].weight * momentum);
-            area += op.points[q].weight;
-            turn += op.points[q].weight * rotation(gradient);
         }
-        const double* form = forms_.data() + first_[place];
-        for (const auto& [ring, q] : weights_.of(place)) {
-            const Eigen::Vector3d mutual =
-                Eigen::Map<const Eigen::MatrixX3d>(form, local.size(), 3).transpose() * local;
-            const double* of_turning = form + 3 * local.size();
-            result[ring] += {.J = own.dot(q),
-                             .interaction_I = mutual[0],
-                             .interaction_II = mutual[1],
-                             .interaction_T = mutual[2],
-                             .area = area,
-                             .rotation = turn,
-                             .turned_I = of_turning[0],
-                             .turned_II = of_turning[1],
-                             .turned_T = of_turning[2]};
-            form = of_turning + 3;
+        const std::span<const RingWeights::Entered> entered = all_.weights.of(place);
+        for (std::size_t k = 0; k < entered.size(); ++k) {
+            DomainIntegral of_element = all_.interactions(place, k, local);
+            of_element.J = own.dot(entered[k].q);
+            result[entered[k].ring] += of_element;
         }
     };
-    for (std::size_t place = 0; place < first_.size(); ++place) {
-        const int element = weights_.elements()[place];
+    for (std::size_t place = 0; place < all_.first.size(); ++place) {
+        const int element = all_.weights.elements()[place];
         if (!elements.in_zone().contains(element))
             elements.for_each(std::span(&element, 1), [&](const auto& op) { add(place, op); });
     }
     return result;
+}
+
+DomainIntegral RingForms::of_K(const Eigen::VectorXd& u) const {
+    DomainIntegral sum = all_.interactions_in(first_for_K(rings_), u);
+    sum += for_K_.interactions_in(first_for_K(rings_), u);
+    sum.J = std::numeric_limits<double>::quiet_NaN();
+    return sum;
+}
+
+DomainIntegral RingForms::Part::interactions_in(std::size_t ring, const Eigen::VectorXd& u) const {
+    DomainIntegral sum;
+    std::vector<double> local;
+    for (std::size_t place = 0; place < first.size(); ++place) {
+        const std::span<const RingWeights::Entered> entered = weights.of(place);
+        const auto found = std::ranges::find(entered, ring - first_ring, &RingWeights::Entered::ring);
+        if (found == entered.end()) continue;
+        local.clear();
+        for (std::size_t k = first_unknown[place]; k < first_unknown[place + 1]; ++k) local.push_back(u[unknowns[k]]);
+        const Eigen::Map<const Eigen::VectorXd> element_u(local.data(), std::ssize(local));
+        sum += interactions(place, at(found - entered.begin()), element_u);
+    }
+    return sum;
+}
+
+template <class Values>
+DomainIntegral RingForms::Part::interactions(std::size_t place, std::size_t k, const Values& element_u) const {
+    const Eigen::Index values = element_u.size();
+    const double *const turning = &forms[first[place]],
+                        *const of_ring = turning + values + static_cast<Eigen::Index>(k) * 3 * (values + 1),
+                        *const turned = of_ring + 3 * values;
+    const Eigen::Vector3d mutual = Eigen::Map<const Eigen::MatrixX3d>(of_ring, values, 3).transpose() * element_u;
+    return {.interaction_I = mutual[0],
+            .interaction_II = mutual[1],
+            .interaction_T = mutual[2],
+            .area = area[place],
+            .rotation = Eigen::Map<const Eigen::VectorXd>(turning, values).dot(element_u),
+            .turned_I = turned[0],
+            .turned_II = turned[1],
+            .turned_T = turned[2]};
 }
 
 std::vector<DomainIntegral> RingForms::values_with_initial_stress(const CoarseElements& elements,

@@ -4,9 +4,9 @@
 
 namespace stria::coarse {
 
-std::vector<RingForms> StructureRings::forms_of(const CoarseElements& elements) {
+std::vector<RingForms> StructureRings::forms_of(const CoarseElements& elements, const ElementSet& for_K) {
     std::vector<RingForms> tips;
-    for (int tip = 0; tip < std::ssize(elements.scene().enriched.tips); ++tip) tips.emplace_back(elements, tip);
+    for (int tip = 0; tip < std::ssize(elements.scene().enriched.tips); ++tip) tips.emplace_back(elements, tip, for_K);
     return tips;
 }
 

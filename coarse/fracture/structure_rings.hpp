@@ -20,8 +20,8 @@ public:
     StructureRings(const CoarseElements& elements, std::vector<RingForms> forms)
         : elements_(&elements), tips_(std::move(forms)) {}
 
-    /// One per tip.
-    [[nodiscard]] static std::vector<RingForms> forms_of(const CoarseElements& elements);
+    /// One per tip. `for_K`: as RingForms has it.
+    [[nodiscard]] static std::vector<RingForms> forms_of(const CoarseElements& elements, const ElementSet& for_K = {});
 
     [[nodiscard]] const CoarseElements& elements() const { return *elements_; }
     [[nodiscard]] const RingForms& about(int tip) const { return tips_[at(tip)]; }

@@ -86,4 +86,8 @@ std::vector<Annulus> rings_about(const Scene& scene, int tip) {
     return rings;
 }
 
+std::size_t first_for_K(std::span<const Annulus> rings) {
+    return at(std::ranges::find(rings, rings.back().one_metal, &Annulus::one_metal) - rings.begin());
+}
+
 }  // namespace stria::coarse

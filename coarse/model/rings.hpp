@@ -1,6 +1,7 @@
 // The rings about each tip over which fracture parameters are integrated, chosen from the geometry alone.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "coarse/model/scene.hpp"
@@ -25,5 +26,8 @@ bool tells_J(const Scene& scene, int tip);
 /// there. Of the others those are left that are at least two elements thick, which also keeps them two elements off the
 /// tip's own. Where they are not of one metal, one that is stands in front of them if it tells J.
 std::vector<Annulus> rings_about(const Scene& scene, int tip);
+
+/// Place of the first of them that K and T are told from: of those across metals where there are such.
+std::size_t first_for_K(std::span<const Annulus> rings);
 
 }  // namespace stria::coarse

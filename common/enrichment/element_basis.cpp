@@ -11,6 +11,8 @@ namespace stria {
 ElementBasis::ElementBasis(const EnrichedMesh& mesh, int element, bool cut)
     : mesh_(&mesh), nodes_(mesh.elements[at(element)]), own_side_(cut ? 0 : mesh.element_side[at(element)]),
       tip_side_(cut ? 0 : branch_side(mesh, element)) {
+    constexpr std::size_t of_cut_element = 8;
+    functions_.reserve(of_cut_element);
     for (int corner = 0; corner < 4; ++corner) add_corner(corner, cut);
     number_functions();
     for (int tip = 0; tip < std::ssize(mesh.tips); ++tip) {
@@ -41,8 +43,19 @@ void ElementBasis::add_corner(int corner, bool cut) {
     }
 }
 
-// A hanging corner's functions go to the ends of its edge (TiedNode).
+// A hanging corner's functions go to the ends of its edge (TiedNode). Most elements have none.
 void ElementBasis::number_functions() {
+    const auto follows = [&](const Function& function) {
+        return mesh_->follows(nodes_[at(function.corner)], function.term_index);
+    };
+    if (mesh_->tied.empty() || std::ranges::none_of(functions_, follows)) {
+        unknowns_.reserve(2 * functions_.size());
+        for (const Function& function : functions_) {
+            const int unknown = mesh_->unknown(nodes_[at(function.corner)], function.term_index, 0);
+            unknowns_.insert(unknowns_.end(), {unknown, unknown + 1});
+        }
+        return;
+    }
     std::vector<int> first;  // unknown of each column
     struct Share {
         std::size_t column;
@@ -56,15 +69,13 @@ void ElementBasis::number_functions() {
         shares.push_back({at(found - first.begin()), function, part});
         if (found == first.end()) first.push_back(unknown);
     };
-    bool tied = false;
     for (std::size_t f = 0; f < functions_.size(); ++f) {
         const auto& [corner, term_index, term] = functions_[f];
         const int node = nodes_[at(corner)];
-        if (mesh_->tied.empty() || !mesh_->follows(node, term_index)) {
+        if (!mesh_->follows(node, term_index)) {
             give(f, node, term_index, 1.0);
             continue;
         }
-        tied = true;
         const TiedNode& tie = *mesh_->tie(node);
         for (const int end : tie.ends) {
             if (term_index == 0) give(f, end, 0, 0.5);
@@ -78,7 +89,6 @@ void ElementBasis::number_functions() {
         }
     }
     for (const int unknown : first) unknowns_.insert(unknowns_.end(), {unknown, unknown + 1});
-    if (!tied) return;
     ties_ = Eigen::MatrixXd::Zero(std::ssize(first), std::ssize(functions_));
     for (const Share& share : shares)
         ties_(static_cast<Eigen::Index>(share.column), static_cast<Eigen::Index>(share.function)) += share.part;

@@ -248,9 +248,9 @@ Mandel Bulk::trial_stress(int e, std::size_t q) const {
            elements_.elastic_stiffness(e) * elements_.op(e).strain(stand_.ahead(elements_.op(e), e, trial_u_), q);
 }
 
-std::vector<Bulk::PointState> Bulk::committed_states(int e) const {
+std::vector<Bulk::PointState> Bulk::committed_states(int e, EnergyDensity density) const {
     std::vector<PointState> states;
-    for_each_committed_state(e, [&](std::size_t, const PointState& state) { states.push_back(state); });
+    for_each_committed_state(e, density, [&](std::size_t, const PointState& state) { states.push_back(state); });
     return states;
 }
 

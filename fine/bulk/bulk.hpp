@@ -17,6 +17,12 @@
 
 namespace stria::fine {
 
+/// What J takes for W. A tip that stands: the stress work so far, the potential of metal that has only been loaded. A
+/// tip that has grown: the elastic energy. Its wake is full of what loops have dissipated, and J of a ring that holds
+/// wake would be less by what growth dissipates per mm. With the elastic energy J is the same on all contours between
+/// which plastic strain does not change along the tip (docs/equations.md).
+enum class EnergyDensity { StressWork, Elastic };
+
 /// A point yields where its trial increment meets the yield criterion; it is plastic where it has yielded before.
 /// Displacements are those of all unknowns of the mesh, mm; forces on them are per thickness, N/mm.
 /// Points are moved only where they might flow (StandingPoints).
@@ -81,13 +87,14 @@ public:
     [[nodiscard]] Mandel trial_stress(int e, std::size_t q) const;
     struct PointState {
         Mandel stress;             // MPa
-        double work;               // stress work density so far, N/mm2
+        double energy;             // density, N/mm2
         Eigen::Matrix2d gradient;  // of the displacement, with what its functions no longer tell (row: component)
     };
     /// Committed, of all points of an element. They follow its displacement elastically.
-    [[nodiscard]] std::vector<PointState> committed_states(int e) const;
+    [[nodiscard]] std::vector<PointState> committed_states(int e,
+                                                           EnergyDensity density = EnergyDensity::StressWork) const;
     /// Calls visit(q, state) of each of them.
-    template <class Visit> void for_each_committed_state(int e, Visit&& visit) const;
+    template <class Visit> void for_each_committed_state(int e, EnergyDensity density, Visit&& visit) const;
 
     /// Elements in and around which nothing is expected to yield in the coming half cycle (RestingElements).
     [[nodiscard]] ElementSet may_rest() const;
@@ -137,19 +144,23 @@ private:
     coupling::WorkCounts counts_;
 };
 
-template <class Visit> void Bulk::for_each_committed_state(int e, Visit&& visit) const {
+template <class Visit> void Bulk::for_each_committed_state(int e, EnergyDensity density, Visit&& visit) const {
+    const bool all_work = density == EnergyDensity::StressWork;
+    const Elasticity& elastic = elements_.materials().elastic(elements_.mesh().material_of(e));
     with_kernel(elements_.op(e), [&](const auto& kernel) {
         const auto u = kernel.gather(committed_u_);
         const auto moved = (u - kernel.nodal(stand_.displacement(e).data())).eval();
         const bool stands = moved.isZero(0.0);
         for (std::size_t q = 0; q < at(history_.points(e)); ++q) {
-            PointState state{history_.stress(e, q), history_.work(e, q), kernel.displacement_gradient(u, q)};
+            PointState state{history_.stress(e, q), all_work ? history_.work(e, q) : 0.0,
+                             kernel.displacement_gradient(u, q)};
             if (history_.has_frozen_gradients()) state.gradient += history_.frozen_gradient(e, q);
             if (!stands) {
                 const Mandel strain = kernel.strain(moved, q), change = elements_.elastic_stiffness(e) * strain;
-                state.work += (state.stress + 0.5 * change).dot(strain);
+                if (all_work) state.energy += (state.stress + 0.5 * change).dot(strain);
                 state.stress += change;
             }
+            if (!all_work) state.energy = elastic.energy(state.stress);
             visit(q, state);
         }
     });

@@ -11,11 +11,9 @@ void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density) {
     for (const int e : rings.elements()) {
         rings.enter(e);
         const int material = bulk.elements().mesh().material_of(e);
-        const Elasticity& elastic = materials.elastic(material);
         const std::vector<IntegrationPoint>& points = bulk.elements().op(e).points;
-        bulk.for_each_committed_state(e, [&](std::size_t q, const Bulk::PointState& state) {
-            rings.add(points[q], state.stress, state.gradient,
-                      density == EnergyDensity::Elastic ? elastic.energy(state.stress) : state.work);
+        bulk.for_each_committed_state(e, density, [&](std::size_t q, const Bulk::PointState& state) {
+            rings.add(points[q], state.stress, state.gradient, state.energy);
             const Vec2& x = points[q].x;
             if (initial.any())
                 rings.add_initial(points[q], state.stress, initial.slope(x, tip.material, tip.direction));

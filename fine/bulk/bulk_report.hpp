@@ -7,12 +7,6 @@
 
 namespace stria::fine {
 
-/// What J takes for W. A tip that stands: the stress work so far, the potential of metal that has only been loaded. A
-/// tip that has grown: the elastic energy. Its wake is full of what loops have dissipated, and J of a ring that holds
-/// wake would be less by what growth dissipates per mm. With the elastic energy J is the same on all contours between
-/// which plastic strain does not change along the tip (docs/equations.md).
-enum class EnergyDensity { StressWork, Elastic };
-
 /// Adds the committed bulk's share to the domain integrals of a tip.
 void add_to(RingSums& rings, const Bulk& bulk, EnergyDensity density);
 

@@ -175,8 +175,8 @@ std::array<MultiplierSpace::Value, 2> MultiplierSpace::acting_at(double s) const
                constant_at_end = b.tip_at_end || first == last || !goes_straight_on(b, last, -1);
     if (constant_at_start && s <= node(first)) return {Value{first, 1.0}, Value{-1, 0.0}};
     if (constant_at_end && s >= node(last)) return {Value{last, 1.0}, Value{-1, 0.0}};
-    int left = first;
-    while (left + 1 < last && node(left + 1) <= s) ++left;
+    const auto second = nodes_.begin() + first + 1;
+    const int left = first + static_cast<int>(std::upper_bound(second, nodes_.begin() + last, s) - second);
     const double t = (s - node(left)) / (node(left + 1) - node(left));
     return {Value{left, 1.0 - t}, Value{left + 1, t}};
 }
