@@ -21,6 +21,22 @@ constexpr double elements_across = 2.0;
 /// metals instead.
 constexpr double least_for_T = 4.0;
 
+/// Across the radius of the largest ring, in the longest edges of the body: more of them tell K no better, and what is
+/// near a tip is paid for in each increment.
+constexpr double most_across = 40.0;
+
+/// The longest edge of a mesh, or any that is as long as `enough`, mm.
+double long_edge(const Mesh& mesh, double enough) {
+    double squared = 0.0;
+    for (const std::array<int, 4>& element : mesh.elements) {
+        for (std::size_t k = 0; k < 4; ++k)
+            squared =
+                std::max(squared, (mesh.nodes[at(element[k])] - mesh.nodes[at(element[(k + 1) % 4])]).squaredNorm());
+        if (squared >= enough * enough) break;
+    }
+    return std::sqrt(squared);
+}
+
 /// Longest element edge with an end inside each ring, mm; zero where there is none.
 std::vector<double> longest_edges(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings) {
     const double farthest = std::ranges::max(rings, {}, &Annulus::outer).outer;
@@ -64,7 +80,8 @@ double largest_ring(const Scene& scene, int tip_index) {
     const Tip& tip = mesh.tips[at(tip_index)];
     const double reach =
         tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip_index, bend_to_element * tip_element_size(mesh, tip));
-    const double radius = 0.95 * std::min(reach, distance_to_loads(scene.mesh, scene.loads, tip.position));
+    const double free = 0.95 * std::min(reach, distance_to_loads(scene.mesh, scene.loads, tip.position));
+    const double radius = std::min(free, most_across * long_edge(scene.mesh, free / most_across));
     const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
     return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);
 }

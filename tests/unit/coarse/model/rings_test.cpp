@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coarse/fracture/fracture_parameters.hpp"
@@ -27,6 +28,19 @@ TEST(Rings, LieInTheLargestAndAreTwoElementsThick) {
         EXPECT_GE(ring.outer - ring.inner, 2.0 * 0.25);
         EXPECT_LE(ring.outer - ring.inner, rings.front().outer - rings.front().inner);
     }
+}
+
+// With the body's elements they would become more and more, and tell K no better.
+TEST(Rings, AreNoLongerThanFortyElements) {
+    const double size = 0.125;
+    const Scene scene = cracked_plate(size, false);
+    double longest = 0.0;
+    for (const auto& element : scene.mesh.elements)
+        for (std::size_t k = 0; k < 4; ++k)
+            longest = std::max(longest,
+                               (scene.mesh.nodes[at(element[k])] - scene.mesh.nodes[at(element[(k + 1) % 4])]).norm());
+    EXPECT_LT(40.0 * longest, 0.8 * 7.3);
+    EXPECT_NEAR(largest_ring(scene, 0), 40.0 * longest, 1e-12);
 }
 
 TEST(Rings, AreFewerOnACoarseMeshButNeverNone) {
