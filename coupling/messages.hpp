@@ -163,7 +163,8 @@ struct EnergyReport {
 /// What a commit is to do and to tell.
 struct Commit {
     bool reversal = false;  // the load turned after this increment: plastic zones start anew
-    bool brief = false;     // nobody reads rings, faces and stored energy
+    bool brief = false;     // nobody reads rings and stored energy
+    bool no_faces = false;  // nor faces
     bool releases = false;  // faces that growth has opened, here or with another rank: no part of a half cycle
 };
 
@@ -171,7 +172,7 @@ struct Commit {
 struct StepReport {
     std::vector<TipReport> tips;
     std::vector<RingReport> rings;       // one per ring of the patch; empty in brief
-    std::vector<FaceSample> faces;       // ordered by crack and s; empty in brief
+    std::vector<FaceSample> faces;       // ordered by crack and s; empty where nobody reads them
     std::vector<double> contact_length;  // per crack, mm
     std::vector<double> mouth_opening;   // per crack: at its mouth; NaN where the zone does not hold that
     double dissipation = 0;              // N, per mm of thickness: by flow, in this increment

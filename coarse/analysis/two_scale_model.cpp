@@ -11,6 +11,7 @@
 #include "coarse/load/case_histories.hpp"
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/integration/moved_field.hpp"
 #include "common/stopwatch.hpp"
 
@@ -107,10 +108,16 @@ NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
     return report;
 }
 
-// Growth and cycles look at extremes only: those of the load, but where other loads have theirs elsewhere.
-bool TwoScaleModel::is_read(const OutputSection& output, const LoadStep& step) const {
-    if (step.reversal || step.at_extreme() || step.settles || peaks_between_) return true;
-    return output.history == Written::All || output.faces == Written::All || output.fields == Written::All;
+// Growth and cycles look at extremes only: those of the load, but where other loads have theirs elsewhere. Faces
+// without contact are looked at for overlap.
+coupling::Commit TwoScaleModel::commit_of(const LoadStep& step) const {
+    const Case& input = body_.scene().input;
+    const OutputSection& output = input.output;
+    const bool at_extreme = step.reversal || step.at_extreme() || step.settles || peaks_between_;
+    const bool draws_faces = at_extreme || output.faces == Written::All || output.fields == Written::All;
+    const bool reads_rings = draws_faces || output.history == Written::All;
+    const bool reads_faces = draws_faces || (reads_rings && !std::ranges::all_of(input.cracks, may_touch));
+    return {.reversal = step.reversal, .brief = !reads_rings, .no_faces = !reads_faces, .releases = step.releases};
 }
 
 Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report) {
@@ -123,8 +130,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     increment.load_factor = factors_.main;
     largest_force_ = std::max(largest_force_, report.iterations.back().residual.scale);
     increment.machine = equilibrium_->machine_reading();
-    const coupling::Commit what{
-        .reversal = step.reversal, .brief = !is_read(body_.scene().input.output, step), .releases = step.releases};
+    const coupling::Commit what = commit_of(step);
     equilibrium_->begin_commit(what);  // the zone commits while the structure looks at its rings
     const RingIntegrals own = what.brief ? rings_->unknown() : rings_->integrals(equilibrium_->near_displacement());
     increment.zone = equilibrium_->commit(what);

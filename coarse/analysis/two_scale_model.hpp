@@ -56,8 +56,8 @@ public:
     void write_kept(AnalysisState& state) const;
 
 private:
-    /// Somebody reads rings, faces and energies of an increment.
-    [[nodiscard]] bool is_read(const OutputSection& output, const LoadStep& step) const;
+    /// With what somebody reads of an increment.
+    [[nodiscard]] coupling::Commit commit_of(const LoadStep& step) const;
     void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     CrackedBody::Outgrown split_elements(FinerScene finer);

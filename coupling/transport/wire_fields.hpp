@@ -22,8 +22,8 @@ void fields(auto& wire, Is<Failure> auto& m) {
 }
 
 void fields(auto& wire, Is<Commit> auto& m) {
-    auto& [reversal, brief, releases] = m;
-    wire(reversal, brief, releases);
+    auto& [reversal, brief, no_faces, releases] = m;
+    wire(reversal, brief, no_faces, releases);
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {

@@ -165,7 +165,8 @@ void Bulk::update_points() {
     int begin = 0, end = 0;
     for (const int e : resting_.awake()) {
         if (proven_.contains(e)) continue;
-        if (const Eigen::VectorXd ahead = ahead_of_points(e); !ahead.isZero(0.0)) {
+        if (!stand_.stands_at(elements_.op(e), e, standing_displacement(e))) {
+            const Eigen::VectorXd ahead = stand_.ahead(elements_.op(e), e, standing_displacement(e));
             history_.update(elements_.op(e), e, ahead, gather(e, increment_));
             continue;
         }
@@ -234,13 +235,7 @@ void Bulk::commit(bool reversal, bool counts) {
     if (reversal && counts) resting_.note_half_cycle(history_);
 }
 
-Eigen::VectorXd Bulk::ahead_of_points(int e) const {
-    return stand_.ahead(elements_.op(e), e, resting_.contains(e) ? resting_.displacement() : committed_u_);
-}
-
-double Bulk::stored_ahead_of_points(int e) const {
-    return stand_.stored(elements_.stiffness()[at(e)], e, ahead_of_points(e));
-}
+double Bulk::stored_ahead_of_points(int e) const { return stand_.stored(e, standing_displacement(e), elements_); }
 
 Mandel Bulk::trial_stress(int e, std::size_t q) const {
     if (!proven_.contains(e)) return history_.trial_stress(e, q);

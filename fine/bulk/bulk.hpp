@@ -76,12 +76,9 @@ public:
     /// Elements whose tangent differs from that of the evaluation before.
     [[nodiscard]] const ElementSet& changed() const { return changed_; }
 
-    /// What the committed displacement of an element, or that at which it came to rest, is ahead of its points, in the
-    /// order of its unknowns, mm.
-    [[nodiscard]] Eigen::VectorXd ahead_of_points(int e) const;
-    /// The last commit has moved them.
+    /// The last commit has moved the points of an element.
     [[nodiscard]] bool has_new_points(int e) const { return !proven_.contains(e) && !resting_.contains(e); }
-    /// What it has stored on that way, N.
+    /// What it has stored from where they stand to its committed displacement, or that at which it came to rest, N.
     [[nodiscard]] double stored_ahead_of_points(int e) const;
 
     [[nodiscard]] Mandel trial_stress(int e, std::size_t q) const;
@@ -124,6 +121,10 @@ private:
     template <class Kernel> void find_tangent(int e, const Kernel& kernel);
     void add_trial_force(int e);
     void update_points();
+    /// Committed, or that at which an element came to rest.
+    [[nodiscard]] const Eigen::VectorXd& standing_displacement(int e) const {
+        return resting_.contains(e) ? resting_.displacement() : committed_u_;
+    }
     [[nodiscard]] Eigen::VectorXd gather(int e, const Eigen::VectorXd& u) const {
         return stria::gather(u, elements_.op(e).unknowns);
     }

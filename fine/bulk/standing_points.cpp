@@ -51,8 +51,14 @@ void StandingPoints::find_force(int e, const Eigen::VectorXd& u, const BulkEleme
     });
 }
 
-double StandingPoints::stored(const Eigen::MatrixXd& stiffness, int e, const Eigen::VectorXd& ahead) const {
-    return ahead.dot(force_.of(e) + 0.5 * stiffness * ahead);
+double StandingPoints::stored(int e, const Eigen::VectorXd& u, const BulkElements& elements) const {
+    double stored = 0.0;
+    with_kernel(elements.op(e), [&](const auto& kernel) {
+        const auto ahead = (kernel.gather(u) - kernel.nodal(displacement_.of(e).data())).eval();
+        const auto change = kernel.elastic_force(elements.stiffness()[at(e)], ahead);
+        stored = ahead.cwiseProduct(kernel.nodal(force_.of(e).data()) + 0.5 * change).sum();
+    });
+    return stored;
 }
 
 // What its stresses have changed by since it was looked at the last time proves most elements elastic. Of the others

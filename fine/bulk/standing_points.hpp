@@ -1,6 +1,8 @@
 // Where the points of elements stand, and what follows from there while the elements are elastic.
 #pragma once
 
+#include <algorithm>
+
 #include "fine/bulk/bulk_elements.hpp"
 #include "fine/bulk/points/elastic_bound.hpp"
 #include "fine/bulk/points/element_kernels.hpp"
@@ -31,10 +33,15 @@ public:
         return gather(u, op.unknowns) - displacement(e);
     }
 
+    /// Its points stand at a displacement of all unknowns.
+    [[nodiscard]] bool stands_at(const ElementOperator& op, int e, const Eigen::VectorXd& u) const {
+        return std::ranges::equal(op.unknowns, displacement(e), {}, [&](int unknown) { return u[unknown]; });
+    }
+
     /// Nodal, of an element that is elastic up to a displacement of all unknowns.
     void find_force(int e, const Eigen::VectorXd& u, const BulkElements& elements, ElementValues& force) const;
-    /// What it stores on its way ahead of its points, N.
-    [[nodiscard]] double stored(const Eigen::MatrixXd& stiffness, int e, const Eigen::VectorXd& ahead) const;
+    /// What it stores on its way from where its points stand to a displacement of all unknowns, N.
+    [[nodiscard]] double stored(int e, const Eigen::VectorXd& u, const BulkElements& elements) const;
 
     /// As ElasticBound has it.
     [[nodiscard]] bool proves_at(int e, const Eigen::VectorXd& u, double part = 1.0) const {

@@ -194,14 +194,13 @@ std::vector<double> mouth_openings(const CommittedZone& zone, std::size_t cracks
 
 }  // namespace
 
-void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks, bool brief,
-               coupling::StepReport& report) {
+void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks,
+               const coupling::Commit& what, coupling::StepReport& report) {
     report.tips = report_tips(zone);
     report.contact_length = contact_lengths(zone, cracks);
     report.mouth_opening = mouth_openings(zone, cracks);
-    if (brief) return;
-    report.rings = report_rings(zone, rings);
-    report.faces = report_faces(zone);
+    if (!what.brief) report.rings = report_rings(zone, rings);
+    if (!what.no_faces) report.faces = report_faces(zone);
 }
 
 }  // namespace stria::fine

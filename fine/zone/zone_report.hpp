@@ -51,9 +51,9 @@ struct TipRings {
 [[nodiscard]] std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,
                                              const std::vector<CrackSection>& cracks, int subcells);
 
-/// Puts into a report what it says of tips, lengths in contact and mouths and, unless it is to be brief, of rings and
-/// faces. `cracks`: how many the case has.
-void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks, bool brief,
-               coupling::StepReport& report);
+/// Puts into a report what it says of tips, lengths in contact and mouths and, where they are read, of rings and faces.
+/// `cracks`: how many the case has.
+void report_on(const CommittedZone& zone, std::vector<TipRings>& rings, std::size_t cracks,
+               const coupling::Commit& what, coupling::StepReport& report);
 
 }  // namespace stria::fine

@@ -228,7 +228,7 @@ coupling::StepReport ZoneSystem::commit(const coupling::Commit& what) {
                .frozen = memory_.frozen,
                .displacement = memory_.committed.displacement,
                .traction = memory_.committed.traction},
-              rings_, input_.cracks.size(), what.brief, report);
+              rings_, input_.cracks.size(), what, report);
     report.dissipation = summary_->dissipation() - dissipated;
     put_counts(report);
     return report;

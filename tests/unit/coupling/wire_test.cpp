@@ -244,7 +244,10 @@ TEST(Wire, State) {
 TEST(Wire, SmallMessages) {
     EXPECT_EQ(there_and_back(Hello{3, 0xffff'ffff'ffff'fff0}).case_digest, 0xffff'ffff'ffff'fff0);
     EXPECT_EQ(there_and_back(Failure{Failure::Kind::Case, "why"}).text, "why");
-    EXPECT_TRUE(there_and_back(Commit{true}).reversal);
+    const Commit commit = there_and_back(Commit{.reversal = true, .no_faces = true});
+    EXPECT_TRUE(commit.reversal);
+    EXPECT_FALSE(commit.brief);
+    EXPECT_TRUE(commit.no_faces);
 }
 
 TEST(Wire, EmptyMessages) {

@@ -57,7 +57,7 @@ TEST_F(Standing, FollowByTheElasticMatrix) {
         points.find_force(e, u, plate.elements, force);
         points.find_force(e, 0.5 * u, plate.elements, before);
         const Eigen::VectorXd ahead = points.ahead(op, e, u);
-        const double stored = points.stored(plate.elements.stiffness()[at(e)], e, ahead);
+        const double stored = points.stored(e, u, plate.elements);
         EXPECT_NEAR(stored, 0.5 * ahead.dot(before.of(e) + force.of(e)), 1e-12 * stored);
         points.bring_to(e, u, plate.elements, history);
         EXPECT_EQ(points.displacement(e), gather(u, op.unknowns));

@@ -387,6 +387,22 @@ TEST(FineModel, ARolledBackAttemptLeavesNoTrace) {
     EXPECT_EQ(again.digest.multiplier, first.digest.multiplier);
 }
 
+TEST(FineModel, TellsOfACommitWhatIsReadOfIt) {
+    coupling::Patch with_ring = patch;
+    with_ring.rings = {{.tip = 0, .number = 0, .inner_radius = 1.0, .outer_radius = 2.0}};
+    FineModel model(scene);
+    model.set_patch(with_ring);
+    const auto told = [&](const coupling::Commit& what) {
+        static_cast<void>(settled(model, stretched(1e-3)));
+        const coupling::StepReport report = model.commit(what);
+        EXPECT_EQ(report.contact_length.size(), 1U);
+        return std::pair(!report.rings.empty(), !report.faces.empty());
+    };
+    EXPECT_EQ(told({}), std::pair(true, true));
+    EXPECT_EQ(told({.brief = true}), std::pair(false, true));
+    EXPECT_EQ(told({.no_faces = true}), std::pair(true, false));
+}
+
 TEST(FineModel, WithoutContactSaysNothingOfIt) {
     Case free = scene;
     free.cracks[0].contact.reset();
