@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "common/case/case_questions.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace stria::fine {
 namespace {
@@ -98,8 +99,11 @@ FaceOperators::FaceOperators(const EnrichedMesh& mesh, const std::vector<int>& b
 
 MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
                                         const CrackSection& section) const {
-    if (section.contact->multipliers == MultiplierKind::Stable)
-        return MultiplierSpace(mesh, boundary, crack, notch_of(section, mesh.grown_at_start_of(crack)));
+    if (section.contact->multipliers == MultiplierKind::Stable) {
+        const double mouth = mesh.mouths[at(crack)], grown = mesh.grown_at_start_of(crack);
+        const double origin = std::isnan(mouth) ? grown + 0.5 * length_of(section.points) : mouth;
+        return MultiplierSpace(mesh, boundary, crack, notch_of(section, grown), origin);
+    }
     std::vector<double> points;
     for (const FaceStation& station : stations_)
         if (station.crack == crack) points.push_back(station.s);

@@ -51,10 +51,10 @@ MultiplierSpace::MultiplierSpace(const std::vector<double>& points) : nodes_(poi
 }
 
 MultiplierSpace::MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack,
-                                 const Notch& notch) {
+                                 const Notch& notch, double origin) {
     split_into_branches(mesh, crack, notch);
-    join_short_branches();
-    for (Branch& branch : branches_) choose_vital(mesh, boundary, branch);
+    join_short_branches(origin);
+    for (Branch& branch : branches_) choose_vital(mesh, boundary, origin, branch);
 }
 
 void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, const Notch& notch) {
@@ -96,25 +96,34 @@ void MultiplierSpace::split_into_branches(const EnrichedMesh& mesh, int crack, c
     }
 }
 
-void MultiplierSpace::join_short_branches() {
+void MultiplierSpace::join_short_branches(double origin) {
     const auto is_short = [](const Branch& b) { return b.last_s - b.first_s < too_short * b.element_size; };
-    std::vector<Branch> joined;
-    for (Branch& branch : branches_) {
-        const bool touches =
-            !joined.empty() && branch.first_s - joined.back().last_s <= rounding * (1.0 + branch.first_s);
-        if (!touches || !(is_short(branch) || is_short(joined.back()))) {
-            joined.push_back(std::move(branch));
-            continue;
-        }
-        Branch& whole = joined.back();
-        whole.last_s = branch.last_s;
-        whole.tip_at_end = branch.tip_at_end;
-        whole.crossings.insert(whole.crossings.end(), branch.crossings.begin(), branch.crossings.end());
+    const auto joins_next = [&](std::size_t k) {
+        const Branch &branch = branches_[k], &next = branches_[k + 1];
+        const bool touches = next.first_s - branch.last_s <= rounding * (1.0 + next.first_s);
+        return touches && (is_short(branch) || is_short(next));
+    };
+    const auto join_next = [&](std::size_t k) {
+        Branch &whole = branches_[k], &next = branches_[k + 1];
+        whole.last_s = next.last_s;
+        whole.tip_at_end = next.tip_at_end;
+        whole.crossings.insert(whole.crossings.end(), next.crossings.begin(), next.crossings.end());
+        branches_.erase(branches_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    };
+    const auto holds_or_follows = [&](const Branch& b) { return b.last_s >= origin; };
+    const auto home = at(std::ranges::find_if(branches_, holds_or_follows) - branches_.begin());
+    for (std::size_t k = home; k + 1 < branches_.size();) {
+        if (joins_next(k))
+            join_next(k);
+        else
+            ++k;
     }
-    branches_ = std::move(joined);
+    for (std::size_t k = std::min(home, branches_.size() - 1); k > 0; --k)
+        if (joins_next(k - 1)) join_next(k - 1);
 }
 
-void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch) {
+void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, double origin,
+                                   Branch& branch) {
     const auto has_own_jump = [&](int node) {
         for (int term = 1; term <= static_cast<int>(mesh.terms[at(node)].size()); ++term) {
             if (!mesh.follows(node, term) && !std::ranges::binary_search(boundary, mesh.unknown(node, term, 0)))
@@ -123,6 +132,7 @@ void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<i
         return false;
     };
     branch.first_multiplier = size();
+    std::ranges::stable_sort(branch.crossings, {}, [&](const Crossing& c) { return std::abs(c.s - origin); });
     std::set<int> taken;
     for (const Crossing& crossing : branch.crossings) {
         if (std::ranges::any_of(crossing.nodes, [&](int node) { return taken.contains(node); })) continue;
@@ -130,6 +140,7 @@ void MultiplierSpace::choose_vital(const EnrichedMesh& mesh, const std::vector<i
         taken.insert(crossing.nodes.begin(), crossing.nodes.end());
         nodes_.push_back(crossing.s);
     }
+    std::sort(nodes_.begin() + branch.first_multiplier, nodes_.end());
     if (size() == branch.first_multiplier) nodes_.push_back(0.5 * (branch.first_s + branch.last_s));
     branch.multipliers = size() - branch.first_multiplier;
 }

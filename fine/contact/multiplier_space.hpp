@@ -13,10 +13,12 @@ namespace stria::fine {
 /// Continuous piecewise-linear pressure p(s) = sum of p_k Phi_k(s) with a node at each *vital* crossing: walking along
 /// the crack, a crossing of an element edge is vital if neither end of that edge belongs to a vital one before it
 /// (Bechet, Moes, Wohlmuth 2009). So every multiplier has jump unknowns of its own, however the crack cuts the mesh.
+/// The walk goes from the crack's origin to its tips: growth adds nodes and takes none away, and which end of the crack
+/// is its first is no matter.
 /// Branches end at kinks and at a notch: at kinks the pressure may jump there. One that is much shorter than an element
-/// has next to no jumps of its own, and goes with its neighbour. The pressure is constant towards a tip, and straight
-/// on towards any other end that is no farther than the next node, unless that would leave the multiplier there without
-/// a weight.
+/// has next to no jumps of its own, and goes with its neighbour, the one nearer to the origin. The pressure is constant
+/// towards a tip, and straight on towards any other end that is no farther than the next node, unless that would leave
+/// the multiplier there without a weight.
 class MultiplierSpace {
 public:
     /// One multiplier at each of `points`, ascending arc lengths, constant half way to the next: the paper's plain
@@ -24,8 +26,10 @@ public:
     explicit MultiplierSpace(const std::vector<double>& points);
 
     /// From the pieces of `crack` outside of its `notch`. `boundary`: unknowns, ascending, that are not the zone's own;
-    /// crossings whose jumps are all among them carry no multiplier.
-    MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, const Notch& notch);
+    /// crossings whose jumps are all among them carry no multiplier. `origin`: arc length, of a place that stays where
+    /// it is in the body.
+    MultiplierSpace(const EnrichedMesh& mesh, const std::vector<int>& boundary, int crack, const Notch& notch,
+                    double origin = 0.0);
 
     [[nodiscard]] int size() const { return static_cast<int>(nodes_.size()); }
     /// Every multiplier has jump unknowns of its own.
@@ -60,8 +64,8 @@ private:
         int first_multiplier = 0, multipliers = 0;
     };
     void split_into_branches(const EnrichedMesh& mesh, int crack, const Notch& notch);
-    void join_short_branches();
-    void choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, Branch& branch);
+    void join_short_branches(double origin);
+    void choose_vital(const EnrichedMesh& mesh, const std::vector<int>& boundary, double origin, Branch& branch);
     /// From the outer one of two multipliers or more to the branch's end; `inwards`: 1 from its start, -1 from its end.
     [[nodiscard]] bool goes_straight_on(const Branch& branch, int outer, int inwards) const;
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "common/index.hpp"
+#include "fine/contact/face_operators.hpp"
 #include "tests/support/cracked_mesh.hpp"
 #include "tests/support/plates.hpp"
 
@@ -21,6 +22,19 @@ using fine::MultiplierSpace;
 
 MultiplierSpace space_of(const std::vector<Vec2>& crack, double notch = 0.0, int columns = 12, int rows = 6) {
     return {plate_mesh(columns, rows, plate_case(crack)), {}, 0, Notch{0.0, notch}};
+}
+
+/// Where the multipliers of a crack stand that began as `first`, and has grown at its first point by so much since; by
+/// x, which is to ascend along it.
+std::vector<double> places_on(const std::vector<Vec2>& first, const std::vector<Vec2>& now, double grown = 0.0) {
+    Case input = plate_case(now);
+    input.cracks[0].grown_at_start = grown;
+    const EnrichedMesh mesh = plate_mesh(12, 6, input);
+    const fine::FaceOperators faces(mesh, {}, plate_case(first).cracks, 1, fine::FrozenTips());
+    std::vector<double> places;
+    for (const fine::FaceOperators::Key& key : faces.keys()) places.push_back(key.x.x());
+    std::ranges::sort(places);
+    return places;
 }
 
 double sum_at(const MultiplierSpace& space, double s) {
@@ -73,6 +87,33 @@ TEST(MultiplierSpace, NoTwoCrossingsWithAMultiplierShareANode) {   // so each ha
     const int across = space_of({{0.2, 0.0}, {5.9, 6.0}}).size();  // 13 crossings: neighbours share nodes
     EXPECT_LT(across, 9);
     EXPECT_GT(across, 4);
+}
+
+// Of two tips and of a mouth, straight, and with a piece of a hundredth of an element between two kinks.
+TEST(MultiplierSpace, TheyStandWhereTheyDoWhicheverEndOfTheCrackIsFirst) {
+    for (std::vector<Vec2> crack : {std::vector<Vec2>{{0.7, 0.6}, {5.4, 5.3}},
+                                    {{1.3, 1.6}, {10.4, 4.3}},
+                                    {{0.0, 1.2}, {7.0, 5.1}},
+                                    {{1.3, 1.4}, {3.3, 1.4}, {3.31, 1.41}, {10.7, 2.6}}}) {
+        const std::vector<double> places = places_on(crack, crack);
+        std::ranges::reverse(crack);
+        const std::vector<double> reversed = places_on(crack, crack);
+        ASSERT_EQ(places.size(), reversed.size()) << crack.back().x();
+        for (std::size_t k = 0; k < places.size(); ++k) EXPECT_NEAR(places[k], reversed[k], 1e-12) << crack.back().x();
+    }
+}
+
+// What faces said before a growth they go on to say behind it, be it the crack's first point that has moved.
+TEST(MultiplierSpace, GrowthTakesNoneAway) {
+    const Vec2 tip(5.4, 2.3), other(8.4, 5.4), way = (tip - other).normalized();
+    const std::vector<double> before = places_on({tip, other}, {tip, other});
+    for (int step = 1; step < 12; ++step) {
+        const double grown = 0.25 * step;
+        const std::vector<double> places = places_on({tip, other}, {tip + grown * way, tip, other}, grown);
+        for (const double place : before)
+            EXPECT_TRUE(std::ranges::any_of(places, [&](double x) { return std::abs(x - place) < 1e-9; }))
+                << grown << ' ' << place;
+    }
 }
 
 // Of a wing as short as an element its two ends are alike, whichever the crack begins at.
