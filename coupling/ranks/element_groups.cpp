@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <ranges>
 
@@ -42,17 +41,12 @@ std::vector<int> crack_of_unknowns(const EnrichedMesh& zone) {
     return crack;
 }
 
-double size_of(const EnrichedMesh& mesh, int element) {
-    const auto& nodes = mesh.elements[at(element)];
-    return (mesh.nodes[at(nodes[0])] - mesh.nodes[at(nodes[2])]).norm() / std::numbers::sqrt2;
-}
-
 /// What the crack of a tip cuts if it goes straight on.
 std::vector<int> way_of(const EnrichedMesh& mesh, const Tip& tip) {
     constexpr double rounding = 1e-9;
     const auto all = std::views::iota(0, static_cast<int>(std::ssize(mesh.elements)));
     const auto distance = [&](int e) { return (centre(mesh, e) - tip.position).squaredNorm(); };
-    const double size = size_of(mesh, *std::ranges::min_element(all, {}, distance));
+    const double size = edge_of_square(mesh, *std::ranges::min_element(all, {}, distance));
     const Vec2 along = tip.direction, across(-along.y(), along.x());
     std::vector<int> way;
     for (const int e : all) {

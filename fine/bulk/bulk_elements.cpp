@@ -13,13 +13,12 @@ namespace {
 
 /// Where a tip may come to if it goes straight on, or nearly.
 bool lies_ahead_of_a_tip(const EnrichedMesh& mesh, int element) {
-    constexpr double beside = 1.5, behind = 2.0;  // diagonals of the element
-    const auto& corners = mesh.elements[at(element)];
-    const double diagonal = (mesh.nodes[at(corners[0])] - mesh.nodes[at(corners[2])]).norm();
+    constexpr double beside = 1.5, behind = 2.0;  // of the element's diagonal
+    const double size = diagonal(mesh, element);
     return std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
         const Vec2 from_tip = centre(mesh, element) - tip.position;
         const double ahead = from_tip.dot(tip.direction);
-        return ahead > -behind * diagonal && (from_tip - ahead * tip.direction).norm() < beside * diagonal;
+        return ahead > -behind * size && (from_tip - ahead * tip.direction).norm() < beside * size;
     });
 }
 
@@ -129,9 +128,7 @@ std::optional<std::vector<IntegrationPoint>> BulkElements::points_kept(const Enr
 }
 
 bool BulkElements::is_near(int element, const Vec2& place, double radius) const {
-    const std::array<int, 4>& corners = mesh_.elements[at(element)];
-    const double diagonal = (mesh_.nodes[at(corners[0])] - mesh_.nodes[at(corners[2])]).norm();
-    return (op(element).points.front().x - place).norm() <= radius + 2.0 * diagonal;
+    return (op(element).points.front().x - place).norm() <= radius + 2.0 * diagonal(mesh_, element);
 }
 
 }  // namespace stria::fine

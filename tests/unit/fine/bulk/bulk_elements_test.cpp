@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "coarse/model/mesh_refinement.hpp"
 #include "common/enrichment/element_basis.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
@@ -37,6 +39,28 @@ TEST(BulkElements, HaveTheUnknownsOfTheirFunctionsWhereTheyHaveStayed) {
     EXPECT_GT(stayed, 100);
     EXPECT_GT(cut, 5);
     EXPECT_GT(now.built(), 3);
+}
+
+// On crooked elements, one of whose diagonals is the longer: which of them have the many points of those that a tip may
+// come to.
+TEST(BulkElements, HaveAsManyPointsWhicheverCornerIsTheFirst) {
+    Mesh body = distorted(square_mesh(16), 0.012), turned = body;
+    for (std::array<int, 4>& corners : turned.elements) std::ranges::rotate(corners, corners.begin() + 1);
+    for (auto& [name, edges] : turned.boundary)
+        for (BoundaryEdge& edge : edges) edge.edge = (edge.edge + 3) % 4;
+    const Materials materials(plate_case({{0.0, 2.4}, {2.3, 2.6}}));
+    const IntegrationRule rule{.subcells = 2, .far_subcells = 1, .tip_points = 4};
+    const auto elements_of = [&](const Mesh& mesh) {
+        return BulkElements(cracked(mesh, {{-1.0, 0.47}, {0.4, 0.52}}, 0), materials, rule, nullptr);
+    };
+    const BulkElements one = elements_of(body), other = elements_of(turned);
+    int few = 0, many = 0;
+    for (int e = 0; e < one.count(); ++e) {
+        EXPECT_EQ(one.op(e).points.size(), other.op(e).points.size()) << e;
+        ++(one.op(e).points.size() == 4 ? few : many);
+    }
+    EXPECT_GT(few, 50);
+    EXPECT_GT(many, 50);
 }
 
 }  // namespace
