@@ -82,6 +82,19 @@ struct PatchDisplacement {
     Eigen::VectorXd boundary;    // total displacement on Gamma, in the order of Patch::boundary
 };
 
+/// The contact nearest to a tip at or beyond a distance behind it, and how many there are.
+struct NearestContact {
+    double behind = std::numeric_limits<double>::infinity();  // the tip, mm; infinity: there is none
+    double pressure = 0.0;                                    // MPa
+    // |tau + c slip| - mu p, MPa, with the slip of this increment: zero or below where it sticks, above where it
+    // slides; minus infinity without friction.
+    double excess = -std::numeric_limits<double>::infinity();
+    std::int32_t closed = 0, sliding = 0;  // multipliers at or beyond the distance
+
+    [[nodiscard]] bool slides() const { return excess > 0.0; }
+    [[nodiscard]] bool operator==(const NearestContact&) const = default;
+};
+
 /// Digest of the internal-variable state: crosses at every Newton step.
 struct Digest {
     std::vector<std::int32_t> yielding_points;  // per zone element
@@ -93,8 +106,7 @@ struct Digest {
                                                // beyond it, MPa: above zero where faces touch; -infinity: no faces
     std::vector<double> opening;               // per tip, where the patch asks: mm; NaN: not in the zone
     std::vector<double> force_ahead;           // per tip, where the patch asks: integral of the normal stress ahead, N
-    std::vector<std::vector<std::int8_t>> slides;  // per tip and distance, where the patch asks: 1 where the nearest
-                                                   // contact at or beyond it slides
+    std::vector<std::vector<NearestContact>> nearest;  // per tip and distance, where the patch asks
 };
 
 /// The zone's answer: a nonlinear superelement.

@@ -14,7 +14,9 @@ bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& r
     const std::vector<double>& before = memory_.signal;
     const std::vector<double> now = meter_.signal(report, before);
     const auto same_sign = [](double a, double b) { return (a > 0.0) == (b > 0.0); };
-    return step.cycle > 0 && before.size() == now.size() && !std::ranges::equal(before, now, same_sign);
+    if (step.cycle == 0 || before.size() != now.size()) return false;
+    return !std::ranges::equal(before, now, same_sign) ||
+           meter_.may_hide_slip({0.0, 0.0, before, memory_.nearest}, {1.0, 1.0, now, meter_.nearest(report)});
 }
 
 std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report,
@@ -34,8 +36,9 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
         return trial;
     };
     const std::vector<double> now = meter_.signal(report, memory_.signal);
-    return meter_.locate({start, from.load_factor, memory_.signal}, {end, to.load_factor, now}, precision * extreme,
-                         try_at, expected(now, unit));
+    return meter_.locate({start, from.load_factor, memory_.signal, memory_.nearest},
+                         {end, to.load_factor, now, meter_.nearest(report)}, precision * extreme, try_at,
+                         expected(now, unit));
 }
 
 std::vector<double> ClosureMeasurement::met() const {
@@ -63,6 +66,9 @@ std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const Newto
     for (const OpeningChange& change : changes)  // may have been on the way, and be seen no more
         if (signals.is_slip(at(change.signal))) now[signals.index(change.tip, change.signal)] = 1.0;
     memory_.signal = now;
+    memory_.nearest = meter_.nearest(report);
+    for (coupling::NearestContact& contact : memory_.nearest)  // from here on it has slid nowhere
+        contact.excess = std::min(contact.excess, 0.0);
     if (step.reversal) meter_.forget_slip(memory_.signal);
     for (std::vector<double>* loads : {&memory_.opened, &memory_.closed}) loads->resize(now.size(), NAN);
     for (std::vector<double>* rates : {&memory_.opening_rates, &memory_.closing_rates})

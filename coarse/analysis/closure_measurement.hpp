@@ -13,8 +13,9 @@ namespace stria::coarse {
 
 /// What is remembered of signals, one number each (ClosureMeter::signal()).
 struct ClosureMemory {
-    std::vector<double> signal;          // of the committed state; empty before the first increment
-    std::vector<double> opened, closed;  // loads at which it last did, in units of the history; NaN: never
+    std::vector<double> signal;                     // of the committed state; empty before the first increment
+    std::vector<coupling::NearestContact> nearest;  // likewise, ClosureMeter::nearest()
+    std::vector<double> opened, closed;             // loads at which it last did, in units of the history; NaN: never
     // What it changed by per unit of the history beside these, where it was open, then where it was closed: two numbers
     // for each signal. NaN: nobody knows.
     std::vector<double> opening_rates, closing_rates;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "coarse/cycle/hidden_slip.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
@@ -77,11 +78,40 @@ std::vector<double> ClosureMeter::signal(const NewtonReport& report, const std::
         if (tension_) signal.push_back(t < last.force_ahead.size() ? -last.force_ahead[t] : -INFINITY);
         for (std::size_t k = 0; slip_ && k < distance_[t].size(); ++k) {
             const bool has_slid = !before.empty() && before[signal.size()] > 0.0;
-            const bool slides = t < last.slides.size() && last.slides[t][k] != 0;
+            const bool slides = t < last.nearest.size() && last.nearest[t][k].slides();
             signal.push_back(has_slid || slides ? 1.0 : -1.0);
         }
     }
     return signal;
+}
+
+std::vector<coupling::NearestContact> ClosureMeter::nearest(const NewtonReport& report) const {
+    const Residual& last = report.iterations.back().residual;
+    std::vector<coupling::NearestContact> nearest;
+    for (std::size_t t = 0; slip_ && t < distance_.size(); ++t)
+        for (std::size_t k = 0; k < distance_[t].size(); ++k)
+            nearest.push_back(t < last.nearest.size() ? last.nearest[t][k] : coupling::NearestContact());
+    return nearest;
+}
+
+std::vector<std::size_t> ClosureMeter::unslid(const ClosureStation& before, const ClosureStation& after) const {
+    const Signals count = signals();
+    std::vector<std::size_t> unslid;
+    if (before.nearest.empty() || after.nearest.empty()) return unslid;
+    for (std::size_t k = 0; k < after.signal.size(); ++k)
+        if (count.is_slip(count.kind_of(k)) && before.signal[k] <= 0.0 && after.signal[k] <= 0.0) unslid.push_back(k);
+    return unslid;
+}
+
+std::size_t ClosureMeter::contact_of(std::size_t signal) const {
+    const Signals count = signals();
+    return count.tip_of(signal) * count.slip + count.kind_of(signal) - count.first_slip();
+}
+
+bool ClosureMeter::may_hide_slip(const ClosureStation& before, const ClosureStation& after) const {
+    return std::ranges::any_of(unslid(before, after), [&](std::size_t k) {
+        return coarse::may_hide_slip(before.nearest[contact_of(k)], after.nearest[contact_of(k)]);
+    });
 }
 
 void ClosureMeter::remember_slip(const std::vector<double>& before, std::vector<double>& signal) const {
@@ -105,17 +135,33 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         const Crossing found = crossing(way, i, k, precision, k < expected.size() ? expected[k] : ExpectedCrossing());
         return found.known ? seen_closed(found, way[i], way[i + 1], k, precision) : found;
     };
+    const auto remember_from = [&](std::size_t i) {
+        for (std::size_t j = i; j < way.size(); ++j) remember_slip(way[j - 1].signal, way[j].signal);
+    };
+    const auto try_after = [&](std::size_t i, double share) {
+        auto between = try_between(way[i], way[i + 1], share, solve);
+        if (!between) return false;
+        way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
+        remember_from(i + 2);
+        return true;
+    };
+    // What slides and parts between two stations shows at neither: where it is found, the second one has slid.
+    const auto try_for_slip_after = [&](std::size_t i) {
+        for (const std::size_t k : unslid(way[i], way[i + 1])) {
+            const std::optional<Crossing> hidden = hidden_slip(way, i, contact_of(k), precision);
+            if (hidden && !hidden->known && try_after(i, hidden->share)) return true;
+            if (!hidden || !hidden->known) continue;
+            way[i + 1].signal[k] = 1.0;
+            remember_from(i + 2);
+        }
+        return false;
+    };
     for (std::size_t i = 0; i + 1 < way.size();) {
+        if (try_for_slip_after(i)) continue;
         const std::vector<std::size_t> changed = changed_signals(way[i], way[i + 1]);
         const auto unknown = std::ranges::find_if(changed, [&](std::size_t k) { return !crossing_of(i, k).known; });
         const bool found = unknown == changed.end();
-        if (!found) {
-            if (auto between = try_between(way[i], way[i + 1], crossing_of(i, *unknown).share, solve)) {
-                way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
-                for (std::size_t j = i + 2; j < way.size(); ++j) remember_slip(way[j - 1].signal, way[j].signal);
-                continue;
-            }
-        }
+        if (!found && try_after(i, crossing_of(i, *unknown).share)) continue;
         for (const std::size_t k : changed) {
             const auto [share, known] = crossing_of(i, k);
             const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
@@ -148,7 +194,8 @@ std::optional<ClosureStation> ClosureMeter::try_between(const ClosureStation& be
         const double target = std::lerp(before.target, after.target, way);
         const Trial trial = solve(target);
         if (trial.report.converged)
-            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal)};
+            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal),
+                                  nearest(trial.report)};
     }
     return std::nullopt;
 }

@@ -72,6 +72,10 @@ public:
     /// contact coupling::Digest::contact; of the metal ahead minus the normal force; of slip 1 or -1. `before`: in the
     /// state that it comes from, or empty. What has slid counts as sliding until the load turns.
     [[nodiscard]] std::vector<double> signal(const NewtonReport& report, const std::vector<double>& before) const;
+    /// Where sliding is measured the contact nearest to each tip, per distance, in Newton's last state.
+    [[nodiscard]] std::vector<coupling::NearestContact> nearest(const NewtonReport& report) const;
+    /// A tip that has not slid may have on the way between two states.
+    [[nodiscard]] bool may_hide_slip(const ClosureStation& before, const ClosureStation& after) const;
     /// As a half cycle begins: nothing has slid in it.
     void forget_slip(std::vector<double>& signal) const;
 
@@ -101,6 +105,11 @@ private:
     /// load at which contact comes or goes is known once a state beside it is, to `precision`, with the faces closed.
     [[nodiscard]] Crossing seen_closed(const Crossing& found, const ClosureStation& before, const ClosureStation& after,
                                        std::size_t k, double precision) const;
+
+    /// Signals of slip that neither of two states has.
+    [[nodiscard]] std::vector<std::size_t> unslid(const ClosureStation& before, const ClosureStation& after) const;
+    /// Of a signal of slip the place in nearest().
+    [[nodiscard]] std::size_t contact_of(std::size_t signal) const;
 
     void remember_slip(const std::vector<double>& before, std::vector<double>& signal) const;
 

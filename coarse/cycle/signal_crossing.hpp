@@ -6,12 +6,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "coupling/messages.hpp"
+
 namespace stria::coarse {
 
 /// A state on the way of an increment.
 struct ClosureStation {
     double target, load_factor;
-    std::vector<double> signal;  // ClosureMeter::signal()
+    std::vector<double> signal;                          // ClosureMeter::signal()
+    std::vector<coupling::NearestContact> nearest = {};  // ClosureMeter::nearest()
 };
 
 [[nodiscard]] inline bool is_closed(double signal) { return signal > 0.0; }

@@ -35,7 +35,7 @@ struct Residual {
     std::vector<std::vector<double>> faces = {};  // per tip and distance behind it: coupling::Digest
     std::vector<double> opening = {};             // per tip, mm; NaN where the zone does not hold the place
     std::vector<double> force_ahead = {};  // per tip, where it is measured: normal stress over the sector ahead, N
-    std::vector<std::vector<std::int8_t>> slides = {};  // likewise, per distance behind it: the nearest contact slides
+    std::vector<std::vector<coupling::NearestContact>> nearest = {};  // likewise, per distance behind it
 
     [[nodiscard]] double largest() const { return std::max({boundary, interior, contact}); }
     [[nodiscard]] double largest_nodal() const { return std::max({nodal, interior, contact}); }

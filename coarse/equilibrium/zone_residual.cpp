@@ -16,7 +16,7 @@ void add_zone(Residual& residual, const coupling::PatchResponse& response) {
     residual.faces = digest.contact;
     residual.opening = digest.opening;
     residual.force_ahead = digest.force_ahead;
-    residual.slides = digest.slides;
+    residual.nearest = digest.nearest;
     residual.along = response.along;
     residual.along_before = response.along_before;
     residual.provisional = response.provisional;

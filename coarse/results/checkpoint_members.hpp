@@ -172,8 +172,9 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 }
 
 void members(auto& archive, Is<ClosureMemory> auto& m) {
-    auto& [signal, opened, closed, opening_rates, closing_rates] = m;
+    auto& [signal, nearest, opened, closed, opening_rates, closing_rates] = m;
     archive("signal", signal);
+    as_bytes(archive, "nearest", nearest);
     archive("opened", opened);
     archive("closed", closed);
     archive("opening_rates", opening_rates);

@@ -19,6 +19,13 @@ template <class T> void widen(std::vector<T>& list, std::size_t size, const T& v
     if (list.size() < size) list.resize(size, value);
 }
 
+NearestContact merged(const NearestContact& one, const NearestContact& other) {
+    NearestContact nearest = other.behind < one.behind ? other : one;
+    nearest.closed = one.closed + other.closed;
+    nearest.sliding = one.sliding + other.sliding;
+    return nearest;
+}
+
 void add_digest(Digest& whole, const Digest& part, const std::vector<int>& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) whole.yielding_points[at(elements[e])] = part.yielding_points[e];
     raise(whole.largest_plastic_increment, part.largest_plastic_increment);
@@ -35,11 +42,11 @@ void add_digest(Digest& whole, const Digest& part, const std::vector<int>& eleme
         if (std::isfinite(part.opening[t])) whole.opening[t] = part.opening[t];
     widen(whole.force_ahead, part.force_ahead.size());
     for (std::size_t t = 0; t < part.force_ahead.size(); ++t) whole.force_ahead[t] += part.force_ahead[t];
-    widen(whole.slides, part.slides.size());
-    for (std::size_t t = 0; t < part.slides.size(); ++t) {
-        widen(whole.slides[t], part.slides[t].size());
-        for (std::size_t k = 0; k < part.slides[t].size(); ++k)
-            whole.slides[t][k] = std::max(whole.slides[t][k], part.slides[t][k]);
+    widen(whole.nearest, part.nearest.size());
+    for (std::size_t t = 0; t < part.nearest.size(); ++t) {
+        widen(whole.nearest[t], part.nearest[t].size());
+        for (std::size_t k = 0; k < part.nearest[t].size(); ++k)
+            whole.nearest[t][k] = merged(whole.nearest[t][k], part.nearest[t][k]);
     }
 }
 

@@ -211,6 +211,7 @@ template std::vector<std::byte> pack(const Restore&);
 template std::vector<std::byte> pack(const Eigen::MatrixXd&);
 template std::vector<std::byte> pack(const std::vector<MultiplierSnapshot>&);
 template std::vector<std::byte> pack(const std::vector<FrozenTip>&);
+template std::vector<std::byte> pack(const std::vector<NearestContact>&);
 
 template Hello unpack(std::span<const std::byte>);
 template Failure unpack(std::span<const std::byte>);
@@ -225,5 +226,6 @@ template Eigen::MatrixXd unpack(std::span<const std::byte>);
 template Restore unpack(std::span<const std::byte>);
 template std::vector<MultiplierSnapshot> unpack(std::span<const std::byte>);
 template std::vector<FrozenTip> unpack(std::span<const std::byte>);
+template std::vector<NearestContact> unpack(std::span<const std::byte>);
 
 }  // namespace stria::coupling

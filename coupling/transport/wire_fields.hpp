@@ -82,11 +82,16 @@ void fields(auto& wire, Is<PatchDisplacement> auto& m) {
          step, held, settled_below, keeps_factor, last_below, check_rest, elastic, opens_faces, boundary);
 }
 
+void fields(auto& wire, Is<NearestContact> auto& m) {
+    auto& [behind, pressure, excess, closed, sliding] = m;
+    wire(behind, pressure, excess, closed, sliding);
+}
+
 void fields(auto& wire, Is<Digest> auto& m) {
     auto& [yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, opening,
-           force_ahead, slides] = m;
+           force_ahead, nearest] = m;
     wire(yielding_points, largest_plastic_increment, status, multiplier, status_changes, contact, opening, force_ahead,
-         slides);
+         nearest);
 }
 
 // Half of a symmetric tangent stands for the whole.

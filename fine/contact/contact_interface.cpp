@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "common/index.hpp"
@@ -242,36 +241,6 @@ double ContactInterface::dissipated(const Eigen::VectorXd& before, const Eigen::
                (closed ? law(k).pressure_times_slip(from, after[k]) : law(k).pressure_times_slip_until_open(from));
     }
     return sum;
-}
-
-double ContactInterface::contact_behind(const FacesBehind& part, const Eigen::VectorXd& traction, const Jumps& jumps,
-                                        const Eigen::VectorXd& u) const {
-    constexpr double least = std::numeric_limits<double>::min();  // the status decides the sign, not rounding
-    double contact = -std::numeric_limits<double>::infinity();
-    std::vector<std::pair<double, int>> open;  // gaps may be bounds: the most that -c g can be, and the multiplier
-    for (const int k : multipliers_of(operators_, part)) {
-        if (is_closed(status_[at(k)]))
-            contact = std::max({contact, traction[k], least});
-        else
-            open.emplace_back(-augmentation_[k] * jumps.gap[k], k);
-    }
-    if (contact > 0.0 || open.empty()) return contact;
-    std::swap(open.front(), *std::ranges::max_element(open));  // hardly another one needs to be read
-    for (const auto& [most, k] : open)
-        if (most > contact) contact = std::max(contact, std::min(-augmentation_[k] * operators_.gap(k, u), -least));
-    return contact;
-}
-
-bool ContactInterface::slides_behind(const FacesBehind& part, const Jumps& jumps, double rounding) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    bool sliding = false;
-    for (const int k : multipliers_of(operators_, part)) {
-        const double behind = part.distance(operators_.middle(k));
-        if (!is_closed(status_[at(k)]) || behind >= nearest) continue;
-        nearest = behind;
-        sliding = slides(k) && std::abs(jumps.slip[k]) > rounding;
-    }
-    return sliding;
 }
 
 // Beyond the last node of a branch a share may be negative: what it makes of pressure and shear is not.

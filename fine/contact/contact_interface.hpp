@@ -111,9 +111,10 @@ public:
     /// So it passes zero where contact is lost or made. `jumps`: as jumps_that_matter() has them at `u`.
     [[nodiscard]] double contact_behind(const FacesBehind& part, const Eigen::VectorXd& traction, const Jumps& jumps,
                                         const Eigen::VectorXd& u) const;
-    /// The closed multiplier nearest to the tip on that part slides, and by more than `rounding`, mm: where faces
+    /// The closed multiplier nearest to the tip on that part. It slides by more than `rounding`, mm: where faces
     /// transmit nothing any more rounding says whether they slide.
-    [[nodiscard]] bool slides_behind(const FacesBehind& part, const Jumps& jumps, double rounding) const;
+    [[nodiscard]] coupling::NearestContact nearest_behind(const FacesBehind& part, const Eigen::VectorXd& traction,
+                                                          const Jumps& jumps, double rounding) const;
 
     /// At a station from the multipliers: pressure and shear, MPa, and whether the one with the larger share slides.
     struct FaceTraction {

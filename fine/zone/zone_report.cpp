@@ -91,11 +91,11 @@ void put_faces(const TrialFaces& faces, coupling::Digest& digest) {
     digest.opening.clear();
     for (std::size_t t = 0; t < patch.opening_at.size(); ++t)
         digest.opening.push_back(opening_behind(patch, frozen, displacement, t));
-    digest.slides.assign(patch.slip_at.size(), {});
+    digest.nearest.assign(patch.slip_at.size(), {});
     for (std::size_t t = 0; t < patch.slip_at.size(); ++t)
         for (const double distance : patch.slip_at[t])
-            digest.slides[t].push_back(
-                contact.slides_behind(faces_behind(tips, t, distance), jumps, smallest_slip) ? 1 : 0);
+            digest.nearest[t].push_back(
+                contact.nearest_behind(faces_behind(tips, t, distance), traction, jumps, smallest_slip));
 }
 
 std::vector<TipRings> rings_of(const coupling::Patch& patch, const Materials& materials,

@@ -62,15 +62,16 @@ PatchResponse small_response() {
     response.unit_load = Eigen::Vector3d(0.0, 0.5, -0.25);
     response.interior_residual = 1e-9;
     response.contact_residual = 2e-9;
-    response.digest = {.yielding_points = {0, 4, 2},
-                       .largest_plastic_increment = 1e-4,
-                       .status = {0, 1},
-                       .multiplier = {0.0, -3.5},
-                       .status_changes = 1,
-                       .contact = {{-1.0}, {0.25, 2.0}},
-                       .opening = {2e-3, 0.0},
-                       .force_ahead = {-7.5, 2.0},
-                       .slides = {{1, 0}, {}}};
+    response.digest = {
+        .yielding_points = {0, 4, 2},
+        .largest_plastic_increment = 1e-4,
+        .status = {0, 1},
+        .multiplier = {0.0, -3.5},
+        .status_changes = 1,
+        .contact = {{-1.0}, {0.25, 2.0}},
+        .opening = {2e-3, 0.0},
+        .force_ahead = {-7.5, 2.0},
+        .nearest = {{{.behind = 0.25, .pressure = 40.0, .excess = -3.5, .closed = 7, .sliding = 2}, {}}, {}}};
     return response;
 }
 
@@ -129,7 +130,7 @@ TEST(Wire, HalfATangentIsTheLowerTriangle) {
             EXPECT_EQ(half.tangent.matrix(row, column), response.tangent.matrix(row, column));
     EXPECT_EQ(whole.tangent.matrix, response.tangent.matrix);
     EXPECT_EQ(half.force, response.force);
-    EXPECT_EQ(half.digest.slides, response.digest.slides);
+    EXPECT_EQ(half.digest.nearest, response.digest.nearest);
     EXPECT_THROW((void)unpack_half(std::span(bytes).first(bytes.size() - 1)), ComponentLost);
 }
 
@@ -211,7 +212,7 @@ TEST(Wire, Response) {
     EXPECT_EQ(copy.digest.yielding_points, small_response().digest.yielding_points);
     EXPECT_EQ(copy.digest.multiplier, small_response().digest.multiplier);
     EXPECT_EQ(copy.digest.status_changes, 1);
-    EXPECT_EQ(copy.digest.slides, small_response().digest.slides);
+    EXPECT_EQ(copy.digest.nearest, small_response().digest.nearest);
     EXPECT_EQ(copy.digest.opening, small_response().digest.opening);
 }
 

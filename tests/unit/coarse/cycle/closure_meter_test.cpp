@@ -27,11 +27,17 @@ Case rough() {
     return input;
 }
 
-NewtonReport with_slip(std::vector<std::int8_t> slides) {
+NewtonReport with_nearest(std::vector<coupling::NearestContact> nearest) {
     NewtonReport report{.converged = true, .iterations = {{}}, .lost = {}, .failure = {}};
-    report.iterations.back().residual.faces = {std::vector<double>(slides.size(), 1.0)};
-    report.iterations.back().residual.slides = {std::move(slides)};
+    report.iterations.back().residual.faces = {std::vector<double>(nearest.size(), 1.0)};
+    report.iterations.back().residual.nearest = {std::move(nearest)};
     return report;
+}
+
+NewtonReport with_slip(const std::vector<int>& slides) {
+    std::vector<coupling::NearestContact> nearest;
+    for (const int one : slides) nearest.push_back({.behind = 0.5, .pressure = 1.0, .excess = one == 0 ? -1.0 : 1.0});
+    return with_nearest(nearest);
 }
 
 /// Faces that touch as far as `reach` behind the tip, and press or open in proportion.
@@ -275,7 +281,7 @@ TEST(ClosureMeter, FindsWhereSlipComesToItsDistances) {
     const auto slides_in = [](const std::array<double, 2>& first, const std::array<double, 2>& second) {
         return [=](double target) {
             const auto slides = [&](const std::array<double, 2>& range) {
-                return static_cast<std::int8_t>(target > range[0] && target < range[1]);
+                return static_cast<int>(target > range[0] && target < range[1]);
             };
             return ClosureMeter::Trial{with_slip({slides(first), slides(second)}), target};
         };
@@ -302,7 +308,7 @@ TEST(ClosureMeter, FindsSlipOfFacesThatPartInTheSameIncrement) {
     const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
     const auto state = [](double target) {
         const double press = 37.3 - target;
-        NewtonReport report = with_slip({static_cast<std::int8_t>(target > 34.0 && press > 0.0), 0});
+        NewtonReport report = with_slip({static_cast<int>(target > 34.0 && press > 0.0), 0});
         report.iterations.back().residual.faces = {{press, press - 20.0}};
         return ClosureMeter::Trial{report, target};
     };
@@ -318,6 +324,37 @@ TEST(ClosureMeter, FindsSlipOfFacesThatPartInTheSameIncrement) {
     const auto meeting = meter.locate(station(40.0), station(30.0), 0.1, state);
     ASSERT_EQ(meeting.size(), 2U);
     for (const OpeningChange& change : meeting) EXPECT_NEAR(change.load_factor, 37.3, 0.1);
+}
+
+// Three contacts that part one after the other, each after it has slid, and a fourth that slides to the end: the first
+// slip counts, though neither the end of the increment nor what is tried for the last one shows it.
+TEST(ClosureMeter, FindsTheFirstSlipOfFacesThatPartOneAfterTheOther) {
+    const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
+    const auto state = [](double target) {
+        std::vector<coupling::NearestContact> nearest(2);
+        for (int k = 3; k >= 0; --k) {
+            const double parts = 32.0 + 2.5 * k, pressure = parts - target;
+            if (pressure <= 0.0) continue;
+            nearest[0] = {.behind = 0.2 + 0.3 * k, .pressure = pressure, .excess = 0.4 - pressure, .closed = 4 - k};
+            nearest[1] = nearest[0];
+        }
+        return ClosureMeter::Trial{with_nearest(nearest), target};
+    };
+    const auto station = [&](double target) {
+        const NewtonReport report = state(target).report;
+        return ClosureStation{target, target, meter.signal(report, {}), meter.nearest(report)};
+    };
+    for (const double end : {33.0, 36.0, 39.3, 45.0}) {
+        EXPECT_TRUE(meter.may_hide_slip(station(30.0), station(end)) || station(end).signal[2] > 0.0);
+        int trials = 0;
+        const auto changes = meter.locate(station(30.0), station(end), 0.05, [&](double target) {
+            ++trials;
+            return state(target);
+        });
+        ASSERT_EQ(changes.size(), 2U);
+        for (const OpeningChange& change : changes) EXPECT_NEAR(change.load_factor, 31.6, 0.05);
+        EXPECT_LT(trials, 25);
+    }
 }
 
 // A load that is as far off as the increment is long is none.

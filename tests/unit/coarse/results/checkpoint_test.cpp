@@ -33,6 +33,7 @@ Checkpoint some_checkpoint() {
     state.nominal = {{.a = 7.0, .K_I = 0.1, .CMOD = -0.0}};
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
     state.closure = {.signal = {1.5},
+                     .nearest = {{.behind = 0.25, .pressure = 40.0, .excess = -3.5, .closed = 7, .sliding = 2}, {}},
                      .opened = {2.5},
                      .closed = {3.5},
                      .opening_rates = {-4.5, -5.5},
@@ -101,6 +102,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.displacement, in.analysis.displacement);
     EXPECT_TRUE(std::signbit(out.analysis.displacement[1]));
     EXPECT_EQ(out.analysis.closure.signal, in.analysis.closure.signal);
+    EXPECT_EQ(out.analysis.closure.nearest, in.analysis.closure.nearest);
     EXPECT_EQ(out.analysis.closure.opened, in.analysis.closure.opened);
     EXPECT_EQ(out.analysis.closure.closed, in.analysis.closure.closed);
     EXPECT_EQ(out.analysis.closure.opening_rates, in.analysis.closure.opening_rates);

@@ -301,11 +301,23 @@ TEST(ContactInterface, SlipBehindATipIsThatOfTheNearestContact) {
         jumps.slip[k] = keys[at(k)].s < 4.0 ? -1e-3 : 1e-3;
     }
     contact.choose_statuses(traction, jumps);
+    const auto behind = [&](const fine::FacesBehind& part) {
+        return contact.nearest_behind(part, traction, jumps, 1e-6);
+    };
     for (const auto& [distance, slides] : {std::pair{0.1, false}, {3.0, false}, {4.1, true}, {9.0, false}})
-        EXPECT_EQ(contact.slides_behind({.crack = 0, .tip = 8.0, .from = distance}, jumps, 1e-6), slides) << distance;
-    EXPECT_FALSE(contact.slides_behind({.crack = 0, .tip = 8.0, .from = 4.1}, jumps, 1e-2));
-    EXPECT_FALSE(contact.slides_behind({.crack = 1, .tip = 8.0, .from = 4.1}, jumps, 1e-6));
-    EXPECT_FALSE(contact.slides_behind({.crack = 0, .tip = 8.0, .from = 4.1, .to = 4.2}, jumps, 1e-6));
+        EXPECT_EQ(behind({.crack = 0, .tip = 8.0, .from = distance}).slides(), slides) << distance;
+    EXPECT_FALSE(contact.nearest_behind({.crack = 0, .tip = 8.0, .from = 4.1}, traction, jumps, 1e-2).slides());
+    const auto none = behind({.crack = 1, .tip = 8.0, .from = 4.1});
+    EXPECT_FALSE(none.slides());
+    EXPECT_TRUE(std::isinf(none.behind));
+    EXPECT_FALSE(behind({.crack = 0, .tip = 8.0, .from = 4.1, .to = 4.2}).slides());
+    const auto sticks = behind({.crack = 0, .tip = 8.0, .from = 0.1}),
+               all_slide = behind({.crack = 0, .tip = 8.0, .from = 4.1});
+    EXPECT_EQ(sticks.pressure, 10.0);
+    EXPECT_DOUBLE_EQ(sticks.excess, 3.8 - 0.4 * 10.0);
+    EXPECT_EQ(sticks.sliding, all_slide.closed);
+    EXPECT_EQ(all_slide.sliding, all_slide.closed);
+    EXPECT_GT(sticks.closed, all_slide.closed);
 }
 
 // A block that slides under a pressure that grows from 2 to 6 MPa: the mean bound times the slip.
