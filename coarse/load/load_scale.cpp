@@ -11,6 +11,10 @@
 namespace stria::coarse {
 namespace {
 
+// Beside a K_II that slides what is left of K_I opens nothing, nor does it press: of a crack that is sheared, on a mesh
+// that is not quite symmetric.
+constexpr double negligible = 0.01;
+
 /// Of one tip, MPa sqrt(mm).
 struct Modes {
     double K_I, K_II;
@@ -44,9 +48,15 @@ double largest_of_cases(const CaseHistories& cases, std::vector<double> K, doubl
     return cases.largest_sum(K, scale);
 }
 
-/// Of each tip at the two extremes of the history.
+/// Of each tip at the two extremes of the history, with load cases at their largest.
 struct Extremes {
     Modes at_largest, at_smallest;
+    double least_K_I;  // with load cases at their least
+
+    [[nodiscard]] double largest() const { return std::max(at_largest.equivalent(), at_smallest.equivalent()); }
+    [[nodiscard]] bool presses_rough_faces() const {
+        return at_largest.friction.value_or(0.0) > 0.0 && least_K_I < -negligible * largest();
+    }
 };
 std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& nominal, double grown,
                                const CaseHistories& cases) {
@@ -55,25 +65,26 @@ std::vector<Extremes> extremes(const LoadSection& load, const UnitResponse& nomi
     const double smallest = load_factor_at(smallest_value(load), load, nominal, grown);
     std::vector<Extremes> all;
     for (std::size_t t = 0; t < nominal.K_I.size(); ++t) {
-        double added_I = value_at(nominal.K_initial, t), added_II = 0.0;
+        double added_I = value_at(nominal.K_initial, t), least_added_I = added_I, added_II = 0.0;
         if (cases.count() > 0) {
             const std::vector<double> K_II = K_II_of_cases(nominal, t, cases);
             added_I += largest_of_cases(cases, nominal.K_I_of_cases[t], 1.0, scale);
+            least_added_I -= largest_of_cases(cases, nominal.K_I_of_cases[t], -1.0, scale);
             added_II = std::max(largest_of_cases(cases, K_II, 1.0, scale), largest_of_cases(cases, K_II, -1.0, scale));
         }
         const auto at = [&](double factor) -> Modes {
             const double sliding = value_at(nominal.K_II, t) * factor + value_at(nominal.K_II_initial, t);
             return {nominal.K_I[t] * factor + added_I, std::abs(sliding) + added_II, friction_of(nominal, t)};
         };
-        all.push_back({at(largest), at(smallest)});
+        const double least = std::min(nominal.K_I[t] * largest, nominal.K_I[t] * smallest) + least_added_I;
+        all.push_back({at(largest), at(smallest), least});
     }
     return all;
 }
 
 bool presses_rough_faces(const Case& input, const UnitResponse& nominal) {
-    const auto rubs = [](const Modes& tip) { return tip.is_pressed() && *tip.friction > 0.0; };
     return std::ranges::any_of(extremes(input.load, nominal, 0.0, CaseHistories(input)),
-                               [&](const Extremes& tip) { return rubs(tip.at_largest) || rubs(tip.at_smallest); });
+                               [](const Extremes& tip) { return tip.presses_rough_faces(); });
 }
 
 }  // namespace
@@ -95,8 +106,7 @@ double load_factor_at(double value, const LoadSection& load, const UnitResponse&
 std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nominal, double grown,
                               const CaseHistories& cases) {
     std::vector<double> K;
-    for (const auto& [at_largest, at_smallest] : extremes(load, nominal, grown, cases))
-        K.push_back(std::max(at_largest.equivalent(), at_smallest.equivalent()));
+    for (const Extremes& tip : extremes(load, nominal, grown, cases)) K.push_back(tip.largest());
     return K;
 }
 
@@ -114,10 +124,7 @@ struct LargestK {
     std::vector<double> any, opening;
 };
 
-// Beside a K_II that slides what is left of K_I opens nothing: of a crack that is sheared, on a mesh that is not quite
-// symmetric.
 LargestK largest_of(const Case& input, UnitResponse nominal) {
-    constexpr double negligible = 0.01;
     const CaseHistories cases(input);
     LargestK K{.any = largest_K(input.load, nominal, 0.0, cases), .opening = {}};
     nominal.K_II.clear();

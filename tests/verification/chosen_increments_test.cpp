@@ -2,6 +2,8 @@
 // program chooses, against many given ones (docs/performance.md, increments chosen by the program).
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -87,6 +89,19 @@ TEST(ChosenIncrements, TellTheWorkOfLoadsThatRunAlongACurve) {
     const double exact = dissipated_out_of_phase({"load.steps=96"});
     EXPECT_GT(exact, 1.0);
     EXPECT_NEAR(dissipated_out_of_phase({}), exact, 0.015 * exact);
+}
+
+/// What friction takes in four cycles of a crack that one load case presses and another one shears, N.
+double dissipated_under_pressing_case(int steps) {
+    const std::string file = std::string(source_folder) + "/bench/pressed_by_a_case/case.toml";
+    return run_direct(read_case(file, {fmt::format("load.steps={}", steps)})).increments.back().work.dissipated;
+}
+
+// By increments that were large where the load turns 1.2 % were missing.
+TEST(ChosenIncrements, AreEqualWhereALoadCasePresses) {
+    const double exact = dissipated_under_pressing_case(96);
+    EXPECT_GT(exact, 1.0);
+    EXPECT_NEAR(dissipated_under_pressing_case(8), exact, 0.003 * exact);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "common/error.hpp"
 
@@ -106,6 +108,34 @@ TEST(LoadScale, IncrementsAreEqualWhereTheLoadPressesRoughFaces) {
     input.load_cases.clear();
     input.load.grading = 0.7;
     EXPECT_EQ(*graded_load(input, unit).grading, 0.7);
+}
+
+// One load case presses the faces, another one shears them to and fro: what the first would do at its best opens
+// nothing.
+TEST(LoadScale, IncrementsAreEqualWhereALoadCasePressesRoughFaces) {
+    Case input;
+    input.load.blocks = {{.max = 1.0, .min = 0.0}};
+    for (const auto& [name, at_max, at_min] : {std::tuple{"press", 0.0, -2.0}, {"shear", 1.0, -1.0}}) {
+        LoadCaseSection& load_case = input.load_cases.emplace_back();
+        load_case.name = name;
+        load_case.blocks = {{.cycles = 1, .at_max = at_max, .at_min = at_min}};
+    }
+    UnitResponse unit{.K_I = {0.0},
+                      .K_II = {0.0},
+                      .K_I_of_cases = {{10.0, -1e-3}},  // of the mesh
+                      .K_II_of_cases = {{0.0, 30.0}},
+                      .friction = {0.3}};
+    EXPECT_EQ(graded_load(input, unit).grading, 1.0);
+    unit.friction = {0.0};
+    EXPECT_EQ(graded_load(input, unit).grading, std::nullopt);
+    unit.friction = {0.3};
+    input.load_cases.front().blocks.front().at_min = 0.0;
+    EXPECT_EQ(graded_load(input, unit).grading, std::nullopt) << "sheared alone";
+    input.load_cases.front().blocks.clear();
+    input.load_cases.front().constant = -2.0;
+    EXPECT_EQ(graded_load(input, unit).grading, 1.0);
+    unit.K_initial = {30.0};
+    EXPECT_EQ(graded_load(input, unit).grading, std::nullopt) << "held open";
 }
 
 // One peak in ten cycles makes more than half of the growth where its exponent is 4: 16 of 25 parts.
