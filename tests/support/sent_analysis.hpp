@@ -65,8 +65,10 @@ inline coarse::Scene refined_along(const Case& input, const Vec2& from, const Ve
     return coarse::make_scene(input, coarse::refine(body, {{from, to, radius, levels, input.fine.growth}}).mesh);
 }
 
-inline RunHistory run_analysis(coarse::EquilibriumFactory& factory, const coarse::Scene& scene) {
+/// With the faces of each increment.
+inline RunHistory run_analysis(coarse::EquilibriumFactory& factory, coarse::Scene scene) {
     use_one_thread();
+    scene.input.output.faces = Written::All;
     RunHistory history;
     coarse::Listener listener;
     listener.accepted = [&](const coarse::Increment& increment, const coarse::Structure&) {
