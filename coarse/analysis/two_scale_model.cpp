@@ -22,15 +22,17 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
                              const AnalysisState* from)
     : body_(body), solver_(solver), closure_(closure), factory_(factory), effort_(effort), note_(note),
       gives_way_at_(gives_way_at(body.scene())), peaks_between_(CaseHistories(body.scene().input).peak_between_ends()),
-      guard_(body.scene().materials), displacement_(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)) {
+      guard_(body.scene().materials),
+      displacement_(from != nullptr ? from->displacement
+                                    : Eigen::VectorXd(Eigen::VectorXd::Zero(body.scene().enriched.unknowns)),
+                    effort.work.structure_solves_full) {
     const Stopwatch watch(effort_.setup_s);
     if (from != nullptr) {
-        displacement_ = from->displacement;
         factors_ = {from->load_factor, from->equilibrium.cases};
         largest_force_ = from->largest_force;
     }
     std::optional<coupling::Patch> patch;
-    if (body_.has_zone()) patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
+    if (body_.has_zone()) patch = patch_of(body_.scene(), body_.in_zone(), displacement_.beside_far());
     couple(patch, from);
     if (from == nullptr) {
         (void)room_.look_at(*rings_);  // what there is to say at the start has been said (case_warnings())
@@ -42,7 +44,7 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
 }
 
 void TwoScaleModel::write(AnalysisState& state) const {
-    state.displacement = is_behind_ ? equilibrium_->structure_displacement() : displacement_;
+    state.displacement = displacement_.write_beside_far(*equilibrium_);
     state.load_factor = factors_.main;
     state.largest_force = largest_force_;
     state.work = work_;
@@ -52,12 +54,12 @@ void TwoScaleModel::write(AnalysisState& state) const {
 
 void TwoScaleModel::write_dear(AnalysisState& state) const {
     if (body_.has_zone()) state.zone = factory_.zone_snapshot();
-    if (far_ && !is_behind_) far_->put_into(state.displacement, body_.scene().enriched);
+    displacement_.write_far(mesh(), state.displacement);
 }
 
 void TwoScaleModel::write_kept(AnalysisState& state) const {
     if (is_kept_) state.zone = factory_.kept_zone();
-    if (kept_far_) kept_far_->put_into(state.displacement);
+    displacement_.write_kept_far(state.displacement);
 }
 
 CoarseEffort TwoScaleModel::effort() const {
@@ -68,7 +70,8 @@ CoarseEffort TwoScaleModel::effort() const {
 
 // The zone turns to its patch while the structure is condensed. `begun`: it has begun to turn to this one.
 void TwoScaleModel::turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun) {
-    if (!begun && !in_zone.none()) factory_.begin_zone(begun.emplace(patch_of(body_.scene(), in_zone, displacement_)));
+    if (!begun && !in_zone.none())
+        factory_.begin_zone(begun.emplace(patch_of(body_.scene(), in_zone, displacement_.beside_far())));
     body_.condense_onto(in_zone);
     couple(begun);
 }
@@ -80,9 +83,9 @@ void TwoScaleModel::couple(const std::optional<coupling::Patch>& patch, const An
     rings_.emplace(body_.take_rings());
     const coupling::Patch* zone_patch = patch ? &*patch : nullptr;
     if (equilibrium_) effort_ += equilibrium_->effort();
-    equilibrium_ = from != nullptr ? factory_.resume(structure, zone_patch, displacement_, from->zone)
-                                   : factory_.make(structure, zone_patch, displacement_, factors_);
-    if (patch) restart(work_, structure, displacement_);
+    equilibrium_ = from != nullptr ? factory_.resume(structure, zone_patch, displacement_.beside_far(), from->zone)
+                                   : factory_.make(structure, zone_patch, displacement_.beside_far(), factors_);
+    if (patch) restart(work_, structure, displacement_.beside_far());
     note_(fmt::format("{} elements, {} of them in the zone; {} unknowns of the structure, {} on the interface",
                       structure.in_zone().size(), structure.in_zone().count(), structure.unknowns(),
                       structure.gamma().size()));
@@ -134,7 +137,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
     equilibrium_->begin_commit(what);  // the zone commits while the structure looks at its rings
     const RingIntegrals own = what.brief ? rings_->unknown() : rings_->integrals(equilibrium_->near_displacement());
     increment.zone = equilibrium_->commit(what);
-    is_behind_ = true;
+    displacement_.fall_behind();
     increment.equilibrium = equilibrium_.get();
     body_.note_flow(equilibrium_->yielding_points());
     increment.tips =
@@ -148,7 +151,7 @@ Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report
 void TwoScaleModel::extend_zone(const std::vector<int>& yielding) {
     const ElementSet inside = flowing_in(body_.in_zone(), equilibrium_->yielding_points());
     rollback();
-    refresh_displacement();
+    displacement_.catch_up(*equilibrium_, mesh());
     ++effort_.counts.zone_extensions;
     std::vector<int> joining = yielding;
     if (std::unique_ptr<FinerScene> finer = body_.finer_about_flow(yielding, inside)) {
@@ -165,14 +168,11 @@ void TwoScaleModel::prepare_growth() {
     const Stopwatch watch(effort_.growth_s);
     is_kept_ = body_.has_zone();
     if (is_kept_) factory_.keep_zone();
-    if (is_kept_ && std::exchange(is_behind_, false)) {
-        DisplacementBesideFar known = equilibrium_->displacement_beside_far();
-        displacement_ = std::move(known.u);
-        far_ = std::move(known.far);
-    } else {
-        refresh_displacement();
-    }
-    kept_far_ = far_;
+    if (is_kept_)
+        displacement_.catch_up_beside_far(*equilibrium_, mesh());
+    else
+        displacement_.catch_up(*equilibrium_, mesh());
+    displacement_.keep_far();
 }
 
 // What becomes fine because of its functions is so before they change. What else eq. (3) is expected to want joins with
@@ -187,11 +187,11 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     if (grown.finer) outgrown = split_elements(std::move(*grown.finer));
     const ElementSet changed = body_.zone_with_changes(*grown.longer);
     const ElementSet expected = body_.zone_expected_about(*grown.longer, changed);
-    find_far_where_some(expected);
-    if (changed != body_.in_zone()) factory_.extend_zone(patch_of(body_.scene(), changed, displacement_));
+    displacement_.find_far(mesh(), expected);
+    if (changed != body_.in_zone()) factory_.extend_zone(patch_of(body_.scene(), changed, displacement_.beside_far()));
     std::unique_ptr<Scene> keeping = body_.keeping_functions(*grown.longer);
     const Scene& next = keeping ? *keeping : *grown.longer;
-    Eigen::VectorXd carried = body_.carried_to(next, displacement_);
+    Eigen::VectorXd carried = body_.carried_to(next, displacement_.beside_far());
     std::optional<coupling::Patch> patch;
     if (body_.has_zone())
         factory_.begin_zone(patch.emplace(patch_of(next, expected, carried)));
@@ -202,14 +202,15 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     std::optional<CarriedIncrements> increments;
     if (kept) increments.emplace(before, known, after, gamma_about(in_zone, before));
     outgrown = {};
-    displacement_ = std::move(carried);
+    displacement_.on_next_mesh() = std::move(carried);
     body_.take(std::move(grown.longer), std::move(keeping));
-    find_far_where_some(in_zone);
+    displacement_.find_far(mesh(), in_zone);
     if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
     turn_to(in_zone, std::move(patch));
     for (const std::string& warning : room_.look_at(*rings_)) note_("warning: " + warning);
-    kept_far_.reset();
-    if (far_ && !far_->is_of(body_.structure().factors().far.get())) find_far();  // lest two far parts stay
+    displacement_.forget_kept_far();
+    if (displacement_.lacks_far_other_than(body_.structure().factors().far.get()))
+        displacement_.find_far(mesh());  // lest two far parts stay
     if (increments) equilibrium_->restore(increments->added_to(equilibrium_->state(), body_.structure()));
     return kept;
 }
@@ -220,31 +221,13 @@ CrackedBody::Outgrown TwoScaleModel::split_elements(FinerScene finer) {
     ElementSet split(body_.scene().mesh.elements.size());
     for (const int whole : part_of)
         if (whole >= 0) split.insert(whole);
-    find_far_where_some(split);
-    CrackedBody::Outgrown outgrown = body_.take_finer(std::move(finer), displacement_);
-    coupling::Patch patch = patch_of(body_.scene(), body_.in_zone(), displacement_);
+    displacement_.find_far(mesh(), split);
+    CrackedBody::Outgrown outgrown = body_.take_finer(std::move(finer), displacement_.on_next_mesh());
+    coupling::Patch patch = patch_of(body_.scene(), body_.in_zone(), displacement_.beside_far());
     for (const int e : patch.mesh.element_ids) patch.part_of.push_back(part_of[at(e)]);
     factory_.extend_zone(patch);
     ++effort_.counts.mesh_splits;
     return outgrown;
-}
-
-// Only a new structure wants to know what the whole mesh did; the trial state must be the committed one.
-void TwoScaleModel::refresh_displacement() {
-    if (!std::exchange(is_behind_, false)) return find_far();
-    displacement_ = equilibrium_->structure_displacement();
-    far_.reset();
-}
-
-void TwoScaleModel::find_far() {
-    if (const Far far = std::exchange(far_, nullptr)) {
-        far->put_into(displacement_, body_.scene().enriched);
-        ++effort_.work.structure_solves_full;
-    }
-}
-
-void TwoScaleModel::find_far_where_some(const ElementSet& are_far) {
-    if (far_ && far_->is_of_some(are_far)) find_far();
 }
 
 }  // namespace stria::coarse

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "coarse/analysis/committed_displacement.hpp"
 #include "coarse/analysis/growth/crack_growth.hpp"
 #include "coarse/analysis/growth/room_of_tips.hpp"
 #include "coarse/cycle/closure_meter.hpp"
@@ -61,9 +62,7 @@ private:
     void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     CrackedBody::Outgrown split_elements(FinerScene finer);
-    void refresh_displacement();
-    void find_far();
-    void find_far_where_some(const ElementSet& are_far);
+    [[nodiscard]] const EnrichedMesh& mesh() const { return body_.scene().enriched; }
     [[nodiscard]] coupling::Patch patch_of(const Scene& scene, const ElementSet& in_zone,
                                            const Eigen::VectorXd& displacement) const;
 
@@ -79,10 +78,7 @@ private:
     std::unique_ptr<Equilibrium> equilibrium_;
     std::optional<StructureRings> rings_;  // of the present structure
     RoomOfTips room_;
-    Eigen::VectorXd displacement_;  // committed, of the whole mesh, mm; behind while increments are accepted:
-    bool is_behind_ = false;        // refresh_displacement()
-    using Far = std::shared_ptr<const FarDisplacement>;
-    Far far_, kept_far_;          // what displacement_ lacks; and lacked when prepare_growth() was called
+    CommittedDisplacement displacement_;
     bool is_kept_ = false;        // prepare_growth() has met a zone
     LoadFactors factors_;         // committed
     double largest_force_ = 0.0;  // largest scale of a residual that was committed, N/mm
