@@ -163,7 +163,7 @@ struct TipReport {
 
 /// The zone's share in the balance of work, N (per mm of thickness).
 struct EnergyReport {
-    double stored = 0;    // elastic and by hardening, in all points: a state; zero in brief
+    double stored = 0;    // elastic and by hardening, in all points: a state
     double released = 0;  // in this increment by faces that a growth has opened (docs/equations.md, work balance)
     double friction = 0;  // dissipated in this increment by faces that slide
     // N: in this increment, what a trapezoid says that pressures do which faces gain or lose. They do none on the way.
@@ -175,7 +175,7 @@ struct EnergyReport {
 /// What a commit is to do and to tell.
 struct Commit {
     bool reversal = false;  // the load turned after this increment: plastic zones start anew
-    bool brief = false;     // nobody reads rings and stored energy
+    bool brief = false;     // nobody reads rings
     bool no_faces = false;  // nor faces
     bool releases = false;  // faces that growth has opened, here or with another rank: no part of a half cycle
 };

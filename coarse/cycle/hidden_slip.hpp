@@ -10,7 +10,7 @@
 namespace stria::coarse {
 
 /// A contact that slides at neither of two states may on the way between them: it is not the same one, or others have
-/// parted, met, begun to slide or stuck, and the way of its tractions has a bend.
+/// parted, met, begun to slide or stuck (their numbers tell), and the way of its tractions has a bend.
 [[nodiscard]] bool may_hide_slip(const coupling::NearestContact& before, const coupling::NearestContact& after);
 
 /// Contact `k` of ClosureStation::nearest has slid neither at station i of a way nor at i + 1: where between them it is

@@ -165,7 +165,7 @@ std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::Vecto
         const Tip& tip = scene.enriched.tips[at(t)];
         const RingValues values = values_of(rings.about(t).of_K(u), scene.elastic(tip).plane_modulus(), 0.0);
         results.push_back(at_place_of(scene, tip));
-        results.back().J = results.back().J_spread = results.back().K_spread = std::nan("");
+        results.back().J = results.back().J_spread = results.back().K_spread = results.back().CMOD = std::nan("");
         results.back().K_I = values.K_I;
         results.back().K_II = values.K_II;
         results.back().T_stress = values.T_stress;

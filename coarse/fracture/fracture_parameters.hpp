@@ -63,8 +63,7 @@ std::vector<TipResult> fracture_parameters(const StructureRings& rings, const Ei
 std::vector<TipResult> fracture_parameters(const Structure& structure, const Eigen::VectorXd& u,
                                            const coupling::StepReport& report);
 
-/// K and T alone, of a solution in which no element is in a zone and without an initial stress. It asks for less: what
-/// it leaves out is NaN, zones and lengths of contact are zero.
+/// K and T alone, of a solution in which no element is in a zone and without an initial stress. J and openings are NaN.
 std::vector<TipResult> nominal_K(const StructureRings& rings, const Eigen::VectorXd& u);
 
 /// Openings of crack faces that the structure holds, joined with the zone's, ordered by crack and arc length.

@@ -44,8 +44,8 @@ std::vector<double> largest_K(const LoadSection& load, const UnitResponse& nomin
                               const CaseHistories& cases = {});
 
 /// The history with equal increments where the case does not grade them, no load case lags and the load presses faces
-/// with friction together at an extreme (by nominal K_I, with each load case at its least). What they slide on the way
-/// back a trapezoid tells per increment.
+/// with friction together at an extreme (by nominal K_I, by more than a hundredth of the largest K, with each load case
+/// at its least). What they slide on the way back a trapezoid tells per increment.
 LoadSection graded_load(const Case& input, const UnitResponse& nominal);
 
 /// What the default distance of closure goes by: the K_I of largest_K; where nothing opens the crack, largest_K.

@@ -25,6 +25,9 @@ constexpr double least_for_T = 4.0;
 /// near a tip is paid for in each increment.
 constexpr double most_across = 40.0;
 
+/// Metal may flow over any number of elements as large as the body's: J is then wanted from as far away as there is.
+bool flows_far(const Scene& scene) { return scene.materials.may_yield() && scene.input.fine.refine == 1; }
+
 /// The longest edge of a mesh, or any that is as long as `enough`, mm.
 double long_edge(const Mesh& mesh, double enough) {
     double squared = 0.0;
@@ -81,7 +84,8 @@ double largest_ring(const Scene& scene, int tip_index) {
     const double reach =
         tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip_index, bend_to_element * tip_element_size(mesh, tip));
     const double free = 0.95 * std::min(reach, distance_to_loads(scene.mesh, scene.loads, tip.position));
-    const double radius = std::min(free, most_across * long_edge(scene.mesh, free / most_across));
+    const double radius =
+        flows_far(scene) ? free : std::min(free, most_across * long_edge(scene.mesh, free / most_across));
     const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
     return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);
 }

@@ -10,7 +10,8 @@
 namespace stria::coarse {
 
 /// Outer radius of the largest ring around a tip, mm: within its reach, off forces, no longer than 40 of the body's
-/// longest edges, and inside the tip's metal, unless that leaves less than four elements.
+/// longest edges where nothing flows over many of them, and inside the tip's metal, unless that leaves less than four
+/// elements.
 double largest_ring(const Scene& scene, int tip);
 
 /// Of the largest one that other metals allow (Materials::are_alike()), mm; infinite where there are none.

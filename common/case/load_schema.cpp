@@ -60,7 +60,8 @@ void declare_increments(Section<LoadSection>& s) {
             "than 1.2 elements behind the tip in compression; K_op was then off by 0.002 of K_max at most.");
     s.value("grading", &LoadSection::grading)
         .positive()
-        .or_else("1 where the load presses faces with friction; else 0.4 with steps = \"auto\", 0.6 with a number")
+        .or_else("1 where the load presses faces with friction, by more than a hundredth of the largest K; else 0.4 "
+                 "with steps = \"auto\", 0.6 with a number")
         .says("Of the increments between two reversals: k of h ends at (k/h)^grading of the way; 1: equal ones, 0.4: "
               "large where little flows, small where the load turns. Where load cases lag and this is absent, equal "
               "angles of the cycle.");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "common/case/case_questions.hpp"
 #include "common/geometry/segment.hpp"
@@ -13,6 +14,15 @@ namespace {
 
 constexpr int points_of_element = 4;       // Gauss points of an interface element
 constexpr double rounding_of_gap = 1e-14;  // of the terms that it is the sum of
+
+/// Arc length, of a crack with two tips: its middle, and by so little nearer to one end, the lower in x, then in y,
+/// that of two crossings as far from the middle rounding does not choose.
+double place_of_origin(const std::vector<Vec2>& points) {
+    constexpr double aside = 1e-6;  // of the length
+    const Vec2 &first = points.front(), &last = points.back();
+    const bool ascends = std::pair(first.x(), first.y()) < std::pair(last.x(), last.y());
+    return (ascends ? 0.5 - aside : 0.5 + aside) * length_of(points);
+}
 
 bool is_smooth(const ContactSection& contact, double s) {
     return !contact.smooth.empty() && s > contact.smooth[0] && s < contact.smooth[1];
@@ -101,7 +111,7 @@ MultiplierSpace FaceOperators::space_on(const EnrichedMesh& mesh, const std::vec
                                         const CrackSection& section) const {
     if (section.contact->multipliers == MultiplierKind::Stable) {
         const double mouth = mesh.mouths[at(crack)], grown = mesh.grown_at_start_of(crack);
-        const double origin = std::isnan(mouth) ? grown + 0.5 * length_of(section.points) : mouth;
+        const double origin = std::isnan(mouth) ? grown + place_of_origin(section.points) : mouth;
         return MultiplierSpace(mesh, boundary, crack, notch_of(section, grown), origin);
     }
     std::vector<double> points;

@@ -90,8 +90,12 @@ TEST(MultiplierSpace, NoTwoCrossingsWithAMultiplierShareANode) {   // so each ha
 }
 
 // Of two tips and of a mouth, straight, and with a piece of a hundredth of an element between two kinks.
+// Then some whose middle is as far from two crossings that share a node.
 TEST(MultiplierSpace, TheyStandWhereTheyDoWhicheverEndOfTheCrackIsFirst) {
-    for (std::vector<Vec2> crack : {std::vector<Vec2>{{0.7, 0.6}, {5.4, 5.3}},
+    for (std::vector<Vec2> crack : {std::vector<Vec2>{{1.325, 0.775}, {4.225, 3.675}},
+                                    {{1.3, 1.1}, {3.9, 3.7}},
+                                    {{0.9, 0.8}, {4.2, 4.1}},
+                                    {{0.7, 0.6}, {5.4, 5.3}},
                                     {{1.3, 1.6}, {10.4, 4.3}},
                                     {{0.0, 1.2}, {7.0, 5.1}},
                                     {{1.3, 1.4}, {3.3, 1.4}, {3.31, 1.41}, {10.7, 2.6}}}) {
@@ -105,14 +109,18 @@ TEST(MultiplierSpace, TheyStandWhereTheyDoWhicheverEndOfTheCrackIsFirst) {
 
 // What faces said before a growth they go on to say behind it, be it the crack's first point that has moved.
 TEST(MultiplierSpace, GrowthTakesNoneAway) {
-    const Vec2 tip(5.4, 2.3), other(8.4, 5.4), way = (tip - other).normalized();
-    const std::vector<double> before = places_on({tip, other}, {tip, other});
-    for (int step = 1; step < 12; ++step) {
-        const double grown = 0.25 * step;
-        const std::vector<double> places = places_on({tip, other}, {tip + grown * way, tip, other}, grown);
-        for (const double place : before)
-            EXPECT_TRUE(std::ranges::any_of(places, [&](double x) { return std::abs(x - place) < 1e-9; }))
-                << grown << ' ' << place;
+    for (const auto& [tip, other] : {std::pair(Vec2(5.4, 2.3), Vec2(8.4, 5.4)),
+                                     {Vec2(4.1, 1.6), Vec2(7.4, 4.9)},
+                                     {Vec2(7.1, 4.7), Vec2(4.3, 1.9)}}) {
+        const Vec2 way = (tip - other).normalized();
+        const std::vector<double> before = places_on({tip, other}, {tip, other});
+        for (int step = 1; step < 12; ++step) {
+            const double grown = 0.15 * step;
+            const std::vector<double> places = places_on({tip, other}, {tip + grown * way, tip, other}, grown);
+            for (const double place : before)
+                EXPECT_TRUE(std::ranges::any_of(places, [&](double x) { return std::abs(x - place) < 1e-9; }))
+                    << tip.x() << ' ' << grown << ' ' << place;
+        }
     }
 }
 
