@@ -104,7 +104,8 @@ def reversed_cracks(case, mesh):
     twin = copy.deepcopy(case)
     for crack in twin["crack"]:
         crack["points"].reverse()
-    return twin, mesh, lambda column, value: 1 - value if column == "tip" else value
+    inner = case["mesh"].get("specimen") == "mt"  # its tips change places, and with them who asks for a K
+    return twin, mesh, lambda column, value: 1 - value if inner and column == "tip" else value
 
 
 def turned(case, mesh, angle, shift):
@@ -168,7 +169,7 @@ def twins_of(case, mesh, folder, rng):
     specimen = case["mesh"].get("specimen")
     if specimen != "ct" and specimen != "sent":
         twins["mirrored left to right"] = mirrored(case, mesh, 0)
-    if specimen == "mt" and case["load"].get("control") != "K":
+    if specimen != "mt" or case["load"].get("control") != "K":
         twins["reversed"] = reversed_cracks(case, mesh)
     if mesh and not any("initial_stress" in part for part in [case] + case.get("region", [])):
         twins["renumbered"] = renumbered(case, mesh, rng)
