@@ -12,7 +12,7 @@ constexpr double precision = 0.002;  // of the larger load of a half cycle
 
 bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& report) const {
     const std::vector<double>& before = memory_.signal;
-    const std::vector<double> now = meter_.signal(report, before);
+    const std::vector<double> now = signal(report);
     const auto same_sign = [](double a, double b) { return (a > 0.0) == (b > 0.0); };
     if (step.cycle == 0 || before.size() != now.size()) return false;
     return !std::ranges::equal(before, now, same_sign) ||
@@ -35,10 +35,10 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
         tried = trial.report.converged ? share : NAN;
         return trial;
     };
-    const std::vector<double> now = meter_.signal(report, memory_.signal);
+    const std::vector<double> now = signal(report);
     return meter_.locate({start, from.load_factor, memory_.signal, memory_.nearest},
                          {end, to.load_factor, now, meter_.nearest(report)}, precision * extreme, try_at,
-                         expected(now, unit));
+                         expected(now, unit), memory_.largest);
 }
 
 std::vector<double> ClosureMeasurement::met() const {
@@ -62,10 +62,13 @@ std::vector<ExpectedCrossing> ClosureMeasurement::expected(const std::vector<dou
 std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const NewtonReport& report,
                                                const std::vector<OpeningChange>& changes, double unit) {
     const ClosureMeter::Signals signals = meter_.signals();
-    std::vector<double> now = meter_.signal(report, memory_.signal);
+    std::vector<double> now = signal(report);
     for (const OpeningChange& change : changes)  // may have been on the way, and be seen no more
         if (signals.is_slip(at(change.signal))) now[signals.index(change.tip, change.signal)] = 1.0;
     memory_.signal = now;
+    memory_.largest.resize(now.size(), 0.0);
+    for (std::size_t k = 0; k < now.size(); ++k)
+        if (std::isfinite(now[k])) memory_.largest[k] = std::max(memory_.largest[k], std::abs(now[k]));
     memory_.nearest = meter_.nearest(report);
     for (coupling::NearestContact& contact : memory_.nearest)  // from here on it has slid nowhere
         contact.excess = std::min(contact.excess, 0.0);

@@ -15,6 +15,7 @@ namespace stria::coarse {
 struct ClosureMemory {
     std::vector<double> signal;                     // of the committed state; empty before the first increment
     std::vector<coupling::NearestContact> nearest;  // likewise, ClosureMeter::nearest()
+    std::vector<double> largest;                    // magnitude of each signal that was committed
     std::vector<double> opened, closed;             // loads at which it last did, in units of the history; NaN: never
     // What it changed by per unit of the history beside these, where it was open, then where it was closed: two numbers
     // for each signal. NaN: nobody knows.
@@ -55,6 +56,9 @@ public:
     [[nodiscard]] std::vector<double> met() const;
 
 private:
+    [[nodiscard]] std::vector<double> signal(const NewtonReport& report) const {
+        return meter_.signal(report, memory_.signal, memory_.largest);
+    }
     [[nodiscard]] std::vector<ExpectedCrossing> expected(const std::vector<double>& now, double unit) const;
 
     ClosureMeter meter_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "coarse/cycle/hidden_slip.hpp"
@@ -17,6 +18,13 @@ std::vector<std::size_t> changed_signals(const ClosureStation& before, const Clo
     for (std::size_t k = 0; k < before.signal.size(); ++k)
         if (is_closed(before.signal[k]) != is_closed(after.signal[k])) changed.push_back(k);
     return changed;
+}
+
+/// A signal that is nothing but for rounding says what it said before, with its own size.
+double undecided_as_before(double signal, double before, double largest) {
+    constexpr double rounding = 1e-8;  // of the largest
+    if (!std::isfinite(before) || std::abs(signal) > rounding * largest) return signal;
+    return is_closed(before) ? std::max(std::abs(signal), std::numeric_limits<double>::min()) : -std::abs(signal);
 }
 
 /// Of the profile, each once: the closure distance stands in front of them anyway.
@@ -69,13 +77,18 @@ std::vector<std::vector<double>> ClosureMeter::slip_at() const {
     return slip_ ? distance_ : std::vector<std::vector<double>>();
 }
 
-std::vector<double> ClosureMeter::signal(const NewtonReport& report, const std::vector<double>& before) const {
+std::vector<double> ClosureMeter::signal(const NewtonReport& report, const std::vector<double>& before,
+                                         const std::vector<double>& largest) const {
     const Residual& last = report.iterations.back().residual;
     std::vector<double> signal;
+    const auto put = [&](double value) {
+        const std::size_t k = signal.size();
+        const bool is_known = k < before.size() && k < largest.size();
+        signal.push_back(is_known ? undecided_as_before(value, before[k], largest[k]) : value);
+    };
     for (std::size_t t = 0; t < distance_.size(); ++t) {
-        for (std::size_t k = 0; k < distance_[t].size(); ++k)
-            signal.push_back(t < last.faces.size() ? last.faces[t][k] : -INFINITY);
-        if (tension_) signal.push_back(t < last.force_ahead.size() ? -last.force_ahead[t] : -INFINITY);
+        for (std::size_t k = 0; k < distance_[t].size(); ++k) put(t < last.faces.size() ? last.faces[t][k] : -INFINITY);
+        if (tension_) put(t < last.force_ahead.size() ? -last.force_ahead[t] : -INFINITY);
         for (std::size_t k = 0; slip_ && k < distance_[t].size(); ++k) {
             const bool has_slid = !before.empty() && before[signal.size()] > 0.0;
             const bool slides = t < last.nearest.size() && last.nearest[t][k].slides();
@@ -127,8 +140,8 @@ void ClosureMeter::forget_slip(std::vector<double>& signal) const {
 }
 
 std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
-                                                const Solve& solve,
-                                                const std::vector<ExpectedCrossing>& expected) const {
+                                                const Solve& solve, const std::vector<ExpectedCrossing>& expected,
+                                                const std::vector<double>& largest) const {
     std::vector<OpeningChange> changes;
     std::vector<ClosureStation> way{std::move(before), std::move(after)};
     const auto crossing_of = [&](std::size_t i, std::size_t k) {
@@ -139,7 +152,7 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         for (std::size_t j = i; j < way.size(); ++j) remember_slip(way[j - 1].signal, way[j].signal);
     };
     const auto try_after = [&](std::size_t i, double share) {
-        auto between = try_between(way[i], way[i + 1], share, solve);
+        auto between = try_between(way[i], way[i + 1], share, solve, largest);
         if (!between) return false;
         way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
         remember_from(i + 2);
@@ -189,12 +202,13 @@ Crossing ClosureMeter::seen_closed(const Crossing& found, const ClosureStation& 
 }
 
 std::optional<ClosureStation> ClosureMeter::try_between(const ClosureStation& before, const ClosureStation& after,
-                                                        double share, const Solve& solve) const {
+                                                        double share, const Solve& solve,
+                                                        const std::vector<double>& largest) const {
     for (const double way : {share, 0.5, 0.375, 0.625, 0.25, 0.75}) {
         const double target = std::lerp(before.target, after.target, way);
         const Trial trial = solve(target);
         if (trial.report.converged)
-            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal),
+            return ClosureStation{target, trial.load_factor, signal(trial.report, before.signal, largest),
                                   nearest(trial.report)};
     }
     return std::nullopt;

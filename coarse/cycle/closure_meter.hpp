@@ -70,8 +70,11 @@ public:
 
     /// The signals of Newton's last state, all of the first tip, then of the next: above zero where one is closed. Of
     /// contact coupling::Digest::contact; of the metal ahead minus the normal force; of slip 1 or -1. `before`: in the
-    /// state that it comes from, or empty. What has slid counts as sliding until the load turns.
-    [[nodiscard]] std::vector<double> signal(const NewtonReport& report, const std::vector<double>& before) const;
+    /// state that it comes from, or empty. What has slid counts as sliding until the load turns. `largest`: the largest
+    /// magnitudes so far, or empty. Faces that neither press nor gape but for rounding, and metal without load, say
+    /// what they said before: where the load goes to nothing elastic faces lose no contact and make none.
+    [[nodiscard]] std::vector<double> signal(const NewtonReport& report, const std::vector<double>& before,
+                                             const std::vector<double>& largest = {}) const;
     /// Where sliding is measured the contact nearest to each tip, per distance, in Newton's last state.
     [[nodiscard]] std::vector<coupling::NearestContact> nearest(const NewtonReport& report) const;
     /// A tip that has not slid may have on the way between two states.
@@ -91,15 +94,17 @@ public:
     /// tries first where the signal is expected to (`expected`: one per signal; no vector: nobody knows), then where
     /// signals that it has seen on one side lead to, since they bend where contact is made or lost;
     /// in proportion to both where they lead nowhere; in the middle where they only say whether. A trial that fails is
-    /// made again elsewhere.
+    /// made again elsewhere. `largest`: as signal() has it.
     [[nodiscard]] std::vector<OpeningChange> locate(ClosureStation before, ClosureStation after, double precision,
                                                     const Solve& solve,
-                                                    const std::vector<ExpectedCrossing>& expected = {}) const;
+                                                    const std::vector<ExpectedCrossing>& expected = {},
+                                                    const std::vector<double>& largest = {}) const;
 
 private:
     /// Null where no trial comes to equilibrium. `share`: of the way, tried first.
     [[nodiscard]] std::optional<ClosureStation> try_between(const ClosureStation& before, const ClosureStation& after,
-                                                            double share, const Solve& solve) const;
+                                                            double share, const Solve& solve,
+                                                            const std::vector<double>& largest) const;
 
     /// Faces that slide and part within one increment are seen to slide at neither end of it: where slip is measured a
     /// load at which contact comes or goes is known once a state beside it is, to `precision`, with the faces closed.

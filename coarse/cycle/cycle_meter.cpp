@@ -76,8 +76,8 @@ void note_slip(double& K_slip, const OpeningChange& change, double K) {
     if (change.closes && std::isnan(K_slip)) K_slip = K;
 }
 
-/// At the end of an increment. No change tells what comes or goes at that load itself: faces that rounding parts where
-/// nothing is loaded, and those behind the longer crack. `K`: there.
+/// At the end of an increment. No change tells what comes or goes at that load itself, behind the longer crack. `K`:
+/// there.
 void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double K, bool loading) {
     OpeningLoads& loads = tip.signal[signal];
     const bool changed = tip.changed[signal] != 0;

@@ -172,9 +172,10 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
 }
 
 void members(auto& archive, Is<ClosureMemory> auto& m) {
-    auto& [signal, nearest, opened, closed, opening_rates, closing_rates] = m;
+    auto& [signal, nearest, largest, opened, closed, opening_rates, closing_rates] = m;
     archive("signal", signal);
     as_bytes(archive, "nearest", nearest);
+    archive("largest", largest);
     archive("opened", opened);
     archive("closed", closed);
     archive("opening_rates", opening_rates);

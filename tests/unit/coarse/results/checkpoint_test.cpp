@@ -34,6 +34,7 @@ Checkpoint some_checkpoint() {
     state.displacement = Eigen::Vector3d(1e-300, -0.0, 0.1);
     state.closure = {.signal = {1.5},
                      .nearest = {{.behind = 0.25, .pressure = 40.0, .excess = -3.5, .closed = 7, .sliding = 2}, {}},
+                     .largest = {9.5},
                      .opened = {2.5},
                      .closed = {3.5},
                      .opening_rates = {-4.5, -5.5},
@@ -103,6 +104,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_TRUE(std::signbit(out.analysis.displacement[1]));
     EXPECT_EQ(out.analysis.closure.signal, in.analysis.closure.signal);
     EXPECT_EQ(out.analysis.closure.nearest, in.analysis.closure.nearest);
+    EXPECT_EQ(out.analysis.closure.largest, in.analysis.closure.largest);
     EXPECT_EQ(out.analysis.closure.opened, in.analysis.closure.opened);
     EXPECT_EQ(out.analysis.closure.closed, in.analysis.closure.closed);
     EXPECT_EQ(out.analysis.closure.opening_rates, in.analysis.closure.opening_rates);
