@@ -11,13 +11,15 @@
 namespace stria::coarse {
 namespace {
 
-/// K_op: of the last contact that is lost. K_cl: of the first that is made on the way down. `K`: where it changes.
+/// K_op: of the last contact that is lost in loading. K_cl: of the first that is made on the way down. `K`: where it
+/// changes.
 void note_change(OpeningLoads& loads, const OpeningChange& change, double K, bool unloading) {
-    if (!change.closes) {
+    if (!change.closes && !unloading) {
         loads.K_op = K;
         loads.lost = std::isnan(K);
-    } else if (unloading && std::isnan(loads.K_cl)) {
-        loads.K_cl = K;
+    } else if (change.closes && unloading) {
+        if (std::isnan(loads.K_cl)) loads.K_cl = K;
+        loads.K_op = NAN;
     }
 }
 
@@ -76,13 +78,13 @@ void note_slip(double& K_slip, const OpeningChange& change, double K) {
     if (change.closes && std::isnan(K_slip)) K_slip = K;
 }
 
-/// At the end of an increment. No change tells what comes or goes at that load itself, behind the longer crack. `K`:
-/// there.
-void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double K, bool loading) {
+/// At the end of an increment. No change tells what comes or goes at that load itself, behind the longer crack; and
+/// where contact is lost on the way down the crack is open from the minimum on. `K`: there. `rise`: of the load.
+void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double K, double rise) {
     OpeningLoads& loads = tip.signal[signal];
     const bool changed = tip.changed[signal] != 0;
-    if (is_open && changed && std::isnan(loads.K_op) && !loads.lost) loads.K_op = K;
-    if (!is_open && !changed && tip.was_open[signal] != 0 && !loading) {
+    if (is_open && changed && (std::isnan(loads.K_op) || rise < 0.0) && !loads.lost) loads.K_op = K;
+    if (!is_open && !changed && tip.was_open[signal] != 0 && rise <= 0.0) {
         loads.K_cl = K;
         tip.changed[signal] = 1;
     }
@@ -175,7 +177,7 @@ void CycleMeter::measure(CycleMemory::Tip& tip, const Increment& increment, std:
     for (std::size_t s = 0; s < tip.was_open.size(); ++s) {
         const bool is_open = increment.signal.empty() ||
                              increment.signal[signals_.index(static_cast<int>(t), static_cast<int>(s))] <= 0.0;
-        note_state(tip, s, is_open, increment.K_at_end(t), rise > 0.0);
+        note_state(tip, s, is_open, increment.K_at_end(t), rise);
     }
 }
 

@@ -280,6 +280,27 @@ TEST_F(CycleMeterTest, ClosesWithTheFirstContactAndOpensWithTheLast) {
     EXPECT_FALSE(cycle.opening.lost);
 }
 
+// K_op is of loading: contact that is lost on the way down is lost there already.
+TEST_F(CycleMeterTest, ContactLostInUnloadingOpensNoCrackInLoading) {
+    const auto change = [](bool closes, double load) { return OpeningChange{0, 0, closes, load}; };
+    go(0, 20.0, 1.0, false);
+    go(1, 8.0, 1.0, false, {change(true, 12.0), change(false, 9.0)});
+    go(1, 5.0, 1.0, false);
+    go(1, 20.0, 1.0, false);
+    OpeningLoads loads = meter.finish().at(0).opening;
+    EXPECT_EQ(loads.K_cl, 120.0);
+    EXPECT_EQ(loads.K_op, 50.0);  // the minimum: open all the way up
+    go(2, 8.0, 1.0, false, {change(true, 12.0), change(false, std::nan(""))});
+    go(2, 5.0, 1.0, true, {change(true, 6.0)});
+    go(2, 20.0, 1.0, true);
+    loads = meter.finish().at(0).opening;
+    EXPECT_TRUE(std::isnan(loads.K_op));  // closed all the way up
+    EXPECT_FALSE(loads.lost);
+    go(3, 5.0, 1.0, false, {change(false, 9.0)});
+    go(3, 20.0, 1.0, false, {change(true, 10.0), change(false, 15.0)});
+    EXPECT_EQ(meter.finish().at(0).opening.K_op, 150.0);
+}
+
 TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
     go(0, 20.0, 1.0, false);
     go(1, 0.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 6.0}});
