@@ -16,6 +16,7 @@ struct MultiplierSnapshot {
     Vec2 place = Vec2::Zero();           // mm
     double pressure = 0.0, shear = 0.0;  // MPa
     std::int8_t status = 0;              // as in the digest
+    double slope = 0.0;                  // d(slip) / d(gap) of faces that are apart and close
     std::int32_t changes = 0;            // of its status: bit j: in the half cycle j before this one
     std::int8_t resting = 0;             // with these tractions, MPa:
     double rest_pressure = 0.0, rest_shear = 0.0;

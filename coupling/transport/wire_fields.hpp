@@ -160,9 +160,9 @@ void fields(auto& wire, Is<FrozenTip> auto& m) {
 }
 
 void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
-    auto& [crack, place, pressure, shear, status, changes, resting, rest_pressure, rest_shear, increments,
+    auto& [crack, place, pressure, shear, status, slope, changes, resting, rest_pressure, rest_shear, increments,
            shear_increments] = m;
-    wire(crack, place, pressure, shear, status, changes, resting, rest_pressure, rest_shear, increments,
+    wire(crack, place, pressure, shear, status, slope, changes, resting, rest_pressure, rest_shear, increments,
          shear_increments);
 }
 

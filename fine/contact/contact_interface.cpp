@@ -26,7 +26,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
     }
     status_.assign(at(multipliers()), FaceStatus::Open);
     committed_status_ = status_;
-    settled_slip_ = Eigen::VectorXd::Zero(multipliers());
+    settled_gap_ = settled_slip_ = slope_ = until_met_ = Eigen::VectorXd::Zero(multipliers());
     const SparseRows& B = operators_.operator_B();
     closing_ = (B.cwiseAbs() * Eigen::VectorXd::Ones(B.cols())).cwiseQuotient(operators_.weights());
     std::set<int> jumping;
@@ -36,7 +36,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
 }
 
 ContactInterface::Jumps ContactInterface::jumps(const Eigen::VectorXd& u) const {
-    return {operators_.gaps(u), operators_.slips(u) - settled_slip_};
+    return {operators_.gaps(u), operators_.slips(u) - settled_slip_ - until_met_};
 }
 
 ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
@@ -54,7 +54,7 @@ ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorX
         ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
         if (surely_open) continue;
         jumps.gap[k] = operators_.gap(k, u);
-        if (shear_of(k) >= 0) jumps.slip[k] = operators_.slip(k, u) - settled_slip_[k];
+        if (shear_of(k) >= 0) jumps.slip[k] = operators_.slip(k, u) - settled_slip_[k] - until_met_[k];
     }
     return jumps;
 }
@@ -71,14 +71,26 @@ void ContactInterface::begin_touching() { committed_status_.assign(at(multiplier
 void ContactInterface::commit(const Eigen::VectorXd& u) {
     for (int k = 0; k < multipliers(); ++k)
         if (status_[at(k)] != committed_status_[at(k)]) resting_.note_change(k);
+    for (const int k : operators_.with_shear()) {
+        const bool apart = !is_closed(committed_status_[at(k)]) && !is_closed(status_[at(k)]);
+        const FaceJumps before{settled_gap_[k], settled_slip_[k]}, now{operators_.gap(k, u), operators_.slip(k, u)};
+        // Faces that open have to turn before they meet, and may turn onto another way.
+        slope_[k] = apart && now.gap < before.gap ? slope_apart(before, now, slope_[k]) : 0.0;
+    }
     committed_status_ = status_;
     settle(u);
+}
+
+void ContactInterface::restore(std::vector<FaceStatus> statuses, Eigen::VectorXd slopes) {
+    status_ = committed_status_ = std::move(statuses);
+    slope_ = std::move(slopes);
 }
 
 void ContactInterface::settle(const Eigen::VectorXd& u) {
     settled_jumps_ = gather(u, jump_unknowns_);
     settled_gap_ = operators_.gaps(u);
     settled_slip_ = operators_.slips(u);
+    until_met_ = -settled_gap_.cwiseProduct(slope_);
 }
 
 FaceState ContactInterface::state_of(int k, const Eigen::VectorXd& traction, const Jumps& jumps) const {

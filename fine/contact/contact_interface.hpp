@@ -32,7 +32,9 @@ public:
     [[nodiscard]] int tractions() const { return operators_.tractions(); }
     [[nodiscard]] int shear_of(int k) const { return operators_.shear_of(k); }
 
-    /// Weighted gaps, and weighted slips in excess of those of the displacement given to settle(), mm.
+    /// Weighted gaps, and weighted slips in excess of those of the displacement given to settle(), mm. Of faces that
+    /// were apart there, and closing, the slip counts from where they would meet: until then nothing brakes it. They
+    /// are taken to go straight on, along slopes() (docs/equations.md).
     struct Jumps {
         Eigen::VectorXd gap, slip;  // per multiplier
     };
@@ -62,7 +64,10 @@ public:
 
     [[nodiscard]] const std::vector<FaceStatus>& statuses() const { return status_; }
     [[nodiscard]] const std::vector<FaceStatus>& committed_statuses() const { return committed_status_; }
-    void restore(std::vector<FaceStatus> statuses) { status_ = committed_status_ = std::move(statuses); }
+    /// d(slip) / d(gap) of faces that are apart and close; 0 where none is known.
+    [[nodiscard]] const Eigen::VectorXd& slopes() const { return slope_; }
+    /// What was committed; settle() is to follow.
+    void restore(std::vector<FaceStatus> statuses, Eigen::VectorXd slopes);
 
     // What rests takes no part in choose_statuses(), residual(), right_hand_side() and awake(): who condenses it has
     // taken its matrix, and its unknowns follow the others.
@@ -136,6 +141,8 @@ private:
     std::vector<int> jump_unknowns_;  // that B acts on, ascending
     Eigen::VectorXd closing_;         // most that a gap closes by where no jump unknown moves more than one
     Eigen::VectorXd settled_jumps_, settled_gap_, settled_slip_;  // of what was committed
+    Eigen::VectorXd slope_;
+    Eigen::VectorXd until_met_;  // what faces that are apart slide until they meet, mm
     std::vector<FaceStatus> status_, committed_status_;
     RestingFaces resting_;
     std::set<std::vector<FaceStatus>> visited_;

@@ -88,6 +88,21 @@ struct CoulombContact {
     }
 };
 
+/// Weighted jumps of a multiplier, mm.
+struct FaceJumps {
+    double gap = 0.0, slip = 0.0;
+};
+
+/// The slope d(slip) / d(gap) along which faces move that are apart before and after an increment; 0: they touch.
+/// `last`: the slope before, which counts on where the gap has changed by no more than a hundredth of it: there the
+/// solver's own error would tell.
+[[nodiscard]] inline double slope_apart(const FaceJumps& before, const FaceJumps& after, double last) {
+    constexpr double hardly = 0.01;
+    if (before.gap <= 0.0 || after.gap <= 0.0) return 0.0;
+    const double widened = after.gap - before.gap;
+    return std::abs(widened) <= hardly * after.gap ? last : (after.slip - before.slip) / widened;
+}
+
 /// mu with the sign of the shear that brakes.
 inline double signed_friction(FaceStatus status, double friction) {
     return status == FaceStatus::SlipBack ? -friction : friction;

@@ -95,16 +95,18 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
                        on_parts(before, committed.displacement, next.mesh, next.part_of, next.displacement));
         const std::vector<int> old_place = contact.operators().places_in(old_contact->operators());
         std::vector<FaceStatus> statuses(at(contact.multipliers()), FaceStatus::Open);
+        Eigen::VectorXd slopes = Eigen::VectorXd::Zero(contact.multipliers());
         for (int k = 0; k < contact.multipliers(); ++k) {
             const int old = old_place[at(k)];
             if (old < 0) continue;
             contact.resting().set_changes(k, old_contact->resting().changes(old));
             statuses[at(k)] = old_contact->committed_statuses()[at(old)];  // faces that press may come to rest
+            slopes[k] = old_contact->slopes()[old];
             carried.traction[k] = committed.traction[old];
             if (contact.shear_of(k) >= 0 && old_contact->shear_of(old) >= 0)
                 carried.traction[contact.shear_of(k)] = committed.traction[old_contact->shear_of(old)];
         }
-        contact.restore(std::move(statuses));
+        contact.restore(std::move(statuses), std::move(slopes));
     }
     memory.committed = std::move(carried);
     if (old_contact == nullptr) return;
@@ -132,6 +134,7 @@ void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::
         multiplier.place = key.x;
         multiplier.pressure = memory.committed.traction[k];
         multiplier.status = static_cast<std::int8_t>(contact.committed_statuses()[at(k)]);
+        multiplier.slope = contact.slopes()[k];
         multiplier.changes = contact.resting().changes(k);
         multiplier.resting = contact.resting().contains(k) ? 1 : 0;
         multiplier.rest_pressure = contact.resting().traction()[k];
@@ -152,16 +155,17 @@ namespace {
 void take_up_rest(ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
     std::vector<FaceStatus> statuses;
     MultiplierSet resting(contact.multipliers());
-    Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions());
+    Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions()), slopes(contact.multipliers());
     for (int k = 0; k < contact.multipliers(); ++k) {
         const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[at(k)];
+        slopes[k] = multiplier.slope;
         statuses.push_back(static_cast<FaceStatus>(multiplier.status));
         contact.resting().set_changes(k, multiplier.changes);
         if (multiplier.resting != 0) resting.insert(k);
         traction[k] = multiplier.rest_pressure;
         if (contact.shear_of(k) >= 0) traction[contact.shear_of(k)] = multiplier.rest_shear;
     }
-    contact.restore(std::move(statuses));
+    contact.restore(std::move(statuses), std::move(slopes));
     contact.resting().rest(std::move(resting), traction);
 }
 

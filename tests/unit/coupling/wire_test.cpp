@@ -175,6 +175,7 @@ TEST(Wire, Restore) {
                              .place = {0.5, 0.25},
                              .shear = -0.5,
                              .status = 3,
+                             .slope = -1.5,
                              .increments = {0.1, 0.2},
                              .shear_increments = {0.3}}};
     snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
@@ -187,6 +188,7 @@ TEST(Wire, Restore) {
     EXPECT_EQ(copy.snapshot.multipliers.at(0).place, Vec2(0.5, 0.25));
     EXPECT_EQ(copy.snapshot.multipliers[0].shear, -0.5);
     EXPECT_EQ(copy.snapshot.multipliers[0].status, 3);
+    EXPECT_EQ(copy.snapshot.multipliers[0].slope, -1.5);
     EXPECT_EQ(copy.snapshot.multipliers[0].shear_increments, snapshot.multipliers[0].shear_increments);
     EXPECT_EQ(copy.snapshot.multipliers[0].increments, snapshot.multipliers[0].increments);
     EXPECT_EQ(copy.snapshot.frozen_tips.at(0).mesh.nodes, small_mesh().nodes);

@@ -60,6 +60,7 @@ Checkpoint some_checkpoint() {
                                .pressure = 3.0,
                                .shear = -0.5,
                                .status = 3,
+                               .slope = -1.5,
                                .increments = {0.5},
                                .shear_increments = {0.25}}};
     state.zone.frozen_tips = {{.mesh = {}, .displacement = Vec2(1.0, 2.0), .crack = 1}};

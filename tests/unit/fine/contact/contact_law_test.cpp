@@ -97,6 +97,14 @@ TEST(ContactLaw, SlipBeginsWhereTheShearComesToItsBoundAsThePressureFalls) {
     EXPECT_DOUBLE_EQ(law.pressure_times_slip({8.0, 0.0, 0.0, -0.1}, 2.0), 3.5 * 0.1);
 }
 
+TEST(ContactLaw, FacesThatAreApartGoAlongTheSlopeOfTheirLastIncrement) {
+    EXPECT_DOUBLE_EQ(slope_apart({4.0, 1.0}, {2.0, 2.0}, 7.0), -0.5);
+    EXPECT_DOUBLE_EQ(slope_apart({2.0, 2.0}, {4.0, 1.0}, 7.0), -0.5);  // the way back is the same
+    EXPECT_EQ(slope_apart({4.0, 1.0}, {3.99, 2.0}, 7.0), 7.0);         // it tells no slope
+    EXPECT_EQ(slope_apart({0.0, 1.0}, {2.0, 2.0}, 7.0), 0.0);          // they have touched
+    EXPECT_EQ(slope_apart({2.0, 1.0}, {0.0, 2.0}, 7.0), 0.0);
+}
+
 // At a load of zero rounding says whether faces part or slide without a pressure, and of which sign a pressure is.
 TEST(ContactLaw, WhatSlipDissipatesDoesNotLeap) {
     for (const double shear : {-mu * 8.0, -1.0, 0.0, 1.0, mu * 8.0}) {

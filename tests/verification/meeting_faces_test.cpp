@@ -1,0 +1,75 @@
+// Faces that meet within an increment: what they slide until then no friction brakes.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "tests/support/specimens.hpp"
+#include "tests/support/staged_loads.hpp"
+
+namespace stria::test {
+namespace {
+
+/// A horizontal crack of half length 1 mm in the middle of an elastic plate of 40 mm. Its faces stick where they touch.
+Case rough_crack() {
+    constexpr double width = 40.0, size = 0.1;
+    const Vec2 centre(width / 2.0, width / 2.0 + 0.3 * size), half(1.0, 0.0);
+    Case input = specimen("plate", width, {centre - half, centre + half});
+    input.mesh.width = width;
+    input.mesh.size = 1.25 * width * size;
+    input.mesh.grading = {{.at = {centre}, .size = size, .outer_size = size, .radius = 1.6, .growth = 4.0 * size}};
+    input.cracks[0].contact = ContactSection{1.0};
+    input.solver.tolerance = 1e-10;
+    return input;
+}
+
+/// Pulled by 40 MPa at l = 1 and pressed below l = 0, where the faces meet.
+class MeetingFaces {
+public:
+    explicit MeetingFaces(double quadratic) : quadratic_(quadratic), body_(rough_crack()) {}
+
+    [[nodiscard]] double shear(double l) const { return 20.0 + 10.0 * l + quadratic_ * l * l; }
+    Equilibrated go_to(double l) {
+        const Equilibrated now = body_.load(UniformStress{.along = 40.0 * l, .shear = shear(l)}.sections());
+        EXPECT_TRUE(now.newton.converged) << now.newton.table();
+        return now;
+    }
+
+private:
+    double quadratic_;
+    StagedBody body_;
+};
+
+// K_II is what it was where they met, whichever part of the increment was left then.
+TEST(MeetingFaces, StickWhereTheyMeet) {
+    for (const auto& [before, after] : {std::pair{0.6, -0.7}, {0.05, -1.0}, {0.9, -0.1}}) {
+        MeetingFaces faces(0.0);
+        const double far = faces.go_to(1.0).tips[0].K_II, near = faces.go_to(before).tips[0].K_II;
+        const double met = near - (far - near) * before / (1.0 - before);
+        const Equilibrated pressed = faces.go_to(after);
+        EXPECT_NEAR(pressed.tips[0].K_II, met, 1e-6 * std::abs(met)) << before;
+        EXPECT_LT(std::abs(pressed.zone.energy.friction), 1e-9);
+        EXPECT_NEAR(faces.go_to(after - 0.2).tips[0].K_II, met, 1e-6 * std::abs(met)) << before;
+    }
+}
+
+// Where the path of open faces is a curve its last chord is off by the second order.
+TEST(MeetingFaces, OnACurveTheErrorIsOfSecondOrder) {
+    const auto error = [](double h) {
+        MeetingFaces faces(10.0);
+        const double far = faces.go_to(1.5 * h).tips[0].K_II, near = faces.go_to(0.5 * h).tips[0].K_II;
+        const double per_shear = (far - near) / (faces.shear(1.5 * h) - faces.shear(0.5 * h));
+        const double met = near - per_shear * (faces.shear(0.5 * h) - faces.shear(0.0));
+        return faces.go_to(-0.5 * h).tips[0].K_II / met - 1.0;
+    };
+    const double coarse = error(0.2), fine = error(0.1);
+    std::cout << fmt::format("K_II off by {:+.4f} % and, with half of the increment, {:+.4f} %\n", 100.0 * coarse,
+                             100.0 * fine);
+    EXPECT_NEAR(coarse, -0.75 * 0.2 * 0.2 * 10.0 / 20.0, 1e-5);  // the chord's own
+    EXPECT_NEAR(coarse / fine, 4.0, 0.01);
+}
+
+}  // namespace
+}  // namespace stria::test
