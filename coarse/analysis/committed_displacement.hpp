@@ -2,7 +2,9 @@
 // checkpoint do, and on a large body it takes longer than all that is near.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "coarse/equilibrium/equilibrium.hpp"
 
@@ -42,8 +44,8 @@ private:
     Eigen::VectorXd u_;
     std::int64_t* solves_;
     bool is_behind_ = false;
-    std::shared_ptr<const FarDisplacement> far_,
-        kept_far_;  // what u_ lacks, and lacked when it was kept; null: nothing
+    // What u_ lacks, and what it lacked when that was kept; null: nothing.
+    std::shared_ptr<const FarDisplacement> far_, kept_far_;
 };
 
 }  // namespace stria::coarse

@@ -71,14 +71,16 @@ void ContactInterface::begin_touching() { committed_status_.assign(at(multiplier
 void ContactInterface::commit(const Eigen::VectorXd& u) {
     for (int k = 0; k < multipliers(); ++k)
         if (status_[at(k)] != committed_status_[at(k)]) resting_.note_change(k);
+    const Eigen::VectorXd gap = settled_gap_, slip = settled_slip_;
+    settle(u);
     for (const int k : operators_.with_shear()) {
         const bool apart = !is_closed(committed_status_[at(k)]) && !is_closed(status_[at(k)]);
-        const FaceJumps before{settled_gap_[k], settled_slip_[k]}, now{operators_.gap(k, u), operators_.slip(k, u)};
+        const FaceJumps before{gap[k], slip[k]}, now{settled_gap_[k], settled_slip_[k]};
         // Faces that open have to turn before they meet, and may turn onto another way.
         slope_[k] = apart && now.gap < before.gap ? slope_apart(before, now, slope_[k]) : 0.0;
+        until_met_[k] = -now.gap * slope_[k];
     }
     committed_status_ = status_;
-    settle(u);
 }
 
 void ContactInterface::restore(std::vector<FaceStatus> statuses, Eigen::VectorXd slopes) {
