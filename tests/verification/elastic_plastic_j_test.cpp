@@ -39,7 +39,10 @@ Case loaded_specimen(const Hardening& of, double at_tip) {
     // The specimens bear 1 N/mm at the load factor 1.
     const double limit =
         (ct ? coarse::ct_limit_load : coarse::sent_limit_load)(plate_width, crack_length, sigma_0, PlaneState::Strain);
-    input.load = {.steps = 36, .blocks = {{.cycles = 0, .max = 0.9 * limit, .min = 0.0}}, .control = Control::Load};
+    input.load = {.steps = 36,
+                  .grading = 1.0,
+                  .blocks = {{.cycles = 0, .max = 0.9 * limit, .min = 0.0}},
+                  .control = Control::Load};
     return input;
 }
 
@@ -47,6 +50,7 @@ Case loaded_specimen(const Hardening& of, double at_tip) {
 std::array<coarse::TipResult, 2> tips_at_loads(const Hardening& of, double at_tip) {
     const RunHistory run = run_direct(loaded_specimen(of, at_tip));
     EXPECT_EQ(run.increments.size(), 18U);
+    EXPECT_NEAR(run.increments[9].load_factor / run.increments[17].load_factor, 5.0 / 9.0, 1e-12);
     const std::array<coarse::TipResult, 2> tips{run.increments[9].tips[0], run.increments[17].tips[0]};
     std::cout << fmt::format("{:4s} {:9s}  ligament / h at tip {:3.0f}", of.specimen,
                              of.kinematic ? "kinematic" : "isotropic", at_tip);
