@@ -2,13 +2,30 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "common/linear/sparse.hpp"
 
 namespace stria {
 
-/// Solves A x = b with iterative refinement. Throws NumericalFailure where A is singular.
-Eigen::VectorXd solve_general(const SparseMatrix& matrix, const Eigen::VectorXd& right_hand_side);
+/// P A Q = L U, kept for as many right-hand sides as there are.
+class SparseLu {
+public:
+    /// Throws NumericalFailure where A is singular or holds what is no number.
+    explicit SparseLu(const SparseMatrix& matrix);
+
+    /// Solves A x = b with iterative refinement. Throws NumericalFailure where x is not finite.
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
+
+private:
+    struct Free {
+        void operator()(void* numeric) const;
+    };
+
+    Eigen::VectorXd scales_;  // of the columns: x = scales_ y
+    SparseMatrix scaled_;     // what was factored, for the refinement
+    std::unique_ptr<void, Free> numeric_;
+};
 
 /// Forces one BLAS thread and no OpenMP inside CHOLMOD (docs/method.md, section 10): call once at program start.
 void use_one_thread();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/run/monolithic/loads.hpp"
 #include "app/run/monolithic/matrix.hpp"
@@ -75,7 +76,8 @@ public:
                               zone_.contact().statuses() == statuses_;
         reuse_.add(result);
         if (!result.keeps_factor) {
-            matrix_ = MonolithicMatrix{scene_, stiffness_, zone_, whole_, held_, controlled_}.assembled();
+            tangent_ = MonolithicMatrix{scene_, stiffness_, zone_, whole_, held_, controlled_}.assembled();
+            factor_.reset();
             statuses_ = zone_.contact().statuses();
         }
         const bool known = taken_.size() > 0 && controlled_.is_load_factor();
@@ -89,7 +91,8 @@ public:
         Eigen::VectorXd right(n + m + 1);
         right << residual_, zone_.contact_right_hand_side(), off_target_;
         for (int i = 0; i < n; ++i) right[i] = held_[at(i)] != 0 ? 0.0 : right[i];
-        correction_ = solve_general(matrix_, right);
+        if (!factor_) factor_.emplace(tangent_);
+        correction_ = factor_->solve(right);
         const double move = correction_.head(n).cwiseAbs().maxCoeff();
         return move / std::max({trial_.cwiseAbs().maxCoeff(), move, 1e-300});
     }
@@ -232,7 +235,8 @@ private:
     std::vector<std::int32_t> yielding_;  // points, per element of the zone
     SparseMatrix stiffness_;
     std::vector<int> whole_;                  // whole-mesh unknown of each zone unknown
-    SparseMatrix matrix_;                     // of the last iterate that did not keep it
+    SparseMatrix tangent_;                    // of the last iterate that did not keep it
+    std::optional<SparseLu> factor_;          // of it, once a correction is asked for
     std::vector<fine::FaceStatus> statuses_;  // there
     coarse::FactorReuse reuse_{0.0};
     coarse::LinearReading controlled_;

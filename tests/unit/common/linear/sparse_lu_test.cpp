@@ -1,4 +1,4 @@
-// solve_general against dense LU, on matrices shaped like those of the monolithic method.
+// SparseLu against dense LU, on matrices shaped like those of the monolithic method.
 #include "common/linear/sparse_lu.hpp"
 
 #include <gtest/gtest.h>
@@ -38,21 +38,33 @@ TEST(SparseLu, AgreesWithDenseAlgebra) {
     const SparseMatrix a = held_chain(40, 1.0, 1.0, 0.3);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(a.rows(), -1.0, 1.0);
     const Eigen::VectorXd expected = Eigen::MatrixXd(a).partialPivLu().solve(b);
-    EXPECT_LT((solve_general(a, b) - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+    EXPECT_LT((SparseLu(a).solve(b) - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(SparseLu, ServesManyRightHandSides) {
+    SparseMatrix a = held_chain(40, 1.0, 1.0, 0.3);
+    const Eigen::MatrixXd dense = a;
+    const SparseLu factor(a);
+    a.setZero();  // the factor holds what it needs
+    for (const double last : {1.0, -3.0}) {
+        const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(a.rows(), -1.0, last);
+        const Eigen::VectorXd expected = dense.partialPivLu().solve(b);
+        EXPECT_LT((factor.solve(b) - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+    }
 }
 
 TEST(SparseLu, BearsTheUnitsOfContact) {
     // MPa beside 1e-5 mm: badly scaled, not singular. Each row is judged by the size of its own terms.
     const SparseMatrix a = held_chain(60, 2e5, 1e-5, 0.1);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(a.rows(), 1.0, 2.0);
-    const Eigen::VectorXd x = solve_general(a, b);
+    const Eigen::VectorXd x = SparseLu(a).solve(b);
     const Eigen::VectorXd terms = a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs();
     EXPECT_LT(((a * x - b).array() / terms.array()).abs().maxCoeff(), 1e-14);
 }
 
 TEST(SparseLu, RefusesASingularMatrix) {
     SparseMatrix exactly = held_chain(10, 1.0, 0.0, 0.0);  // empty rows
-    EXPECT_THROW((void)solve_general(exactly, Eigen::VectorXd::Ones(exactly.rows())), NumericalFailure);
+    EXPECT_THROW(SparseLu{exactly}, NumericalFailure);
     std::vector<Triplet> ring;  // floats: singular to rounding only
     for (int i = 0; i < 50; ++i) {
         const double k = 1.0 / (i + 3.0);
@@ -61,20 +73,20 @@ TEST(SparseLu, RefusesASingularMatrix) {
     }
     SparseMatrix nearly(50, 50);
     nearly.setFromTriplets(ring.begin(), ring.end());
-    EXPECT_THROW((void)solve_general(nearly, Eigen::VectorXd::Ones(50)), NumericalFailure);
+    EXPECT_THROW(SparseLu{nearly}, NumericalFailure);
 }
 
 TEST(SparseLu, RefusesWhatIsNotANumber) {
     SparseMatrix a = held_chain(10, 1.0, 1.0, 0.1);
     a.coeffRef(4, 4) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW((void)solve_general(a, Eigen::VectorXd::Ones(a.rows())), NumericalFailure);
+    EXPECT_THROW(SparseLu{a}, NumericalFailure);
 }
 
 TEST(SparseLu, OneThreadMayBeAskedForMoreThanOnce) {
     use_one_thread();
     use_one_thread();
     const SparseMatrix a = held_chain(10, 1.0, 1.0, 0.1);
-    EXPECT_TRUE(solve_general(a, Eigen::VectorXd::Ones(a.rows())).allFinite());
+    EXPECT_TRUE(SparseLu(a).solve(Eigen::VectorXd::Ones(a.rows())).allFinite());
 }
 
 }  // namespace
