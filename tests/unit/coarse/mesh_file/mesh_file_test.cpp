@@ -257,7 +257,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MeshOfGmsh, MustBeWhole) {
     const test::TemporaryFolder folder;
     const std::string whole = test::text_of(test::mesh_data("two-squares-41-binary.msh"));
-    for (std::size_t bytes = 0; bytes + 13 < whole.size(); ++bytes) {  // but for its last line
+    constexpr std::size_t odd = 5;  // so that numbers of four and eight bytes are cut at each of them
+    for (std::size_t bytes = 0; bytes + 13 < whole.size(); bytes += odd) {  // but for its last line
         test::write_file(folder / "cut.msh", whole.substr(0, bytes));
         EXPECT_EQ(complaint_of(folder / "cut.msh").substr(0, 18), "mesh.file: cut.msh") << bytes;
     }
