@@ -158,12 +158,14 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         remember_from(i + 2);
         return true;
     };
-    // What slides and parts between two stations shows at neither: where it is found, the second one has slid.
+    // What slides and parts between two stations shows at neither: where it is found, the second one has slid. So it
+    // has, at a load that nobody knows, where no trial on a long way tells.
     const auto try_for_slip_after = [&](std::size_t i) {
         for (const std::size_t k : unslid(way[i], way[i + 1])) {
             const std::optional<Crossing> hidden = hidden_slip(way, i, contact_of(k), precision);
-            if (hidden && !hidden->known && try_after(i, hidden->share)) return true;
-            if (!hidden || !hidden->known) continue;
+            if (!hidden) continue;
+            if (!hidden->known && try_after(i, hidden->share)) return true;
+            if (!hidden->known && std::abs(way[i + 1].target - way[i].target) <= precision) continue;
             way[i + 1].signal[k] = 1.0;
             remember_from(i + 2);
         }

@@ -373,5 +373,22 @@ TEST(ClosureMeter, GivesNoLoadWhereNoTrialSucceeds) {
     EXPECT_TRUE(std::isnan(near[0].load_factor));
 }
 
+// Where the nearest contact parts on the way it may have slid before that.
+TEST(ClosureMeter, GivesNoLoadOfSlipWhereNoTrialTellsWhetherItHides) {
+    const ClosureMeter meter(rough().closure, {300.0}, rough().cracks, {500.0});
+    const auto station = [&](double target, double behind) {
+        const coupling::NearestContact nearest{.behind = behind, .pressure = 9.0, .excess = -2.0, .closed = 2};
+        const NewtonReport report = with_nearest({nearest, {}});
+        return ClosureStation{target, target, meter.signal(report, {}), meter.nearest(report)};
+    };
+    const auto fails = [](double) { return ClosureMeter::Trial{}; };
+    const auto changes = meter.locate(station(30.0, 0.2), station(40.0, 0.5), 0.1, fails);
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_EQ(changes[0].signal, 2);
+    EXPECT_TRUE(std::isnan(changes[0].load_factor));
+    EXPECT_STREQ(meter.what_a_tip_does(changes[0]), "slides");
+    EXPECT_TRUE(meter.locate(station(30.0, 0.2), station(40.0, 0.2), 0.1, fails).empty());
+}
+
 }  // namespace
 }  // namespace stria::coarse
