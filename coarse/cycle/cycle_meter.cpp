@@ -25,7 +25,7 @@ void note_change(OpeningLoads& loads, const OpeningChange& change, double K, boo
 
 /// What is least may be where a cycle starts: load cases may run against the load, and K with them.
 void start_from(CycleResult& cycle, const CycleMemory::Station& start) {
-    cycle.K_min = std::min(cycle.K_min, start.K());  // NaN: it belongs to the cycle before
+    cycle.K_min = std::min(cycle.K_min, start.K);  // NaN: it belongs to the cycle before
     cycle.CTOD.include(start.CTOD, false);
     cycle.opening_behind.include(start.opening, false);
 }
@@ -128,10 +128,10 @@ void CycleMeter::add(const Increment& increment) {
     const bool loading = rise > 0.0, stands = rise == 0.0;  // as the crack grows, or a dead load comes on
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
-        const bool rises = !stands && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K();
+        const bool rises = !stands && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K;
         measure(tip, increment, t, rise);
         const bool has_grown = tip.cycle.a > 0.0 && increment.tips[t].a > tip.cycle.a;  // within this cycle
-        if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K(), K_is_asked_);
+        if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K, K_is_asked_);
         if (!stands && !rises) tip.has_fallen = true;
         const bool loading_now = rises || increment.step.ends_cycle;
         const bool of_before = looks_ahead_ && is_rest_of_rise(tip, increment.step);
@@ -151,7 +151,7 @@ void CycleMeter::add(const Increment& increment) {
     now_.last.clear();
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_beside(t), tip.CTOD, tip.opening,
+        now_.last.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_at_end(t), tip.CTOD, tip.opening,
                              tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
                              stands ? tip.plastic_zone_axis : 0.0});
         if (now_.x.size() > t) continue;
@@ -208,15 +208,15 @@ std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
         if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
         take_rest(cycle, tip.rest);
         // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
-        const double x = now_.last[t].x, y = now_.last[t].y;
-        cycle.da = std::hypot(x - now_.x[t], y - now_.y[t]);
-        now_.x[t] = x;
-        now_.y[t] = y;
+        const CycleMemory::Station& end = now_.last[t];
+        cycle.da = std::hypot(end.x - now_.x[t], end.y - now_.y[t]);
+        now_.x[t] = end.x;
+        now_.y[t] = end.y;
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(of_signal(tip, s));
         if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
         const std::optional<double> opened =
             compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
-        if (opened) cycle.offset.K_op = now_.last[t].nominal_K * *opened + now_.last[t].K_beside;
+        if (opened) cycle.offset.K_op = end.K + end.unit_K * (*opened - end.load_factor);
         cycle.offset.lost = !opened;
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
                         : definition_ == OpeningDefinition::Offset ? cycle.offset

@@ -21,12 +21,11 @@ struct CycleMemory {
         std::vector<OpeningLoads> signal;
         Path down, up;
     };
-    struct Station {              // what the next increment, or cycle, starts from
-        double x = 0.0, y = 0.0;  // of the tip, mm
-        double nominal_K = 0.0, K_beside = 0.0, CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
+    struct Station {                   // what the next increment, or cycle, starts from
+        double x = 0.0, y = 0.0;       // of the tip, mm
+        double unit_K = 0.0, K = 0.0;  // nominal: of the load of [load] at its factor 1, and of all there is
+        double CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
         double forward = 0.0, forward_axis = 0.0;  // of flow while the load stood
-
-        [[nodiscard]] double K() const { return nominal_K * load_factor + K_beside; }
     };
     int cycle = 0;
     double last_target = 0.0;

@@ -1,7 +1,6 @@
 // A converged increment of the load, as those who record and measure get it.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "coarse/cycle/closure_meter.hpp"
@@ -29,14 +28,12 @@ struct Increment {
     WorkBalance work;                 // so far
     std::vector<CycleResult> cycles;  // one per tip where a cycle ends here
 
-    /// Nominal K_I of a tip that load cases and the initial stress have at a part of the way, MPa sqrt(mm).
-    [[nodiscard]] double K_beside(std::size_t tip, double way = 1.0) const {
-        return std::lerp(K_I_beside(nominal[tip], cases_before), K_I_beside(nominal[tip], step.target.cases), way);
+    /// Nominal K_I of a tip at its end, and at a change on the way, MPa sqrt(mm).
+    [[nodiscard]] double K_at_end(std::size_t tip) const {
+        return K_I_under(nominal[tip], {load_factor, step.target.cases});
     }
-    /// Nominal K_I of a tip at its end, and at a change on the way.
-    [[nodiscard]] double K_at_end(std::size_t tip) const { return nominal[tip].K_I * load_factor + K_beside(tip); }
     [[nodiscard]] double K_at(std::size_t tip, const OpeningChange& change) const {
-        return nominal[tip].K_I * change.load_factor + K_beside(tip, change.way);
+        return K_I_under(nominal[tip], {change.load_factor, between(cases_before, step.target.cases, change.way)});
     }
 };
 

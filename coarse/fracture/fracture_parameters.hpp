@@ -1,9 +1,9 @@
 // Stress intensities, T stress, J and openings of every tip: the structure's share in them plus the zone's.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "coarse/fracture/structure_rings.hpp"
@@ -32,24 +32,29 @@ struct TipResult {
 /// At their stated distances behind the tips, mm.
 [[nodiscard]] std::vector<double> openings(const std::vector<TipResult>& tips);
 
-/// What load cases add to a K: their factors times those of `of_unit`, one per load case.
-[[nodiscard]] inline double sum_over_cases(const std::vector<double>& of_unit, const Eigen::VectorXd& factors) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < of_unit.size() && std::cmp_less(k, factors.size()); ++k)
-        sum += factors[static_cast<Eigen::Index>(k)] * of_unit[k];
-    return sum;
-}
+/// K below this share of what each load has on its own is rounding, and so is a change of K: loads that cancel drive
+/// nothing.
+constexpr double rounding_of_K = 1e-9;
 
-/// Nominal K of a tip that load cases and the initial stress have, and with the load of [load]. One of each mode;
-/// MPa sqrt(mm).
-[[nodiscard]] inline double K_I_beside(const TipResult& nominal, const Eigen::VectorXd& cases) {
-    return sum_over_cases(nominal.K_I_of_cases, cases) + nominal.K_initial;
+/// Nominal K of a tip of one mode, MPa sqrt(mm), under all loads and the initial stress. `of_main`, `of_cases`: at
+/// factors of 1.
+[[nodiscard]] inline double K_together(double of_main, const std::vector<double>& of_cases, double initial,
+                                       const LoadFactors& loads) {
+    const double main = of_main * loads.main;
+    double beside = 0.0, alone = std::abs(main) + std::abs(initial);
+    for (std::size_t k = 0; k < of_cases.size(); ++k) {
+        const double K = loads.of_case(static_cast<Eigen::Index>(k)) * of_cases[k];
+        beside += K;
+        alone += std::abs(K);
+    }
+    const double sum = main + (beside + initial);
+    return std::abs(sum) < rounding_of_K * alone ? 0.0 : sum;
 }
 [[nodiscard]] inline double K_I_under(const TipResult& nominal, const LoadFactors& loads) {
-    return nominal.K_I * loads.main + K_I_beside(nominal, loads.cases);
+    return K_together(nominal.K_I, nominal.K_I_of_cases, nominal.K_initial, loads);
 }
 [[nodiscard]] inline double K_II_under(const TipResult& nominal, const LoadFactors& loads) {
-    return nominal.K_II * loads.main + sum_over_cases(nominal.K_II_of_cases, loads.cases) + nominal.K_II_initial;
+    return K_together(nominal.K_II, nominal.K_II_of_cases, nominal.K_II_initial, loads);
 }
 
 /// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <utility>
 
 namespace stria::coarse {
@@ -20,5 +21,13 @@ struct LoadFactors {
 
     [[nodiscard]] double of_case(Eigen::Index k) const { return k < cases.size() ? cases[k] : 0.0; }
 };
+
+/// Factors of load cases at a part of the way from one moment to another; those beyond an end are zero.
+[[nodiscard]] inline Eigen::VectorXd between(Eigen::VectorXd before, Eigen::VectorXd after, double way) {
+    const Eigen::Index count = std::max(before.size(), after.size());
+    before.conservativeResizeLike(Eigen::VectorXd::Zero(count));
+    after.conservativeResizeLike(Eigen::VectorXd::Zero(count));
+    return before + way * (after - before);
+}
 
 }  // namespace stria::coarse

@@ -111,11 +111,11 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [x, y, nominal_K, K_beside, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [x, y, unit_K, K, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
     archive("x", x);
     archive("y", y);
-    archive("nominal_K", nominal_K);
-    archive("K_beside", K_beside);
+    archive("unit_K", unit_K);
+    archive("K", K);
     archive("CTOD", CTOD);
     archive("opening", opening);
     archive("CMOD", CMOD);

@@ -30,6 +30,11 @@ double driving_range(const GrowthSection& growth, double K_max, double K_min, do
     return K_max - K_op;
 }
 
+/// K does not change but for rounding: nothing drives the tip.
+bool stands(const CycleResult& cycle) {
+    return cycle.K_max - cycle.K_min <= rounding_of_K * std::max(std::abs(cycle.K_max), std::abs(cycle.K_min));
+}
+
 double driving_range(const GrowthSection& growth, const CycleResult& cycle) {
     return driving_range(growth, cycle.K_max, cycle.K_min, cycle.opening.K_op);
 }
@@ -44,6 +49,7 @@ bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (is_prescribed(growth)) return growth.increment.value();
+    if (stands(cycle)) return 0.0;
     if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
     return rate_of_range(growth, growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth, cycle));
 }

@@ -70,7 +70,7 @@ Checkpoint some_checkpoint() {
     state.cycle.tips[0].signal.resize(2);
     state.cycle.tips[0].up = {{1.0}, {2.0}};
     state.cycle.last = {
-        {.nominal_K = 1.0, .K_beside = -0.0, .CMOD = 3.0, .load_factor = 4.0, .forward = 5.0, .forward_axis = 6.0}};
+        {.unit_K = 1.0, .K = -0.0, .CMOD = 3.0, .load_factor = 4.0, .forward = 5.0, .forward_axis = 6.0}};
     state.last_cycle.resize(1);
     return checkpoint;
 }
