@@ -175,6 +175,7 @@ struct EnergyReport {
 /// What a commit is to do and to tell.
 struct Commit {
     bool reversal = false;  // the load turned after this increment: plastic zones start anew
+    bool bends = false;     // the loads go on in another direction
     bool brief = false;     // nobody reads rings
     bool no_faces = false;  // nor faces
     bool releases = false;  // faces that growth has opened, here or with another rank: no part of a half cycle

@@ -16,7 +16,8 @@ struct MultiplierSnapshot {
     Vec2 place = Vec2::Zero();           // mm
     double pressure = 0.0, shear = 0.0;  // MPa
     std::int8_t status = 0;              // as in the digest
-    double slope = 0.0;                  // d(slip) / d(gap) of faces that are apart and close
+    double widened = 0.0, slid = 0.0;    // of faces apart: gap and slip in the last increment, mm
+    double until_met = 0.0;              // what they are to slide yet, mm
     std::int32_t changes = 0;            // of its status: bit j: in the half cycle j before this one
     std::int8_t resting = 0;             // with these tractions, MPa:
     double rest_pressure = 0.0, rest_shear = 0.0;

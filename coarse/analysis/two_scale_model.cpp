@@ -120,7 +120,11 @@ coupling::Commit TwoScaleModel::commit_of(const LoadStep& step) const {
     const bool draws_faces = at_extreme || output.faces == Written::All || output.fields == Written::All;
     const bool reads_rings = draws_faces || output.history == Written::All;
     const bool reads_faces = draws_faces || (reads_rings && !std::ranges::all_of(input.cracks, may_touch));
-    return {.reversal = step.reversal, .brief = !reads_rings, .no_faces = !reads_faces, .releases = step.releases};
+    return {.reversal = step.reversal,
+            .bends = step.bends,
+            .brief = !reads_rings,
+            .no_faces = !reads_faces,
+            .releases = step.releases};
 }
 
 Increment TwoScaleModel::commit(const LoadStep& step, const NewtonReport& report) {

@@ -53,6 +53,14 @@ CaseHistories::CaseHistories(const Case& input)
 
 Eigen::Index CaseHistories::count() const { return std::ssize(cases_) + travelling_ * positions_of_travel(load_); }
 
+bool CaseHistories::have_corner(double way) const {
+    const auto is_round = [](const LoadCaseSection& load_case) {
+        return load_case.constant || (load_case.factor && load_case.path == LagPath::Sine);
+    };
+    if (lag() && std::ranges::all_of(cases_, is_round)) return false;
+    return way == 1.0 || std::ranges::binary_search(turns(), way);
+}
+
 std::vector<double> CaseHistories::turns() const {
     std::vector<double> turns;
     for (const LoadCaseSection& load_case : cases_)

@@ -40,6 +40,9 @@ public:
     [[nodiscard]] bool lag() const { return travelling_ == 0 && !turns().empty(); }
     /// What they do may be largest between the ends of legs: loads lag, or travel.
     [[nodiscard]] bool peak_between_ends() const { return travelling_ > 0 || !turns().empty(); }
+    /// At that part of a leg the loads may go on in another direction: where one turns, or a leg ends, but not where
+    /// all that are not dead go through an ellipse.
+    [[nodiscard]] bool have_corner(double way) const;
     /// Parts of a leg at which a load that lags turns, ascending, between 0 and 1.
     [[nodiscard]] std::vector<double> turns() const;
     /// Parts of a leg at equal angles of the cycle, by the path of the first load that lags; the first 0.

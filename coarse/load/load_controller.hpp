@@ -21,6 +21,7 @@ struct LoadStep {
     // reversal.
     Predictor predictor;
     bool reversal = false;  // a half cycle ends here
+    bool bends = false;     // the loads go on in another direction
     bool at_maximum = false, at_minimum = false,
          at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;

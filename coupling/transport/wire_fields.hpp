@@ -22,8 +22,8 @@ void fields(auto& wire, Is<Failure> auto& m) {
 }
 
 void fields(auto& wire, Is<Commit> auto& m) {
-    auto& [reversal, brief, no_faces, releases] = m;
-    wire(reversal, brief, no_faces, releases);
+    auto& [reversal, bends, brief, no_faces, releases] = m;
+    wire(reversal, bends, brief, no_faces, releases);
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {
@@ -160,10 +160,10 @@ void fields(auto& wire, Is<FrozenTip> auto& m) {
 }
 
 void fields(auto& wire, Is<MultiplierSnapshot> auto& m) {
-    auto& [crack, place, pressure, shear, status, slope, changes, resting, rest_pressure, rest_shear, increments,
-           shear_increments] = m;
-    wire(crack, place, pressure, shear, status, slope, changes, resting, rest_pressure, rest_shear, increments,
-         shear_increments);
+    auto& [crack, place, pressure, shear, status, widened, slid, until_met, changes, resting, rest_pressure, rest_shear,
+           increments, shear_increments] = m;
+    wire(crack, place, pressure, shear, status, widened, slid, until_met, changes, resting, rest_pressure, rest_shear,
+         increments, shear_increments);
 }
 
 void fields(auto& wire, Is<ZoneSnapshot> auto& m) {

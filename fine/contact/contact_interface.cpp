@@ -26,7 +26,8 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
     }
     status_.assign(at(multipliers()), FaceStatus::Open);
     committed_status_ = status_;
-    settled_gap_ = settled_slip_ = slope_ = until_met_ = Eigen::VectorXd::Zero(multipliers());
+    settled_gap_ = settled_slip_ = Eigen::VectorXd::Zero(multipliers());
+    forget_approach();
     const SparseRows& B = operators_.operator_B();
     closing_ = (B.cwiseAbs() * Eigen::VectorXd::Ones(B.cols())).cwiseQuotient(operators_.weights());
     std::set<int> jumping;
@@ -36,7 +37,7 @@ ContactInterface::ContactInterface(const EnrichedMesh& mesh, const std::vector<i
 }
 
 ContactInterface::Jumps ContactInterface::jumps(const Eigen::VectorXd& u) const {
-    return {operators_.gaps(u), operators_.slips(u) - settled_slip_ - until_met_};
+    return {operators_.gaps(u), operators_.slips(u) - settled_slip_ - approach_.until_met};
 }
 
 ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorXd& u, const Eigen::VectorXd& traction,
@@ -54,7 +55,7 @@ ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorX
         ++(surely_open ? work.gaps_proven_open : work.gaps_evaluated);
         if (surely_open) continue;
         jumps.gap[k] = operators_.gap(k, u);
-        if (shear_of(k) >= 0) jumps.slip[k] = operators_.slip(k, u) - settled_slip_[k] - until_met_[k];
+        if (shear_of(k) >= 0) jumps.slip[k] = operators_.slip(k, u) - settled_slip_[k] - approach_.until_met[k];
     }
     return jumps;
 }
@@ -75,24 +76,28 @@ void ContactInterface::commit(const Eigen::VectorXd& u) {
     settle(u);
     for (const int k : operators_.with_shear()) {
         const bool apart = !is_closed(committed_status_[at(k)]) && !is_closed(status_[at(k)]);
-        const FaceJumps before{gap[k], slip[k]}, now{settled_gap_[k], settled_slip_[k]};
-        // Faces that open have to turn before they meet, and may turn onto another way.
-        slope_[k] = apart && now.gap < before.gap ? slope_apart(before, now, slope_[k]) : 0.0;
-        until_met_[k] = -now.gap * slope_[k];
+        const FaceJumps before{approach_.widened[k], approach_.slid[k]};
+        const FaceJumps last{apart ? settled_gap_[k] - gap[k] : 0.0, apart ? settled_slip_[k] - slip[k] : 0.0};
+        approach_.widened[k] = last.gap;
+        approach_.slid[k] = last.slip;
+        approach_.until_met[k] = slip_until_met(settled_gap_[k], last, before);
     }
     committed_status_ = status_;
 }
 
-void ContactInterface::restore(std::vector<FaceStatus> statuses, Eigen::VectorXd slopes) {
+void ContactInterface::forget_approach() {
+    approach_.widened = approach_.slid = approach_.until_met = Eigen::VectorXd::Zero(multipliers());
+}
+
+void ContactInterface::restore(std::vector<FaceStatus> statuses, Approach approach) {
     status_ = committed_status_ = std::move(statuses);
-    slope_ = std::move(slopes);
+    approach_ = std::move(approach);
 }
 
 void ContactInterface::settle(const Eigen::VectorXd& u) {
     settled_jumps_ = gather(u, jump_unknowns_);
     settled_gap_ = operators_.gaps(u);
     settled_slip_ = operators_.slips(u);
-    until_met_ = -settled_gap_.cwiseProduct(slope_);
 }
 
 FaceState ContactInterface::state_of(int k, const Eigen::VectorXd& traction, const Jumps& jumps) const {

@@ -34,7 +34,7 @@ public:
 
     /// Weighted gaps, and weighted slips in excess of those of the displacement given to settle(), mm. Of faces that
     /// were apart there, and closing, the slip counts from where they would meet: until then nothing brakes it. They
-    /// are taken to go straight on, along slopes() (docs/equations.md).
+    /// are taken to go on as approach() says (docs/equations.md).
     struct Jumps {
         Eigen::VectorXd gap, slip;  // per multiplier
     };
@@ -64,10 +64,16 @@ public:
 
     [[nodiscard]] const std::vector<FaceStatus>& statuses() const { return status_; }
     [[nodiscard]] const std::vector<FaceStatus>& committed_statuses() const { return committed_status_; }
-    /// d(slip) / d(gap) of faces that are apart and close; 0 where none is known.
-    [[nodiscard]] const Eigen::VectorXd& slopes() const { return slope_; }
+    /// How faces go that are apart: what their gaps and slips grew by in the last increment, and what those that close
+    /// are to slide until they meet, mm. Others, and faces of which nothing is known, have zeros.
+    struct Approach {
+        Eigen::VectorXd widened, slid, until_met;  // per multiplier
+    };
+    [[nodiscard]] const Approach& approach() const { return approach_; }
+    /// Where the way of the loads has a bend, how faces went tells nothing of how they go on.
+    void forget_approach();
     /// What was committed; settle() is to follow.
-    void restore(std::vector<FaceStatus> statuses, Eigen::VectorXd slopes);
+    void restore(std::vector<FaceStatus> statuses, Approach approach);
 
     // What rests takes no part in choose_statuses(), residual(), right_hand_side() and awake(): who condenses it has
     // taken its matrix, and its unknowns follow the others.
@@ -141,8 +147,7 @@ private:
     std::vector<int> jump_unknowns_;  // that B acts on, ascending
     Eigen::VectorXd closing_;         // most that a gap closes by where no jump unknown moves more than one
     Eigen::VectorXd settled_jumps_, settled_gap_, settled_slip_;  // of what was committed
-    Eigen::VectorXd slope_;
-    Eigen::VectorXd until_met_;  // what faces that are apart slide until they meet, mm
+    Approach approach_;
     std::vector<FaceStatus> status_, committed_status_;
     RestingFaces resting_;
     std::set<std::vector<FaceStatus>> visited_;

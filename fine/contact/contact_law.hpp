@@ -88,19 +88,27 @@ struct CoulombContact {
     }
 };
 
-/// Weighted jumps of a multiplier, mm.
+/// Weighted jumps of a multiplier, or what they have grown by, mm.
 struct FaceJumps {
     double gap = 0.0, slip = 0.0;
 };
 
-/// The slope d(slip) / d(gap) along which faces move that are apart before and after an increment; 0: they touch.
-/// `last`: the slope before, which counts on where the gap has changed by no more than a hundredth of it: there the
-/// solver's own error would tell.
-[[nodiscard]] inline double slope_apart(const FaceJumps& before, const FaceJumps& after, double last) {
-    constexpr double hardly = 0.01;
-    if (before.gap <= 0.0 || after.gap <= 0.0) return 0.0;
-    const double widened = after.gap - before.gap;
-    return std::abs(widened) <= hardly * after.gap ? last : (after.slip - before.slip) / widened;
+/// What faces `gap` apart slide until they meet, mm, if they go on as in their last two increments: along the parabola
+/// through three states, or the chord of the last two where that comes to no gap of zero. 0: they open. What they
+/// would not do within an increment like the last one is not in sight: if they meet, something else has turned them.
+[[nodiscard]] inline double slip_until_met(double gap, const FaceJumps& last, const FaceJumps& before) {
+    const FaceJumps more{last.gap - before.gap, last.slip - before.slip};
+    const double speed = last.gap + 0.5 * more.gap, root = speed * speed - 2.0 * more.gap * gap;
+    double share = 0.0, slip = 0.0;  // of an increment
+    if (gap <= 0.0) return 0.0;
+    if (more.gap < 0.0 || (speed < 0.0 && root >= 0.0)) {
+        share = 2.0 * gap / (std::sqrt(root) - speed);
+        slip = share * (last.slip + 0.5 * (1.0 + share) * more.slip);
+    } else if (last.gap < 0.0) {
+        share = -gap / last.gap;
+        slip = share * last.slip;
+    }
+    return slip / std::max(1.0, share * share * share);
 }
 
 /// mu with the sign of the shear that brakes.

@@ -95,18 +95,21 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
                        on_parts(before, committed.displacement, next.mesh, next.part_of, next.displacement));
         const std::vector<int> old_place = contact.operators().places_in(old_contact->operators());
         std::vector<FaceStatus> statuses(at(contact.multipliers()), FaceStatus::Open);
-        Eigen::VectorXd slopes = Eigen::VectorXd::Zero(contact.multipliers());
+        ContactInterface::Approach approach = contact.approach();
+        const ContactInterface::Approach& old_approach = old_contact->approach();
         for (int k = 0; k < contact.multipliers(); ++k) {
             const int old = old_place[at(k)];
             if (old < 0) continue;
             contact.resting().set_changes(k, old_contact->resting().changes(old));
             statuses[at(k)] = old_contact->committed_statuses()[at(old)];  // faces that press may come to rest
-            slopes[k] = old_contact->slopes()[old];
+            approach.widened[k] = old_approach.widened[old];
+            approach.slid[k] = old_approach.slid[old];
+            approach.until_met[k] = old_approach.until_met[old];
             carried.traction[k] = committed.traction[old];
             if (contact.shear_of(k) >= 0 && old_contact->shear_of(old) >= 0)
                 carried.traction[contact.shear_of(k)] = committed.traction[old_contact->shear_of(old)];
         }
-        contact.restore(std::move(statuses), std::move(slopes));
+        contact.restore(std::move(statuses), std::move(approach));
     }
     memory.committed = std::move(carried);
     if (old_contact == nullptr) return;
@@ -134,7 +137,9 @@ void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::
         multiplier.place = key.x;
         multiplier.pressure = memory.committed.traction[k];
         multiplier.status = static_cast<std::int8_t>(contact.committed_statuses()[at(k)]);
-        multiplier.slope = contact.slopes()[k];
+        multiplier.widened = contact.approach().widened[k];
+        multiplier.slid = contact.approach().slid[k];
+        multiplier.until_met = contact.approach().until_met[k];
         multiplier.changes = contact.resting().changes(k);
         multiplier.resting = contact.resting().contains(k) ? 1 : 0;
         multiplier.rest_pressure = contact.resting().traction()[k];
@@ -155,17 +160,20 @@ namespace {
 void take_up_rest(ContactInterface& contact, const coupling::ZoneSnapshot& snapshot) {
     std::vector<FaceStatus> statuses;
     MultiplierSet resting(contact.multipliers());
-    Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions()), slopes(contact.multipliers());
+    Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions());
+    ContactInterface::Approach approach = contact.approach();
     for (int k = 0; k < contact.multipliers(); ++k) {
         const coupling::MultiplierSnapshot& multiplier = snapshot.multipliers[at(k)];
-        slopes[k] = multiplier.slope;
+        approach.widened[k] = multiplier.widened;
+        approach.slid[k] = multiplier.slid;
+        approach.until_met[k] = multiplier.until_met;
         statuses.push_back(static_cast<FaceStatus>(multiplier.status));
         contact.resting().set_changes(k, multiplier.changes);
         if (multiplier.resting != 0) resting.insert(k);
         traction[k] = multiplier.rest_pressure;
         if (contact.shear_of(k) >= 0) traction[contact.shear_of(k)] = multiplier.rest_shear;
     }
-    contact.restore(std::move(statuses), std::move(slopes));
+    contact.restore(std::move(statuses), std::move(approach));
     contact.resting().rest(std::move(resting), traction);
 }
 

@@ -248,6 +248,7 @@ void ZoneSystem::take_over_trial(const coupling::Commit& what) {
     memory_.committed = trial_;
     bulk_->commit(what.reversal, !what.releases);
     contact_->commit(memory_.committed.displacement);
+    if (what.bends || what.releases) contact_->forget_approach();
     if (what.reversal && !what.releases) contact_->note_half_cycle();
     summary_->update(*bulk_, begins);
 }

@@ -44,12 +44,12 @@ public:
         : input_(std::move(input)), slip_at_(std::move(slip_at)), fine_(input_) {}
 
     /// Brings the body to equilibrium under other loads, and commits it.
-    Equilibrated load(std::vector<BoundarySection> sections) {
+    Equilibrated load(std::vector<BoundarySection> sections, const coupling::Commit& what = {}) {
         Stage stage(*this, std::move(sections));
         Equilibrated result;
         result.newton = stage.newton;
         result.displacement = displacement_ = stage.equilibrium.structure_displacement();
-        result.zone = stage.equilibrium.commit({});
+        result.zone = stage.equilibrium.commit(what);
         result.tips = coarse::fracture_parameters(stage.structure, result.displacement, result.zone);
         return result;
     }

@@ -175,7 +175,9 @@ TEST(Wire, Restore) {
                              .place = {0.5, 0.25},
                              .shear = -0.5,
                              .status = 3,
-                             .slope = -1.5,
+                             .widened = -1.5,
+                             .slid = 0.5,
+                             .until_met = 0.75,
                              .increments = {0.1, 0.2},
                              .shear_increments = {0.3}}};
     snapshot.frozen_tips = {{.mesh = small_mesh(), .displacement = Eigen::VectorXd::Ones(12), .crack = 1}};
@@ -188,7 +190,9 @@ TEST(Wire, Restore) {
     EXPECT_EQ(copy.snapshot.multipliers.at(0).place, Vec2(0.5, 0.25));
     EXPECT_EQ(copy.snapshot.multipliers[0].shear, -0.5);
     EXPECT_EQ(copy.snapshot.multipliers[0].status, 3);
-    EXPECT_EQ(copy.snapshot.multipliers[0].slope, -1.5);
+    EXPECT_EQ(copy.snapshot.multipliers[0].widened, -1.5);
+    EXPECT_EQ(copy.snapshot.multipliers[0].slid, 0.5);
+    EXPECT_EQ(copy.snapshot.multipliers[0].until_met, 0.75);
     EXPECT_EQ(copy.snapshot.multipliers[0].shear_increments, snapshot.multipliers[0].shear_increments);
     EXPECT_EQ(copy.snapshot.multipliers[0].increments, snapshot.multipliers[0].increments);
     EXPECT_EQ(copy.snapshot.frozen_tips.at(0).mesh.nodes, small_mesh().nodes);
@@ -247,8 +251,9 @@ TEST(Wire, State) {
 TEST(Wire, SmallMessages) {
     EXPECT_EQ(there_and_back(Hello{3, 0xffff'ffff'ffff'fff0}).case_digest, 0xffff'ffff'ffff'fff0);
     EXPECT_EQ(there_and_back(Failure{Failure::Kind::Case, "why"}).text, "why");
-    const Commit commit = there_and_back(Commit{.reversal = true, .no_faces = true});
+    const Commit commit = there_and_back(Commit{.reversal = true, .bends = true, .no_faces = true});
     EXPECT_TRUE(commit.reversal);
+    EXPECT_TRUE(commit.bends);
     EXPECT_FALSE(commit.brief);
     EXPECT_TRUE(commit.no_faces);
 }

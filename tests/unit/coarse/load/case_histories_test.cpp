@@ -46,6 +46,26 @@ void expect_close(const std::vector<Stop>& found, const std::vector<Stop>& expec
     }
 }
 
+// Ends of legs and the turn of what lags by 45 degrees, but not on an ellipse.
+TEST(CaseHistories, LoadsHaveCornersWhereOneOfThemTurns) {
+    const auto corners = [](std::vector<LoadCaseSection> load_cases) {
+        Case input = cycles(8, {{1, 10.0, -10.0}});
+        input.load_cases = std::move(load_cases);
+        std::vector<double> at;
+        for (LoadController loads = controller(input); loads.next(); loads.accepted())
+            if (loads.next()->bends) at.push_back(loads.next()->target.value);
+        return at;
+    };
+    const LoadCaseSection own = test::own_load("own", {{.cycles = 1, .at_max = 1.0, .at_min = 2.0}}),
+                          late = test::lagging_load("late", 1.0, 45.0),
+                          sharp = test::lagging_load("sharp", 1.0, 45.0, LagPath::Triangle);
+    EXPECT_EQ(corners({}), (std::vector<double>{10.0, -10.0, 10.0}));
+    EXPECT_EQ(corners({own}), (std::vector<double>{10.0, -10.0, 10.0}));
+    EXPECT_EQ(corners({late, test::dead_load("dead", 1.0)}), std::vector<double>{});
+    EXPECT_EQ(corners({sharp}), (std::vector<double>{2.5, 10.0, 5.0, -10.0, -5.0, 10.0}));
+    EXPECT_EQ(corners({late, own}).size(), 6U);
+}
+
 TEST(CaseHistories, ADeadLoadComesFirstAndStays) {
     Case input = cycles(4, {{1, 10.0, -10.0}});
     input.load_cases = {test::dead_load("dead", 3.0)};

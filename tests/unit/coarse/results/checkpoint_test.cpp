@@ -60,7 +60,9 @@ Checkpoint some_checkpoint() {
                                .pressure = 3.0,
                                .shear = -0.5,
                                .status = 3,
-                               .slope = -1.5,
+                               .widened = -1.5,
+                               .slid = 0.5,
+                               .until_met = 0.75,
                                .increments = {0.5},
                                .shear_increments = {0.25}}};
     state.zone.frozen_tips = {{.mesh = {}, .displacement = Vec2(1.0, 2.0), .crack = 1}};

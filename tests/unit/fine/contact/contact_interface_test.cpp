@@ -156,7 +156,7 @@ TEST(ContactInterface, SlipOfFacesApartCountsFromWhereTheyMeet) {
     EXPECT_LT(off(faces.at(-0.010, 0.0), 0.0), 1e-15);
     EXPECT_LT(off(faces.at(-0.013, 0.0), -0.003), 1e-15);
     ContactInterface resumed = cut.contact();
-    resumed.restore(faces.contact.committed_statuses(), faces.contact.slopes());
+    resumed.restore(faces.contact.committed_statuses(), faces.contact.approach());
     resumed.settle(faces.at(-0.005, 0.01));
     EXPECT_EQ(resumed.jumps(faces.at(0.0, 0.0)).slip, faces.contact.jumps(faces.at(0.0, 0.0)).slip);
     const Eigen::VectorXd pressed = Eigen::VectorXd::Ones(faces.contact.tractions());
@@ -171,8 +171,29 @@ TEST(ContactInterface, SlipOfFacesThatOpenCountsFromWhereTheyAre) {
     GoingToMeet faces(cut);
     faces.contact.choose_statuses(faces.none(), faces.contact.jumps(faces.at(-0.002, 0.02)));
     faces.contact.commit(faces.at(-0.002, 0.02));
-    EXPECT_EQ(faces.contact.slopes(), Eigen::VectorXd::Zero(faces.contact.multipliers()).eval());
+    EXPECT_EQ(faces.contact.approach().until_met, Eigen::VectorXd::Zero(faces.contact.multipliers()).eval());
     EXPECT_LT((faces.contact.jumps(faces.at(-0.005, 0.0)).slip.array() + 0.003).abs().maxCoeff(), 1e-15);
+}
+
+TEST(ContactInterface, AResumedOneForetellsTheNextMeetingAlike) {
+    const Cut cut(2.4, 2.4, 0.0, 0.5);
+    GoingToMeet faces(cut);
+    ContactInterface resumed = cut.contact();
+    resumed.restore(faces.contact.committed_statuses(), faces.contact.approach());
+    resumed.settle(faces.at(-0.005, 0.01));
+    for (ContactInterface* contact : {&faces.contact, &resumed}) {
+        contact->choose_statuses(faces.none(), contact->jumps(faces.at(-0.009, 0.004)));
+        contact->commit(faces.at(-0.009, 0.004));
+    }
+    EXPECT_GT(faces.contact.approach().until_met.cwiseAbs().minCoeff(), 1e-3);
+    EXPECT_EQ(resumed.approach().until_met, faces.contact.approach().until_met);
+}
+
+TEST(ContactInterface, WhereTheLoadsTurnSlipOfFacesApartCountsFromWhereTheyAre) {
+    const Cut cut(2.4, 2.4, 0.0, 0.5);
+    GoingToMeet faces(cut);
+    faces.contact.forget_approach();
+    EXPECT_LT(faces.contact.jumps(faces.at(-0.005, 0.0)).slip.cwiseAbs().maxCoeff(), 1e-15);
 }
 
 // They meet, and slide on by 0.01 mm under a pressure that grows to 6 MPa.

@@ -97,12 +97,39 @@ TEST(ContactLaw, SlipBeginsWhereTheShearComesToItsBoundAsThePressureFalls) {
     EXPECT_DOUBLE_EQ(law.pressure_times_slip({8.0, 0.0, 0.0, -0.1}, 2.0), 3.5 * 0.1);
 }
 
-TEST(ContactLaw, FacesThatAreApartGoAlongTheSlopeOfTheirLastIncrement) {
-    EXPECT_DOUBLE_EQ(slope_apart({4.0, 1.0}, {2.0, 2.0}, 7.0), -0.5);
-    EXPECT_DOUBLE_EQ(slope_apart({2.0, 2.0}, {4.0, 1.0}, 7.0), -0.5);  // the way back is the same
-    EXPECT_EQ(slope_apart({4.0, 1.0}, {3.99, 2.0}, 7.0), 7.0);         // it tells no slope
-    EXPECT_EQ(slope_apart({0.0, 1.0}, {2.0, 2.0}, 7.0), 0.0);          // they have touched
-    EXPECT_EQ(slope_apart({2.0, 1.0}, {0.0, 2.0}, 7.0), 0.0);
+TEST(ContactLaw, OnAStraightWayFacesThatCloseMeetWhereItEnds) {
+    for (const double unit : {1.0, 1e-9}) {  // whichever part of it the increments took
+        const auto meet = [=](double gap, const FaceJumps& last, const FaceJumps& before) {
+            const auto in_units = [=](const FaceJumps& of) { return FaceJumps{unit * of.gap, unit * of.slip}; };
+            return slip_until_met(unit * gap, in_units(last), in_units(before)) / unit;
+        };
+        EXPECT_DOUBLE_EQ(meet(2.0, {-2.0, 1.0}, {-2.0, 1.0}), 1.0);
+        EXPECT_DOUBLE_EQ(meet(2.0, {-2.0, -1.0}, {-2.0, -1.0}), -1.0);
+        EXPECT_DOUBLE_EQ(meet(1.0, {-2.0, 1.0}, {-1.0, 0.5}), 0.5);
+        EXPECT_DOUBLE_EQ(meet(2.0, {-2.0, 1.0}, {-4.0, 2.0}), 1.0);
+        EXPECT_DOUBLE_EQ(meet(2.0, {-2.0, 1.0}, {0.0, 0.0}), 1.0);  // from rest
+        EXPECT_DOUBLE_EQ(meet(2.0, {-2.0, 1.0}, {2.0, -1.0}), 1.0);
+    }
+}
+
+// g = 9 - t^2 and a slip of t or of t^2 / 2 + t, from t = 2: the chord says 5/3 and 25/6 instead.
+TEST(ContactLaw, FacesThatCloseFasterAndFasterMeetOnTheParabola) {
+    EXPECT_DOUBLE_EQ(slip_until_met(5.0, {-3.0, 1.0}, {-1.0, 1.0}), 1.0);
+    EXPECT_DOUBLE_EQ(slip_until_met(5.0, {-3.0, 2.5}, {-1.0, 1.5}), 3.5);
+    EXPECT_DOUBLE_EQ(slip_until_met(1.25, {-1.0, 1.0}, {1.0, 1.0}), 0.5);  // they have just turned
+}
+
+TEST(ContactLaw, WhereFacesWillMeetIsNotSaidOfWhatDoesNotBringThemTogether) {
+    EXPECT_EQ(slip_until_met(2.0, {1.0, 1.0}, {-1.0, 1.0}), 0.0);
+    EXPECT_EQ(slip_until_met(2.0, {0.0, 1.0}, {-1.0, 1.0}), 0.0);
+    EXPECT_EQ(slip_until_met(0.0, {-1.0, 1.0}, {-1.0, 1.0}), 0.0);
+    EXPECT_DOUBLE_EQ(slip_until_met(8.0, {-2.0, 1.0}, {-2.0, 1.0}), 1.0 / 16.0);  // 4 increments away
+    // Of gaps that stand still rounding says which way they went.
+    for (const double rounding : {-1e-15, 1e-15})
+        for (const double before : {0.0, -1e-15, 1e-15})
+            EXPECT_NEAR(slip_until_met(8.0, {rounding, 1.0}, {before, 0.0}), 0.0, 1e-7);
+    EXPECT_NEAR(slip_until_met(0.125, {1e-15, 1.0}, {1.0, 1.0}), slip_until_met(0.125, {-1e-15, 1.0}, {1.0, 1.0}),
+                1e-14);
 }
 
 // At a load of zero rounding says whether faces part or slide without a pressure, and of which sign a pressure is.
