@@ -86,7 +86,8 @@ struct Scene {
 /// have been looked at. That is asked before loads are resolved, of which there may be very many.
 Scene make_scene(const Case& input, Mesh mesh, int refined = 0);
 
-/// The same scene, with the tip functions of `before` kept as unknowns where the tip has moved on (growth.retain).
+/// The same scene, with the tip functions of `before` kept as unknowns where the tip has moved on (growth.retain), but
+/// for those of a tip that is nearly where it was.
 Scene with_functions_left(Scene scene, const EnrichedMesh& before);
 
 /// Loads and supports on the unknowns of an enriched mesh: enriched terms included, the jump held on supported edges.

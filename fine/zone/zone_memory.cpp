@@ -19,8 +19,8 @@ void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const cou
     for (int t = 0; t < std::ssize(before.tips); ++t) {
         const Tip& tip = before.tips[at(t)];
         const auto same = [&](const Tip& other) { return same_place(tip, other); };
-        if (std::ranges::none_of(next.mesh.tips, same) && std::ranges::none_of(next.mesh.left_tips, same))
-            memory.frozen.freeze(before, t, u);
+        const bool stays = next.mesh.tip_functions > 0 && std::ranges::any_of(next.mesh.tips, same);
+        if (!stays && std::ranges::none_of(next.mesh.left_tips, same)) memory.frozen.freeze(before, t, u);
     }
     memory.frozen.keep_closed(before, next.mesh, carry_over(before, u, next.mesh, next.displacement));
 }

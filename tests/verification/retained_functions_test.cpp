@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "coarse/zone/refined_scene.hpp"
@@ -15,12 +16,12 @@ namespace {
 
 constexpr double growth_step = 0.031;  // of the width
 
-Case growing_edge_crack(Retain retain) {
+Case growing_edge_crack(Retain retain, double step = growth_step) {
     Case input = edge_crack(0.3, 3.0, End::Pulled);
     input.mesh.size = 1.0 / 21.0;
     input.fine.refine = 8;
     input.load = {.steps = 2, .blocks = {{.cycles = 3, .max = 100.0, .min = 10.0}}};
-    input.growth.emplace().increment = growth_step;
+    input.growth.emplace().increment = step;
     input.growth->retain = retain;
     return input;
 }
@@ -41,6 +42,42 @@ TEST(RetainedFunctions, LetALinearBodyReleaseAll) {
     std::cout << fmt::format("released over K^2/E' da: frozen {:.4f}, retained {:.4f}\n", frozen, retained);
     EXPECT_NEAR(retained, 1.0, 0.01);
     EXPECT_LT(frozen, retained);
+}
+
+// A tip that hardly moves, beside a faster one say, leaves functions that are next to the new ones: they are frozen.
+TEST(RetainedFunctions, OfATipThatHardlyMovesAreFrozen) {
+    constexpr double of_element = 1e-4 / (21.0 * 8.0);
+    const RunHistory run = run_direct(growing_edge_crack(Retain::All, of_element)),
+                     frozen = run_direct(growing_edge_crack(Retain::Frozen, of_element));
+    ASSERT_EQ(run.increments.size(), frozen.increments.size());
+    EXPECT_EQ(run.increments.back().displacement.size(), frozen.increments.back().displacement.size());
+    EXPECT_NEAR(run.increments.back().tips[0].K_I / frozen.increments.back().tips[0].K_I, 1.0, 1e-9);
+}
+
+/// Largest condition number of an edge crack that has gone on by some elements in such steps, parts of an element.
+double condition_after(Enrichment enrichment, double step) {
+    constexpr double element = 1.0 / 31.0, way = 3.0;  // of the width; elements
+    Case input = edge_crack(0.3, 3.0, End::Pulled);
+    input.mesh.size = element;
+    input.fine.enrichment = enrichment;
+    coarse::Scene retained = coarse::refined_scene(input);
+    for (double gone = step; gone < way; gone += step) {
+        input.cracks[0].points[1].x() += step * element;
+        retained = coarse::with_functions_left(coarse::make_scene(input, retained.mesh), retained.enriched);
+    }
+    return condition_number(coarse::Structure(retained));
+}
+
+// However short the steps are, unknowns are told apart.
+TEST(RetainedFunctions, LeaveTheEquationsWellConditioned) {
+    for (const Enrichment enrichment : {Enrichment::Single, Enrichment::Topological}) {
+        double largest = 0.0;
+        for (const double step : {0.7, 0.35, 0.25, 0.2, 0.1})
+            largest = std::max(largest, condition_after(enrichment, step));
+        std::cout << fmt::format("{} function(s): condition at most {:.2e}\n", enrichment == Enrichment::Single ? 1 : 6,
+                                 largest);
+        EXPECT_LT(largest, 1e9);
+    }
 }
 
 // Of the elastic stiffness with every old function, diagonal scaled to one.
