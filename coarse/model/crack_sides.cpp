@@ -18,7 +18,13 @@ std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece) {
     for (const int element : {piece.element, piece.neighbour}) {
         if (element >= 0) nodes.insert(mesh.elements[at(element)].begin(), mesh.elements[at(element)].end());
     }
+    add_ends_of_edges(mesh, nodes);
     return nodes;
+}
+
+void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes) {
+    for (const HangingNode& hanging : mesh.hanging)
+        if (nodes.contains(hanging.node)) nodes.insert(hanging.ends.begin(), hanging.ends.end());
 }
 
 CrackSides::CrackSides(const Mesh& mesh, const CrackPath& path) : mesh_(mesh), path_(path) {
@@ -46,8 +52,10 @@ void CrackSides::note_if_node(const CrackPiece& piece, double place) {
 int CrackSides::near_tip(const CrackPiece& piece, int node) const {
     if (on_crack_.contains(node)) return 1;
     const Vec2& x = mesh_.nodes[at(node)];
-    if (piece.neighbour < 0) return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
-    // Along an edge: the crack may have come to it through an element beside it.
+    const std::array<int, 4>& own = mesh_.elements[at(piece.element)];
+    if (piece.neighbour < 0 && std::ranges::find(own, node) != own.end())
+        return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+    // Along an edge, or at the end of one: the crack may have come to it through an element beside it.
     if (const auto known = of_nodes_.find(node); known != of_nodes_.end()) return known->second;
     return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
 }

@@ -14,8 +14,12 @@
 
 namespace stria::coarse {
 
-/// Nodes of the element or elements that hold the tip at the end of a piece.
+/// Nodes whose shape functions do not vanish on the element or elements that hold the tip at the end of a piece, and
+/// its corners: with one that hangs, the ends of its edge.
 [[nodiscard]] std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece);
+
+/// Adds the ends of the edges on which some of the nodes hang.
+void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes);
 
 class CrackSides {
 public:
@@ -26,7 +30,7 @@ public:
     [[nodiscard]] const std::map<int, int>& of_nodes() const { return of_nodes_; }
     [[nodiscard]] const std::set<int>& nodes_on_crack() const { return on_crack_; }
 
-    /// Side of a node of the element that holds the tip at the end of a piece. Ahead of the tip either will do.
+    /// Side of one of the tip_nodes() at the end of a piece. Ahead of the tip either will do.
     [[nodiscard]] int near_tip(const CrackPiece& piece, int node) const;
 
     /// Sets the side, +1 or -1, of the elements that touch the crack without being cut. `tips`: those at its start and

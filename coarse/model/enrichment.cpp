@@ -94,15 +94,14 @@ private:
 
     [[nodiscard]] TiedNode tie(const HangingNode& hanging) const {
         const auto [node, ends, larger] = hanging;
-        for (const int n : {node, ends[0], ends[1]})
-            require(!has_tip_function(n), "tip functions end within the smallest elements");
         const auto meets = [&](int a, int b) { return crossed_edges_.contains(std::minmax(a, b)); };
         const bool jump =
             met_nodes_.contains(node) || meets(ends[0], ends[1]) || meets(ends[0], node) || meets(node, ends[1]);
         return {node, ends, side_at(hanging), jump};
     }
 
-    // Of the edge at the node: an end on the crack counts as +, whatever the side of the edge.
+    // Of the edge at the node: an end on the crack counts as +, whatever the side of the edge. Of an edge that the
+    // crack runs along, what hangs is beyond it.
     [[nodiscard]] double side_at(const HangingNode& hanging) const {
         const auto side_of = [&](int node) {
             for (const Term& term : result_.terms[at(node)])
@@ -112,12 +111,8 @@ private:
         if (const double own = side_of(hanging.node); own != 0.0) return own;
         for (const int end : hanging.ends)
             if (side_of(end) != 0.0 && !met_nodes_.contains(end)) return side_of(end);
-        return result_.element_side[at(hanging.larger)];
-    }
-
-    [[nodiscard]] bool has_tip_function(int node) const {
-        return std::ranges::any_of(result_.terms[at(node)],
-                                   [](const Term& term) { return term.kind != Term::Kind::Heaviside; });
+        const double of_larger = result_.element_side[at(hanging.larger)];
+        return edges_of_faces_.contains(std::minmax(hanging.ends[0], hanging.ends[1])) ? -of_larger : of_larger;
     }
 
     void add_crack(int crack, const CrackPath& path) {
@@ -188,7 +183,9 @@ private:
                 if (place < 0.0 || place == std::floor(place)) continue;
                 const auto& nodes = mesh_.elements[at(piece.element)];
                 const int edge = static_cast<int>(place);
-                crossed_edges_.insert(std::minmax(nodes[at(edge)], nodes[at((edge + 1) % 4)]));
+                const std::pair<int, int> ends = std::minmax(nodes[at(edge)], nodes[at((edge + 1) % 4)]);
+                crossed_edges_.insert(ends);
+                if (piece.neighbour >= 0) edges_of_faces_.insert(ends);
             }
         }
     }
@@ -206,20 +203,26 @@ private:
 
     /// Nodes that carry a tip's functions, with the side of the crack that chooses the branch of theta there.
     [[nodiscard]] std::map<int, int> enriched_nodes(int tip, const CrackPiece& piece, const CrackSides& sides) const {
-        std::map<int, int> nodes;
+        const std::set<int> about_tip = tip_nodes(mesh_, piece);
+        std::set<int> nodes = about_tip;
         if (tip_enrichment_.support != TipSupport::Topological) {
             const double radius = disk_radius(tip, piece);
             for (int element = 0; element < static_cast<int>(mesh_.elements.size()); ++element) {
                 // Whole elements: there the functions are complete.
                 if ((centre(mesh_, element) - result_.tips[at(tip)].position).norm() > radius) continue;
-                for (const int node : mesh_.elements[at(element)]) {
-                    const auto beside = sides.of_nodes().find(node);
-                    nodes[node] = beside != sides.of_nodes().end() ? beside->second : 0;
-                }
+                nodes.insert(mesh_.elements[at(element)].begin(), mesh_.elements[at(element)].end());
             }
+            add_ends_of_edges(mesh_, nodes);
         }
-        for (const int node : tip_nodes(mesh_, piece)) nodes[node] = sides.near_tip(piece, node);
-        return nodes;
+        for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
+            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1])) nodes.insert(hanging.node);
+        std::map<int, int> sides_of_nodes;
+        for (const int node : nodes) {
+            const auto beside = sides.of_nodes().find(node);
+            const int known = beside != sides.of_nodes().end() ? beside->second : 0;
+            sides_of_nodes[node] = about_tip.contains(node) ? sides.near_tip(piece, node) : known;
+        }
+        return sides_of_nodes;
     }
 
     [[nodiscard]] double disk_radius(int tip, const CrackPiece& piece) const {
@@ -245,6 +248,7 @@ private:
     EnrichedMesh result_;
     std::set<int> met_nodes_;  // of all cracks so far
     std::set<std::pair<int, int>> crossed_edges_;
+    std::set<std::pair<int, int>> edges_of_faces_;  // of those: on which the crack runs from or to a hanging node
 };
 
 /// n of the strain's r^(-n/(n+1)) at the tip. Behind a growing tip the metal has unloaded: there it is no power law's.

@@ -82,9 +82,9 @@ void ElementBasis::number_functions() {
             const auto& terms = mesh_->terms[at(end)];
             for (int k = 0; k < std::ssize(terms); ++k) {
                 const Term& own = terms[at(k)];
-                const double part = term_index > 0 ? 0.5 : 0.5 * (tie.side - own.shift);
-                if (own.kind == Term::Kind::Heaviside && part != 0.0 && (term_index == 0 || own.same_function(term)))
-                    give(f, end, k + 1, part);
+                if (own.kind == Term::Kind::Gathered || (term_index > 0 && !own.same_function(term))) continue;
+                const double part = 0.5 * (term_index > 0 ? 1.0 : mesh_->value_at(tie, own) - own.shift);
+                if (part != 0.0) give(f, end, k + 1, part);
             }
         }
     }

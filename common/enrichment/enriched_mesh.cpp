@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/error.hpp"
 #include "common/index.hpp"
 
 namespace stria {
@@ -15,10 +16,10 @@ void EnrichedMesh::number() {
         const TiedNode* const tie_here = tie(static_cast<int>(node));
         first_unknown[node] = tie_here != nullptr ? unknowns - 2 : unknowns;
         if (tie_here == nullptr) unknowns += 2;
-        for (const Term& term : terms[node]) {
-            if (tie_here != nullptr && tie_here->jump_tied) continue;
+        for (int k = 0; k < std::ssize(terms[node]); ++k) {
+            const Term& term = terms[node][at(k)];
             if (term.kind != Term::Kind::Gathered) {
-                unknowns += 2;
+                if (!follows(static_cast<int>(node), k + 1)) unknowns += 2;
                 continue;
             }
             int& functions = gathered[at(term.owner)];
@@ -33,7 +34,8 @@ void EnrichedMesh::number() {
 
 bool EnrichedMesh::follows(int node, int term) const {
     const TiedNode* const here = tie(node);
-    return here != nullptr && (term == 0 || here->jump_tied);
+    return here != nullptr &&
+           (term == 0 || here->jump_tied || terms[at(node)][at(term - 1)].kind != Term::Kind::Heaviside);
 }
 
 std::vector<std::pair<int, double>> EnrichedMesh::holders_of_jump(int node) const {
@@ -49,6 +51,13 @@ std::vector<EnrichedMesh::OwnUnknown> EnrichedMesh::own_unknowns() const {
             if (!follows(node, term)) own.push_back({node, term, unknown(node, term, 0)});
     }
     return own;
+}
+
+double EnrichedMesh::value_at(const TiedNode& here, const Term& function) const {
+    if (function.kind == Term::Kind::Heaviside) return here.side;
+    const int own = term_index(here.node, function);
+    require(own > 0, "a hanging node has the tip functions of the ends of its edge");
+    return terms[at(here.node)][at(own - 1)].shift;
 }
 
 int EnrichedMesh::term_index(int node, const Term& term) const {

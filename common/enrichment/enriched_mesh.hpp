@@ -32,7 +32,8 @@ struct Term {
 };
 
 /// A hanging node, tied to the trace of the larger neighbour: the displacement there is the mean of the ends' on either
-/// side of the crack, so u = sum_i (u_i + (side - s_i) a_i) / 2 and, where the crack meets the edge, a = sum_i a_i / 2.
+/// side of the crack, so u = sum_i (u_i + (side - s_i) a_i + (psi - psi_i) b_i) / 2, where the crack meets the edge
+/// a = sum_i a_i / 2, and b = sum_i b_i / 2. Of tip functions it has those of both ends, with its own psi.
 struct TiedNode {
     int node;
     std::array<int, 2> ends;
@@ -85,6 +86,9 @@ struct EnrichedMesh {
 
     /// True where a node's term (0: standard) has no unknowns of its own.
     [[nodiscard]] bool follows(int node, int term) const;
+
+    /// Of a function that an end of its edge has, at a tied node.
+    [[nodiscard]] double value_at(const TiedNode& here, const Term& function) const;
 
     /// The nodes whose unknowns make the jump at a node, with their shares: itself, or the ends of its edge.
     [[nodiscard]] std::vector<std::pair<int, double>> holders_of_jump(int node) const;

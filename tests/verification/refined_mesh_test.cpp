@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/model/mesh_refinement.hpp"
@@ -129,6 +130,43 @@ TEST(RefinedMesh, DisplacementsAreContinuousWhereTheCrackMeetsNodes) {
     }
 }
 
+/// Cracks whose tips lie where small elements end, as those of a crack that has grown into metal that has flowed.
+struct AtTheRim {
+    Mesh mesh;
+    Vec2 tip, along;
+    std::vector<Vec2> crack;
+
+    explicit AtTheRim(int k, bool bent = false) {
+        const Vec2 centre(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
+        mesh = coarse::refine(k % 3 == 0 ? distorted(square_mesh(6), 0.02) : square_mesh(6),
+                              {{centre, centre, 0.15, 3, 0.2}})
+                   .mesh;
+        tip = centre + (0.05 + 0.004 * k) * Vec2(std::cos(2.3 * k), std::sin(2.3 * k));
+        along = {std::cos(0.7 * k), std::sin(0.7 * k)};
+        const Vec2 aside(-along.y(), along.x());
+        crack = {tip - 2.0 * along, tip};
+        if (bent) crack.insert(crack.begin() + 1, tip - 0.1 * along + 0.05 * aside);
+    }
+};
+
+bool has_tip_function_that_hangs(const EnrichedMesh& enriched) {
+    return std::ranges::any_of(enriched.tied, [&](const TiedNode& tied) {
+        const std::vector<Term>& terms = enriched.terms[at(tied.node)];
+        return std::ranges::find(terms, Term::Kind::Tip, &Term::kind) != terms.end();
+    });
+}
+
+TEST(RefinedMesh, TipFunctionsAreContinuousAcrossHangingNodes) {
+    int across = 0;
+    for (int k = 0; k < 60; ++k) {
+        const AtTheRim rim(k, k % 2 == 1);
+        const EnrichedMesh enriched = cracked(rim.mesh, rim.crack, 6);
+        across += has_tip_function_that_hangs(enriched) ? 1 : 0;
+        EXPECT_LT(discontinuity(rim.mesh, enriched), 1e-12) << k;
+    }
+    EXPECT_GE(across, 20);
+}
+
 void hold_boundary(coarse::Scene& scene) {
     const std::vector<int> nodes = boundary_nodes(scene.mesh);
     scene.prescribed.clear();
@@ -168,12 +206,37 @@ TEST(RefinedMesh, HomogeneousStressIsExact) {
     EXPECT_GE(straight, 36);
 }
 
-// The parts of a body cut in two move apart without force.
+// Tip functions that no homogeneous stress moves: those of all nodes that see the tip are there, or none would add up.
+TEST(RefinedMesh, HomogeneousStressIsExactWhereTipFunctionsCrossHangingNodes) {
+    int across = 0;
+    for (int k = 0; k < 60; ++k) {
+        const AtTheRim rim(k);
+        const Eigen::Matrix2d stress = 100.0 * rim.along * rim.along.transpose();
+        coarse::Scene scene =
+            make_scene(rim.mesh, cracked(rim.mesh, rim.crack, 6), steel, boundary_tractions(rim.mesh, stress));
+        if (!is_straight(scene.enriched, rim.tip, rim.along)) continue;
+        across += has_tip_function_that_hangs(scene.enriched) ? 1 : 0;
+        const Eigen::VectorXd u = linear_field(scene.enriched, gradient_of(stress, steel));
+        hold_boundary(scene);
+        const SparseMatrix K = coarse::Structure(scene).elements().stiffness();
+        const Eigen::VectorXd scale = K.cwiseAbs() * u.cwiseAbs();
+        EXPECT_LT((K * u - scene.unit_force).cwiseAbs().maxCoeff() / scale.maxCoeff(), 1e-12) << k;
+    }
+    EXPECT_GE(across, 20);
+}
+
+// The parts of a body cut in two move apart without force, those that meet along edges of which one side is split, too.
 TEST(RefinedMesh, RigidHalvesPartFreely) {
+    std::vector<std::tuple<Mesh, Vec2, Vec2>> bodies;  // with a place on the crack, and its direction
     for (int k = 0; k < 30; ++k) {
         const Vec2 centre(0.5 + 0.1 * std::sin(5.0 * k), 0.5 + 0.1 * std::cos(9.0 * k));
-        const Vec2 along(std::cos(0.7 * k), std::sin(0.7 * k));
-        const Mesh mesh = refined_square(6, centre, 3, 0.15);
+        bodies.emplace_back(refined_square(6, centre, 3, 0.15), centre, Vec2(std::cos(0.7 * k), std::sin(0.7 * k)));
+    }
+    for (const Vec2& split : {Vec2(0.5, 0.6), Vec2(0.5, 0.4), Vec2(0.6, 0.5), Vec2(0.4, 0.5)})
+        for (const Vec2& along : {Vec2(1.0, 0.0), Vec2(-1.0, 0.0), Vec2(0.0, 1.0), Vec2(0.0, -1.0)})
+            bodies.emplace_back(refined_square(6, split, 1, 0.04, 0.0), Vec2(0.5, 0.5), along);
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const auto& [mesh, centre, along] = bodies[k];
         coarse::Scene scene = make_scene(mesh, cracked(mesh, {centre - 2.0 * along, centre + 2.0 * along}, 0), steel);
         const EnrichedMesh& enriched = scene.enriched;
         const auto rigid = [&](const Vec2& x) { return Vec2(0.3 - 0.7 * x.y(), -0.2 + 0.7 * x.x()); };
@@ -208,6 +271,30 @@ TEST(RefinedMesh, HasTheStressIntensityOfAUniformlyFineMesh) {
                              coarse.scene.mesh.elements.size(), off(refined), off(coarse));
     EXPECT_LT(std::abs(off(refined)), 0.2);
     EXPECT_LT(refined.scene.mesh.elements.size(), fine.scene.mesh.elements.size() / 10);
+}
+
+// A tip anywhere across the rim of small elements: K is as near as on large elements alone, or nearer.
+TEST(RefinedMesh, HasTheStressIntensityWhereTipFunctionsCrossHangingNodes) {
+    Case input = edge_crack(0.47, 4.0, End::Pulled);
+    input.mesh.size = 1.0 / 160;
+    input.fine.enrichment = Enrichment::Topological;
+    const double K = ElasticSolution(input).tips[0].K_I;
+    input.mesh.size = 1.0 / 40;
+    const double of_large = std::abs(ElasticSolution(input).tips[0].K_I / K - 1.0);
+    const Mesh body = coarse::refined_scene(input).mesh;
+    double worst = 0.0;
+    int across = 0;
+    for (int k = 0; k < 12; ++k) {
+        const Vec2 tip = input.cracks[0].points[1], beside = tip + Vec2(0.012 * (k - 6), 0.007 * (k % 5 - 2));
+        const coarse::Scene scene =
+            coarse::make_scene(input, coarse::refine(body, {{beside, beside, 0.03, 1, 0.0}}).mesh);
+        across += has_tip_function_that_hangs(scene.enriched) ? 1 : 0;
+        worst = std::max(worst, std::abs(coarse::solve_nominal(scene).tips[0].K_I / K - 1.0));
+    }
+    std::cout << fmt::format("K_I off by {:.3f} % on large elements, at most {:.3f} % at the rim of small ones\n",
+                             100.0 * of_large, 100.0 * worst);
+    EXPECT_GE(across, 6);
+    EXPECT_LT(worst, of_large + 0.001);
 }
 
 }  // namespace
