@@ -83,7 +83,7 @@ void FrozenTips::freeze(const EnrichedMesh& mesh, int tip, const Eigen::VectorXd
         if (std::ranges::any_of(mesh.elements[at(e)], sees)) elements.push_back(e);
     }
     if (elements.empty()) return;
-    coupling::FrozenTip frozen{extract(mesh, elements), {}, mesh.tips[at(tip)].crack};
+    coupling::FrozenTip frozen{extract(mesh, with_ends_of_edges(mesh, elements)), {}, mesh.tips[at(tip)].crack};
     Eigen::VectorXd own = Eigen::VectorXd::Zero(mesh.unknowns);
     for (const auto& [node, term, unknown] : mesh.own_unknowns()) {
         if (term > 0 && of_tip(mesh.terms[at(node)][at(term - 1)], tip))

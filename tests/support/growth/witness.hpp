@@ -86,7 +86,7 @@ private:
         double largest = 0.0;
         for (int n = 0; n < std::ssize(after.mesh.nodes); ++n) {
             const auto old = std::ranges::find(before.mesh.node_ids, after.mesh.node_ids[at(n)]);
-            if (old == before.mesh.node_ids.end()) continue;
+            if (old == before.mesh.node_ids.end() || after.mesh.follows(n, 0)) continue;
             const int m = static_cast<int>(old - before.mesh.node_ids.begin());
             const Vec2 was = before.u.segment<2>(before.mesh.unknown(m, 0, 0));
             largest = std::max(largest, was.norm());
