@@ -15,9 +15,9 @@ enum class Room {
 };
 
 /// One disk per tip: the radius of its zone, and at least the elements about its own, so that tip functions end within
-/// the smallest elements. How long the run will be does not show: it may be resumed with more cycles. `cracks`: those
-/// of the scene, or longer ones, which the disks follow from the present tips on. `K`: the largest of the load
-/// history, one per tip, MPa sqrt(mm).
+/// the smallest elements where none stays whole. How long the run will be does not show: it may be resumed with more
+/// cycles. `cracks`: those of the scene, or longer ones, which the disks follow from the present tips on. `K`: the
+/// largest of the load history, one per tip, MPa sqrt(mm).
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
                                           const std::vector<double>& K, Room room);
 
