@@ -41,7 +41,7 @@ void expect_accuracy(const std::string& scene, const std::vector<std::string>& s
 }
 
 TEST(ChosenIncrements, KeepTheAccuracyOfACrackThatGrows) {
-    expect_accuracy("/bench/growing_cycle/case.toml", {"load.blocks=[{cycles=6, max=50.0, ratio=0.0}]"}, 0.005, 2e-4);
+    expect_accuracy("/bench/growing_cycle/case.toml", {"load.blocks=[{cycles=5, max=50.0, ratio=0.0}]"}, 0.005, 2e-4);
 }
 
 TEST(ChosenIncrements, KeepTheAccuracyOfFacesThatAreClosedHalfOfTheTimeLong) {

@@ -59,8 +59,9 @@ struct Range {
 std::vector<double> places(int steps) {
     std::vector<double> shares;
     for (int k = 0; k <= steps; ++k) shares.push_back(double(k) / steps);
-    for (const double hair : {1e-12, 1e-9, 1e-6, 1e-4, 0.9e-3, 1.1e-3, 2e-3})
-        shares.insert(shares.end(), {hair, 1.0 - hair});
+    std::vector<double> hairs{1e-9, 0.9e-3, 1.1e-3};
+    if (steps > 10) hairs.insert(hairs.end(), {1e-12, 1e-6, 1e-4, 2e-3});
+    for (const double hair : hairs) shares.insert(shares.end(), {hair, 1.0 - hair});
     return shares;
 }
 
