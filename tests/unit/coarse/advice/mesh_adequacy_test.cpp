@@ -234,8 +234,9 @@ TEST_F(Advice, NamesATipThatPutsFunctionsAtAnotherOne) {
     input.growth = GrowthSection{.increment = 0.1};
     const auto named = [&] {
         const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
-        const std::vector<std::string> all =
-            coarse::mesh_warnings(coarse::make_scene(input, mesh), {100.0, 100.0}, {1.0, 1.0});
+        const std::size_t tips = input.cracks.size();
+        const std::vector<std::string> all = coarse::mesh_warnings(
+            coarse::make_scene(input, mesh), std::vector<double>(tips, 100.0), std::vector<double>(tips, 1.0));
         return std::ranges::count_if(all, [](const std::string& warning) {
             return warning.starts_with("tip 1: its elements of 0.0979 mm are larger than 1/50 of its crack") &&
                    warning.find("at tip 0, too") != std::string::npos &&
