@@ -152,8 +152,20 @@ void CrackCrossings::collect() {
             if (common->first != common->second) add(edge, k, common->second);
         }
     }
+    add_hanging_nodes();
     std::ranges::stable_sort(crossings_, {}, &Crossing::s);
     merge();
+}
+
+// On the side of the larger element no edge ends at them: a crack along its edge, by rounding on that side, meets none.
+void CrackCrossings::add_hanging_nodes() {
+    for (const auto& [ends, middle] : middle_) {
+        const Vec2& x = node(middle);
+        const double rounding = 1e-9 * (node(ends.second) - node(ends.first)).norm();
+        for (std::size_t k = 0; k + 1 < points_.size(); ++k)
+            if (distance_to_segment(x, points_[k], points_[k + 1]) <= rounding)
+                crossings_.push_back({arc_[k] + (x - points_[k]).norm(), x, middle, nullptr, 0.0});
+    }
 }
 
 // Along the crack an intersection moves by rounding with the crack's other end; on the edge it does not where the crack

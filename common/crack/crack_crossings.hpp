@@ -68,6 +68,7 @@ private:
     void collect_edges();
     [[nodiscard]] bool meets_crack(const Eigen::AlignedBox2d& box) const;
     void collect();
+    void add_hanging_nodes();
     void add(const MeshEdge& edge, std::size_t segment, const Vec2& found);
     void merge();
     [[nodiscard]] bool grazes(const Crossing& a, const Crossing& b) const;

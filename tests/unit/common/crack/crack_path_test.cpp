@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
+#include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/cracked_mesh.hpp"
@@ -124,6 +126,21 @@ TEST(CrackPath, RunsAlongEdgesWithTheElementOnItsRight) {
     for (int k = 0; k < 3; ++k) {
         EXPECT_EQ(path.pieces[at(k)].element, 4 + k);
         EXPECT_EQ(path.pieces[at(k)].neighbour, 8 + k);
+    }
+}
+
+// Elements on one side are twice as large, and rounding puts the crack on their side of the nodes that hang there.
+TEST(CrackPath, RunsAlongHalvesOfEdgesWhereverRoundingPutsIt) {
+    constexpr double h = 1.0 / 48.0;
+    for (const double split : {0.43, 0.5}) {
+        const Mesh mesh = coarse::refine(square_mesh(6), {{{split, 0.5}, {split, 0.5}, 0.05, 3, 0.2}}).mesh;
+        for (const auto& [across, up] : {std::pair{12, 11}, {12, 20}, {12, 28}, {18, 22}, {18, 26}, {22, 22}, {22, 26}})
+            for (const double mouth : {0.0, 1.0}) {
+                const CrackPath path = resolve_crack(mesh, 0, {{across * h, mouth}, {across * h, up * h}});
+                expect_chain(mesh, path);
+                EXPECT_NEAR(length_of(path.pieces), std::abs(up * h - mouth), 1e-9)
+                    << split << ' ' << across << ' ' << up;
+            }
     }
 }
 
