@@ -82,6 +82,24 @@ void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed c
         sides[at(piece.element)] = -1;
         sides[at(piece.neighbour)] = 1;
     }
+    if (path_.tip_at_start) put_beyond_hanging_nodes(path_.pieces.front(), tips.front(), cut, around, sides);
+    if (path_.tip_at_end) put_beyond_hanging_nodes(path_.pieces.back(), tips.back(), cut, around, sides);
+}
+
+// What hangs on an edge of an element at a tip has the tip's functions, and on either side of the edge the same.
+void CrackSides::put_beyond_hanging_nodes(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut,
+                                          const Around& around, std::vector<signed char>& sides) const {
+    const std::set<int> about_tip = tip_nodes(mesh_, piece);
+    for (const auto& [node, ends, larger] : mesh_.hanging) {
+        const signed char side = sides[at(larger)];
+        const bool follows = about_tip.contains(ends[0]) || about_tip.contains(ends[1]);
+        if (!follows || side == 0 || about_tip.contains(node) || on_crack_.contains(node)) continue;
+        for (const int element : around[at(node)]) {
+            signed char& known = sides[at(element)];
+            if (known != 0 || cut.contains(element) || known_sides(element).contains(-side)) continue;
+            if (lies_across(element, tip, side) && !is_torn(element, tip, side)) known = side;
+        }
+    }
 }
 
 std::set<int> CrackSides::known_sides(int element) const {
@@ -116,6 +134,13 @@ bool CrackSides::is_torn(int element, const Tip& tip, int side) const {
         most = std::max(most, theta);
     }
     return most - least > 1.001 * std::numbers::pi;
+}
+
+// The line behind the tip, from a crack that has turned.
+bool CrackSides::lies_across(int element, const Tip& tip, int side) const {
+    return std::ranges::any_of(corners(element), [&](const Vec2& corner) {
+        return std::abs(tip_polar(tip, corner, side).theta - tip_polar(tip, corner, 0).theta) > std::numbers::pi;
+    });
 }
 
 /// The crack's points before and after one of its points; beyond an end its line goes on.

@@ -46,7 +46,10 @@ private:
     [[nodiscard]] std::set<int> known_sides(int element) const;
     void put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
                         std::vector<signed char>& sides) const;
+    void put_beyond_hanging_nodes(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut,
+                                  const Around& around, std::vector<signed char>& sides) const;
     [[nodiscard]] bool is_torn(int element, const Tip& tip, int side) const;
+    [[nodiscard]] bool lies_across(int element, const Tip& tip, int side) const;
     [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
     [[nodiscard]] signed char side_at_node(const Vec2& x, int element) const;
     [[nodiscard]] std::array<Vec2, 4> corners(int element) const;

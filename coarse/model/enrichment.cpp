@@ -214,13 +214,14 @@ private:
             }
             add_ends_of_edges(mesh_, nodes);
         }
-        for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
-            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1])) nodes.insert(hanging.node);
         std::map<int, int> sides_of_nodes;
-        for (const int node : nodes) {
-            const auto beside = sides.of_nodes().find(node);
-            const int known = beside != sides.of_nodes().end() ? beside->second : 0;
-            sides_of_nodes[node] = about_tip.contains(node) ? sides.near_tip(piece, node) : known;
+        for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
+            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1]))
+                sides_of_nodes[hanging.node] = result_.element_side[at(hanging.larger)];
+        for (const int node : nodes) sides_of_nodes.try_emplace(node, 0);
+        for (auto& [node, side] : sides_of_nodes) {
+            if (const auto own = sides.of_nodes().find(node); own != sides.of_nodes().end()) side = own->second;
+            if (about_tip.contains(node)) side = sides.near_tip(piece, node);
         }
         return sides_of_nodes;
     }

@@ -167,6 +167,18 @@ TEST(RefinedMesh, TipFunctionsAreContinuousAcrossHangingNodes) {
     EXPECT_GE(across, 20);
 }
 
+// The line behind a tip beyond a right angle runs through elements that lie on one side of the crack.
+TEST(RefinedMesh, TipFunctionsAreContinuousBehindARightAngle) {
+    constexpr double h = 1.0 / 48.0;
+    for (const int levels : {2, 3}) {
+        const Mesh mesh = refined_square(6, {0.43, 0.56}, levels, 0.08);
+        for (const double x : {24.0 * h, 32.0 * h}) {
+            const Vec2 tip(x, 20.0 * h), corner(x - 8.0 * h, 20.0 * h);
+            EXPECT_LT(discontinuity(mesh, cracked(mesh, {{corner.x(), 0.0}, corner, tip}, 6)), 1e-12) << x;
+        }
+    }
+}
+
 void hold_boundary(coarse::Scene& scene) {
     const std::vector<int> nodes = boundary_nodes(scene.mesh);
     scene.prescribed.clear();
