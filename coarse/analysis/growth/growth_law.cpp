@@ -30,9 +30,13 @@ double driving_range(const GrowthSection& growth, double K_max, double K_min, do
     return K_max - K_op;
 }
 
-/// K does not change but for rounding: nothing drives the tip.
-bool stands(const CycleResult& cycle) {
-    return cycle.K_max - cycle.K_min <= rounding_of_K * std::max(std::abs(cycle.K_max), std::abs(cycle.K_min));
+/// What drives the tip does not change but for rounding. Under a constant K_I shear may open it all the same.
+bool stands(const GrowthSection& growth, const CycleResult& cycle) {
+    const bool by_opening = growth.law == GrowthLaw::Ctod;
+    const double most = by_opening ? cycle.opening_behind.most : cycle.K_max;
+    const double least = by_opening ? cycle.opening_behind.least : cycle.K_min;
+    const double range = by_opening ? cycle.opening_range() : most - least;
+    return range <= rounding_of_K * std::max(std::abs(most), std::abs(least));
 }
 
 double driving_range(const GrowthSection& growth, const CycleResult& cycle) {
@@ -49,7 +53,7 @@ bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
     if (is_prescribed(growth)) return growth.increment.value();
-    if (stands(cycle)) return 0.0;
+    if (stands(growth, cycle)) return 0.0;
     if (is_unread(growth, cycle)) return std::numeric_limits<double>::quiet_NaN();
     return rate_of_range(growth, growth.law == GrowthLaw::Ctod ? cycle.opening_range() : driving_range(growth, cycle));
 }

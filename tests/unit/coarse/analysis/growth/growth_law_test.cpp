@@ -42,6 +42,17 @@ TEST(GrowthLaw, RoundingDrivesNothing) {
     EXPECT_TRUE(std::isnan(growth_rate(growth, cycle_with(std::nan(""), std::nan(""), 0.0))));
 }
 
+// Shear moves the faces of a crack that a dead load holds open, at a K_I that stands.
+TEST(GrowthLaw, OpeningsDriveAtAConstantK) {
+    const GrowthSection growth{.law = GrowthLaw::Ctod, .increment = 0.1, .C = 2.0, .m = 2.0};
+    CycleResult cycle = cycle_with(500.0 + 1e-11, 500.0, 500.0);
+    EXPECT_NEAR(growth_rate(growth, cycle), 2.0 * 0.003 * 0.003, 1e-15);
+    cycle.opening_behind = {.most = 0.004 + 1e-15, .least = 0.004};
+    EXPECT_EQ(growth_rate(growth, cycle), 0.0);
+    cycle.opening_behind = {};
+    EXPECT_TRUE(std::isnan(growth_rate(growth, cycle)));
+}
+
 TEST(GrowthLaw, ATableIsDrivenAsParisLawIs) {
     GrowthSection growth{.law = GrowthLaw::Table, .ranges = {100.0, 1000.0}, .rates = {1e-6, 1e-3}};
     const CycleResult cycle = cycle_with(600.0, 100.0, 300.0);
