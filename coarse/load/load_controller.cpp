@@ -78,6 +78,16 @@ LoadController::Way LoadController::next_way() const {
     return {arrives ? to : position_.way + part, arrives};
 }
 
+double LoadController::size_of_next(const Way& taken) const {
+    const double from = ways()[at(position_.increments)], whole = ways()[at(position_.increments + 1)] - from;
+    const double size = (taken.end - position_.way) / whole, then = fraction_of_next();
+    return (taken.arrives ? then : std::min(then, 1.0 - (taken.end - from) / whole)) / size;
+}
+
+double LoadController::fraction_of_next() const {
+    return position_.consecutive_cuts > 0 ? std::min(1.0, 2.0 * position_.fraction) : position_.fraction;
+}
+
 Eigen::VectorXd LoadController::cases_at(double way) const {
     const double from = ways()[at(position_.increments)], to = ways()[at(position_.increments + 1)];
     return cases_.at({.leg = position_.leg,
@@ -100,6 +110,7 @@ std::optional<LoadStep> LoadController::next() const {
     step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
     step.predictor = predictor(taken_by(step));
+    step.next = size_of_next({way, arrives});
     step.bends = arrives && (leg.leads ? way == 1.0 : cases_.have_corner(way));
     if (arrives && increment == increments()) {
         step.reversal = leg.reversal;
@@ -220,10 +231,8 @@ void LoadController::accepted(std::vector<double> openings, const std::vector<do
         position_.met = met;
         meet_at(met);
     }
-    if (position_.consecutive_cuts > 0) {
-        position_.fraction = std::min(1.0, 2.0 * position_.fraction);
-        --position_.consecutive_cuts;
-    }
+    position_.fraction = fraction_of_next();
+    position_.consecutive_cuts = std::max(position_.consecutive_cuts - 1, 0);
 }
 
 bool LoadController::cut() {

@@ -22,6 +22,7 @@ struct LoadStep {
     Predictor predictor;
     bool reversal = false;  // a half cycle ends here
     bool bends = false;     // the loads go on in another direction
+    double next = 1.0;      // size of the next one, in this one, each in parts of what it is without halvings
     bool at_maximum = false, at_minimum = false,
          at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;
@@ -120,6 +121,8 @@ private:
     [[nodiscard]] double stop(int increment) const;  // target where an uncut increment of the leg ends; 0: its start
     [[nodiscard]] int stop_nearest_to_zero() const;
     [[nodiscard]] Way next_way() const;
+    [[nodiscard]] double size_of_next(const Way& taken) const;
+    [[nodiscard]] double fraction_of_next() const;
     [[nodiscard]] std::vector<double> meetings(const std::vector<double>& loads) const;  // parts of the present leg
     void meet_at(const std::vector<double>& loads);                                      // in the leg that begins
     [[nodiscard]] bool is_alike() const;  // the present leg, and the last one in its direction

@@ -22,8 +22,8 @@ void fields(auto& wire, Is<Failure> auto& m) {
 }
 
 void fields(auto& wire, Is<Commit> auto& m) {
-    auto& [reversal, bends, brief, no_faces, releases] = m;
-    wire(reversal, bends, brief, no_faces, releases);
+    auto& [reversal, bends, next, brief, no_faces, releases] = m;
+    wire(reversal, bends, next, brief, no_faces, releases);
 }
 
 void fields(auto& wire, Is<Ring> auto& m) {

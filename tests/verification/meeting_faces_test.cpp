@@ -57,6 +57,19 @@ TEST(MeetingFaces, StickWhereTheyMeet) {
     }
 }
 
+// The next increment is whole again, and the faces meet where it has gone three quarters of its way.
+TEST(MeetingFaces, BehindAHalvedIncrementStickWhereTheyMeet) {
+    MeetingFaces faces;
+    const auto go_to = [&](double l, const coupling::Commit& what = {}) {
+        return faces.load(40.0 * l, faces.shear(l), what).tips[0].K_II;
+    };
+    go_to(1.1);
+    const double far = go_to(0.7);
+    go_to(0.5);
+    const double near = go_to(0.3, {.next = 2.0}), met = near - (far - near) * 0.3 / 0.4;
+    EXPECT_NEAR(go_to(-0.1), met, 1e-6 * std::abs(met));
+}
+
 // Where the path of open faces is no parabola the one through three states of it is off by the third order.
 TEST(MeetingFaces, OnACurveTheErrorIsOfThirdOrder) {
     const auto error = [](double h) {

@@ -124,6 +124,7 @@ TEST(ContactLaw, WhereFacesWillMeetIsNotSaidOfWhatDoesNotBringThemTogether) {
     EXPECT_EQ(slip_until_met(2.0, {0.0, 1.0}, {-1.0, 1.0}), 0.0);
     EXPECT_EQ(slip_until_met(0.0, {-1.0, 1.0}, {-1.0, 1.0}), 0.0);
     EXPECT_DOUBLE_EQ(slip_until_met(8.0, {-2.0, 1.0}, {-2.0, 1.0}), 1.0 / 16.0);  // 4 increments away
+    EXPECT_DOUBLE_EQ(slip_until_met(8.0, {-2.0, 1.0}, {-2.0, 1.0}, 2.0), 0.5);    // 2 of the next
     // Of gaps that stand still rounding says which way they went.
     for (const double rounding : {-1e-15, 1e-15})
         for (const double before : {0.0, -1e-15, 1e-15})
