@@ -158,8 +158,17 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         remember_from(i + 2);
         return true;
     };
-    // What slides and parts between two stations shows at neither: where it is found, the second one has slid. So it
-    // has, at a load that nobody knows, where no trial on a long way tells.
+    const auto add_change = [&](std::size_t i, std::size_t k, const Crossing& found) -> OpeningChange& {
+        const double load_factor =
+            found.known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, found.share) : NAN;
+        const double target = std::lerp(way[i].target, way[i + 1].target, found.share);
+        return changes.emplace_back(
+            OpeningChange{static_cast<int>(signals().tip_of(k)), static_cast<int>(signals().kind_of(k)),
+                          is_closed(way[i + 1].signal[k]), load_factor,
+                          (target - way.front().target) / (way.back().target - way.front().target), target});
+    };
+    // What slides and parts between two stations shows at neither: where it is found, the second one has slid. Where no
+    // trial on a long way tells it may have, at a load that nobody knows, and is not looked for any more.
     const auto try_for_slip_after = [&](std::size_t i) {
         for (const std::size_t k : unslid(way[i], way[i + 1])) {
             const std::optional<Crossing> hidden = hidden_slip(way, i, contact_of(k), precision);
@@ -168,6 +177,9 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
             if (!hidden->known && std::abs(way[i + 1].target - way[i].target) <= precision) continue;
             way[i + 1].signal[k] = 1.0;
             remember_from(i + 2);
+            if (hidden->known) continue;
+            add_change(i, k, *hidden);
+            way[i].signal[k] = 1.0;
         }
         return false;
     };
@@ -178,15 +190,10 @@ std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureSt
         const bool found = unknown == changed.end();
         if (!found && try_after(i, crossing_of(i, *unknown).share)) continue;
         for (const std::size_t k : changed) {
-            const auto [share, known] = crossing_of(i, k);
-            const double load_factor = known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, share) : NAN;
-            const double target = std::lerp(way[i].target, way[i + 1].target, share);
-            OpeningChange& change = changes.emplace_back(
-                OpeningChange{static_cast<int>(signals().tip_of(k)), static_cast<int>(signals().kind_of(k)),
-                              is_closed(way[i + 1].signal[k]), load_factor,
-                              (target - way.front().target) / (way.back().target - way.front().target), target});
+            const Crossing place = crossing_of(i, k);
+            OpeningChange& change = add_change(i, k, place);
             const bool says_whether = signals().is_slip(signals().kind_of(k));
-            if (known && !says_whether) change.rate = rates_beside(way, i, k, precision, target);
+            if (place.known && !says_whether) change.rate = rates_beside(way, i, k, precision, change.target);
         }
         ++i;
     }

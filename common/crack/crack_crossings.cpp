@@ -124,7 +124,9 @@ void CrackCrossings::collect_edges() {
         for (std::size_t k = 0; k < 4; ++k) {
             const int from = mesh_.elements[e][k], to = mesh_.elements[e][(k + 1) % 4], middle = middle_of(from, to);
             add(from, middle >= 0 ? middle : to);
-            if (middle >= 0) add(middle, to);
+            if (middle < 0) continue;
+            add(middle, to);
+            hanging_near_.insert(middle);
         }
     }
 }
@@ -159,9 +161,10 @@ void CrackCrossings::collect() {
 
 // On the side of the larger element no edge ends at them: a crack along its edge, by rounding on that side, meets none.
 void CrackCrossings::add_hanging_nodes() {
-    for (const auto& [ends, middle] : middle_) {
+    for (const auto& [middle, ends, larger] : mesh_.hanging) {
+        if (!hanging_near_.contains(middle)) continue;
         const Vec2& x = node(middle);
-        const double rounding = 1e-9 * (node(ends.second) - node(ends.first)).norm();
+        const double rounding = 1e-9 * (node(ends[1]) - node(ends[0])).norm();
         for (std::size_t k = 0; k + 1 < points_.size(); ++k)
             if (distance_to_segment(x, points_[k], points_[k + 1]) <= rounding)
                 crossings_.push_back({arc_[k] + (x - points_[k]).norm(), x, middle, nullptr, 0.0});

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "common/fem/mesh.hpp"
@@ -81,6 +82,7 @@ private:
     const std::vector<Vec2>& points_;
     IndexLists around_;                          // elements around each node
     std::map<std::pair<int, int>, int> middle_;  // hanging node of an edge
+    std::set<int> hanging_near_;                 // of elements near the crack
     std::vector<double> arc_;
     std::vector<MeshEdge> edges_;
     std::vector<Crossing> crossings_;

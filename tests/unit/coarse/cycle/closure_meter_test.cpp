@@ -388,6 +388,18 @@ TEST(ClosureMeter, GivesNoLoadOfSlipWhereNoTrialTellsWhetherItHides) {
     EXPECT_TRUE(std::isnan(changes[0].load_factor));
     EXPECT_STREQ(meter.what_a_tip_does(changes[0]), "slides");
     EXPECT_TRUE(meter.locate(station(30.0, 0.2), station(40.0, 0.2), 0.1, fails).empty());
+    // Where contact farther off opens meanwhile a trial comes to equilibrium, and tells no more of the slip.
+    ClosureStation before = station(30.0, 0.2), after = station(40.0, 0.5);
+    after.signal[1] = -1.0;
+    const auto later = [&](double target) {
+        if (target < 39.5) return ClosureMeter::Trial{};
+        NewtonReport report = with_nearest({{.behind = 0.5, .pressure = 9.0, .excess = -2.0, .closed = 2}, {}});
+        report.iterations.back().residual.faces = {{1.0, 40.0 - target - 0.1}};
+        return ClosureMeter::Trial{report, target};
+    };
+    const std::vector<ExpectedCrossing> expected{{}, {.target = 39.8}, {}, {}};
+    for (const OpeningChange& change : meter.locate(before, after, 0.1, later, expected))
+        EXPECT_EQ(std::isnan(change.load_factor), change.signal == 2) << change.signal;
 }
 
 }  // namespace
