@@ -7,6 +7,7 @@
 #include <span>
 
 #include "coarse/model/tip_reach.hpp"
+#include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -21,12 +22,15 @@ constexpr double elements_across = 2.0;
 /// metals instead.
 constexpr double least_for_T = 4.0;
 
-/// Across the radius of the largest ring, in the longest edges of the body: more of them tell K no better, and what is
-/// near a tip is paid for in each increment.
+/// Across the radius of the largest ring, in the longest edges of the body: more of them change K by 1e-6 to 1e-5, and
+/// what is near a tip is paid for in each increment and in each growth.
 constexpr double most_across = 40.0;
 
 /// Metal may flow over any number of elements as large as the body's: J is then wanted from as far away as there is.
 bool flows_far(const Scene& scene) { return scene.materials.may_yield() && scene.input.fine.refine == 1; }
+
+/// An elastic body whose cracks neither grow nor touch pays once, and its K converges with the mesh.
+bool is_solved_once(const Scene& scene) { return !scene.input.growth && !needs_fine(scene.input); }
 
 /// The longest edge of a mesh, or any that is as long as `enough`, mm.
 double long_edge(const Mesh& mesh, double enough) {
@@ -84,8 +88,9 @@ double largest_ring(const Scene& scene, int tip_index) {
     const double reach =
         tip_reach(scene.mesh, scene.input.cracks, mesh.tips, tip_index, bend_to_element * tip_element_size(mesh, tip));
     const double free = 0.95 * std::min(reach, distance_to_loads(scene.mesh, scene.loads, tip.position));
-    const double radius =
-        flows_far(scene) ? free : std::min(free, most_across * long_edge(scene.mesh, free / most_across));
+    const double radius = flows_far(scene) || is_solved_once(scene)
+                              ? free
+                              : std::min(free, most_across * long_edge(scene.mesh, free / most_across));
     const double of_one_metal = largest_ring_of_one_metal(scene, tip_index);
     return of_one_metal < least_for_T * tip_element_edge(mesh, tip) ? radius : std::min(radius, of_one_metal);
 }
