@@ -393,7 +393,7 @@ TEST(ClosureMeter, GivesNoLoadOfSlipWhereNoTrialTellsWhetherItHides) {
     after.signal[1] = -1.0;
     const auto later = [&](double target) {
         if (target < 39.5) return ClosureMeter::Trial{};
-        NewtonReport report = with_nearest({{.behind = 0.5, .pressure = 9.0, .excess = -2.0, .closed = 2}, {}});
+        NewtonReport report = with_nearest({{.behind = 0.2, .pressure = 9.0, .excess = -2.0, .closed = 2}, {}});
         report.iterations.back().residual.faces = {{1.0, 40.0 - target - 0.1}};
         return ClosureMeter::Trial{report, target};
     };
