@@ -99,10 +99,10 @@ struct FaceJumps {
 /// `next`: size of the next increment in the last one, where that has been halved.
 [[nodiscard]] inline double slip_until_met(double gap, const FaceJumps& last, const FaceJumps& before,
                                            double next = 1.0) {
+    if (gap <= 0.0) return 0.0;
     const FaceJumps more{last.gap - before.gap, last.slip - before.slip};
     const double speed = last.gap + 0.5 * more.gap, root = speed * speed - 2.0 * more.gap * gap;
     double share = 0.0, slip = 0.0;  // of an increment
-    if (gap <= 0.0) return 0.0;
     if (more.gap < 0.0 || (speed < 0.0 && root >= 0.0)) {
         share = 2.0 * gap / (std::sqrt(root) - speed);
         slip = share * (last.slip + 0.5 * (1.0 + share) * more.slip);
