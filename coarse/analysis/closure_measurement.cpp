@@ -6,7 +6,7 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double precision = 0.002;  // of the larger load of a half cycle
+constexpr double precision = 0.002;  // of the largest loads of a half cycle
 
 }  // namespace
 
@@ -20,7 +20,7 @@ bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& r
 }
 
 std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, const NewtonReport& report,
-                                                       const End& from, const End& to, double extreme, double unit,
+                                                       const End& from, const End& to, double of_loads, double unit,
                                                        const Solve& solve) const {
     const double start = from.target.value, end = to.target.value;
     constexpr double nearby = 0.2;  // of the increment
@@ -37,8 +37,8 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
     };
     const std::vector<double> now = signal(report);
     return meter_.locate({start, from.load_factor, memory_.signal, memory_.nearest},
-                         {end, to.load_factor, now, meter_.nearest(report)}, precision * extreme, try_at,
-                         expected(now, unit), memory_.largest);
+                         {end, to.load_factor, now, meter_.nearest(report)},
+                         precision / of_loads * std::abs(end - start), try_at, expected(now, unit), memory_.largest);
 }
 
 std::vector<double> ClosureMeasurement::met() const {

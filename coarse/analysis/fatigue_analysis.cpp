@@ -181,7 +181,7 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadS
         return found;
     };
     auto changes = closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
-                                    {step.target, model_.trial_load_factor()}, controller_.extreme(),
+                                    {step.target, model_.trial_load_factor()}, controller_.part_of_loads(),
                                     controller_.scale(), try_part);
     model_.rollback();
     if (stopped) return std::nullopt;

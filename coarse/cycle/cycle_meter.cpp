@@ -6,22 +6,11 @@
 #include <utility>
 
 #include "coarse/cycle/compliance_offset.hpp"
+#include "coarse/load/case_histories.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
-
-/// K_op: of the last contact that is lost in loading. K_cl: of the first that is made on the way down. `K`: where it
-/// changes.
-void note_change(OpeningLoads& loads, const OpeningChange& change, double K, bool unloading) {
-    if (!change.closes && !unloading) {
-        loads.K_op = K;
-        loads.lost = std::isnan(K);
-    } else if (change.closes && unloading) {
-        if (std::isnan(loads.K_cl)) loads.K_cl = K;
-        loads.K_op = NAN;
-    }
-}
 
 /// What is least may be where a cycle starts: load cases may run against the load, and K with them.
 void start_from(CycleResult& cycle, const CycleMemory::Station& start) {
@@ -41,7 +30,8 @@ void begin_loading_again(CycleResult& cycle, double K, bool K_is_asked) {
     cycle.opening_behind.least = none.opening_behind.least;
 }
 
-/// Of the cycle before: a load that lags still lifts K in the first quarter of this one.
+/// Of the cycle before: a load that lags still lifts K in the first quarter of this one. Where it goes on to do so that
+/// cycle has not heard of the peak, and the rise is of this one.
 bool is_rest_of_rise(const CycleMemory::Tip& tip, const LoadStep& step) {
     return !tip.has_fallen && step.moment - (step.cycle - 1) <= 0.25 * (1.0 + 1e-9);
 }
@@ -65,37 +55,33 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
 }
 
 /// Where the cycle before rose no higher than this one does, its rest stands for that of this one, which is to come.
-void take_rest(CycleResult& cycle, const CycleResult& rest) {
+void take_rest(CycleMemory::Tip& tip) {
     constexpr double longer_crack = 1.02;
+    CycleResult& cycle = tip.cycle;
+    const CycleResult& rest = tip.rest;
     if (!(rest.K_max <= longer_crack * cycle.K_max)) return;
+    for (SignalOfCycle& signal : tip.signal) signal.take_rest();
     cycle.J_max = std::fmax(cycle.J_max, rest.J_max);
     cycle.CTOD.most = std::max(cycle.CTOD.most, rest.CTOD.most);
     cycle.opening_behind.most = std::max(cycle.opening_behind.most, rest.opening_behind.most);
 }
 
-/// Of the first slip in a half cycle.
-void note_slip(double& K_slip, const OpeningChange& change, double K) {
-    if (change.closes && std::isnan(K_slip)) K_slip = K;
-}
-
-/// At the end of an increment. No change tells what comes or goes at that load itself, behind the longer crack; and
-/// where contact is lost on the way down the crack is open from the minimum on. `K`: there. `rise`: of the load.
-void note_state(CycleMemory::Tip& tip, std::size_t signal, bool is_open, double K, double rise) {
-    OpeningLoads& loads = tip.signal[signal];
-    const bool changed = tip.changed[signal] != 0;
-    if (is_open && changed && (std::isnan(loads.K_op) || rise < 0.0) && !loads.lost) loads.K_op = K;
-    if (!is_open && !changed && tip.was_open[signal] != 0 && rise <= 0.0) {
-        loads.K_cl = K;
-        tip.changed[signal] = 1;
-    }
-    if (is_open) tip.was_open[signal] = 1;
+/// compliance_offset_opening(); of a tip that opens as the load falls, the same in the other direction.
+std::optional<double> opened_by_offset(CycleMemory::Path down, CycleMemory::Path up) {
+    const bool against = !up.load.empty() && up.load.back() < up.load.front();
+    const double sense = against ? -1.0 : 1.0;
+    for (CycleMemory::Path* path : {&down, &up})
+        for (double& load : path->load) load *= sense;
+    const std::optional<double> opened = compliance_offset_opening(down.load, down.mouth, up.load, up.mouth);
+    return opened ? std::optional(sense * *opened) : std::nullopt;
 }
 
 }  // namespace
 
 CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips, bool looks_ahead)
     : definition_(input.closure.definition), K_is_asked_(input.load.control == Control::StressIntensity),
-      looks_ahead_(looks_ahead), signals_(closure.signals()) {
+      looks_ahead_(looks_ahead), peaks_between_ends_(CaseHistories(input).peak_between_ends()),
+      control_(input.load.control), signals_(closure.signals()) {
     now_.tips.resize(tips.size());
     for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
 }
@@ -105,18 +91,18 @@ void CycleMeter::begin(int cycle) {
     now_.cycle = cycle;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
+        std::vector<SignalOfCycle> signal = std::move(tip.signal);
+        signal.resize(signals_.first_slip());
+        for (SignalOfCycle& one : signal) one.begin_cycle();
         tip = {};
-        tip.changed.assign(signals_.first_slip(), 0);
-        tip.was_open.assign(signals_.first_slip(), 0);
-        tip.signal.assign(signals_.first_slip(), {});
+        tip.signal = std::move(signal);
         tip.cycle.K_slip.assign(signals_.slip, NAN);
         tip.cycle.K_slip_unloading.assign(signals_.slip, NAN);
         if (now_.last.empty()) continue;  // full compression: no ramp
         const CycleMemory::Station& start = now_.last[t];
-        tip.cycle.forward = start.forward;
-        tip.cycle.forward_axis = start.forward_axis;
+        (start.rose ? tip.cycle.forward : tip.cycle.cyclic) = start.zone;
+        (start.rose ? tip.cycle.forward_axis : tip.cycle.cyclic_axis) = start.zone_axis;
         start_from(tip.cycle, start);
-        tip.down = {{start.load_factor}, {start.CMOD}};
     }
 }
 
@@ -124,67 +110,99 @@ void CycleMeter::add(const Increment& increment) {
     if (now_.tips.empty()) return;
     if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_.first_slip())
         begin(increment.step.cycle);
-    const double rise = increment.step.target.value - now_.last_target;
-    const bool loading = rise > 0.0, stands = rise == 0.0;  // as the crack grows, or a dead load comes on
+    const bool stands = rise_of_load(increment) == 0.0;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
-        const bool rises = !stands && t < now_.last.size() && increment.K_at_end(t) > now_.last[t].K;
-        measure(tip, increment, t, rise);
+        const double K = increment.K_at_end(t);
+        const bool rises = !stands && t < now_.last.size() && K > now_.last[t].K;
+        note_signals(tip, increment, t);
+        note_slip(tip.cycle, increment, t);
         const bool has_grown = tip.cycle.a > 0.0 && increment.tips[t].a > tip.cycle.a;  // within this cycle
         if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K, K_is_asked_);
         if (!stands && !rises) tip.has_fallen = true;
-        const bool loading_now = rises || increment.step.ends_cycle;
-        const bool of_before = looks_ahead_ && is_rest_of_rise(tip, increment.step);
-        take_extremes(tip.cycle, increment, t, loading_now && !of_before, touches_[t]);
+        const bool loading = rises || increment.step.ends_cycle;
+        const bool of_before = looks_ahead_ && !rises_on(t) && is_rest_of_rise(tip, increment.step);
+        take_extremes(tip.cycle, increment, t, loading && !of_before, touches_[t]);
         if (of_before) take_extremes(tip.rest, increment, t, rises, touches_[t]);
-        CycleMemory::Path& path = loading ? tip.up : tip.down;
-        if (loading && path.load.empty() && !tip.down.load.empty())
-            path = {{tip.down.load.back()}, {tip.down.mouth.back()}};
-        path.load.push_back(increment.load_factor);
-        path.mouth.push_back(increment.tips[t].CMOD);
-        double& extent = loading ? tip.cycle.forward : tip.cycle.cyclic;
-        double& axis = loading ? tip.cycle.forward_axis : tip.cycle.cyclic_axis;
-        extent = std::max(extent, increment.tips[t].plastic_zone);
-        axis = std::max(axis, increment.tips[t].plastic_zone_axis);
+        for (SignalOfCycle& signal : tip.signal) {
+            if (of_before && K >= tip.rest.K_max) signal.reach_largest_of_rest();
+            if (loading && !of_before && K >= tip.cycle.K_max) signal.reach_largest();
+        }
+        note_zone(tip.cycle, increment, t);
+        note_mouth(tip, increment, t);
     }
-    now_.last_target = increment.step.target.value;
-    now_.last.clear();
+    std::vector<CycleMemory::Station> reached;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        now_.last.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_at_end(t), tip.CTOD, tip.opening,
-                             tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
-                             stands ? tip.plastic_zone_axis : 0.0});
+        reached.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_at_end(t), tip.CTOD, tip.opening,
+                           tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
+                           stands ? tip.plastic_zone_axis : 0.0, half_cycle_rises(increment, t)});
         if (now_.x.size() > t) continue;
         now_.x.push_back(tip.x);
         now_.y.push_back(tip.y);
     }
+    now_.last = std::move(reached);
+    now_.last_target = increment.step.target.value;
 }
 
-void CycleMeter::measure(CycleMemory::Tip& tip, const Increment& increment, std::size_t t, double rise) const {
-    const bool unloading = rise < 0.0;
-    CycleResult& cycle = tip.cycle;
-    for (const OpeningChange& change : increment.opening_changes) {
-        if (change.tip != static_cast<int>(t)) continue;
-        const auto s = at(change.signal);
-        if (signals_.is_slip(s)) {
-            std::vector<double>& K_slip = unloading ? cycle.K_slip_unloading : cycle.K_slip;
-            note_slip(K_slip[s - signals_.first_slip()], change, increment.K_at(t, change));
-            continue;
-        }
-        note_change(tip.signal[s], change, increment.K_at(t, change), unloading);
-        tip.changed[s] = 1;
-    }
-    for (std::size_t s = 0; s < tip.was_open.size(); ++s) {
+// Where a displacement is controlled the load may fall as it rises.
+double CycleMeter::rise_of_K(const Increment& increment, std::size_t t) const {
+    constexpr double least_of_K_II = 0.01;
+    const double rise = rise_of_load(increment);
+    if (rise == 0.0 || t >= now_.last.size()) return rise;
+    const TipResult& nominal = increment.nominal[t];
+    LoadFactors change(rise);
+    if (control_ != Control::Displacement)
+        change = {increment.load_factor - now_.last[t].load_factor,
+                  coarse::change(increment.cases_before, increment.step.target.cases)};
+    const double K_I = K_together(nominal.K_I, nominal.K_I_of_cases, 0.0, change);
+    const double K_II = K_together(nominal.K_II, nominal.K_II_of_cases, 0.0, change);
+    return std::abs(K_I) > least_of_K_II * std::abs(K_II) ? K_I : rise;
+}
+
+bool CycleMeter::half_cycle_rises(const Increment& increment, std::size_t t) const {
+    const double rise = peaks_between_ends_ ? rise_of_load(increment) : rise_of_K(increment, t);
+    return rise > 0.0 || (rise == 0.0 && t < now_.last.size() && now_.last[t].rose);
+}
+
+void CycleMeter::note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const {
+    const double rise = rise_of_K(increment, t);
+    for (const OpeningChange& change : increment.opening_changes)
+        if (change.tip == static_cast<int>(t) && !signals_.is_slip(at(change.signal)))
+            tip.signal[at(change.signal)].note_change(change.closes, increment.K_at(t, change), rise);
+    for (std::size_t s = 0; s < tip.signal.size(); ++s) {
         const bool is_open = increment.signal.empty() ||
                              increment.signal[signals_.index(static_cast<int>(t), static_cast<int>(s))] <= 0.0;
-        note_state(tip, s, is_open, increment.K_at_end(t), rise);
+        tip.signal[s].note_state(is_open, increment.K_at_end(t), rise);
     }
 }
 
-// A crack that never closes is open down to the minimum; of one that never opens there is nothing to say.
-OpeningLoads CycleMeter::of_signal(const CycleMemory::Tip& tip, std::size_t signal) const {
-    const bool open_all_cycle = tip.changed[signal] == 0 && tip.was_open[signal] != 0;
-    return open_all_cycle ? OpeningLoads{tip.cycle.K_min, tip.cycle.K_min} : tip.signal[signal];
+// The first one in a half cycle.
+void CycleMeter::note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const {
+    std::vector<double>& K_slip = half_cycle_rises(increment, t) ? cycle.K_slip : cycle.K_slip_unloading;
+    for (const OpeningChange& change : increment.opening_changes) {
+        const auto s = at(change.signal);
+        if (change.tip != static_cast<int>(t) || !signals_.is_slip(s) || !change.closes) continue;
+        double& K = K_slip[s - signals_.first_slip()];
+        if (std::isnan(K)) K = increment.K_at(t, change);
+    }
+}
+
+void CycleMeter::note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const {
+    const bool loading = half_cycle_rises(increment, t);
+    double& extent = loading ? cycle.forward : cycle.cyclic;
+    double& axis = loading ? cycle.forward_axis : cycle.cyclic_axis;
+    extent = std::max(extent, increment.tips[t].plastic_zone);
+    axis = std::max(axis, increment.tips[t].plastic_zone_axis);
+}
+
+// Each way goes on from where the other one ended, with the crack as it has grown there.
+void CycleMeter::note_mouth(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const {
+    if (rise_of_load(increment) == 0.0) return;
+    CycleMemory::Path& path = half_cycle_rises(increment, t) ? tip.up : tip.down;
+    if (path.load.empty() && t < now_.last.size()) path = {{now_.last[t].load_factor}, {now_.last[t].CMOD}};
+    path.load.push_back(increment.load_factor);
+    path.mouth.push_back(increment.tips[t].CMOD);
 }
 
 std::vector<double> peaks_ahead(const Increment& increment, const std::vector<LoadFactors>& loads) {
@@ -202,20 +220,21 @@ std::vector<double> peaks_ahead(const Increment& increment, const std::vector<Lo
 
 std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
     std::vector<CycleResult> results;
+    now_.rises_on.clear();
+    for (const double peak : peaks) now_.rises_on.push_back(std::isinf(peak) ? 1 : 0);
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
         CycleResult& cycle = tip.cycle;
         if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
-        take_rest(cycle, tip.rest);
+        take_rest(tip);
         // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
         const CycleMemory::Station& end = now_.last[t];
         cycle.da = std::hypot(end.x - now_.x[t], end.y - now_.y[t]);
         now_.x[t] = end.x;
         now_.y[t] = end.y;
-        for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(of_signal(tip, s));
-        if (signals_.tension > 0) cycle.tension = of_signal(tip, signals_.contact);
-        const std::optional<double> opened =
-            compliance_offset_opening(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
+        for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(tip.signal[s].loads(cycle.K_min));
+        if (signals_.tension > 0) cycle.tension = tip.signal[signals_.contact].loads(cycle.K_min);
+        const std::optional<double> opened = opened_by_offset(tip.down, tip.up);
         if (opened) cycle.offset.K_op = end.K + end.unit_K * (*opened - end.load_factor);
         cycle.offset.lost = !opened;
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()

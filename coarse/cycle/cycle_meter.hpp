@@ -4,34 +4,36 @@
 #include <vector>
 
 #include "coarse/cycle/increment.hpp"
+#include "coarse/cycle/signal_of_cycle.hpp"
 #include "common/crack/tip.hpp"
 
 namespace stria::coarse {
 
 /// What a meter has seen of the present cycle, and of what it starts from.
 struct CycleMemory {
-    struct Path {  // of the load, one way
+    struct Path {
         std::vector<double> load, mouth;
     };
     struct Tip {
         CycleResult cycle;
         bool has_fallen = false;  // K, in this cycle
         CycleResult rest = {};    // extremes of what a load that lags still adds to the rise of the cycle before
-        std::vector<char> changed, was_open;  // per signal
-        std::vector<OpeningLoads> signal;
+        std::vector<SignalOfCycle> signal;
         Path down, up;
     };
     struct Station {                   // what the next increment, or cycle, starts from
         double x = 0.0, y = 0.0;       // of the tip, mm
         double unit_K = 0.0, K = 0.0;  // nominal: of the load of [load] at its factor 1, and of all there is
         double CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
-        double forward = 0.0, forward_axis = 0.0;  // of flow while the load stood
+        double zone = 0.0, zone_axis = 0.0;  // plastic, mm, of flow while the load stood
+        bool rose = false;                   // the half cycle that it ends, or stands at the end of
     };
     int cycle = 0;
     double last_target = 0.0;
     std::vector<Tip> tips;
     std::vector<Station> last;
-    std::vector<double> x, y;  // of the tips when the last cycle, or the ramp, ended, mm
+    std::vector<double> x, y;    // of the tips when the last cycle, or the ramp, ended, mm
+    std::vector<char> rises_on;  // per tip: K rises all through the quarter of a cycle behind the last one
 };
 
 /// What the nominal K of each tip rises to under loads that follow the end of an increment, MPa sqrt(mm), before it
@@ -57,12 +59,25 @@ public:
 
 private:
     void begin(int cycle);
-    /// `rise`: of the load, over the increment; zero where it stands, as the crack grows.
-    void measure(CycleMemory::Tip& tip, const Increment& increment, std::size_t t, double rise) const;
-    [[nodiscard]] OpeningLoads of_signal(const CycleMemory::Tip& tip, std::size_t signal) const;
+    /// What [load] changes by over the increment; zero where it stands, as the crack grows or a dead load comes on.
+    [[nodiscard]] double rise_of_load(const Increment& increment) const {
+        return increment.step.target.value - now_.last_target;
+    }
+    /// Of the nominal K of a tip, its sign alone: that of K_I under the change of all loads, or that of rise_of_load()
+    /// where K_I changes by less than a hundredth of what K_II does. Zero where [load] stands.
+    [[nodiscard]] double rise_of_K(const Increment& increment, std::size_t t) const;
+    /// K rises in the half cycle that the increment belongs to, or stands at the end of; where K turns elsewhere than
+    /// [load], as loads lag or travel, [load] does.
+    [[nodiscard]] bool half_cycle_rises(const Increment& increment, std::size_t t) const;
+    [[nodiscard]] bool rises_on(std::size_t t) const { return t < now_.rises_on.size() && now_.rises_on[t] != 0; }
+    void note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
+    void note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const;
+    void note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const;
+    void note_mouth(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
-    bool K_is_asked_ = false, looks_ahead_ = false;
+    bool K_is_asked_ = false, looks_ahead_ = false, peaks_between_ends_ = false;
+    Control control_ = Control::Load;
     std::vector<bool> touches_;  // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;
     CycleMemory now_;

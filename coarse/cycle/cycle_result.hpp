@@ -29,8 +29,8 @@ struct Extremes {
     }
 };
 
-/// From maximum to maximum. What is largest is what loading reaches, for that is what K_op belongs to and what the
-/// crack grows by: the maximum that a cycle starts from belongs to the one before.
+/// From one maximum of [load] to the next. What is largest is what loading reaches, for that is what K_op belongs to
+/// and what the crack grows by: the maximum that a cycle starts from belongs to the one before.
 struct CycleResult {
     double a = 0.0, da = 0.0;  // mm; grown since the cycle before ended
     // Of all increments so far, infinite before the first; NaN where no ring has told K in one of them.

@@ -56,7 +56,23 @@ void LoadController::resume(const LoadPosition& position) {
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
 
-double LoadController::extreme() const { return std::max(std::abs(position_.leg_start), std::abs(end_of_leg())); }
+// Near a turn of [load] a load case that lags changes by much where [load] hardly does.
+double LoadController::part_of_loads() const {
+    const LoadStep step = *next();
+    const double largest = std::max(std::abs(position_.leg_start), std::abs(end_of_leg()));
+    double part = std::abs(step.target.value - position_.reached) / largest;
+    if (cases_.count() == 0) return part;
+    const Eigen::ArrayXd changes = (step.target.cases - position_.cases).array().abs(), most = largest_cases();
+    for (Eigen::Index k = 0; k < changes.size(); ++k)
+        if (changes[k] > 0.0) part = std::max(part, changes[k] / std::max(most[k], changes[k]));
+    return part;
+}
+
+Eigen::ArrayXd LoadController::largest_cases() const {
+    Eigen::ArrayXd largest = Eigen::ArrayXd::Zero(cases_.count());
+    for (int k = 0; k <= increments(); ++k) largest = largest.max(cases_at_stop(k).array().abs());
+    return largest;
+}
 
 double LoadController::stop(int increment) const {
     if (increment == 0) return position_.leg_start;
@@ -94,6 +110,14 @@ Eigen::VectorXd LoadController::cases_at(double way) const {
                       .way = way,
                       .increment = position_.increments + 1,
                       .share = (way - from) / (to - from),
+                      .scale = scale_});
+}
+
+Eigen::VectorXd LoadController::cases_at_stop(int increment) const {
+    return cases_.at({.leg = position_.leg,
+                      .way = ways()[at(increment)],
+                      .increment = std::max(increment, 1),
+                      .share = increment > 0 ? 1.0 : 0.0,
                       .scale = scale_});
 }
 

@@ -104,8 +104,9 @@ public:
     /// The value reached: a load factor, or a displacement, mm.
     [[nodiscard]] double reached() const { return position_.reached; }
     [[nodiscard]] Target reached_target() const { return {control_, position_.reached, 0.0, position_.cases}; }
-    /// The larger magnitude of the two ends of the present way.
-    [[nodiscard]] double extreme() const;
+    /// How much of the loads of the present half cycle the next increment changes: of that load which changes most, in
+    /// parts of the largest magnitude that it comes to there.
+    [[nodiscard]] double part_of_loads() const;
 
 private:
     /// What of a leg is done where the next increment ends, and whether that is where an uncut one does.
@@ -127,6 +128,8 @@ private:
     void meet_at(const std::vector<double>& loads);                                      // in the leg that begins
     [[nodiscard]] bool is_alike() const;  // the present leg, and the last one in its direction
     [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
+    [[nodiscard]] Eigen::VectorXd cases_at_stop(int increment) const;
+    [[nodiscard]] Eigen::ArrayXd largest_cases() const;  // magnitudes, at the stops of the leg
     [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;
     [[nodiscard]] Predictor predictor(const LoadPosition::Taken& next) const;
     void remember(const LoadPosition::Taken& last);

@@ -22,12 +22,19 @@ struct LoadFactors {
     [[nodiscard]] double of_case(Eigen::Index k) const { return k < cases.size() ? cases[k] : 0.0; }
 };
 
-/// Factors of load cases at a part of the way from one moment to another; those beyond an end are zero.
-[[nodiscard]] inline Eigen::VectorXd between(Eigen::VectorXd before, Eigen::VectorXd after, double way) {
+/// What factors of load cases change by from one moment to another; those beyond an end are zero.
+[[nodiscard]] inline Eigen::VectorXd change(Eigen::VectorXd before, Eigen::VectorXd after) {
     const Eigen::Index count = std::max(before.size(), after.size());
     before.conservativeResizeLike(Eigen::VectorXd::Zero(count));
     after.conservativeResizeLike(Eigen::VectorXd::Zero(count));
-    return before + way * (after - before);
+    return after - before;
+}
+
+/// Likewise, factors at a part of the way from one moment to another.
+[[nodiscard]] inline Eigen::VectorXd between(const Eigen::VectorXd& before, const Eigen::VectorXd& after, double way) {
+    Eigen::VectorXd there = way * change(before, after);
+    there.head(before.size()) += before;
+    return there;
 }
 
 }  // namespace stria::coarse

@@ -92,6 +92,15 @@ void members(auto& archive, Is<TipResult> auto& m) {
     archive("K_II_of_cases", K_II_of_cases);
 }
 
+void members(auto& archive, Is<SignalOfCycle> auto& m) {
+    auto& [found, rising, rest, changed, was_open] = m;
+    archive("found", found);
+    archive("rising", rising);
+    archive("rest", rest);
+    archive("changed", changed);
+    archive("was_open", was_open);
+}
+
 void members(auto& archive, Is<CycleMemory::Path> auto& m) {
     auto& [load, mouth] = m;
     archive("load", load);
@@ -99,19 +108,17 @@ void members(auto& archive, Is<CycleMemory::Path> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
-    auto& [cycle, has_fallen, rest, changed, was_open, signal, down, up] = m;
+    auto& [cycle, has_fallen, rest, signal, down, up] = m;
     archive("cycle", cycle);
     archive("has_fallen", has_fallen);
     archive("rest", rest);
-    archive("changed", changed);
-    archive("was_open", was_open);
     archive("signal", signal);
     archive("down", down);
     archive("up", up);
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [x, y, unit_K, K, CTOD, opening, CMOD, load_factor, forward, forward_axis] = m;
+    auto& [x, y, unit_K, K, CTOD, opening, CMOD, load_factor, zone, zone_axis, rose] = m;
     archive("x", x);
     archive("y", y);
     archive("unit_K", unit_K);
@@ -120,18 +127,20 @@ void members(auto& archive, Is<CycleMemory::Station> auto& m) {
     archive("opening", opening);
     archive("CMOD", CMOD);
     archive("load_factor", load_factor);
-    archive("forward", forward);
-    archive("forward_axis", forward_axis);
+    archive("zone", zone);
+    archive("zone_axis", zone_axis);
+    archive("rose", rose);
 }
 
 void members(auto& archive, Is<CycleMemory> auto& m) {
-    auto& [cycle, last_target, tips, last, x, y] = m;
+    auto& [cycle, last_target, tips, last, x, y, rises_on] = m;
     archive("cycle", cycle);
     archive("last_target", last_target);
     archive("tips", tips);
     archive("last", last);
     archive("x", x);
     archive("y", y);
+    archive("rises_on", rises_on);
 }
 
 void members(auto& archive, Is<EquilibriumState> auto& m) {

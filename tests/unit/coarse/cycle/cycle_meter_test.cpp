@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace stria::coarse {
@@ -18,20 +20,20 @@ protected:
         meter = CycleMeter(input, closure, tips);
     }
 
-    /// At a load of the crack `a` long, whose K is ten times the load.
+    /// At a load of the crack `a` long.
     void go(int cycle, double load, double a, bool is_closed, std::vector<OpeningChange> changes = {}) {
         Increment increment;
         increment.step.cycle = cycle;
         increment.step.moment = moment;
         increment.step.target.value = increment.load_factor = load;
-        increment.nominal = {{.K_I = told ? 10.0 * a : NAN, .K_initial = initial_K}};
+        increment.nominal = {{.K_I = told ? unit_K * a : NAN, .K_II = unit_K_II, .K_initial = initial_K}};
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
                                   .x = way * a,
                                   .J = J_of_load * load,
                                   .CTOD = 1e-3 * load,
-                                  .CMOD = load,
+                                  .CMOD = mouth_of_load ? mouth_of_load(load) : load,
                                   .opening = 2e-3 * load + opening_at_tip,
                                   .plastic_zone = 0.01 * load});
         meter.add(increment);
@@ -41,11 +43,13 @@ protected:
     ClosureMeter closure;
     CycleMeter meter;
     const std::vector<Tip> tips{{0, Vec2::Zero(), Vec2::UnitX(), 1.0, 0}};
-    double initial_K = 0.0, way = 1.0;  // of the tip, over the length that the crack is said to have
-    double opening_at_tip = 0.0;        // beside what the load makes
-    bool told = true;                   // K, by a ring
+    double unit_K = 10.0, unit_K_II = 0.0;  // of a crack of 1 mm
+    double initial_K = 0.0, way = 1.0;      // of the tip, over the length that the crack is said to have
+    double opening_at_tip = 0.0;            // beside what the load makes
+    bool told = true;                       // K, by a ring
     double J_of_load = 1.0;
-    double moment = 1.0;  // cycles
+    std::function<double(double)> mouth_of_load;  // mm; absent: the load
+    double moment = 1.0;                          // cycles
 };
 
 TEST_F(CycleMeterTest, EveryKHoldsThatOfTheInitialStress) {
@@ -299,6 +303,74 @@ TEST_F(CycleMeterTest, ContactLostInUnloadingOpensNoCrackInLoading) {
     go(3, 5.0, 1.0, false, {change(false, 9.0)});
     go(3, 20.0, 1.0, false, {change(true, 10.0), change(false, 15.0)});
     EXPECT_EQ(meter.finish().at(0).opening.K_op, 150.0);
+}
+
+// A plate is bent, and this crack lies where the other side is pulled. It was said to open at its largest K, and what
+// flows as it opens to be the zone of unloading.
+TEST_F(CycleMeterTest, ATipThatOpensAsTheLoadFallsHasItsOpeningLoads) {
+    unit_K = -10.0;
+    go(0, 20.0, 1.0, true);
+    for (const int cycle : {1, 2}) {
+        go(cycle, 8.0, 1.0, true);
+        go(cycle, -20.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = -4.0}});
+        go(cycle, -10.0, 1.0, false);
+        go(cycle, 20.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = -3.0}});
+        const CycleResult result = meter.finish().at(0);
+        EXPECT_EQ(result.K_max, 200.0);
+        EXPECT_EQ(result.K_min, -200.0);
+        EXPECT_EQ(result.opening.K_op, 40.0);
+        EXPECT_EQ(result.opening.K_cl, 30.0);
+        EXPECT_NEAR(result.forward, 0.08, 1e-15);
+        EXPECT_NEAR(result.cyclic, 0.2, 1e-15);
+    }
+}
+
+TEST_F(CycleMeterTest, FlowOfGrowthIsOfTheHalfCycleThatItEnds) {
+    unit_K = -10.0;
+    go(0, 20.0, 1.0, true);
+    go(1, -20.0, 1.0, false);
+    go(1, 20.0, 1.0, true);
+    meter.finish();
+    go(1, 20.0, 1.5, true);  // grows where K is least
+    go(2, -20.0, 1.5, false);
+    go(2, 10.0, 1.5, true);
+    const CycleResult result = meter.finish().at(0);
+    EXPECT_NEAR(result.cyclic, 0.2, 1e-15);
+    EXPECT_EQ(result.forward, 0.0);
+}
+
+// The slope at the mouth is that of the open crack as far as a load of -8.
+TEST_F(CycleMeterTest, ATipThatOpensAsTheLoadFallsHasAnOffset) {
+    const auto of_a_cycle = [&](double sense) {
+        unit_K = 10.0 * sense;
+        meter = CycleMeter(input, closure, tips);
+        mouth_of_load = [&](double load) { return std::max(sense * load - 8.0, 0.0) + 0.2 * sense * load; };
+        const auto go_to = [&](int load) { go(1, sense * load, 1.0, false); };
+        go(0, sense > 0.0 ? 20.0 : 0.0, 1.0, false);
+        if (sense > 0.0)
+            for (int load = 19; load >= 0; --load) go_to(load);
+        for (int load = 1; load <= 20; ++load) go_to(load);
+        if (sense < 0.0)
+            for (int load = 19; load >= 0; --load) go_to(load);
+        return meter.finish().at(0).offset.K_op;
+    };
+    const double K_op = of_a_cycle(1.0);
+    EXPECT_NEAR(K_op, 80.0, 10.0);
+    mouth_of_load = {};
+    EXPECT_NEAR(of_a_cycle(-1.0), K_op, 1e-9);
+}
+
+// Of a crack in shear the mesh alone makes a K_I: what loading is says [load].
+TEST_F(CycleMeterTest, ShearLoadsAsTheLoadDoes) {
+    unit_K = -1e-3;
+    unit_K_II = 10.0;
+    go(0, 20.0, 1.0, true);
+    go(1, 0.0, 1.0, true);
+    go(1, 10.0, 1.0, true);
+    go(1, 20.0, 1.0, true);
+    const CycleResult result = meter.finish().at(0);
+    EXPECT_NEAR(result.forward, 0.2, 1e-15);
+    EXPECT_EQ(result.cyclic, 0.0);
 }
 
 TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {

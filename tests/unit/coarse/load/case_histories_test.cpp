@@ -261,5 +261,36 @@ TEST(CaseHistories, TheLargestSumIsNoLessThanAnyOfTheHistory) {
     }
 }
 
+// Near its maximum [load] hardly changes while what lags by a quarter of a cycle does.
+TEST(CaseHistories, TheLoadThatChangesMostTellsHowLargeAnIncrementIs) {
+    Case input = cycles(4, {{2, 10.0, -10.0}});
+    input.load.grading.reset();
+    input.load_cases = {test::lagging_load("late", 3.0, 90.0), test::dead_load("dead", 50.0)};
+    LoadController loads = controller(input);
+    while (loads.next()->cycle == 0) loads.accepted();
+    EXPECT_NEAR(loads.part_of_loads(), 1.0, 1e-12);  // from 10 to 0, and from 0 to 30
+    for (int steps : {24, 96}) {
+        input.load.steps = steps;
+        loads = controller(input);
+        while (loads.next()->cycle < 2) loads.accepted();
+        const double angle = 2.0 * std::numbers::pi / steps;
+        EXPECT_NEAR(loads.part_of_loads(), std::sin(angle), 1e-12);
+        EXPECT_LT(10.0 - loads.next()->target.value, 5.0 * angle * angle);
+    }
+}
+
+TEST(CaseHistories, SoDoesOneWithExtremesOfItsOwn) {
+    LoadController alone(cycles(4, {{1, 10.0, -10.0}}).load, {});
+    alone.accepted();
+    alone.accepted();
+    alone.accepted();
+    EXPECT_EQ(alone.part_of_loads(), 1.0);  // 10 to 0 of 10
+    Case input = cycles(40, {{1, 10.0, 9.9}});
+    input.load_cases.emplace_back().blocks = {{.cycles = 1, .at_max = 40.0, .at_min = -20.0}};
+    LoadController loads = controller(input);
+    while (loads.next()->cycle == 0) loads.accepted();
+    EXPECT_NEAR(loads.part_of_loads(), 3.0 / 40.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -1,0 +1,44 @@
+#include "coarse/cycle/signal_of_cycle.hpp"
+
+#include <cmath>
+
+namespace stria::coarse {
+
+void SignalOfCycle::note_change(bool closes, double K, double rise) {
+    changed = true;
+    if (!closes && rise >= 0.0) {
+        rising.K_op = K;
+        rising.lost = std::isnan(K);
+    } else if (closes && rise < 0.0) {
+        if (std::isnan(found.K_cl)) found.K_cl = K;
+        rising = {};
+    }
+}
+
+void SignalOfCycle::note_state(bool is_open, double K, double rise) {
+    if (is_open && changed && (std::isnan(rising.K_op) || rise < 0.0) && !rising.lost) rising.K_op = K;
+    if (!is_open && !changed && was_open && rise <= 0.0) {
+        found.K_cl = K;
+        changed = true;
+        rising = {};
+    }
+    if (is_open) was_open = true;
+}
+
+void SignalOfCycle::take(OpeningLoads& largest) const {
+    largest.K_op = rising.K_op;
+    largest.lost = rising.lost;
+}
+
+void SignalOfCycle::take_rest() {
+    if (!std::isnan(found.K_op) || found.lost) return;
+    found.K_op = rest.K_op;
+    found.lost = rest.lost;
+}
+
+OpeningLoads SignalOfCycle::loads(double K_min) const {
+    const bool open_all_cycle = !changed && was_open;
+    return open_all_cycle ? OpeningLoads{K_min, K_min} : found;
+}
+
+}  // namespace stria::coarse
