@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "coarse/model/enrichment.hpp"
+#include "coarse/enrichment/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/index.hpp"
 #include "common/linear/lapack.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
-#include "coarse/model/enrichment.hpp"
+#include "coarse/enrichment/enrichment.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/integration/crack_faces.hpp"

@@ -16,10 +16,11 @@
 #include <vector>
 
 #include "bench/sizes.hpp"
+#include "coarse/enrichment/enrichment.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/fields/field_writer.hpp"
 #include "coarse/fields/zone_fields.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
-#include "coarse/model/enrichment.hpp"
 #include "coarse/model/scene.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/structure/structure.hpp"

@@ -25,7 +25,7 @@ ORDER = {
     ],
     "coupling": [".", "transport", "ranks"],
     "coarse": [
-        "load", "mesh_file", "specimen", "model", "elements", "structure", "fracture", "equilibrium", "zone", "advice", "cycle", "analysis", "fields", "results",
+        "load", "mesh_file", "specimen", "enrichment", "model", "elements", "structure", "fracture", "equilibrium", "zone", "advice", "cycle", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
     "app": ["process", "results", "run", "charts", "report", "study", "material", "."],

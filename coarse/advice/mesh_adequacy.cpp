@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
-#include "coarse/model/crack_front.hpp"
-#include "coarse/model/enrichment.hpp"
 #include "coarse/model/rings.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/regions.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/case/method_schema.hpp"

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "coarse/cycle/hidden_slip.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
 
 namespace stria::coarse {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/model/rings.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "common/index.hpp"
 #include "common/integration/plain_operator.hpp"
 

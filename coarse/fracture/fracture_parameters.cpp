@@ -6,8 +6,8 @@
 #include <span>
 #include <tuple>
 
-#include "coarse/model/crack_front.hpp"
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "coarse/model/crack_front.hpp"
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "common/crack/crack_path.hpp"
 #include "common/error.hpp"

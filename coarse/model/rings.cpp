@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 

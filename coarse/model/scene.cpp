@@ -7,9 +7,10 @@
 #include <optional>
 #include <set>
 
+#include "coarse/enrichment/enrichment.hpp"
+#include "coarse/enrichment/retained_functions.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/model/crack_room.hpp"
-#include "coarse/model/enrichment.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "coarse/specimen/initial_field.hpp"
 #include "coarse/specimen/regions.hpp"
 #include "common/enrichment/element_basis.hpp"
@@ -182,16 +183,6 @@ void weigh_reactions(Scene& scene, const std::optional<LoadedBoundary>& loaded) 
     }
 }
 
-/// Functions of a tip so near to those of the old one say next to the same: over some elements in steps of a fifth of
-/// one the condition of the equations is 1e9 with six functions, of a tenth 1e15 (verification.RetainedFunctions).
-bool is_nearly_where_it_was(const EnrichedMesh& mesh, const Tip& old) {
-    constexpr double apart = 0.22;  // elements
-    return mesh.tip_functions > 0 && std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
-               return tip.crack == old.crack && tip.upper == old.upper &&
-                      (tip.position - old.position).norm() < apart * tip_element_edge(mesh, tip);
-           });
-}
-
 }  // namespace
 
 void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors& factors, Eigen::VectorXd& u) {
@@ -219,22 +210,7 @@ Scene make_scene(const Case& input, Mesh mesh, int refined) {
 }
 
 Scene with_functions_left(Scene scene, const EnrichedMesh& before) {
-    EnrichedMesh& mesh = scene.enriched;
-    for (std::size_t node = 0; node < before.nodes.size(); ++node) {
-        for (Term term : before.terms[node]) {
-            if (term.kind != Term::Kind::Tip && term.kind != Term::Kind::Left) continue;
-            const Tip& tip = before.tip_of(term);
-            const auto same = [&](const Tip& other) { return same_place(tip, other); };
-            if (mesh.tip_functions > 0 && std::ranges::any_of(mesh.tips, same)) continue;
-            if (term.kind == Term::Kind::Tip && is_nearly_where_it_was(mesh, tip)) continue;
-            auto left = std::ranges::find_if(mesh.left_tips, same);
-            if (left == mesh.left_tips.end()) left = mesh.left_tips.insert(left, tip);
-            term.kind = Term::Kind::Left;
-            term.owner = static_cast<int>(left - mesh.left_tips.begin());
-            mesh.terms[node].push_back(term);
-        }
-    }
-    mesh.number();
+    scene.enriched = with_functions_left(std::move(scene.enriched), before);
     put_loads_on_unknowns(scene);
     return scene;
 }

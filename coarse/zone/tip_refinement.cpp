@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/crack/crack_end.hpp"
 #include "common/fem/centre.hpp"

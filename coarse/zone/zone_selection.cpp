@@ -4,9 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/model/rings.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/enrichment/part_of_mesh.hpp"
 #include "common/fem/centre.hpp"

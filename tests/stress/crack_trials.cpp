@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include "coarse/advice/mesh_adequacy.hpp"
+#include "coarse/enrichment/enrichment.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/model/crack_room.hpp"
-#include "coarse/model/enrichment.hpp"
 #include "common/error.hpp"
 #include "common/fracture/williams.hpp"
 #include "common/integration/crack_faces.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "coarse/model/enrichment.hpp"
+#include "coarse/enrichment/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/fem/mesh.hpp"
 #include "common/fem/quadrature.hpp"

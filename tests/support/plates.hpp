@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "coarse/model/enrichment.hpp"
+#include "coarse/enrichment/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "coupling/messages.hpp"
 

@@ -7,7 +7,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/model/enrichment.hpp"
+#include "coarse/enrichment/enrichment.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/model/rings.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "tests/support/cracked_mesh.hpp"

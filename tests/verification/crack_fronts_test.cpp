@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "coarse/model/crack_front.hpp"
+#include "coarse/enrichment/crack_front.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "tests/support/specimens.hpp"

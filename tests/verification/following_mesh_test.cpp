@@ -7,7 +7,7 @@
 #include <iostream>
 #include <limits>
 
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 #include "common/geometry/segment.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "common/crack/crack_end.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "coarse/model/enrichment.hpp"
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 
 namespace stria::coarse {
 

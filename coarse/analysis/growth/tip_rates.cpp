@@ -7,9 +7,9 @@
 
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
-#include "coarse/model/tip_reach.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -50,6 +51,19 @@ void hold_what_moves(LoadsOfCase& loads) {
 }
 
 }  // namespace
+
+double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x) {
+    double distance = std::numeric_limits<double>::infinity();
+    const auto keep_off = [&](const Loads& some) {
+        for (const PointForce& load : some.forces)
+            distance = std::min(distance, (mesh.nodes[at(load.node)] - x).norm());
+        for (const PrescribedDisplacement& held : some.displacements)
+            distance = std::min(distance, (mesh.nodes[at(held.node)] - x).norm());
+    };
+    keep_off(loads.main);
+    for (const Loads& of_case : loads.cases) keep_off(of_case);
+    return distance;
+}
 
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input) {
     LoadsOfCase loads{resolve_boundaries(mesh, input.boundaries, is_of_main_load), {}};

@@ -12,6 +12,10 @@ struct LoadsOfCase {
     Loads main;                // with all supports: what a load case moves or holds, the main load holds at zero
     std::vector<Loads> cases;  // in the order of CaseHistories
 };
+
+/// Distance to the nearest node on which a force acts or that is held, mm; infinite where there is none.
+double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
+
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input);
 
 /// That of the first listed section with a load or a non-zero displacement, if any; of those without a factor of their

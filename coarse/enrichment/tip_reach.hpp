@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "coarse/model/loads/loads_of_case.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
@@ -36,9 +35,6 @@ double distance_to_interface(const EnrichedMesh& mesh, const Materials& material
 
 /// mm.
 double distance_to_boundary(const Mesh& mesh, const Vec2& x);
-
-/// Distance to the nearest node on which a force acts or that is held, mm; infinite where there is none.
-double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
 
 /// Diagonal of the element that holds a tip, mm; 0: the mesh has none of its crack.
 double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);

@@ -1,54 +1,23 @@
-#include "coarse/model/tip_reach.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "coarse/model/boundary_conditions.hpp"
 #include "common/crack/crack_end.hpp"
 #include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
-double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
-    double distance = 1e300;
-    for (const auto& [name, edges] : mesh.boundary) {
-        for (const BoundaryEdge& edge : edges) {
-            const EdgeGeometry ends = edge_geometry(mesh, edge);
-            distance = std::min(distance, distance_to_segment(x, ends.from, ends.to));
-        }
-    }
-    return distance;
-}
-
-double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x) {
-    double distance = std::numeric_limits<double>::infinity();
-    const auto keep_off = [&](const Loads& some) {
-        for (const PointForce& load : some.forces)
-            distance = std::min(distance, (mesh.nodes[at(load.node)] - x).norm());
-        for (const PrescribedDisplacement& held : some.displacements)
-            distance = std::min(distance, (mesh.nodes[at(held.node)] - x).norm());
-    };
-    keep_off(loads.main);
-    for (const Loads& of_case : loads.cases) keep_off(of_case);
-    return distance;
-}
-
-double distance_to_interface(const EnrichedMesh& mesh, const Materials& materials, const Tip& tip) {
-    double distance = std::numeric_limits<double>::infinity();
-    for (int e = 0; e < std::ssize(mesh.material); ++e) {
-        if (materials.are_alike(tip.material, mesh.material_of(e))) continue;
-        const std::array<int, 4>& nodes = mesh.elements[at(e)];
-        for (std::size_t k = 0; k < 4; ++k)
-            distance = std::min(distance, distance_to_segment(tip.position, mesh.nodes[at(nodes[k])],
-                                                              mesh.nodes[at(nodes[(k + 1) % 4])]));
-    }
-    return distance;
-}
-
 namespace {
+
+/// To an edge of an element of a mesh, mm.
+template <class AnyMesh> double distance_to_edge(const AnyMesh& mesh, int element, int edge, const Vec2& x) {
+    const std::array<int, 4>& nodes = mesh.elements[at(element)];
+    return distance_to_segment(x, mesh.nodes[at(nodes[at(edge)])], mesh.nodes[at(nodes[at((edge + 1) % 4)])]);
+}
 
 /// What a crack is beyond the place where its polyline, walked from the tip, leaves the band; empty where it does not.
 std::vector<Vec2> beyond_straight(const CrackSection& crack, const Tip& tip, double band) {
@@ -76,6 +45,23 @@ double distance_to(const std::vector<Vec2>& polyline, const Vec2& x) {
 }
 
 }  // namespace
+
+double distance_to_boundary(const Mesh& mesh, const Vec2& x) {
+    double distance = 1e300;
+    for (const auto& [name, edges] : mesh.boundary)
+        for (const BoundaryEdge& edge : edges)
+            distance = std::min(distance, distance_to_edge(mesh, edge.element, edge.edge, x));
+    return distance;
+}
+
+double distance_to_interface(const EnrichedMesh& mesh, const Materials& materials, const Tip& tip) {
+    double distance = std::numeric_limits<double>::infinity();
+    for (int e = 0; e < std::ssize(mesh.material); ++e) {
+        if (materials.are_alike(tip.material, mesh.material_of(e))) continue;
+        for (int k = 0; k < 4; ++k) distance = std::min(distance, distance_to_edge(mesh, e, k, tip.position));
+    }
+    return distance;
+}
 
 double straight_length(const CrackSection& crack, const Tip& tip, double band) {
     const std::vector<Vec2> rest = beyond_straight(crack, tip, band);

@@ -1,10 +1,11 @@
-#include "coarse/model/crack_sides.hpp"
+#include "coarse/enrichment/crack_sides.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "coarse/enrichment/tip_support.hpp"
 #include "common/enrichment/tip_functions.hpp"
 #include "common/fem/centre.hpp"
 #include "common/geometry/clipping.hpp"
@@ -12,20 +13,6 @@
 #include "common/integration/cut_element.hpp"
 
 namespace stria::coarse {
-
-std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece) {
-    std::set<int> nodes;
-    for (const int element : {piece.element, piece.neighbour}) {
-        if (element >= 0) nodes.insert(mesh.elements[at(element)].begin(), mesh.elements[at(element)].end());
-    }
-    add_ends_of_edges(mesh, nodes);
-    return nodes;
-}
-
-void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes) {
-    for (const HangingNode& hanging : mesh.hanging)
-        if (nodes.contains(hanging.node)) nodes.insert(hanging.ends.begin(), hanging.ends.end());
-}
 
 CrackSides::CrackSides(const Mesh& mesh, const CrackPath& path) : mesh_(mesh), path_(path) {
     for (const CrackPiece& piece : path.pieces) note_piece(piece);

@@ -1,11 +1,9 @@
-// Eq. (1): which nodes of the mesh carry which enrichment, for one position of the cracks.
+// Eq. (2): how many functions the tips of a case have, which ones, and how far they reach.
 #pragma once
 
 #include <optional>
 
 #include "common/case/case.hpp"
-#include "common/enrichment/enriched_mesh.hpp"
-#include "common/fem/mesh.hpp"
 
 namespace stria::coarse {
 
@@ -33,9 +31,5 @@ struct TipEnrichment {
 /// small elements, or one that touches grows by its opening loads (docs/method.md, section 2). Their n is that of a
 /// power law where no crack grows, else 1.
 TipEnrichment choose_enrichment(const Case& input);
-
-/// Nodes whose support the crack cuts in two carry a Heaviside term, those around a tip its functions. Throws CaseError
-/// for cracks that the mesh cannot hold.
-EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips);
 
 }  // namespace stria::coarse

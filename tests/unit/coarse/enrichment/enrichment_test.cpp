@@ -1,5 +1,5 @@
 // Eq. (1): which nodes get which terms.
-#include "coarse/model/enrichment.hpp"
+#include "coarse/enrichment/enrichment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -133,24 +133,6 @@ TEST(Enrichment, SidesBesideAnEdgeAreThoseOfTheElementThatTheCrackCameThrough) {
         ASSERT_TRUE(has_tip_terms(mesh, n));
         EXPECT_EQ(mesh.terms[at(n)].back().shift, tip_functions(mesh.tips[0], mesh.nodes[at(n)], side, 0.5).value[0]);
     }
-}
-
-// docs/enrichment.md: r^(1/(n+1)) where the metal hardens by a power law and nothing else, and no crack grows.
-TEST(Enrichment, ThePowerOfTheFunctionsIsThatOfTheMaterial) {
-    Case input;
-    input.material.yield_stress = 300.0;
-    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
-    input.material.isotropic = {.law = "power", .n = 4.0, .alpha = 1.0};
-    EXPECT_EQ(coarse::choose_enrichment(input).functions, 1);
-    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.2);
-    input.material.kinematic.push_back({.C = 1000.0});
-    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
-    input.fine.enrichment_n = 9.0;
-    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.1);
-    input.fine.enrichment_n = {};
-    input.material.kinematic.clear();
-    input.growth = GrowthSection{};
-    EXPECT_EQ(coarse::choose_enrichment(input).exponent, 0.5);
 }
 
 TEST(Enrichment, ACrackInsideHasTwoTipsThatFaceOutwards) {

@@ -1,5 +1,5 @@
 // A crack without tip functions ends on an element edge near its tip.
-#include "coarse/model/crack_front.hpp"
+#include "coarse/enrichment/crack_front.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,13 +14,6 @@
 
 namespace stria::coarse {
 
-/// Nodes whose shape functions do not vanish on the element or elements that hold the tip at the end of a piece, and
-/// its corners: with one that hangs, the ends of its edge.
-[[nodiscard]] std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece);
-
-/// Adds the ends of the edges on which some of the nodes hang.
-void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes);
-
 class CrackSides {
 public:
     /// `mesh` and `path` must outlive the sides.

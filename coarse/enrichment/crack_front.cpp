@@ -1,4 +1,4 @@
-#include "coarse/model/crack_front.hpp"
+#include "coarse/enrichment/crack_front.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,0 +1,187 @@
+#include "coarse/enrichment/enrichment.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <numeric>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/crack_sides.hpp"
+#include "coarse/enrichment/crack_tips.hpp"
+#include "coarse/enrichment/tied_nodes.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/enrichment/tip_support.hpp"
+#include "common/enrichment/tip_functions.hpp"
+#include "common/error.hpp"
+#include "common/fem/centre.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+EnrichedMesh without_cracks(const Mesh& mesh) {
+    EnrichedMesh plain;
+    plain.nodes = mesh.nodes;
+    plain.elements = mesh.elements;
+    plain.node_ids.resize(mesh.nodes.size());
+    plain.element_ids.resize(mesh.elements.size());
+    std::iota(plain.node_ids.begin(), plain.node_ids.end(), 0);
+    std::iota(plain.element_ids.begin(), plain.element_ids.end(), 0);
+    plain.material = mesh.material;
+    plain.terms.resize(mesh.nodes.size());
+    plain.element_side.assign(mesh.elements.size(), 0);
+    return plain;
+}
+
+/// Whether the elements at all tips of a path are smaller than a part of its length in the body.
+bool has_small_elements(const Mesh& mesh, const CrackPath& path, double part) {
+    const double length = path.pieces.back().s.back() - path.pieces.front().s.front();
+    const auto is_small = [&](const CrackPiece& piece) { return edge_of_square(mesh, piece.element) < part * length; };
+    return (!path.tip_at_start || is_small(path.pieces.front())) && (!path.tip_at_end || is_small(path.pieces.back()));
+}
+
+/// Sides and jumps of an element belong to one crack, and a node sees at most one tip.
+void require_one_crack(const EnrichedMesh& mesh, std::size_t element) {
+    std::set<int> cracks;
+    for (const int node : mesh.elements[element]) {
+        int last_tip = -1;
+        for (const Term& term : mesh.terms[at(node)]) {
+            const bool heaviside = term.kind == Term::Kind::Heaviside;
+            cracks.insert(heaviside ? term.owner : mesh.tips[at(term.owner)].crack);
+            const Vec2& x = mesh.nodes[at(node)];
+            if (cracks.size() > 1) {
+                throw CaseError(fmt::format("crack {}: near ({}, {}) it is less than two elements from crack {}; use "
+                                            "smaller elements",
+                                            *cracks.rbegin(), x.x(), x.y(), *cracks.begin()));
+            }
+            if (heaviside) continue;
+            if (last_tip >= 0 && last_tip != term.owner) {
+                throw CaseError(
+                    fmt::format("crack {}: near ({}, {}) its two tips are less than two elements apart; use "
+                                "smaller elements",
+                                *cracks.begin(), x.x(), x.y()));
+            }
+            last_tip = term.owner;
+        }
+    }
+}
+
+/// Puts the terms of one crack after the other on the nodes.
+class Enricher {
+public:
+    Enricher(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips)
+        : mesh_(mesh), cracks_(cracks), tip_enrichment_(tips), result_(without_cracks(mesh)) {
+        result_.tip_exponent = tips.exponent;
+        for (const CrackSection& crack : cracks) result_.grown_at_start.push_back(crack.grown_at_start);
+    }
+
+    EnrichedMesh enrich() {
+        std::vector<CrackPath> paths;
+        for (int crack = 0; crack < std::ssize(cracks_); ++crack)
+            paths.push_back(resolve_crack(mesh_, crack, cracks_[at(crack)].points));
+        if (std::ranges::all_of(paths, [&](const CrackPath& path) {
+                return has_small_elements(mesh_, path, tip_enrichment_.none_below);
+            }))
+            tip_enrichment_.functions = 0;
+        result_.tip_functions = tip_enrichment_.functions;
+        for (CrackPath& path : paths) {
+            if (tip_enrichment_.functions == 0) path = with_fronts_on_edges(mesh_, std::move(path));
+            add_crack(path);
+        }
+        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(result_, e);
+        result_.tied = tied_nodes(mesh_.hanging, result_);
+        result_.number();
+        return std::move(result_);
+    }
+
+private:
+    void add_crack(const CrackPath& path) {
+        const CrackSides sides(mesh_, path);
+        const std::vector<Tip> tips = tips_of(mesh_, path);
+        if (tip_enrichment_.functions > 0)
+            for (const Tip& tip : tips) require_behind(mesh_, path, tip);
+        add_jumps(path, tips, sides);
+        sides.put_on_elements(tips, result_.element_side);
+        result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
+        result_.mouths.push_back(path.mouth());
+        const std::size_t before = result_.tips.size();
+        result_.tips.insert(result_.tips.end(), tips.begin(), tips.end());
+        for (std::size_t tip = before; tip < result_.tips.size(); ++tip)
+            add_functions(static_cast<int>(tip), last_piece(path, result_.tips[tip]), sides);
+    }
+
+    void add_jumps(const CrackPath& path, const std::vector<Tip>& tips, const CrackSides& sides) {
+        std::set<int> without_jump;  // the tip functions open the crack there, or it is closed
+        for (const Tip& tip : tips)
+            without_jump.merge(tip_enrichment_.functions == 0 ? front_nodes(mesh_, path, tip.upper < 0)
+                                                              : tip_nodes(mesh_, last_piece(path, tip)));
+        const int crack = path.pieces.front().crack;
+        bool jumps = false;
+        for (const auto& [node, side] : sides.of_nodes()) {
+            if (without_jump.contains(node)) continue;
+            jumps = true;
+            result_.terms[at(node)].push_back({Term::Kind::Heaviside, crack, 0, double(side)});
+        }
+        if (!jumps && tip_enrichment_.functions == 0)
+            throw CaseError(
+                fmt::format("crack {}: it is less than two elements long, and without tip functions none of "
+                            "it opens; use smaller elements there",
+                            crack));
+    }
+
+    void add_functions(int index, const CrackPiece& piece, const CrackSides& sides) {
+        const Tip& tip = result_.tips[at(index)];
+        const Term::Kind kind =
+            tip_enrichment_.support == TipSupport::Gathered ? Term::Kind::Gathered : Term::Kind::Tip;
+        for (const auto& [node, side] : branches(support_of(index, piece), piece, sides)) {
+            const auto value = tip_functions(tip, mesh_.nodes[at(node)], side, tip_enrichment_.exponent).value;
+            for (int alpha = 0; alpha < tip_enrichment_.functions; ++alpha)
+                result_.terms[at(node)].push_back({kind, index, alpha, value[alpha]});
+        }
+    }
+
+    [[nodiscard]] std::set<int> support_of(int tip, const CrackPiece& piece) const {
+        std::set<int> nodes = tip_nodes(mesh_, piece);
+        if (tip_enrichment_.support == TipSupport::Topological) return nodes;
+        const double size = diagonal(mesh_, piece.element);
+        const RoomOfDisk room{.reach = tip_reach(mesh_, cracks_, result_.tips, tip, bend_to_element * size),
+                              .half_way = half_way_to_others(cracks_, result_.tips, tip),
+                              .diagonal = size};
+        const Tip& at_centre = result_.tips[at(tip)];
+        add_disk(mesh_, at_centre.position, disk_radius(tip_enrichment_, at_centre, room), nodes);
+        return nodes;
+    }
+
+    /// Nodes of a tip's functions and what hangs between them, with the side of the crack that chooses the branch of
+    /// theta there.
+    [[nodiscard]] std::map<int, int> branches(const std::set<int>& nodes, const CrackPiece& piece,
+                                              const CrackSides& sides) const {
+        std::map<int, int> side_of;
+        for (const HangingNode& hanging : mesh_.hanging)  // what hangs follows
+            if (nodes.contains(hanging.ends[0]) || nodes.contains(hanging.ends[1]))
+                side_of[hanging.node] = result_.element_side[at(hanging.larger)];
+        for (const int node : nodes) side_of.try_emplace(node, 0);
+        const std::set<int> about_tip = tip_nodes(mesh_, piece);
+        for (auto& [node, side] : side_of) {
+            if (const auto own = sides.of_nodes().find(node); own != sides.of_nodes().end()) side = own->second;
+            if (about_tip.contains(node)) side = sides.near_tip(piece, node);
+        }
+        return side_of;
+    }
+
+    const Mesh& mesh_;
+    const std::vector<CrackSection>& cracks_;
+    TipEnrichment tip_enrichment_;
+    EnrichedMesh result_;
+};
+
+}  // namespace
+
+EnrichedMesh enrich(const Mesh& mesh, const std::vector<CrackSection>& cracks, const TipEnrichment& tips) {
+    return Enricher(mesh, cracks, tips).enrich();
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,35 @@
+// Which nodes carry the functions of a tip.
+#pragma once
+
+#include <set>
+
+#include "coarse/enrichment/tip_enrichment.hpp"
+#include "common/crack/crack_piece.hpp"
+#include "common/crack/tip.hpp"
+#include "common/fem/mesh.hpp"
+
+namespace stria::coarse {
+
+/// Nodes whose shape functions do not vanish on the element or elements that hold the tip at the end of a piece, and
+/// its corners: with one that hangs, the ends of its edge.
+[[nodiscard]] std::set<int> tip_nodes(const Mesh& mesh, const CrackPiece& piece);
+
+/// Adds the ends of the edges on which some of the nodes hang.
+void add_ends_of_edges(const Mesh& mesh, std::set<int>& nodes);
+
+/// Adds those of all elements whose centre lies within a radius (mm) of a place: whole elements, for there the
+/// functions are complete.
+void add_disk(const Mesh& mesh, const Vec2& place, double radius, std::set<int>& nodes);
+
+/// About a tip, mm.
+struct RoomOfDisk {
+    double reach;     // tip_reach()
+    double half_way;  // half_way_to_others()
+    double diagonal;  // of the tip's element
+};
+
+/// Of the disk on which a support of fixed radius has its functions, mm. Throws CaseError, naming the tip's place,
+/// where the radius that the case asks for reaches farther than the tip.
+[[nodiscard]] double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOfDisk& room);
+
+}  // namespace stria::coarse

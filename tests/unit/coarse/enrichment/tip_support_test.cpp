@@ -1,0 +1,71 @@
+// The nodes about a tip, and how large a disk of them is.
+#include "coarse/enrichment/tip_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coarse/model/mesh_refinement.hpp"
+#include "common/error.hpp"
+#include "tests/support/cracked_mesh.hpp"
+
+namespace stria::coarse {
+namespace {
+
+/// Of a 4 x 4 mesh of the unit square.
+int node_of_16(int column, int row) { return 5 * row + column; }
+
+TEST(TipSupport, HasBothElementsOfATipOnAnEdge) {
+    CrackPiece piece{.crack = 0, .element = 5, .points = {}, .s = {}};
+    const Mesh mesh = test::square_mesh(4);
+    EXPECT_EQ(tip_nodes(mesh, piece),
+              (std::set{node_of_16(1, 1), node_of_16(2, 1), node_of_16(1, 2), node_of_16(2, 2)}));
+    piece.neighbour = 9;
+    EXPECT_EQ(tip_nodes(mesh, piece), (std::set{node_of_16(1, 1), node_of_16(2, 1), node_of_16(1, 2), node_of_16(2, 2),
+                                                node_of_16(1, 3), node_of_16(2, 3)}));
+}
+
+// Two elements, the right one split in four.
+TEST(TipSupport, HasTheEndsOfTheEdgeOnWhichANodeOfItHangs) {
+    const Mesh mesh =
+        refine(grid_mesh(std::vector{0.0, 1.0, 2.0}, std::vector{0.0, 1.0}), {{{1.5, 0.5}, {1.5, 0.5}, 0.1, 1, 0.0}})
+            .mesh;
+    ASSERT_EQ(mesh.hanging.size(), 1U);
+    const auto [hanging, ends, larger] = mesh.hanging.front();
+    for (int e = 0; e < std::ssize(mesh.elements); ++e) {
+        const auto& corners = mesh.elements[at(e)];
+        const bool touches = std::ranges::find(corners, hanging) != corners.end();
+        const std::set<int> nodes = tip_nodes(mesh, {.crack = 0, .element = e, .points = {}, .s = {}});
+        EXPECT_EQ(nodes.size(), touches ? 5U : 4U) << e;  // one end is a corner anyway
+        for (const int end : ends) EXPECT_TRUE(!touches || nodes.contains(end)) << e;
+    }
+}
+
+// Centres lie at 0.125, 0.375, ...
+TEST(TipSupport, OfADiskIsWholeElements) {
+    const Mesh mesh = test::square_mesh(4);
+    std::set<int> nodes;
+    add_disk(mesh, {0.375, 0.375}, 0.24, nodes);
+    EXPECT_EQ(nodes.size(), 4U);
+    add_disk(mesh, {0.375, 0.375}, 0.26, nodes);  // and those beside it
+    EXPECT_EQ(nodes.size(), 12U);
+    EXPECT_FALSE(nodes.contains(node_of_16(0, 0)));
+    EXPECT_TRUE(nodes.contains(node_of_16(1, 0)));
+}
+
+TEST(TipSupport, ReachesThreeQuartersOfTheWayKeepsClearOfOthersAndIsNotLargerThanPays) {
+    const Tip tip{};
+    const TipEnrichment tips{.most_diagonals = 20.0};
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 8.0, .diagonal = 1.0}), 6.0);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 7.0, .diagonal = 1.0}), 5.75);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 8.0, .diagonal = 0.25}), 5.0);
+}
+
+TEST(TipSupport, IsAsLargeAsTheCaseSaysOrTheCaseIsRefused) {
+    TipEnrichment tips{.radius = 2.0};
+    const RoomOfDisk room{.reach = 2.0, .half_way = 2.0, .diagonal = 1.0};
+    EXPECT_EQ(disk_radius(tips, Tip{}, room), 2.0);
+    tips.radius = 2.01;
+    EXPECT_THROW(static_cast<void>(disk_radius(tips, Tip{}, room)), CaseError);
+}
+
+}  // namespace
+}  // namespace stria::coarse
