@@ -174,12 +174,12 @@ struct EnergyReport {
 
 /// What a commit is to do and to tell.
 struct Commit {
-    bool reversal = false;  // the load turned after this increment: plastic zones start anew
-    bool bends = false;     // the loads go on in another direction
-    double next = 1.0;      // size of the next increment, in this one: not 1 where one has been halved
-    bool brief = false;     // nobody reads rings
-    bool no_faces = false;  // nor faces
-    bool releases = false;  // faces that growth has opened, here or with another rank: no part of a half cycle
+    bool reversal = false;        // the load turned after this increment: plastic zones start anew
+    bool bends = false;           // the loads go on in another direction
+    double next_over_this = 1.0;  // sizes of increments: not 1 where one has been halved
+    bool brief = false;           // nobody reads rings
+    bool no_faces = false;        // nor faces
+    bool releases = false;        // faces that growth has opened, here or with another rank: no part of a half cycle
 };
 
 /// After commit.

@@ -122,7 +122,7 @@ coupling::Commit TwoScaleModel::commit_of(const LoadStep& step) const {
     const bool reads_faces = draws_faces || (reads_rings && !std::ranges::all_of(input.cracks, may_touch));
     return {.reversal = step.reversal,
             .bends = step.bends,
-            .next = step.next,
+            .next_over_this = step.next_over_this,
             .brief = !reads_rings,
             .no_faces = !reads_faces,
             .releases = step.releases};

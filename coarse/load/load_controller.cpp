@@ -134,7 +134,7 @@ std::optional<LoadStep> LoadController::next() const {
     step.target = {leg.leads ? Control::Load : control_, arrives ? stop(increment) : position_.reached + part};
     if (cases_.count() > 0) step.target.cases = cases_at(way);
     step.predictor = predictor(taken_by(step));
-    step.next = size_of_next({way, arrives});
+    step.next_over_this = size_of_next({way, arrives});
     step.bends = arrives && (leg.leads ? way == 1.0 : cases_.have_corner(way));
     if (arrives && increment == increments()) {
         step.reversal = leg.reversal;

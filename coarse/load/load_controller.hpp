@@ -20,9 +20,9 @@ struct LoadStep {
     // Nearly the same increment a cycle ago; else the last one, in proportion; nothing at the start and after a
     // reversal.
     Predictor predictor;
-    bool reversal = false;  // a half cycle ends here
-    bool bends = false;     // the loads go on in another direction
-    double next = 1.0;      // size of the next one, in this one, each in parts of what it is without halvings
+    bool reversal = false;        // a half cycle ends here
+    bool bends = false;           // the loads go on in another direction
+    double next_over_this = 1.0;  // sizes of increments, each in parts of what it is without halvings
     bool at_maximum = false, at_minimum = false,
          at_zero = false;  // extremes of the cycle, and the step nearest to a target of zero
     bool ends_cycle = false;

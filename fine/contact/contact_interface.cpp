@@ -69,7 +69,7 @@ void ContactInterface::begin_increment() {
 
 void ContactInterface::begin_touching() { committed_status_.assign(at(multipliers()), FaceStatus::Stick); }
 
-void ContactInterface::commit(const Eigen::VectorXd& u, double next) {
+void ContactInterface::commit(const Eigen::VectorXd& u, double next_over_this) {
     for (int k = 0; k < multipliers(); ++k)
         if (status_[at(k)] != committed_status_[at(k)]) resting_.note_change(k);
     const Eigen::VectorXd gap = settled_gap_, slip = settled_slip_;
@@ -80,7 +80,7 @@ void ContactInterface::commit(const Eigen::VectorXd& u, double next) {
         const FaceJumps last{apart ? settled_gap_[k] - gap[k] : 0.0, apart ? settled_slip_[k] - slip[k] : 0.0};
         approach_.widened[k] = last.gap;
         approach_.slid[k] = last.slip;
-        approach_.until_met[k] = slip_until_met(settled_gap_[k], last, before, next);
+        approach_.until_met[k] = slip_until_met(settled_gap_[k], last, before, next_over_this);
     }
     committed_status_ = status_;
 }

@@ -56,7 +56,7 @@ public:
 
     /// All faces touch and none has been looked at: a part that nothing else holds would float if they were apart.
     void begin_touching();
-    void commit(const Eigen::VectorXd& u, double next = 1.0);
+    void commit(const Eigen::VectorXd& u, double next_over_this = 1.0);
     /// A half cycle ends.
     void note_half_cycle() { resting_.note_half_cycle(); }
     /// Takes the gaps of a committed displacement as those to start from, and its slips as those to hold.

@@ -96,9 +96,9 @@ struct FaceJumps {
 /// What faces `gap` apart slide until they meet, mm, if they go on as in their last two increments: along the parabola
 /// through three states, or the chord of the last two where that comes to no gap of zero. 0: they open. What they
 /// would not do within an increment like the last one is not in sight: if they meet, something else has turned them.
-/// `next`: size of the next increment in the last one, where that has been halved.
+/// `next_over_last`: sizes of increments, where the last one has been halved.
 [[nodiscard]] inline double slip_until_met(double gap, const FaceJumps& last, const FaceJumps& before,
-                                           double next = 1.0) {
+                                           double next_over_last = 1.0) {
     if (gap <= 0.0) return 0.0;
     const FaceJumps more{last.gap - before.gap, last.slip - before.slip};
     const double speed = last.gap + 0.5 * more.gap, root = speed * speed - 2.0 * more.gap * gap;
@@ -110,7 +110,7 @@ struct FaceJumps {
         share = -gap / last.gap;
         slip = share * last.slip;
     }
-    const double beyond = share / std::max(1.0, next);
+    const double beyond = share / std::max(1.0, next_over_last);
     return slip / std::max(1.0, beyond * beyond * beyond);
 }
 

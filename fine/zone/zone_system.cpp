@@ -247,7 +247,7 @@ void ZoneSystem::take_over_trial(const coupling::Commit& what) {
     const bool begins = bulk_->history().half_cycle_ended();
     memory_.committed = trial_;
     bulk_->commit(what.reversal, !what.releases);
-    contact_->commit(memory_.committed.displacement, what.next);
+    contact_->commit(memory_.committed.displacement, what.next_over_this);
     if (what.bends || what.releases) contact_->forget_approach();
     if (what.reversal && !what.releases) contact_->note_half_cycle();
     summary_->update(*bulk_, begins);

@@ -66,7 +66,7 @@ TEST(MeetingFaces, BehindAHalvedIncrementStickWhereTheyMeet) {
     go_to(1.1);
     const double far = go_to(0.7);
     go_to(0.5);
-    const double near = go_to(0.3, {.next = 2.0}), met = near - (far - near) * 0.3 / 0.4;
+    const double near = go_to(0.3, {.next_over_this = 2.0}), met = near - (far - near) * 0.3 / 0.4;
     EXPECT_NEAR(go_to(-0.1), met, 1e-6 * std::abs(met));
 }
 

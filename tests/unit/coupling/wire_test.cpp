@@ -251,10 +251,11 @@ TEST(Wire, State) {
 TEST(Wire, SmallMessages) {
     EXPECT_EQ(there_and_back(Hello{3, 0xffff'ffff'ffff'fff0}).case_digest, 0xffff'ffff'ffff'fff0);
     EXPECT_EQ(there_and_back(Failure{Failure::Kind::Case, "why"}).text, "why");
-    const Commit commit = there_and_back(Commit{.reversal = true, .bends = true, .next = 2.0, .no_faces = true});
+    const Commit commit =
+        there_and_back(Commit{.reversal = true, .bends = true, .next_over_this = 2.0, .no_faces = true});
     EXPECT_TRUE(commit.reversal);
     EXPECT_TRUE(commit.bends);
-    EXPECT_EQ(commit.next, 2.0);
+    EXPECT_EQ(commit.next_over_this, 2.0);
     EXPECT_FALSE(commit.brief);
     EXPECT_TRUE(commit.no_faces);
 }

@@ -207,16 +207,16 @@ TEST(LoadController, HalvesAndGrowsAgain) {
     ASSERT_TRUE(loads.cut());
     EXPECT_EQ(loads.next()->target.value, 10.0);
     EXPECT_EQ(loads.next()->predictor, 0.25);
-    EXPECT_EQ(loads.next()->next, 2.0);
+    EXPECT_EQ(loads.next()->next_over_this, 2.0);
     EXPECT_FALSE(loads.next()->reversal);
     loads.accepted();
     EXPECT_EQ(loads.next()->target.value, 14.0);
     EXPECT_EQ(loads.next()->predictor, 2.0);
-    EXPECT_EQ(loads.next()->next, 0.5);
+    EXPECT_EQ(loads.next()->next_over_this, 0.5);
     loads.accepted();
     EXPECT_EQ(loads.next()->target.value, 16.0);  // what is left
     EXPECT_EQ(loads.next()->predictor, 0.5);
-    EXPECT_EQ(loads.next()->next, 4.0);
+    EXPECT_EQ(loads.next()->next_over_this, 4.0);
     EXPECT_TRUE(loads.next()->at_maximum || loads.next()->reversal);
     loads.accepted();
     EXPECT_EQ(loads.next()->target.value, 8.0);
