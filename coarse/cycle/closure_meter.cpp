@@ -139,65 +139,101 @@ void ClosureMeter::forget_slip(std::vector<double>& signal) const {
         if (count.is_slip(count.kind_of(k))) signal[k] = -1.0;
 }
 
+/// The states between two of them that have been tried, and the changes that they tell.
+class ClosureMeter::Search {
+public:
+    Search(const ClosureMeter& meter, std::vector<ClosureStation> ends, double precision, const Solve& solve,
+           const std::vector<ExpectedCrossing>& expected, const std::vector<double>& largest)
+        : meter_(meter), way_(std::move(ends)), precision_(precision), solve_(solve), expected_(expected),
+          largest_(largest) {}
+
+    std::vector<OpeningChange> changes() {
+        for (std::size_t i = 0; i + 1 < way_.size();) {
+            if (try_for_slip_after(i) || try_for_signal_after(i)) continue;
+            add_changes_after(i);
+            ++i;
+        }
+        return std::move(changes_);
+    }
+
+private:
+    // What slides and parts between two stations shows at neither: where it is found, the second one has slid. Where no
+    // trial on a long way tells it may have, at a load that nobody knows, and is not looked for any more.
+    bool try_for_slip_after(std::size_t i) {
+        for (const std::size_t k : meter_.unslid(way_[i], way_[i + 1])) {
+            const std::optional<Crossing> hidden = hidden_slip(way_, i, meter_.contact_of(k), precision_);
+            if (!hidden) continue;
+            if (!hidden->known && try_after(i, hidden->share)) return true;
+            if (!hidden->known && std::abs(way_[i + 1].target - way_[i].target) <= precision_) continue;
+            way_[i + 1].signal[k] = 1.0;
+            remember_slip_from(i + 2);
+            if (hidden->known) continue;
+            add_change(i, k, *hidden);
+            way_[i].signal[k] = 1.0;
+        }
+        return false;
+    }
+
+    bool try_for_signal_after(std::size_t i) {
+        for (const std::size_t k : changed_signals(way_[i], way_[i + 1]))
+            if (const Crossing found = crossing_after(i, k); !found.known) return try_after(i, found.share);
+        return false;
+    }
+
+    void add_changes_after(std::size_t i) {
+        for (const std::size_t k : changed_signals(way_[i], way_[i + 1])) {
+            const Crossing found = crossing_after(i, k);
+            OpeningChange& change = add_change(i, k, found);
+            const Signals signals = meter_.signals();
+            const bool says_whether = signals.is_slip(signals.kind_of(k));
+            if (found.known && !says_whether) change.rate = rates_beside(way_, i, k, precision_, change.target);
+        }
+    }
+
+    [[nodiscard]] Crossing crossing_after(std::size_t i, std::size_t k) const {
+        const ExpectedCrossing expected = k < expected_.size() ? expected_[k] : ExpectedCrossing();
+        const Crossing found = crossing(way_, i, k, precision_, expected);
+        return found.known ? meter_.seen_closed(found, way_[i], way_[i + 1], k, precision_) : found;
+    }
+
+    /// A further state at that share of the way from one to the next; false: none comes to equilibrium.
+    bool try_after(std::size_t i, double share) {
+        auto between = meter_.try_between(way_[i], way_[i + 1], share, solve_, largest_);
+        if (!between) return false;
+        way_.insert(way_.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
+        remember_slip_from(i + 2);
+        return true;
+    }
+
+    void remember_slip_from(std::size_t i) {
+        for (std::size_t j = i; j < way_.size(); ++j) meter_.remember_slip(way_[j - 1].signal, way_[j].signal);
+    }
+
+    OpeningChange& add_change(std::size_t i, std::size_t k, const Crossing& found) {
+        const ClosureStation &before = way_[i], &after = way_[i + 1];
+        const double target = std::lerp(before.target, after.target, found.share);
+        return changes_.emplace_back(OpeningChange{
+            .tip = static_cast<int>(meter_.signals().tip_of(k)),
+            .signal = static_cast<int>(meter_.signals().kind_of(k)),
+            .closes = is_closed(after.signal[k]),
+            .load_factor = found.known ? std::lerp(before.load_factor, after.load_factor, found.share) : NAN,
+            .way = (target - way_.front().target) / (way_.back().target - way_.front().target),
+            .target = target});
+    }
+
+    const ClosureMeter& meter_;
+    std::vector<ClosureStation> way_;
+    double precision_;
+    const Solve& solve_;
+    const std::vector<ExpectedCrossing>& expected_;
+    const std::vector<double>& largest_;
+    std::vector<OpeningChange> changes_;
+};
+
 std::vector<OpeningChange> ClosureMeter::locate(ClosureStation before, ClosureStation after, double precision,
                                                 const Solve& solve, const std::vector<ExpectedCrossing>& expected,
                                                 const std::vector<double>& largest) const {
-    std::vector<OpeningChange> changes;
-    std::vector<ClosureStation> way{std::move(before), std::move(after)};
-    const auto crossing_of = [&](std::size_t i, std::size_t k) {
-        const Crossing found = crossing(way, i, k, precision, k < expected.size() ? expected[k] : ExpectedCrossing());
-        return found.known ? seen_closed(found, way[i], way[i + 1], k, precision) : found;
-    };
-    const auto remember_from = [&](std::size_t i) {
-        for (std::size_t j = i; j < way.size(); ++j) remember_slip(way[j - 1].signal, way[j].signal);
-    };
-    const auto try_after = [&](std::size_t i, double share) {
-        auto between = try_between(way[i], way[i + 1], share, solve, largest);
-        if (!between) return false;
-        way.insert(way.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(*between));
-        remember_from(i + 2);
-        return true;
-    };
-    const auto add_change = [&](std::size_t i, std::size_t k, const Crossing& found) -> OpeningChange& {
-        const double load_factor =
-            found.known ? std::lerp(way[i].load_factor, way[i + 1].load_factor, found.share) : NAN;
-        const double target = std::lerp(way[i].target, way[i + 1].target, found.share);
-        return changes.emplace_back(
-            OpeningChange{static_cast<int>(signals().tip_of(k)), static_cast<int>(signals().kind_of(k)),
-                          is_closed(way[i + 1].signal[k]), load_factor,
-                          (target - way.front().target) / (way.back().target - way.front().target), target});
-    };
-    // What slides and parts between two stations shows at neither: where it is found, the second one has slid. Where no
-    // trial on a long way tells it may have, at a load that nobody knows, and is not looked for any more.
-    const auto try_for_slip_after = [&](std::size_t i) {
-        for (const std::size_t k : unslid(way[i], way[i + 1])) {
-            const std::optional<Crossing> hidden = hidden_slip(way, i, contact_of(k), precision);
-            if (!hidden) continue;
-            if (!hidden->known && try_after(i, hidden->share)) return true;
-            if (!hidden->known && std::abs(way[i + 1].target - way[i].target) <= precision) continue;
-            way[i + 1].signal[k] = 1.0;
-            remember_from(i + 2);
-            if (hidden->known) continue;
-            add_change(i, k, *hidden);
-            way[i].signal[k] = 1.0;
-        }
-        return false;
-    };
-    for (std::size_t i = 0; i + 1 < way.size();) {
-        if (try_for_slip_after(i)) continue;
-        const std::vector<std::size_t> changed = changed_signals(way[i], way[i + 1]);
-        const auto unknown = std::ranges::find_if(changed, [&](std::size_t k) { return !crossing_of(i, k).known; });
-        const bool found = unknown == changed.end();
-        if (!found && try_after(i, crossing_of(i, *unknown).share)) continue;
-        for (const std::size_t k : changed) {
-            const Crossing place = crossing_of(i, k);
-            OpeningChange& change = add_change(i, k, place);
-            const bool says_whether = signals().is_slip(signals().kind_of(k));
-            if (place.known && !says_whether) change.rate = rates_beside(way, i, k, precision, change.target);
-        }
-        ++i;
-    }
-    return changes;
+    return Search(*this, {std::move(before), std::move(after)}, precision, solve, expected, largest).changes();
 }
 
 Crossing ClosureMeter::seen_closed(const Crossing& found, const ClosureStation& before, const ClosureStation& after,

@@ -101,6 +101,8 @@ public:
                                                     const std::vector<double>& largest = {}) const;
 
 private:
+    class Search;
+
     /// Null where no trial comes to equilibrium. `share`: of the way, tried first.
     [[nodiscard]] std::optional<ClosureStation> try_between(const ClosureStation& before, const ClosureStation& after,
                                                             double share, const Solve& solve,
