@@ -8,14 +8,9 @@
 namespace stria::coarse {
 namespace {
 
-/// Functions of a tip so near to those of the old one say next to the same: over some elements in steps of a fifth of
-/// one the condition of the equations is 1e9 with six functions, of a tenth 1e15 (verification.RetainedFunctions).
-bool is_nearly_where_it_was(const EnrichedMesh& mesh, const Tip& old) {
-    constexpr double apart = 0.22;  // elements
-    return mesh.tip_functions > 0 && std::ranges::any_of(mesh.tips, [&](const Tip& tip) {
-               return tip.crack == old.crack && tip.upper == old.upper &&
-                      (tip.position - old.position).norm() < apart * tip_element_edge(mesh, tip);
-           });
+bool is_nearly_at(const EnrichedMesh& mesh, const Tip& tip, const Tip& old) {
+    return mesh.tip_functions > 0 && tip.crack == old.crack && tip.upper == old.upper &&
+           (tip.position - old.position).norm() < apart_to_retain * tip_element_edge(mesh, tip);
 }
 
 }  // namespace
@@ -27,7 +22,8 @@ EnrichedMesh with_functions_left(EnrichedMesh mesh, const EnrichedMesh& before) 
             const Tip& tip = before.tip_of(term);
             const auto same = [&](const Tip& other) { return same_place(tip, other); };
             if (mesh.tip_functions > 0 && std::ranges::any_of(mesh.tips, same)) continue;
-            if (term.kind == Term::Kind::Tip && is_nearly_where_it_was(mesh, tip)) continue;
+            const auto nearly = [&](const Tip& other) { return is_nearly_at(mesh, other, tip); };
+            if (term.kind == Term::Kind::Tip && std::ranges::any_of(mesh.tips, nearly)) continue;
             auto left = std::ranges::find_if(mesh.left_tips, same);
             if (left == mesh.left_tips.end()) left = mesh.left_tips.insert(left, tip);
             term.kind = Term::Kind::Left;
@@ -37,6 +33,18 @@ EnrichedMesh with_functions_left(EnrichedMesh mesh, const EnrichedMesh& before) 
     }
     mesh.number();
     return mesh;
+}
+
+std::vector<int> tips_nearly_where_they_were(const EnrichedMesh& mesh, const EnrichedMesh& before) {
+    std::vector<int> tips;
+    for (int t = 0; before.tip_functions > 0 && t < std::ssize(mesh.tips); ++t) {
+        const Tip& tip = mesh.tips[at(t)];
+        const auto has_moved_a_little = [&](const Tip& old) {
+            return is_nearly_at(mesh, tip, old) && !same_place(tip, old);
+        };
+        if (std::ranges::any_of(before.tips, has_moved_a_little)) tips.push_back(t);
+    }
+    return tips;
 }
 
 }  // namespace stria::coarse

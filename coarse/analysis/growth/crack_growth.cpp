@@ -9,6 +9,7 @@
 #include "coarse/analysis/growth/crack_advance.hpp"
 #include "coarse/analysis/growth/growth_law.hpp"
 #include "coarse/analysis/growth/growth_texts.hpp"
+#include "coarse/enrichment/retained_functions.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "common/case/case_questions.hpp"
@@ -65,7 +66,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
         grown = along_first_of(body, ways(present, guides, last));
         if (grown.longer) note_turns(body, *grown.longer, guides, last);
-        if (grown.longer) note_functions(present.enriched, grown.longer->enriched);
+        if (grown.longer) note_functions(present.enriched, *grown.longer);
     }
     ended_ = !grown.longer;
     if (grown.longer) K_reached_.clear();
@@ -137,9 +138,12 @@ void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const
     rates_.leap(turns);
 }
 
-void CrackGrowth::note_functions(const EnrichedMesh& before, const EnrichedMesh& longer) const {
-    const bool stand = longer.tip_functions > 0;
+void CrackGrowth::note_functions(const EnrichedMesh& before, const Scene& longer) {
+    const bool stand = longer.enriched.tip_functions > 0;
     if (stand != (before.tip_functions > 0)) note_(functions_change(stand));
+    if (growth_.retain != Retain::All || !needs_fine(longer.input)) return;
+    for (const int tip : tips_nearly_where_they_were(longer.enriched, before))
+        if (said_to_freeze_.insert(tip).second) note_(functions_frozen(tip));
 }
 
 // What drives the tips has been measured.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "coarse/analysis/cracked_body.hpp"
@@ -73,8 +74,9 @@ private:
     /// That the rates of tips that turn sharply leap.
     void note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
                     const std::vector<CycleResult>& last);
-    /// Where functions come to stand at the tips, or stand there no longer.
-    void note_functions(const EnrichedMesh& before, const EnrichedMesh& longer) const;
+    /// Where functions come to stand at the tips, or stand there no longer; and of each tip once where its functions
+    /// are not retained as they are to be.
+    void note_functions(const EnrichedMesh& before, const Scene& longer);
     [[nodiscard]] GrownScene along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways);
     [[nodiscard]] GrownScene with_cracks(const CrackedBody& body, const Cracks& cracks) const;
 
@@ -86,6 +88,7 @@ private:
     TipRates rates_;
     std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
     ReachedExtremes extremes_;
+    std::set<int> said_to_freeze_;  // tips: no checkpoint, for a run that retains functions cannot be resumed
 };
 
 }  // namespace stria::coarse

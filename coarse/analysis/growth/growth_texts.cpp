@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "coarse/enrichment/retained_functions.hpp"
 #include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 
@@ -20,6 +21,14 @@ std::string functions_change(bool stand) {
         "their cracks (fine.enrichment = \"auto\"). Opening loads leap, by some hundredths of K_max in a "
         "trial; with fine.enrichment = \"none\" from the start they do not",
         stand ? "functions stand" : "no function stands", stand ? "not " : "", 1.0 / small_elements);
+}
+
+std::string functions_frozen(int tip) {
+    return fmt::format(
+        "tip {} has moved by less than {:g} elements: its functions are frozen there in spite of growth.retain = "
+        "\"all\", "
+        "for the equations would not tell them from those that follow. Where it does so again nothing is said",
+        tip, apart_to_retain);
 }
 
 std::string is_arrested(bool by_last_cycle) {

@@ -13,6 +13,9 @@ namespace stria::coarse {
 /// `stand`: functions do at the tips from there on, or do no longer.
 [[nodiscard]] std::string functions_change(bool stand);
 
+/// With growth.retain = "all" a tip has moved by less than apart_to_retain elements.
+[[nodiscard]] std::string functions_frozen(int tip);
+
 /// No tip is driven: `by_last_cycle` of a load that varies, of which others may drive one.
 [[nodiscard]] std::string is_arrested(bool by_last_cycle);
 

@@ -40,5 +40,17 @@ TEST(RetainedFunctions, AreNotThoseOfATipThatStaysOrHardlyMoves) {
     EXPECT_EQ(with_functions_left(ending_at(3.5 + 0.23), before).left_tips.size(), 1U);
 }
 
+// A tip that stays has the same functions still.
+TEST(RetainedFunctions, AreSaidToBeGivenUpWhereATipHasMovedALittle) {
+    const EnrichedMesh before = ending_at(3.5);
+    EXPECT_TRUE(tips_nearly_where_they_were(ending_at(3.5), before).empty());
+    EXPECT_EQ(tips_nearly_where_they_were(ending_at(3.5 + 0.21), before), std::vector{0});
+    EXPECT_TRUE(tips_nearly_where_they_were(ending_at(3.5 + 0.23), before).empty());
+    EnrichedMesh without = before;
+    without.tip_functions = 0;
+    EXPECT_TRUE(tips_nearly_where_they_were(ending_at(3.5 + 0.21), without).empty());
+    EXPECT_TRUE(with_functions_left(ending_at(3.5 + 0.21), before).left_tips.empty());
+}
+
 }  // namespace
 }  // namespace stria::coarse
