@@ -16,16 +16,34 @@ namespace stria::coarse {
 
 CrackSides::CrackSides(const Mesh& mesh, const CrackPath& path) : mesh_(mesh), path_(path) {
     for (const CrackPiece& piece : path.pieces) note_piece(piece);
+    note_hanging_nodes();
 }
 
 void CrackSides::note_piece(const CrackPiece& piece) {
     for (const double place : {piece.entry, piece.exit}) note_if_node(piece, place);
     const bool holds_tip = piece.entry < 0.0 || piece.exit < 0.0;
     if (piece.neighbour >= 0 || holds_tip) return;
-    const CutElement cut = cut_element(corners(piece.element), piece);
-    for (const int node : mesh_.elements[at(piece.element)]) {
-        if (on_crack_.contains(node)) continue;
-        of_nodes_[node] = side_of_polygon(cut.left, mesh_.nodes[at(node)]) >= 0 ? 1 : -1;
+    for (const int node : mesh_.elements[at(piece.element)])
+        if (!on_crack_.contains(node)) of_nodes_[node] = side_in(piece, mesh_.nodes[at(node)]);
+}
+
+int CrackSides::side_in(const CrackPiece& piece, const Vec2& x) const {
+    return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+}
+
+// The elements at a hanging node may all be whole but for the larger one, of which it is no corner.
+void CrackSides::note_hanging_nodes() {
+    of_hanging_too_ = of_nodes_;
+    std::map<int, const CrackPiece*> cut;
+    for (const CrackPiece& piece : path_.pieces)
+        if (piece.neighbour < 0) cut[piece.element] = &piece;
+    for (const auto& [node, ends, larger] : mesh_.hanging) {
+        const auto piece = cut.find(larger);
+        const Vec2& x = mesh_.nodes[at(node)];
+        if (piece == cut.end() || of_nodes_.contains(node)) continue;
+        if (piece->second->points.front() == x || piece->second->points.back() == x) continue;
+        constexpr double inwards = 1e-9;  // rounding puts the middle of an edge on either side of it
+        of_hanging_too_[node] = side_in(*piece->second, x + inwards * (centre(mesh_, larger) - x));
     }
 }
 
@@ -40,11 +58,11 @@ int CrackSides::near_tip(const CrackPiece& piece, int node) const {
     if (on_crack_.contains(node)) return 1;
     const Vec2& x = mesh_.nodes[at(node)];
     const std::array<int, 4>& own = mesh_.elements[at(piece.element)];
-    if (piece.neighbour < 0 && std::ranges::find(own, node) != own.end())
-        return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+    if (piece.neighbour < 0 && std::ranges::find(own, node) != own.end()) return side_in(piece, x);
     // Along an edge, or at the end of one: the crack may have come to it through an element beside it.
     if (const auto known = of_nodes_.find(node); known != of_nodes_.end()) return known->second;
-    return orientation(piece.points.front(), piece.points.back(), x) >= 0 ? 1 : -1;
+    const bool ends_there = path_.tip_at_end && piece.points.back() == path_.pieces.back().points.back();
+    return side_at(ends_there ? piece.points.front() : piece.points.back(), x);
 }
 
 // At a node, left or right of the two pieces that meet there; beside a tip, like the nodes of its element (a kink may
@@ -57,7 +75,7 @@ void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed c
     for (const int node : on_crack_) {
         for (const int element : around[at(node)]) {
             if (cut.contains(element)) continue;
-            const int side = side_at_node(mesh_.nodes[at(node)], element);
+            const int side = side_at(mesh_.nodes[at(node)], centre(mesh_, element));
             if (known_sides(element).contains(-side)) continue;  // ahead of a tip
             sides[at(element)] = static_cast<signed char>(side);
         }
@@ -142,11 +160,10 @@ std::pair<Vec2, Vec2> CrackSides::neighbours_on_crack(const Vec2& x) const {
     return {*before, *after};
 }
 
-signed char CrackSides::side_at_node(const Vec2& x, int element) const {
-    const auto [before, after] = neighbours_on_crack(x);
-    const Vec2 middle = centre(mesh_, element);
-    const bool left_of_first = orientation(before, x, middle) > 0, left_of_second = orientation(x, after, middle) > 0;
-    const bool turns_left = orientation(before, x, after) >= 0;
+int CrackSides::side_at(const Vec2& bend, const Vec2& x) const {
+    const auto [before, after] = neighbours_on_crack(bend);
+    const bool left_of_first = orientation(before, bend, x) > 0, left_of_second = orientation(bend, after, x) > 0;
+    const bool turns_left = orientation(before, bend, after) >= 0;
     return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
 }
 

@@ -22,6 +22,8 @@ public:
     /// +1 or -1 for each node of an element that the crack cuts, and for each node on the crack: those count as +1.
     [[nodiscard]] const std::map<int, int>& of_nodes() const { return of_nodes_; }
     [[nodiscard]] const std::set<int>& nodes_on_crack() const { return on_crack_; }
+    /// Of these, and of what hangs on an edge of an element that the crack cuts or ends in.
+    [[nodiscard]] const std::map<int, int>& of_hanging_too() const { return of_hanging_too_; }
 
     /// Side of one of the tip_nodes() at the end of a piece. Ahead of the tip either will do.
     [[nodiscard]] int near_tip(const CrackPiece& piece, int node) const;
@@ -35,6 +37,8 @@ private:
 
     void note_piece(const CrackPiece& piece);
     void note_if_node(const CrackPiece& piece, double place);
+    void note_hanging_nodes();
+    [[nodiscard]] int side_in(const CrackPiece& piece, const Vec2& x) const;
     /// Of the nodes of an element, but for those on the crack: both where the crack cuts it, or ends before it.
     [[nodiscard]] std::set<int> known_sides(int element) const;
     void put_beside_tip(const CrackPiece& piece, const Tip& tip, const std::set<int>& cut, const Around& around,
@@ -44,12 +48,13 @@ private:
     [[nodiscard]] bool is_torn(int element, const Tip& tip, int side) const;
     [[nodiscard]] bool lies_across(int element, const Tip& tip, int side) const;
     [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
-    [[nodiscard]] signed char side_at_node(const Vec2& x, int element) const;
+    /// Of a place beside one of the crack's points, at which it may bend.
+    [[nodiscard]] int side_at(const Vec2& bend, const Vec2& x) const;
     [[nodiscard]] std::array<Vec2, 4> corners(int element) const;
 
     const Mesh& mesh_;
     const CrackPath& path_;
-    std::map<int, int> of_nodes_;
+    std::map<int, int> of_nodes_, of_hanging_too_;
     std::set<int> on_crack_;
 };
 

@@ -92,7 +92,7 @@ public:
             add_crack(path);
         }
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) require_one_crack(result_, e);
-        result_.tied = tied_nodes(mesh_.hanging, result_);
+        result_.tied = tied_nodes(mesh_.hanging, result_, beside_);
         result_.number();
         return std::move(result_);
     }
@@ -105,6 +105,7 @@ private:
             for (const Tip& tip : tips) require_behind(mesh_, path, tip);
         add_jumps(path, tips, sides);
         sides.put_on_elements(tips, result_.element_side);
+        beside_.insert(sides.of_hanging_too().begin(), sides.of_hanging_too().end());
         result_.pieces.insert(result_.pieces.end(), path.pieces.begin(), path.pieces.end());
         result_.mouths.push_back(path.mouth());
         const std::size_t before = result_.tips.size();
@@ -166,7 +167,8 @@ private:
         for (const int node : nodes) side_of.try_emplace(node, 0);
         const std::set<int> about_tip = tip_nodes(mesh_, piece);
         for (auto& [node, side] : side_of) {
-            if (const auto own = sides.of_nodes().find(node); own != sides.of_nodes().end()) side = own->second;
+            if (const auto own = sides.of_hanging_too().find(node); own != sides.of_hanging_too().end())
+                side = own->second;
             if (about_tip.contains(node)) side = sides.near_tip(piece, node);
         }
         return side_of;
@@ -176,6 +178,7 @@ private:
     const std::vector<CrackSection>& cracks_;
     TipEnrichment tip_enrichment_;
     EnrichedMesh result_;
+    std::map<int, int> beside_;  // CrackSides::of_hanging_too(), of all cracks so far
 };
 
 }  // namespace

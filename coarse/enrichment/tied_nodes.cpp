@@ -42,22 +42,20 @@ private:
 
 /// Of the edge at the node: an end on the crack counts as +, whatever the side of the edge. Of an edge that the crack
 /// runs along, what hangs is beyond it.
-double side_at(const HangingNode& hanging, const EnrichedMesh& mesh, const Crossings& crossings) {
-    const auto side_of = [&](int node) {
-        for (const Term& term : mesh.terms[at(node)])
-            if (term.kind == Term::Kind::Heaviside) return term.shift;
-        return 0.0;
-    };
-    if (const double own = side_of(hanging.node); own != 0.0) return own;
+double side_at(const HangingNode& hanging, const EnrichedMesh& mesh, const std::map<int, int>& beside,
+               const Crossings& crossings) {
+    if (const auto own = beside.find(hanging.node); own != beside.end()) return own->second;
     for (const int end : hanging.ends)
-        if (side_of(end) != 0.0 && !crossings.at_node(end)) return side_of(end);
+        for (const Term& term : mesh.terms[at(end)])
+            if (term.kind == Term::Kind::Heaviside && !crossings.at_node(end)) return term.shift;
     const double of_larger = mesh.element_side[at(hanging.larger)];
     return crossings.along(hanging.ends[0], hanging.ends[1]) ? -of_larger : of_larger;
 }
 
 }  // namespace
 
-std::vector<TiedNode> tied_nodes(std::span<const HangingNode> hanging, const EnrichedMesh& mesh) {
+std::vector<TiedNode> tied_nodes(std::span<const HangingNode> hanging, const EnrichedMesh& mesh,
+                                 const std::map<int, int>& beside) {
     std::vector<TiedNode> tied;
     if (hanging.empty()) return tied;
     const Crossings crossings(mesh);
@@ -65,7 +63,7 @@ std::vector<TiedNode> tied_nodes(std::span<const HangingNode> hanging, const Enr
         const auto [node, ends, larger] = one;
         const bool jump = crossings.at_node(node) || crossings.between(ends[0], ends[1]) ||
                           crossings.between(ends[0], node) || crossings.between(node, ends[1]);
-        tied.push_back({node, ends, side_at(one, mesh, crossings), jump});
+        tied.push_back({node, ends, side_at(one, mesh, beside, crossings), jump});
     }
     return tied;
 }
