@@ -13,6 +13,7 @@
 #include "common/crack/crack_crossings.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
+#include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -61,6 +62,19 @@ bool returns_to_its_edge(const CrackPiece& piece, double exit) {
                                [&](int edge) { return lies_on(piece.entry, edge) && lies_on(exit, edge); });
 }
 
+/// The last piece runs along the second half of an edge, and the one before along the first: the whole edge opens.
+bool ends_a_whole_edge(const Mesh& mesh, std::span<const CrackPiece> pieces) {
+    if (pieces.size() < 2) return false;
+    const CrackPiece &first = pieces[pieces.size() - 2], &second = pieces.back();
+    if (first.neighbour < 0 || second.neighbour < 0 || first.entry < 0.0) return false;
+    if (first.element == second.element) return is_at_node(first.entry) && !is_at_node(second.entry);
+    if (first.neighbour != second.neighbour || !is_at_node(second.entry)) return false;
+    const int between = mesh.elements[at(second.element)][at(static_cast<int>(second.entry)) % 4];
+    return std::ranges::any_of(mesh.hanging, [&](const HangingNode& hanging) {
+        return hanging.node == between && hanging.larger == second.neighbour;
+    });
+}
+
 /// Of the crack at a tip. Beside an edge it is that of the edge: what is shorter than rounding puts between it and the
 /// edge may point anywhere.
 Vec2 heading(const std::array<Vec2, 4>& corners, const CrackPiece& last) {
@@ -76,12 +90,25 @@ Vec2 heading(const std::array<Vec2, 4>& corners, const CrackPiece& last) {
     return nearest;
 }
 
-/// Of the edge that a piece ends on, or the node: nothing jumps there.
-std::set<int> closed_nodes(const Mesh& mesh, const CrackPiece& piece, double place) {
+/// Of the edge that a piece of a path ends on, or the node: nothing jumps there.
+std::set<int> closed_nodes(const Mesh& mesh, std::span<const CrackPiece> pieces, const CrackPiece& piece,
+                           double place) {
     const auto& nodes = mesh.elements[at(piece.element)];
     const auto edge = at(static_cast<int>(place));
-    if (is_at_node(place)) return {nodes[edge % 4]};
-    return {nodes[edge % 4], nodes[(edge + 1) % 4]};
+    std::set<int> closed{nodes[edge % 4]};
+    if (!is_at_node(place)) closed.insert(nodes[(edge + 1) % 4]);
+    // What hangs on an edge that the crack meets opens with the ends of the edge: they are closed, too.
+    for (const auto& [node, ends, larger] : mesh.hanging) {
+        if (!closed.contains(node)) continue;
+        const Vec2 &a = mesh.nodes[at(ends[0])], &b = mesh.nodes[at(ends[1])];
+        const double rounding = 1e-9 * (b - a).norm();
+        const auto lies_there = [&](const Vec2& x) { return distance_to_segment(x, a, b) <= rounding; };
+        if (std::ranges::any_of(pieces, [&](const CrackPiece& met) {
+                return lies_there(met.points.front()) || lies_there(met.points.back());
+            }))
+            closed.insert(ends.begin(), ends.end());
+    }
+    return closed;
 }
 
 /// Of so many first pieces, as those that open: as near to the tip as they seem to end, and closing in a short stretch.
@@ -135,7 +162,8 @@ void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     const Exit exit = leaves(corners, tip, direction);
     const double s = last.s.back(), behind = s - last.s.front();
     const double least = last.neighbour >= 0 ? 1.0 + rounding : rounding;  // along an edge nothing is cut off
-    if (pieces.size() > 1 && (behind <= least * exit.distance || returns_to_its_edge(last, exit.place))) {
+    const bool falls_back = behind <= least * exit.distance || returns_to_its_edge(last, exit.place);
+    if (pieces.size() > 1 && falls_back && !ends_a_whole_edge(mesh, pieces)) {
         pieces.pop_back();
         return;
     }
@@ -180,7 +208,7 @@ CrackPath with_fronts_on_edges(const Mesh& mesh, CrackPath path) {
 // What the closed nodes take of the jump, integrated along the crack, is half an element's size where it leaves its
 // last element across from where it came in, and more where it cuts off a corner.
 double lag(const Mesh& mesh, std::span<const CrackPiece> pieces) {
-    const std::set<int> closed = closed_nodes(mesh, pieces.back(), pieces.back().exit);
+    const std::set<int> closed = closed_nodes(mesh, pieces, pieces.back(), pieces.back().exit);
     double taken = 0.0;
     for (const CrackPiece& piece : pieces | std::views::reverse) {
         const auto& nodes = mesh.elements[at(piece.element)];
@@ -211,7 +239,7 @@ double length_in_body(const EnrichedMesh& mesh, int crack) {
 std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start) {
     const CrackPiece& piece = start ? path.pieces.front() : path.pieces.back();
     const double place = start ? piece.entry : piece.exit;
-    return closed_nodes(mesh, piece, place);
+    return closed_nodes(mesh, path.pieces, piece, place);
 }
 
 }  // namespace stria::coarse

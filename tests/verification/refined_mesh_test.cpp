@@ -7,10 +7,12 @@
 #include <iostream>
 #include <map>
 #include <numbers>
+#include <random>
 #include <tuple>
 
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/model/mesh_refinement.hpp"
+#include "common/error.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/specimens.hpp"
@@ -167,6 +169,46 @@ TEST(RefinedMesh, TipFunctionsAreContinuousAcrossHangingNodes) {
     EXPECT_GE(across, 20);
 }
 
+/// Cracks that bend anywhere or at nodes and middles of edges, in elements of up to four sizes; those that the mesh
+/// cannot hold have no unknowns.
+EnrichedMesh anywhere(int k, Mesh& mesh) {
+    std::mt19937 random(7919U * static_cast<unsigned>(k) + 13U);
+    const auto real = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
+    const auto whole = [&](int a, int b) { return std::uniform_int_distribution<>(a, b)(random); };
+    const int n = whole(4, 8), parts = std::array{0, 1, 2, 4, 8}[at(whole(0, 4))];
+    std::vector<coarse::RefinedDisk> disks;
+    for (int left = whole(1, 3); left > 0; --left) {
+        const Vec2 centre(real(0.2, 0.8), real(0.2, 0.8));
+        disks.push_back({centre, centre, real(0.02, 0.2), whole(1, 3), real(0.0, 0.25)});
+    }
+    mesh = coarse::refine(whole(0, 3) == 0 ? distorted(square_mesh(n), 0.1 / n) : square_mesh(n), disks).mesh;
+    const auto put = [&](double x) { return parts > 0 ? std::round(x * n * parts) / (n * parts) : x; };
+    std::vector<Vec2> points{{put(real(0.2, 0.8)), 0.0}};
+    double angle = std::numbers::pi / 2.0 + (whole(0, 1) == 0 ? 0.0 : real(-0.7, 0.7));
+    for (int left = whole(1, 3); left > 0; --left) {
+        const Vec2 next = points.back() + real(0.1, 0.4) * Vec2(std::cos(angle), std::sin(angle));
+        points.emplace_back(put(next.x()), put(next.y()));
+        angle += whole(0, 2) == 0 ? std::copysign(std::numbers::pi / 2.0, real(-1.0, 1.0)) : real(-1.5, 1.5);
+    }
+    try {
+        return cracked(mesh, points, std::array{0, 1, 6}[at(whole(0, 2))]);
+    } catch (const CaseError&) {
+        return {};
+    }
+}
+
+TEST(RefinedMesh, DisplacementsAreContinuousWhereverElementsOfTwoSizesMeet) {
+    int held = 0;
+    Mesh mesh;
+    for (int k = 0; k < 2000; ++k) {
+        const EnrichedMesh enriched = anywhere(k, mesh);
+        if (enriched.unknowns == 0) continue;
+        ++held;
+        EXPECT_LT(discontinuity(mesh, enriched), 1e-12) << k;
+    }
+    EXPECT_GE(held, 1000);
+}
+
 // The line behind a tip beyond a right angle runs through elements that lie on one side of the crack.
 TEST(RefinedMesh, TipFunctionsAreContinuousBehindARightAngle) {
     constexpr double h = 1.0 / 48.0;
@@ -308,6 +350,26 @@ TEST(RefinedMesh, HasTheStressIntensityWhereTipFunctionsCrossHangingNodes) {
                              100.0 * of_large, 100.0 * worst);
     EXPECT_GE(across, 6);
     EXPECT_LT(worst, of_large + 0.001);
+}
+
+// A front that falls back by half of the larger edge that the crack runs along makes K 10 % smaller.
+TEST(RefinedMesh, HasTheStressIntensityWithoutTipFunctionsAlongHalvesOfEdges) {
+    Case input = edge_crack(0.47, 4.0, End::Pulled);
+    input.fine.enrichment = Enrichment::Topological;
+    input.mesh.size = 1.0 / 160;
+    const double K = ElasticSolution(input).tips[0].K_I;
+    input.fine.enrichment = Enrichment::None;
+    input.mesh.size = 1.0 / 40;
+    const Mesh body = coarse::refined_scene(input).mesh;
+    double worst = 0.0;
+    for (int k = 0; k < 60; ++k) {
+        const Vec2 beside = input.cracks[0].points[1] + Vec2(0.06 * std::sin(1.7 * k), 0.05 * std::cos(2.9 * k));
+        const coarse::Scene scene =
+            coarse::make_scene(input, coarse::refine(body, {{beside, beside, 0.02 + 0.0007 * k, 1 + k % 2, 0.0}}).mesh);
+        worst = std::max(worst, std::abs(coarse::solve_nominal(scene).tips[0].K_I / K - 1.0));
+    }
+    std::cout << fmt::format("K_I off by at most {:.3f} %\n", 100.0 * worst);
+    EXPECT_LT(worst, 0.02);
 }
 
 }  // namespace

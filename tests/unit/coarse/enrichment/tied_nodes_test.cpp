@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "coarse/model/mesh_refinement.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/cracked_mesh.hpp"
