@@ -41,10 +41,19 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
                          precision / of_loads * std::abs(end - start), try_at, expected(now, unit), memory_.largest);
 }
 
-std::vector<double> ClosureMeasurement::met() const {
-    std::vector<double> loads;
-    for (std::size_t k = 0; k < memory_.closed.size(); k += meter_.signals().all()) loads.push_back(memory_.closed[k]);
-    return loads;
+LegOutlook ClosureMeasurement::outlook(const LegEnds& leg, const std::vector<TipResult>& nominal) const {
+    LegOutlook outlook{.met = {}, .presses = false, .senses = {.with_load = false, .against_load = false}};
+    const LoadFactors changes{leg.to.main - leg.from.main, change(leg.from.cases, leg.to.cases)};
+    const std::size_t signals = meter_.signals().all();
+    for (std::size_t t = 0; t < nominal.size(); ++t) {
+        const double rise = rise_of_K(nominal[t], changes);
+        const bool with_load = rise * changes.main >= 0.0;
+        (with_load ? outlook.senses.with_load : outlook.senses.against_load) = true;
+        for (const LoadFactors& end : {leg.from, leg.to})
+            outlook.presses = outlook.presses || rise_of_K(nominal[t], end) < 0.0;
+        if (rise < 0.0 && t * signals < memory_.closed.size()) outlook.met.push_back(memory_.closed[t * signals]);
+    }
+    return outlook;
 }
 
 // Where it last came or went as it does now.

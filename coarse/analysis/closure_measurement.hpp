@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coarse/cycle/closure_meter.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/load/load_controller.hpp"
 
 namespace stria::coarse {
@@ -52,8 +53,9 @@ public:
 
     /// Committed: what the next increment starts from.
     [[nodiscard]] const ClosureMemory& memory() const { return memory_; }
-    /// Loads at which faces met last at or beyond the first distance behind each tip; likewise in units of the history.
-    [[nodiscard]] std::vector<double> met() const;
+    /// What a half cycle is expected to do. `nominal`: of each tip; faces met at or beyond the first distance behind
+    /// it.
+    [[nodiscard]] LegOutlook outlook(const LegEnds& leg, const std::vector<TipResult>& nominal) const;
 
 private:
     [[nodiscard]] std::vector<double> signal(const NewtonReport& report) const {

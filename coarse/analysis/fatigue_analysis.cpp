@@ -27,6 +27,7 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
         growth_.emplace(scene.input, listener_.note, from != nullptr ? from->growth : GrowthMemory());
     if (from == nullptr) return;
     controller_.resume(from->load);
+    look_ahead();
     cycle_meter_.resume(from->cycle);
     last_cycle_ = from->last_cycle;
     due_growth_ = from->due_growth;
@@ -34,10 +35,10 @@ FatigueAnalysis::FatigueAnalysis(const Scene& scene, EquilibriumFactory& factory
     effort_.counts = from->counts;
 }
 
-double FatigueAnalysis::life_in_doubt() const { return growth_ ? growth_->rates().life_in_doubt() : 0.0; }
-double FatigueAnalysis::uncounted_growth() const { return growth_ ? growth_->rates().uncounted() : 0.0; }
-
-bool FatigueAnalysis::life_is_over() const { return growth_ && growth_->life_is_over(); }
+void FatigueAnalysis::look_ahead() {
+    if (const std::optional<LegEnds> leg = controller_.leg_that_begins())
+        controller_.expect(closure_.outlook(*leg, body_.nominal()));
+}
 
 AnalysisState FatigueAnalysis::state() const {
     if (before_growth_) return *before_growth_;
@@ -79,7 +80,8 @@ void FatigueAnalysis::run() {
         std::optional<std::vector<OpeningChange>> changes = measure_closure(*step, *found);
         if (!changes) continue;
         accept(*step, *found, std::move(*changes));
-        controller_.accepted(openings(accepted_.tips), closure_.met());
+        controller_.accepted(openings(accepted_.tips));
+        look_ahead();
         if (const std::optional<double> off = controller_.take_missed_accuracy())
             listener_.note(misses_accuracy(*off, body_.scene().input.load.accuracy));
         if (growth_) growth_->take(accepted_);

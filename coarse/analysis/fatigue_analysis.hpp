@@ -26,10 +26,10 @@ public:
     [[nodiscard]] bool finished() const { return !due_growth_.due && release_.held == 0.0 && !next(); }
 
     /// Growth has ended the run, and neither arrest nor the mesh: the cycles up to now are the life.
-    [[nodiscard]] bool life_is_over() const;
+    [[nodiscard]] bool life_is_over() const { return growth_ && growth_->life_is_over(); }
     /// As CrackGrowth has it, mm.
-    [[nodiscard]] double uncounted_growth() const;
-    [[nodiscard]] double life_in_doubt() const;
+    [[nodiscard]] double uncounted_growth() const { return growth_ ? growth_->rates().uncounted() : 0.0; }
+    [[nodiscard]] double life_in_doubt() const { return growth_ ? growth_->rates().life_in_doubt() : 0.0; }
 
     [[nodiscard]] const WorkBalance& work() const { return model_.work(); }  // of the committed state
 
@@ -55,6 +55,8 @@ public:
 
 private:
     [[nodiscard]] AnalysisState state_beside_zone() const;
+    /// To the half cycle that begins, if one does.
+    void look_ahead();
     /// Each two increments differ from one: by that a leg is known to have enough of them (IncrementSchedule).
     void compare_increments();
     [[nodiscard]] bool is_to_end() const;

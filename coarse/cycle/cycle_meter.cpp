@@ -147,17 +147,14 @@ void CycleMeter::add(const Increment& increment) {
 
 // Where a displacement is controlled the load may fall as it rises.
 double CycleMeter::rise_of_K(const Increment& increment, std::size_t t) const {
-    constexpr double least_of_K_II = 0.01;
     const double rise = rise_of_load(increment);
     if (rise == 0.0 || t >= now_.last.size()) return rise;
-    const TipResult& nominal = increment.nominal[t];
     LoadFactors change(rise);
     if (control_ != Control::Displacement)
         change = {increment.load_factor - now_.last[t].load_factor,
                   coarse::change(increment.cases_before, increment.step.target.cases)};
-    const double K_I = K_together(nominal.K_I, nominal.K_I_of_cases, 0.0, change);
-    const double K_II = K_together(nominal.K_II, nominal.K_II_of_cases, 0.0, change);
-    return std::abs(K_I) > least_of_K_II * std::abs(K_II) ? K_I : rise;
+    const double of_K = coarse::rise_of_K(increment.nominal[t], change);
+    return of_K != 0.0 ? of_K : rise;
 }
 
 bool CycleMeter::half_cycle_rises(const Increment& increment, std::size_t t) const {

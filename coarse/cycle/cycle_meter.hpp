@@ -63,8 +63,7 @@ private:
     [[nodiscard]] double rise_of_load(const Increment& increment) const {
         return increment.step.target.value - now_.last_target;
     }
-    /// Of the nominal K of a tip, its sign alone: that of K_I under the change of all loads, or that of rise_of_load()
-    /// where K_I changes by less than a hundredth of what K_II does. Zero where [load] stands.
+    /// Under the change of all loads (coarse::rise_of_K()); zero where [load] stands.
     [[nodiscard]] double rise_of_K(const Increment& increment, std::size_t t) const;
     /// K rises in the half cycle that the increment belongs to, or stands at the end of; where K turns elsewhere than
     /// [load], as loads lag or travel, [load] does.

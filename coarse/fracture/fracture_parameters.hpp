@@ -57,6 +57,16 @@ constexpr double rounding_of_K = 1e-9;
     return K_together(nominal.K_II, nominal.K_II_of_cases, nominal.K_II_initial, loads);
 }
 
+/// What a change of the loads adds to the nominal K_I of a tip, of which the sign alone counts: above zero it opens the
+/// tip, and zero if nothing drives it. Where K_I changes by less than a hundredth of what K_II does, as the mesh alone
+/// may have it in shear, the sign is that of [load].
+[[nodiscard]] inline double rise_of_K(const TipResult& nominal, const LoadFactors& change) {
+    constexpr double least_of_K_II = 0.01;
+    const double K_I = K_together(nominal.K_I, nominal.K_I_of_cases, 0.0, change);
+    const double K_II = K_together(nominal.K_II, nominal.K_II_of_cases, 0.0, change);
+    return std::abs(K_I) >= least_of_K_II * std::abs(K_II) ? K_I : change.main;
+}
+
 /// `u`: displacement of the whole mesh, mm, zero inside the zone; that of near elements is read. `own`:
 /// rings.integrals(u). `report`: the zone's share, empty without a zone. `behind`: distances behind the tips, mm, at
 /// which the opening is asked for, one per tip; empty: nobody asks. One result per tip.

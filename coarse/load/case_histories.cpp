@@ -164,21 +164,24 @@ void CaseHistories::put_travelling(const LoadPlace& place, Eigen::Index first, E
     factors[first + to] += place.share;
 }
 
+// A dead load is there before any other, and stays. All others begin from nothing.
+std::pair<double, double> CaseHistories::extremes(const LoadCaseSection& load_case, double scale) const {
+    if (load_case.constant) return {*load_case.constant, *load_case.constant};
+    std::vector<double> factors{0.0};
+    for (const LoadBlock& block : load_.blocks)
+        for (const double value : {block.max, block.min})
+            factors.push_back(load_case.factor.value_or(0.0) * scale * load_.scale * value);
+    for (const CaseBlock& block : load_case.blocks)
+        for (const double value : {block.at_max, block.at_min}) factors.push_back(value);
+    const auto [least, most] = std::ranges::minmax(factors);
+    return {least, most};
+}
+
 double CaseHistories::largest_sum(const std::vector<double>& of_unit, double scale) const {
     double sum = 0.0;
     std::size_t k = 0;
     for (const LoadCaseSection& load_case : cases_) {
-        double most = load_case.constant.value_or(0.0), least = most;
-        for (const LoadBlock& block : load_.blocks)
-            for (const double value : {block.max, block.min}) {
-                const double factor = load_case.factor.value_or(0.0) * scale * load_.scale * value;
-                most = std::max(most, factor);
-                least = std::min(least, factor);
-            }
-        for (const CaseBlock& block : load_case.blocks) {
-            most = std::max({most, block.at_max, block.at_min});
-            least = std::min({least, block.at_max, block.at_min});
-        }
+        const auto [least, most] = extremes(load_case, scale);
         const double unit = of_unit[k++];
         sum += std::max(most * unit, least * unit);
     }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coarse/load/load_factors.hpp"
@@ -62,6 +63,8 @@ public:
     [[nodiscard]] double largest_sum(const std::vector<double>& of_unit, double scale) const;
 
 private:
+    /// The least and the largest factor.
+    [[nodiscard]] std::pair<double, double> extremes(const LoadCaseSection& load_case, double scale) const;
     [[nodiscard]] double factor(const LoadCaseSection& load_case, const LoadPlace& place) const;
     [[nodiscard]] double lagging(const LoadCaseSection& load_case, const LoadPlace& place) const;
     [[nodiscard]] double turning_back(const LoadCaseSection& load_case, std::size_t leg, double way,

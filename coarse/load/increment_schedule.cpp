@@ -120,13 +120,16 @@ int IncrementSchedule::within_limits(double wanted) const {
 
 // Once faces are closed no opening tells what an increment is off by. Where they meet nobody knows in the first leg.
 int IncrementSchedule::increments(const Legs& legs) const {
-    const bool rises = &legs == &state_.rising, meet = !rises && !state_.meetings.empty();
-    const bool first = !rises && !legs.taken;
+    const bool rises = &legs == &state_.rising;
+    const auto [with_load, against_load] = state_.senses;
+    const bool closes = rises ? against_load : with_load, opens = rises ? with_load : against_load;
+    const bool meet = closes && !state_.meetings.empty(), first = closes && !legs.taken;
     const bool to_be_measured = state_.tells && !legs.knows_pressing;
-    int least = meet ? (state_.rising.increments + 1) / 2 : 0;
+    const Legs& back = rises ? state_.falling : state_.rising;
+    int least = meet ? (back.increments + 1) / 2 : 0;
     double pressing = meet ? pressing_increments : 0.0;
+    if (to_be_measured && opens) pressing = first_returning_increments;
     if (to_be_measured && (meet || first)) pressing = first_pressing_increments;
-    if (to_be_measured && rises) pressing = first_returning_increments;
     if (state_.presses && pressing > 0.0) least = std::max(least, within_limits(pressing * times_as_many()));
     return std::max(legs.increments, least);
 }
@@ -229,9 +232,10 @@ void IncrementSchedule::end_leg(bool rises, bool alike) {
     begin(std::vector<double>(state_.path.opening.back()));
 }
 
-void IncrementSchedule::meet_at(std::vector<double> ways, bool presses) {
+void IncrementSchedule::meet_at(std::vector<double> ways, bool presses, SensesOfK senses) {
     if (!chooses_) return;
     state_.presses = presses;
+    state_.senses = senses;
     state_.tells = knows_an_opening(state_.path);
     const auto is_near = [](double a, double b) { return b - a < least_apart; };
     std::erase_if(ways, [](double way) { return way < least_apart || way > 1.0 - least_apart; });

@@ -19,6 +19,11 @@ struct OpeningPath {
     void add(double at, std::vector<double> openings);
 };
 
+/// How K of the tips goes with [load]; of two cracks in a plate that is bent one may go with it and the other against.
+struct SensesOfK {
+    bool with_load = true, against_load = false;  // of some tip
+};
+
 /// Two increments of a leg that follow each other, tried as one: from where to where, in parts of the way, and the
 /// openings that this came to.
 struct TwoAsOne {
@@ -45,12 +50,12 @@ struct TwoAsOne {
 /// cycle has two legs, and the accuracy is that of all cycles while one is measured. In between the number stays, since
 /// a predictor wants the same increments a cycle later.
 /// What an increment is off by in which faces meet no opening tells, since they are closed at its end, and there the
-/// path of the metal bends. So one increment of a leg that unloads ends where they met last, those behind it begin
-/// small, and such a leg has at least half as many as one that loads. Where it goes on into compression what the tip
-/// has left is crushed, and no opening tells: four tenths of its increments come before faces meet, and it has no fewer
-/// than 8 at an accuracy of 0.002. Until one of them has been measured, from the first one on, it has 20, and one that
-/// comes back from there 12: few tried as fewer tell too little. What such cycles are off by adds up as a crack grows,
-/// so that their legs are chosen for a sixth of the accuracy (docs/performance.md).
+/// path of the metal bends. So one increment of a leg that unloads a tip ends where they met last, those behind it
+/// begin small, and such a leg has at least half as many as one that loads. Where it goes on into compression what the
+/// tip has left is crushed, and no opening tells: four tenths of its increments come before faces meet, and it has no
+/// fewer than 8 at an accuracy of 0.002. Until one of them has been measured, from the first one on, it has 20, and one
+/// that comes back from there 12: few tried as fewer tell too little. What such cycles are off by adds up as a crack
+/// grows, so that their legs are chosen for a sixth of the accuracy (docs/performance.md).
 class IncrementSchedule {
 public:
     /// Those of one direction.
@@ -67,8 +72,9 @@ public:
         std::vector<TwoAsOne> pairs = {};   // likewise
         std::vector<double> meetings = {};  // likewise: parts of its way, ascending
         bool presses = false;               // likewise: it goes to or comes from a load that presses faces together
-        bool tells = false;                 // likewise: an opening was known where it began
-        bool missed = false;                // the accuracy, by some leg so far
+        SensesOfK senses = {};
+        bool tells = false;   // likewise: an opening was known where it began
+        bool missed = false;  // the accuracy, by some leg so far
     };
 
     /// Chooses where load.steps is no number.
@@ -91,7 +97,7 @@ public:
     void end_leg(bool rises, bool alike);
     /// Parts of the way at which faces are expected to meet in the leg that begins; next to its ends they do not count.
     /// `presses`: it goes to a load that presses them together, or comes from there.
-    void meet_at(std::vector<double> ways, bool presses = false);
+    void meet_at(std::vector<double> ways, bool presses = false, SensesOfK senses = {});
 
     /// What the first leg is off by that needs more increments than there may be, of the range of the opening: where
     /// that is more than its half of the accuracy. Told once.

@@ -18,9 +18,9 @@ double in_proportion(const LoadPosition::Taken& next, const LoadPosition::Taken&
     return (way * (next.to - next.from) + cases.dot(next.cases_to - next.cases_from)) / length;
 }
 
-/// Where load cases lag the load is not slow where that of [load] turns.
+/// Where loads lag or travel legs are no straight ways, and the load is not slow where that of [load] turns.
 IncrementSchedule schedule_of(const LoadSection& load, const CaseHistories& cases) {
-    if (cases.count() == 0) return IncrementSchedule(load);
+    if (!cases.peak_between_ends()) return IncrementSchedule(load);
     const std::vector<double> turns = cases.turns();
     const int increments = load.first_steps() / 2;
     const bool by_angle = !load.grading && !turns.empty();
@@ -46,12 +46,10 @@ LoadPosition LoadController::position() const {
 void LoadController::resume(const LoadPosition& position) {
     position_ = position;
     schedule_.resume(position.schedule);
-    if (position_.leg >= legs_.size() || position_.increments > 0 || position_.way > 0.0) return;
     // A history that had ended knew of no next leg.
-    if (position_.leg > 0 && !cases_.ends_leg_at(position_.leg - 1, position_.cases))
+    if (leg_that_begins() && position_.leg > 0 && !cases_.ends_leg_at(position_.leg - 1, position_.cases))
         throw CaseError("cannot go on from this checkpoint: the history ended there, and in the longer one a load case "
                         "rises to another factor in that cycle");
-    meet_at(position_.met);
 }
 
 double LoadController::end_of_leg() const { return scale_ * legs_[position_.leg].to; }
@@ -113,9 +111,9 @@ Eigen::VectorXd LoadController::cases_at(double way) const {
                       .scale = scale_});
 }
 
-Eigen::VectorXd LoadController::cases_at_stop(int increment) const {
-    return cases_.at({.leg = position_.leg,
-                      .way = ways()[at(increment)],
+Eigen::VectorXd LoadController::cases_at_stop(std::size_t leg, int increment) const {
+    return cases_.at({.leg = leg,
+                      .way = schedule_.ways(rises(leg))[at(increment)],
                       .increment = std::max(increment, 1),
                       .share = increment > 0 ? 1.0 : 0.0,
                       .scale = scale_});
@@ -164,6 +162,7 @@ std::optional<LoadStep> LoadController::two_as_one() const {
     LoadStep step = *next();
     const double first = step.target.value - position_.reached;
     step.target.value = stop(position_.increments + 2);
+    step.target.cases = cases_at_stop(position_.increments + 2);
     step.predictor.factor *= (step.target.value - position_.reached) / first;
     return step;
 }
@@ -175,8 +174,11 @@ void LoadController::tried_as_one(std::vector<double> openings) {
 
 bool LoadController::is_alike() const {
     if (position_.leg < 2) return false;
-    const Leg &now = legs_[position_.leg], &before = legs_[position_.leg - 2];
-    return before.cycle > 0 && now.from == before.from && now.to == before.to;
+    const std::size_t now = position_.leg, before = now - 2;
+    const Leg &leg = legs_[now], &other = legs_[before];
+    const int all = increments();
+    return other.cycle > 0 && leg.from == other.from && leg.to == other.to &&
+           cases_at_stop(now, 0) == cases_at_stop(before, 0) && cases_at_stop(now, all) == cases_at_stop(before, all);
 }
 
 LoadPosition::Taken LoadController::taken_by(const LoadStep& step) const {
@@ -223,37 +225,38 @@ void LoadController::committed_besides(int cycle, std::vector<double> openings) 
     remember({cycle, here, here, position_.cases, position_.cases});
 }
 
-std::vector<double> LoadController::meetings(const std::vector<double>& loads) const {
-    std::vector<double> ways;
-    if (position_.leg == legs_.size() || rises()) return ways;
+std::optional<LegEnds> LoadController::leg_that_begins() const {
+    if (position_.leg >= legs_.size() || position_.increments > 0 || position_.way > 0.0) return std::nullopt;
+    if (control_ == Control::Displacement || cases_.count() == 0)
+        return LegEnds{.from = {position_.leg_start}, .to = {end_of_leg()}};
+    return LegEnds{.from = {position_.leg_start, cases_at_stop(0)}, .to = {end_of_leg(), cases_at_stop(increments())}};
+}
+
+void LoadController::expect(const LegOutlook& outlook) {
     const Leg& leg = legs_[position_.leg];
-    for (const double load : loads)
+    std::vector<double> ways;
+    for (const double load : outlook.met)
         if (const double way = (load - leg.from) / (leg.to - leg.from); way > 0.0 && way < 1.0) ways.push_back(way);
-    return ways;
+    schedule_.meet_at(std::move(ways), outlook.presses, outlook.senses);
 }
 
-void LoadController::meet_at(const std::vector<double>& loads) {
-    const bool presses = position_.leg < legs_.size() && std::min(position_.leg_start, end_of_leg()) < 0.0;
-    schedule_.meet_at(meetings(loads), presses);
-}
-
-void LoadController::accepted(std::vector<double> openings, const std::vector<double>& met) {
+// What dead loads do as they come on is no cycle's.
+void LoadController::accepted(std::vector<double> openings) {
     const LoadStep step = *next();
+    const bool leads = legs_[position_.leg].leads;
     const auto [way, arrives] = next_way();
     remember(taken_by(step));
     position_.reached = step.target.value;
     position_.cases = step.target.cases;
     position_.way = way;
-    schedule_.add(way, std::move(openings));
+    if (!leads) schedule_.add(way, std::move(openings));
     if (arrives) ++position_.increments;
     if (position_.increments == increments()) {
-        schedule_.end_leg(rises(), is_alike());
+        if (!leads) schedule_.end_leg(rises(), is_alike());
         ++position_.leg;
         position_.increments = 0;
         position_.leg_start = position_.reached;
         position_.way = 0.0;
-        position_.met = met;
-        meet_at(met);
     }
     position_.fraction = fraction_of_next();
     position_.consecutive_cuts = std::max(position_.consecutive_cuts - 1, 0);

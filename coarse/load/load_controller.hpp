@@ -49,8 +49,19 @@ struct LoadPosition {
     int consecutive_cuts = 0, cuts = 0;
     std::vector<Taken> taken;  // increments to predict from, the last one first
     int misled = 0;            // in a row, of those that were predicted from
-    std::vector<double> met;   // loads at which faces had met where the leg begins, in units of the history; NaN: never
     IncrementSchedule::State schedule = {};
+};
+
+/// Loads at the two ends of a half cycle. Where a displacement is controlled it stands for the main factor, alone.
+struct LegEnds {
+    LoadFactors from, to;
+};
+
+/// What a half cycle is expected to do to the tips.
+struct LegOutlook {
+    std::vector<double> met = {};  // loads at which faces that it closes met last, in units of the history; NaN: never
+    bool presses = false;          // it goes to a load that presses faces together, or comes from there
+    SensesOfK senses = {};
 };
 
 class LoadController {
@@ -82,9 +93,13 @@ public:
     /// IncrementSchedule::take_miss().
     [[nodiscard]] std::optional<double> take_missed_accuracy() { return schedule_.take_miss(); }
 
-    /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments. `met`: loads at which
-    /// faces behind the tips met last, in units of the history; NaN: never.
-    void accepted(std::vector<double> openings = {}, const std::vector<double>& met = {});
+    /// `openings`: behind the tips, mm (OpeningPath); or nothing where they choose no increments.
+    void accepted(std::vector<double> openings = {});
+
+    /// The half cycle of which no increment has been taken; nothing within one, or when all is done.
+    [[nodiscard]] std::optional<LegEnds> leg_that_begins() const;
+    /// Of that one, before its increments are taken.
+    void expect(const LegOutlook& outlook);
 
     /// An increment has been committed at the load that is reached, which is no step of the history.
     void committed_besides(int cycle, std::vector<double> openings = {});
@@ -115,7 +130,8 @@ private:
         bool arrives;
     };
     [[nodiscard]] double end_of_leg() const;
-    [[nodiscard]] bool rises() const { return legs_[position_.leg].to > legs_[position_.leg].from; }
+    [[nodiscard]] bool rises(std::size_t leg) const { return legs_[leg].to > legs_[leg].from; }
+    [[nodiscard]] bool rises() const { return rises(position_.leg); }
     /// Parts of the leg at the ends of its uncut increments; the first is its start.
     [[nodiscard]] const std::vector<double>& ways() const { return schedule_.ways(rises()); }
     [[nodiscard]] int increments() const { return static_cast<int>(ways().size()) - 1; }  // of the leg, uncut
@@ -124,11 +140,10 @@ private:
     [[nodiscard]] Way next_way() const;
     [[nodiscard]] double size_of_next(const Way& taken) const;
     [[nodiscard]] double fraction_of_next() const;
-    [[nodiscard]] std::vector<double> meetings(const std::vector<double>& loads) const;  // parts of the present leg
-    void meet_at(const std::vector<double>& loads);                                      // in the leg that begins
     [[nodiscard]] bool is_alike() const;  // the present leg, and the last one in its direction
     [[nodiscard]] Eigen::VectorXd cases_at(double way) const;
-    [[nodiscard]] Eigen::VectorXd cases_at_stop(int increment) const;
+    [[nodiscard]] Eigen::VectorXd cases_at_stop(int increment) const { return cases_at_stop(position_.leg, increment); }
+    [[nodiscard]] Eigen::VectorXd cases_at_stop(std::size_t leg, int increment) const;
     [[nodiscard]] Eigen::ArrayXd largest_cases() const;  // magnitudes, at the stops of the leg
     [[nodiscard]] LoadPosition::Taken taken_by(const LoadStep& step) const;
     [[nodiscard]] Predictor predictor(const LoadPosition::Taken& next) const;

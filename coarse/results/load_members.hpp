@@ -58,21 +58,28 @@ void members(auto& archive, Is<TwoAsOne> auto& m) {
     archive("opening", opening);
 }
 
+void members(auto& archive, Is<SensesOfK> auto& m) {
+    auto& [with_load, against_load] = m;
+    archive("with_load", with_load);
+    archive("against_load", against_load);
+}
+
 void members(auto& archive, Is<IncrementSchedule::State> auto& m) {
-    auto& [rising, falling, path, pairs, meetings, presses, tells, missed] = m;
+    auto& [rising, falling, path, pairs, meetings, presses, senses, tells, missed] = m;
     archive("rising", rising);
     archive("falling", falling);
     archive("path", path);
     archive("pairs", pairs);
     archive("meetings", meetings);
     archive("presses", presses);
+    archive("senses", senses);
     archive("tells", tells);
     archive("missed", missed);
 }
 
 void members(auto& archive, Is<LoadPosition> auto& m) {
-    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, misled, met,
-           schedule] = m;
+    auto& [leg, increments, leg_start, reached, way, cases, fraction, consecutive_cuts, cuts, taken, misled, schedule] =
+        m;
     archive("leg", leg);
     archive("increments", increments);
     archive("leg_start", leg_start);
@@ -84,7 +91,6 @@ void members(auto& archive, Is<LoadPosition> auto& m) {
     archive("cuts", cuts);
     archive("taken", taken);
     archive("misled", misled);
-    archive("met", met);
     archive("schedule", schedule);
 }
 

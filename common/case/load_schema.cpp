@@ -44,9 +44,9 @@ void declare_increments(Section<LoadSection>& s) {
         .even()
         .says("Increments per cycle; the first ramp takes half as many more. auto: 12 in the first cycle, then as many "
               "as accuracy wants, from 4 to 24 between two reversals; where a load from above zero goes on into "
-              "compression 32 in the first cycles, then up to 40 between two reversals. It stays at 12 with load "
-              "cases, and where no opening behind a tip is known; with load cases that lag it is 24. Where a pressure "
-              "travels there are so many that each takes it on by no more than a quarter of its half width.");
+              "compression 32 in the first cycles, then up to 40 between two reversals. It stays at 12 "
+              "where no opening behind a tip is known, and at 24 with load cases that lag. Where a pressure travels "
+              "there are so many that each takes it on by no more than a quarter of its half width.");
     s.value("accuracy", &LoadSection::accuracy)
         .positive()
         .below(1.0)

@@ -16,6 +16,20 @@ LoadController controller(int steps, std::vector<LoadBlock> blocks, int max_cuts
                           {.tolerance = 1e-8, .max_iterations = 25, .max_cuts = max_cuts});
 }
 
+/// Of a tip whose K is `unit_K` times the load.
+LegOutlook outlook(const LegEnds& leg, std::vector<double> met, double unit_K = 1.0) {
+    const double from = unit_K * leg.from.main, to = unit_K * leg.to.main;
+    if (to > from) met.clear();
+    return {.met = std::move(met),
+            .presses = std::min(from, to) < 0.0,
+            .senses = {.with_load = unit_K > 0.0, .against_load = unit_K < 0.0}};
+}
+
+void accept_with_meetings(LoadController& loads, const std::vector<double>& met, double unit_K = 1.0) {
+    loads.accepted();
+    if (const auto leg = loads.leg_that_begins()) loads.expect(outlook(*leg, met, unit_K));
+}
+
 std::vector<LoadStep> all_steps(LoadController loads) {
     std::vector<LoadStep> steps;
     while (const auto step = loads.next()) {
@@ -116,10 +130,22 @@ TEST(LoadController, EndsAnIncrementWhereFacesMetLast) {
     std::vector<bool> ends_there(1, false);
     while (const auto step = loads.next()) {
         if (std::abs(step->target.value - 0.1 * met) < 1e-12) ends_there.back() = true;
-        loads.accepted({}, {std::numeric_limits<double>::quiet_NaN(), met, 50.0});
+        accept_with_meetings(loads, {std::numeric_limits<double>::quiet_NaN(), met, 50.0});
         if (step->reversal) ends_there.push_back(false);
     }
     EXPECT_EQ(ends_there, (std::vector<bool>{false, true, false, true, false, false}));  // the last one does not come
+}
+
+// The faces of a tip that opens as the load falls meet as it rises.
+TEST(LoadController, EndsAnIncrementWhereFacesMeetAsTheLoadRises) {
+    LoadController loads({.blocks = {{.cycles = 2, .max = 40.0, .min = -40.0}}}, SolverSection());
+    std::vector<bool> ends_there(1, false);
+    while (const auto step = loads.next()) {
+        if (step->target.value == -10.0) ends_there.back() = true;
+        accept_with_meetings(loads, {-10.0}, -1.0);
+        if (step->reversal) ends_there.push_back(false);
+    }
+    EXPECT_EQ(ends_there, (std::vector<bool>{false, false, true, false, true, false}));
 }
 
 TEST(LoadController, KnowsWhichLegsPressFacesTogether) {
@@ -128,8 +154,8 @@ TEST(LoadController, KnowsWhichLegsPressFacesTogether) {
         std::vector<bool> presses;
         while (const auto step = loads.next()) {
             presses.push_back(loads.position().schedule.presses);
-            while (!loads.next()->reversal) loads.accepted({}, {10.0});
-            loads.accepted({}, {10.0});
+            while (!loads.next()->reversal) accept_with_meetings(loads, {10.0});
+            accept_with_meetings(loads, {10.0});
         }
         return presses;
     };
@@ -142,7 +168,7 @@ TEST(LoadController, KnowsWhereFacesMetWhenItsHistoryIsMadeLonger) {
         std::vector<double> targets;
         while (const auto step = loads.next()) {
             targets.push_back(step->target.value);
-            loads.accepted({}, {10.0});
+            accept_with_meetings(loads, {10.0});
         }
         return targets;
     };
@@ -152,6 +178,7 @@ TEST(LoadController, KnowsWhereFacesMetWhenItsHistoryIsMadeLonger) {
     LoadController shorter = cycles(1), whole = cycles(2), longer = cycles(2);
     std::vector<double> found = stops(shorter);
     longer.resume(shorter.position());
+    longer.expect(outlook(*longer.leg_that_begins(), {10.0}));
     std::ranges::copy(stops(longer), std::back_inserter(found));
     EXPECT_EQ(found, stops(whole));
 }
