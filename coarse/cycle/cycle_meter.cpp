@@ -55,11 +55,15 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
 }
 
 /// Where the cycle before rose no higher than this one does, its rest stands for that of this one, which is to come.
-void take_rest(CycleMemory::Tip& tip) {
+void take_rest(CycleMemory::Tip& tip, bool is_to_come) {
     constexpr double longer_crack = 1.02;
     CycleResult& cycle = tip.cycle;
     const CycleResult& rest = tip.rest;
-    if (!(rest.K_max <= longer_crack * cycle.K_max)) return;
+    if (!(rest.K_max <= longer_crack * cycle.K_max)) {
+        for (SignalOfCycle& signal : tip.signal)
+            if (is_to_come) signal.miss_rest();
+        return;
+    }
     for (SignalOfCycle& signal : tip.signal) signal.take_rest();
     cycle.J_max = std::fmax(cycle.J_max, rest.J_max);
     cycle.CTOD.most = std::max(cycle.CTOD.most, rest.CTOD.most);
@@ -145,16 +149,19 @@ void CycleMeter::add(const Increment& increment) {
     now_.last_target = increment.step.target.value;
 }
 
-// Where a displacement is controlled the load may fall as it rises.
+// Where a displacement is controlled the load may fall as it rises; unless load cases change, it is what rises.
 double CycleMeter::rise_of_K(const Increment& increment, std::size_t t) const {
     const double rise = rise_of_load(increment);
     if (rise == 0.0 || t >= now_.last.size()) return rise;
-    LoadFactors change(rise);
-    if (control_ != Control::Displacement)
-        change = {increment.load_factor - now_.last[t].load_factor,
-                  coarse::change(increment.cases_before, increment.step.target.cases)};
+    LoadFactors change(increment.load_factor - now_.last[t].load_factor,
+                       coarse::change(increment.cases_before, increment.step.target.cases));
+    if (control_ == Control::Displacement && change.cases.isZero(0.0)) change = LoadFactors(rise);
     const double of_K = coarse::rise_of_K(increment.nominal[t], change);
     return of_K != 0.0 ? of_K : rise;
+}
+
+double CycleMeter::K_before(const Increment& increment, std::size_t t) const {
+    return t < now_.last.size() ? now_.last[t].K : increment.nominal[t].K_initial;
 }
 
 bool CycleMeter::half_cycle_rises(const Increment& increment, std::size_t t) const {
@@ -164,13 +171,16 @@ bool CycleMeter::half_cycle_rises(const Increment& increment, std::size_t t) con
 
 void CycleMeter::note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const {
     const double rise = rise_of_K(increment, t);
+    // What is open at the end of a rise that no change tells of was so where it began; on the ramp nobody looks.
+    const bool from_start = rise > 0.0 || increment.step.cycle == 0;
+    const double K = from_start ? K_before(increment, t) : increment.K_at_end(t);
     for (const OpeningChange& change : increment.opening_changes)
         if (change.tip == static_cast<int>(t) && !signals_.is_slip(at(change.signal)))
             tip.signal[at(change.signal)].note_change(change.closes, increment.K_at(t, change), rise);
     for (std::size_t s = 0; s < tip.signal.size(); ++s) {
         const bool is_open = increment.signal.empty() ||
                              increment.signal[signals_.index(static_cast<int>(t), static_cast<int>(s))] <= 0.0;
-        tip.signal[s].note_state(is_open, increment.K_at_end(t), rise);
+        tip.signal[s].note_state(is_open, K, rise);
     }
 }
 
@@ -222,10 +232,10 @@ std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
         CycleResult& cycle = tip.cycle;
-        if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
-        take_rest(tip);
-        // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
         const CycleMemory::Station& end = now_.last[t];
+        if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
+        take_rest(tip, !peaks.empty() && peaks[t] > end.K);
+        // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
         cycle.da = std::hypot(end.x - now_.x[t], end.y - now_.y[t]);
         now_.x[t] = end.x;
         now_.y[t] = end.y;

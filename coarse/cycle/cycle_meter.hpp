@@ -65,6 +65,8 @@ private:
     }
     /// Under the change of all loads (coarse::rise_of_K()); zero where [load] stands.
     [[nodiscard]] double rise_of_K(const Increment& increment, std::size_t t) const;
+    /// Where the increment begins: without load, if it is the first.
+    [[nodiscard]] double K_before(const Increment& increment, std::size_t t) const;
     /// K rises in the half cycle that the increment belongs to, or stands at the end of; where K turns elsewhere than
     /// [load], as loads lag or travel, [load] does.
     [[nodiscard]] bool half_cycle_rises(const Increment& increment, std::size_t t) const;

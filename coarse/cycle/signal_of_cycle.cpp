@@ -16,13 +16,14 @@ void SignalOfCycle::note_change(bool closes, double K, double rise) {
 }
 
 void SignalOfCycle::note_state(bool is_open, double K, double rise) {
-    if (is_open && changed && (std::isnan(rising.K_op) || rise < 0.0) && !rising.lost) rising.K_op = K;
-    if (!is_open && !changed && was_open && rise <= 0.0) {
-        found.K_cl = K;
-        changed = true;
-        rising = {};
-    }
+    if (is_open && rise < 0.0) rising = {.K_op = K};
+    if (is_open && std::isnan(rising.K_op) && !rising.lost) rising.K_op = K;
     if (is_open) was_open = true;
+    if (is_open || rise > 0.0) return;
+    rising = {};
+    if (changed || !was_open) return;
+    found.K_cl = K;
+    changed = true;
 }
 
 void SignalOfCycle::take(OpeningLoads& largest) const {
@@ -34,6 +35,10 @@ void SignalOfCycle::take_rest() {
     if (!std::isnan(found.K_op) || found.lost) return;
     found.K_op = rest.K_op;
     found.lost = rest.lost;
+}
+
+void SignalOfCycle::miss_rest() {
+    if (std::isnan(found.K_op)) found.lost = true;
 }
 
 OpeningLoads SignalOfCycle::loads(double K_min) const {

@@ -22,13 +22,16 @@ struct SignalOfCycle {
     /// increment; zero where the load stands.
     void note_change(bool closes, double K, double rise);
     /// At the end of an increment. No change tells what comes or goes at that load itself, behind the longer crack; and
-    /// where contact is lost on the way down the tip is open from the minimum on.
+    /// where contact is lost on the way down the tip is open from the minimum on. `K`: the least that it is known to be
+    /// open at, or closed. Of a tip that is closed as K falls, or stands, the rise before tells nothing any more.
     void note_state(bool is_open, double K, double rise);
     /// K is at the largest of the cycle so far, or of the rest of the cycle before.
     void reach_largest() { take(found); }
     void reach_largest_of_rest() { take(rest); }
     /// The rise of the cycle before went no higher than that of this one, which is to come: it stands for it.
     void take_rest();
+    /// There is no such rise, and K goes on to rise as the cycle ends: where it opens then nobody tells.
+    void miss_rest();
 
     /// `K_min`: what opens a tip that is open all cycle. Of one that is closed all cycle there is nothing to say.
     [[nodiscard]] OpeningLoads loads(double K_min) const;

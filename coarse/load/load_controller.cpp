@@ -149,6 +149,9 @@ std::vector<LoadFactors> LoadController::next_quarter() const {
     if (!looks_ahead()) return {};
     std::vector<double> ways = cases_.at_equal_angles(2 * parts);
     ways.resize(parts + 1);
+    for (const double turn : cases_.turns())  // a sharp one may hold the peak
+        if (const auto after = std::ranges::lower_bound(ways, turn); after != ways.end() && *after != turn)
+            ways.insert(after, turn);
     std::vector<LoadFactors> loads;
     for (const double way : ways) loads.push_back(cases_.turning_back(position_.leg, way, scale_));
     return loads;

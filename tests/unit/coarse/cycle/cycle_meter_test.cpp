@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace stria::coarse {
 namespace {
@@ -26,7 +27,10 @@ protected:
         increment.step.cycle = cycle;
         increment.step.moment = moment;
         increment.step.target.value = increment.load_factor = load;
+        increment.cases_before = std::exchange(cases_before, cases);
+        increment.step.target.cases = cases;
         increment.nominal = {{.K_I = told ? unit_K * a : NAN, .K_II = unit_K_II, .K_initial = initial_K}};
+        increment.nominal[0].K_I_of_cases.assign(static_cast<std::size_t>(cases.size()), 10.0 * a);
         increment.signal.assign(closure.signals().all(), is_closed ? 1.0 : -1.0);
         increment.opening_changes = std::move(changes);
         increment.tips.push_back({.a = a,
@@ -44,6 +48,7 @@ protected:
     CycleMeter meter;
     const std::vector<Tip> tips{{0, Vec2::Zero(), Vec2::UnitX(), 1.0, 0}};
     double unit_K = 10.0, unit_K_II = 0.0;  // of a crack of 1 mm
+    Eigen::VectorXd cases, cases_before;    // factors of load cases
     double initial_K = 0.0, way = 1.0;      // of the tip, over the length that the crack is said to have
     double opening_at_tip = 0.0;            // beside what the load makes
     bool told = true;                       // K, by a ring
@@ -240,10 +245,12 @@ TEST_F(CycleMeterTest, TakesTheRestOfTheRiseBeforeForItsOwnWhereItRisesAsHigh) {
         J_of_load = 1.0;
         moment = 0.4;
         initial_K = 0.0;
-        go(1, 0.0, 1.0, false);
+        go(1, 0.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 5.0}});
         moment = 1.0;
-        go(1, 20.0, 1.0, false);
-        EXPECT_EQ(meter.finish({peak}).at(0).J_max, peak == 250.0 ? 57.0 : 20.0);
+        go(1, 20.0, 1.0, true);
+        const CycleResult cycle = meter.finish({peak}).at(0);
+        EXPECT_EQ(cycle.J_max, peak == 250.0 ? 57.0 : 20.0);
+        EXPECT_EQ(cycle.opening.lost, peak != 250.0) << "it may open yet";
     }
 }
 
@@ -337,6 +344,44 @@ TEST_F(CycleMeterTest, FlowOfGrowthIsOfTheHalfCycleThatItEnds) {
     const CycleResult result = meter.finish().at(0);
     EXPECT_NEAR(result.cyclic, 0.2, 1e-15);
     EXPECT_EQ(result.forward, 0.0);
+}
+
+// Its K was taken to rise as the displacement did, and K_op was that of no rise.
+TEST_F(CycleMeterTest, ALoadCaseOpensATipThoughADisplacementIsControlled) {
+    input.load.control = Control::Displacement;
+    meter = CycleMeter(input, closure, tips);
+    const auto go_to = [&](double factor, double load, bool is_closed, std::vector<OpeningChange> changes = {}) {
+        cases = Eigen::VectorXd::Constant(1, factor);
+        go(1, load, 1.0, is_closed, std::move(changes));
+    };
+    cases = Eigen::VectorXd::Zero(1);
+    go(0, 2.0, 1.0, false);
+    go_to(-20.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 1.5, .way = 0.25}});
+    go_to(20.0, 0.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 0.5, .way = 0.5}});
+    go_to(0.0, 1.0, false);
+    go_to(-5.0, 2.0, false);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_EQ(cycle.K_max, 200.0);
+    EXPECT_EQ(cycle.opening.K_op, 5.0);
+    EXPECT_EQ(cycle.opening.K_cl, -35.0);
+}
+
+// Nobody looks for contact on the ramp: what is open at its end has been so from where it was open first.
+TEST_F(CycleMeterTest, ARiseThatTheRampBeginsOpensWhereTheRampDoes) {
+    for (const double initial : {0.0, 30.0}) {
+        initial_K = initial;
+        meter = CycleMeter(input, closure, tips);
+        cases = cases_before = Eigen::VectorXd::Zero(1);
+        go(0, 8.0, 1.0, false);
+        go(0, 10.0, 1.0, false);
+        moment = 0.4;
+        cases[0] = 30.0;
+        go(1, 5.0, 1.0, false);
+        cases[0] = -40.0;
+        go(1, 0.0, 1.0, true, {{.tip = 0, .signal = 0, .closes = true, .load_factor = 1.0, .way = 0.8}});
+        go(1, 5.0, 1.0, true);
+        EXPECT_EQ(meter.finish().at(0).opening.K_op, initial);
+    }
 }
 
 // The slope at the mouth is that of the open crack as far as a load of -8.

@@ -144,6 +144,19 @@ TEST(CaseHistories, TellTheNextQuarterWhereALoadLags) {
     EXPECT_TRUE(controller(input).next_quarter().empty());
 }
 
+// The peak of a triangle was missed by up to 0.4 % of its range.
+TEST(CaseHistories, TheNextQuarterHasTheTurnsWithinIt) {
+    Case input = cycles(8, {{2, 10.0, -10.0}});
+    for (const double phase : {1.0, 30.0, 89.0, 90.0}) {
+        input.load_cases = {test::lagging_load("late", 2.0, phase, LagPath::Triangle)};
+        LoadController loads = controller(input);
+        while (!loads.next()->ends_cycle) loads.accepted();
+        double most = 0.0;
+        for (const LoadFactors& at : loads.next_quarter()) most = std::max(most, at.of_case(0));
+        EXPECT_NEAR(most, 20.0, 1e-12) << phase;
+    }
+}
+
 // Where the next cycle is like this one, that is what comes.
 TEST(CaseHistories, TurnBackAsInEqualCycles) {
     for (const LagPath path : {LagPath::Sine, LagPath::Triangle})
