@@ -41,6 +41,23 @@ TEST(RunTexts, SayNothingOfAWorkBalanceThatNobodyCouldClose) {
     EXPECT_EQ(work_out_of_balance(unseen), "");
 }
 
+// An initial stress has stored 20 N, and loads do next to nothing beside it.
+TEST(RunTexts, SayNothingOfAWorkBalanceThatIsOpenByTheRoundingOfTheInitialStress) {
+    WorkBalance strained;
+    strained.external = strained.largest = 1e-13;
+    strained.at_start = strained.stored = 20.0;
+    EXPECT_GT(strained.share_of_largest(), 0.01) << "it is rounding that is tested";
+    EXPECT_EQ(work_out_of_balance(strained), "");
+}
+
+TEST(RunTexts, NameNoShareOfWhatNothingHasDissipated) {
+    WorkBalance elastic;
+    elastic.external = elastic.largest = 1.0;
+    elastic.stored = 0.9;
+    const std::string text = work_out_of_balance(elastic);
+    EXPECT_NE(text.find("10 % of the largest work of the loads: one"), std::string::npos) << text;
+}
+
 TEST(RunTexts, SayByHowMuchTheAccuracyIsMissed) {
     const std::string text = misses_accuracy(0.0042, 0.002);
     EXPECT_TRUE(text.starts_with("warning: load.accuracy = 0.002 may not be kept")) << text;
