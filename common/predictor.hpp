@@ -19,7 +19,8 @@ struct Predictor {
 
     double factor;
     int back;
-    bool goes_on;  // instead of what is committed: from where the last attempt has got
+    bool goes_on;        // instead of what is committed: from where the last attempt has got
+    bool apart = false;  // faces that may touch do so only where they overlap then
 };
 
 /// How many increments are remembered: a cycle and a cycle's worth of halvings, or as many as a cycle may have.

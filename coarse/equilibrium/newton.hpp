@@ -37,9 +37,9 @@ using Waits = std::function<bool()>;
 /// still due is at most 10 `tolerance` of the largest displacement, or is rounding. Where an elastic body is without
 /// load no force balances another, and all that is left is the rounding of forces that were there: residuals within
 /// 1e-13 of `largest_force`, N/mm, the largest scale that this body has seen, are nothing. `solver.max_iterations` are
-/// allowed anew from the second start, where elements at rest have been woken, and where faces that change in the first
-/// correction have come to rest on elastic metal. Does not throw on failure: the caller cuts. `waits` is asked in each
-/// iteration.
+/// allowed anew from the second start, from open faces where those of a body that does not flow were still changing,
+/// where elements at rest have been woken, and where faces that change in the first correction have come to rest on
+/// elastic metal. Does not throw on failure: the caller cuts. `waits` is asked in each iteration.
 NewtonReport find_equilibrium(
     Equilibrium& equilibrium, const Target& target, const Predictor& predictor, const SolverSection& solver,
     double largest_force = 0.0, const Waits& waits = [] { return true; });

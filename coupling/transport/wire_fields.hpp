@@ -78,8 +78,9 @@ void fields(auto& wire, Is<Patch> auto& m) {
 void fields(auto& wire, Is<PatchDisplacement> auto& m) {
     auto& [wanted, iteration, predictor, put_aside, load_factor, cases, further, step, held, settled_below,
            keeps_factor, last_below, check_rest, elastic, opens_faces, boundary] = m;
-    wire(wanted, iteration, predictor.factor, predictor.back, predictor.goes_on, put_aside, load_factor, cases, further,
-         step, held, settled_below, keeps_factor, last_below, check_rest, elastic, opens_faces, boundary);
+    wire(wanted, iteration, predictor.factor, predictor.back, predictor.goes_on, predictor.apart, put_aside,
+         load_factor, cases, further, step, held, settled_below, keeps_factor, last_below, check_rest, elastic,
+         opens_faces, boundary);
 }
 
 void fields(auto& wire, Is<NearestContact> auto& m) {

@@ -60,8 +60,12 @@ ContactInterface::Jumps ContactInterface::jumps_that_matter(const Eigen::VectorX
     return jumps;
 }
 
-void ContactInterface::begin_increment() {
+void ContactInterface::begin_increment(bool apart) {
     status_ = committed_status_;
+    begins_apart_ = apart;
+    if (apart)
+        for (int k = 0; k < multipliers(); ++k)
+            if (!resting_.contains(k)) status_[at(k)] = FaceStatus::Open;
     visited_.clear();
     tried_to_stick_ = one_at_a_time_ = false;
     changes_ = 0;
@@ -109,6 +113,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
     int worst = -1;
     double largest = 0.0;
     changes_ = 0;
+    if (std::exchange(begins_apart_, false)) return;
     for (int k = 0; k < multipliers(); ++k) {
         const FaceState state = state_of(k, traction, jumps);
         next[at(k)] = resting_.contains(k) ? status_[at(k)] : status_at(k, state);

@@ -51,8 +51,8 @@ public:
     /// within one increment, all that slides sticks for a step; where one does again, or nothing slides, only the worst
     /// multiplier changes its own from then on (docs/method.md, section 4).
     void choose_statuses(const Eigen::VectorXd& traction, const Jumps& jumps);
-    /// From what was committed.
-    void begin_increment();
+    /// From what was committed. `apart`: from open faces, which the first choice leaves so.
+    void begin_increment(bool apart = false);
 
     /// All faces touch and none has been looked at: a part that nothing else holds would float if they were apart.
     void begin_touching();
@@ -151,7 +151,7 @@ private:
     std::vector<FaceStatus> status_, committed_status_;
     RestingFaces resting_;
     std::set<std::vector<FaceStatus>> visited_;
-    bool tried_to_stick_ = false, one_at_a_time_ = false;
+    bool tried_to_stick_ = false, one_at_a_time_ = false, begins_apart_ = false;
     int changes_ = 0;
 };
 

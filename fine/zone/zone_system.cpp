@@ -94,7 +94,7 @@ void ZoneSystem::predict(const Predictor& predictor) {
     }
     largest_move_ = std::numeric_limits<double>::infinity();
     steps_ = 0;
-    contact_->begin_increment();
+    contact_->begin_increment(predictor.apart);
 }
 
 void ZoneSystem::move(const Eigen::VectorXd& displacement, const Eigen::VectorXd& traction) {

@@ -55,6 +55,32 @@ TEST(ClosedTip, OfAnElasticBodyHasNoKAndNoJ) {
     }
 }
 
+// Slender arms, pulled apart at their ends: faces that touch part one after the other, more of them than there are
+// iterations, and at any load. Every increment was halved in vain.
+TEST(ClosedTip, OpensBetweenSlenderArmsInOneIncrement) {
+    constexpr double arm = 5.0, crack = 50.0, force = 10.0;
+    Case input = specimen("plate", 2.0 * arm, {{0.0, arm}, {crack, arm}});
+    input.mesh.width = 100.0;
+    input.mesh.size = 2.0;
+    input.mesh.grading = {
+        {.at = {{0.0, arm}, {crack, arm}}, .size = 0.2, .outer_size = 0.2, .radius = 1.0, .growth = 0.3}};
+    input.cracks[0].contact = ContactSection{};
+    for (const double y : {2.0 * arm, 0.0}) {
+        BoundarySection& end = input.boundaries.emplace_back();
+        end.on = "point";
+        end.at = Vec2(0.0, y);
+        end.force = Vec2(0.0, y > arm ? 1.0 : -1.0);
+    }
+    input.load.steps = 2;
+    input.load.blocks = {{.cycles = 1, .max = force, .min = 0.0}};
+    const RunHistory run = run_direct(input);
+    EXPECT_EQ(run.cuts, 0);
+    // Two built-in beams, each longer by 0.673 of its height (Gross, Srawley 1966).
+    const double K = 2.0 * std::sqrt(3.0) * force * crack / std::pow(arm, 1.5) * (1.0 + 0.673 * arm / crack);
+    EXPECT_NEAR(run.at_load(force).tips[0].K_I, K, 0.01 * K);
+    EXPECT_EQ(run.at_load(force).zone.contact_length[0], 0.0);
+}
+
 // Of a crack of three and a half elements whose faces open and close at no load. No multiplier may stand between the
 // place where contact is looked at and the middle of the crack, and yet its faces are pressed there: K_op was K_min.
 TEST(ClosedTip, OfAShortCrackOpensAtNoLoadAtBothEnds) {

@@ -25,15 +25,19 @@ public:
     std::vector<int> changes;                                 // of status, of the states to come
     bool elastic = false;
     int elastic_states = 0;
-    bool inside = false;     // its residual is one of the zone's
-    double condensed = 1.0;  // what condensing makes of it
+    int yielding = 0, begun_apart = 0;
+    bool parts_slowly = false;  // unless it begins apart: no state balances
+    bool inside = false;        // its residual is one of the zone's
+    double condensed = 1.0;     // what condensing makes of it
 
     void begin(const Target& target, const Predictor& predictor) override {
         load_ = target.value;
         u = start + predictor.factor;
+        begun_apart += predictor.apart ? 1 : 0;
     }
     Residual linearise() override {
         residual_ = load_ - force(u);
+        if (parts_slowly && begun_apart == 0) residual_ = 1.0;
         elastic_states += elastic ? 1 : 0;
         return {.boundary = condensed * std::abs(residual_),
                 .nodal = std::abs(residual_),
@@ -42,6 +46,7 @@ public:
                 .scale = scale,
                 .along = residual_ * correction_,
                 .along_before = before_,
+                .yielding_points = yielding,
                 .closed = closed,
                 .status_changes = next_changes(),
                 .provisional = provisional-- > 0,
@@ -133,6 +138,35 @@ TEST(Newton, BeginsAgainWhereTheGuessDoesNotConverge) {
     EXPECT_TRUE(report.failure.empty());
     spring.start = 3.0;
     EXPECT_FALSE(find_equilibrium(spring, {Control::Load, 2.0}, 3.0, solver).converged);
+}
+
+// Faces of slender arms part one by one, at any load: halving would help nothing.
+TEST(Newton, BeginsOnceMoreFromOpenFacesWhereThoseOfElasticMetalGoOnChanging) {
+    const auto from = [](int yielding, int changes, double held) {
+        Spring spring;
+        spring.parts_slowly = true;
+        spring.yielding = yielding;
+        spring.changes = {0, 0, 0, 0, changes};
+        const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0, held}, {}, solver);
+        EXPECT_EQ(report.converged, spring.begun_apart == 1);
+        EXPECT_EQ(report.failure.empty(), report.converged);
+        EXPECT_EQ(report.lost.empty(), !report.converged);
+        return report.converged;
+    };
+    EXPECT_TRUE(from(0, 1, 0.0));
+    EXPECT_FALSE(from(1, 1, 0.0)) << "a smaller load lets less flow";
+    EXPECT_FALSE(from(0, 0, 0.0)) << "no face changes";
+    EXPECT_FALSE(from(0, 1, 0.5)) << "faces that growth opens";
+}
+
+TEST(Newton, FromOpenFacesThatLeadNowhereEitherItSaysWhyItFailedBefore) {
+    Spring spring;
+    spring.parts_slowly = true;
+    spring.changes = {0, 0, 0, 0, 1};
+    spring.force = [&](double) { return spring.begun_apart > 0 ? NAN : 0.0; };
+    const NewtonReport report = find_equilibrium(spring, {Control::Load, 2.0}, {}, solver);
+    EXPECT_EQ(spring.begun_apart, 1);
+    EXPECT_EQ(report.failure, "no convergence in 12 iterations");
 }
 
 // Of the same states condensing says more, by how much they are out of balance inside: as all modes do, so does it.

@@ -521,6 +521,26 @@ TEST(ContactInterface, FacesThatWereNeverLoadedTouchUntilTheyPart) {
     EXPECT_EQ(statuses_at(cut.opened([](const Vec2&) { return Vec2(0.0, 1e-9); })), std::set{FaceStatus::Open});
 }
 
+// Pressures of before say nothing then: the first correction lets go of them, and faces that overlap touch.
+TEST(ContactInterface, FacesThatBeginApartTouchWhereTheyOverlap) {
+    const Cut cut;
+    ContactInterface contact = cut.contact();
+    contact.begin_touching();
+    contact.begin_increment(true);
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(contact.multipliers()), one = Eigen::VectorXd::Ones(zero.size());
+    contact.choose_statuses(one, {zero, zero});
+    EXPECT_EQ(std::ranges::count(contact.statuses(), FaceStatus::Open), zero.size());
+    EXPECT_EQ(contact.status_changes(), 0);
+    Eigen::VectorXd gap = one;
+    gap[1] = -1.0;
+    contact.choose_statuses(zero, {gap, zero});
+    EXPECT_EQ(contact.statuses()[1], FaceStatus::Stick);
+    EXPECT_EQ(contact.status_changes(), 1);
+    contact.begin_increment();
+    contact.choose_statuses(one, {zero, zero});
+    EXPECT_EQ(std::ranges::count(contact.statuses(), FaceStatus::Stick), zero.size());
+}
+
 TEST(ContactInterface, WhereStatusesComeBackOneFlipsAtATime) {
     const Cut cut;
     ContactInterface contact = cut.contact();
