@@ -82,8 +82,9 @@ public:
 
     /// Loads may go on to grow while [load] falls, and are known: load cases lag, and nothing but load is controlled.
     [[nodiscard]] bool looks_ahead() const { return control_ == Control::Load && cases_.lag(); }
-    /// If so: the loads of the quarter of a cycle behind the present leg, the first those of its end. They are those of
-    /// loads that turn back, and not what the history says: a run that is made longer knew nothing of that. Else none.
+    /// If so: the loads of the quarter of a cycle behind the present leg, the first those of its end, the last a little
+    /// farther on. They are those of loads that turn back, and not what the history says: a run that is made longer
+    /// knew nothing of that. Else none.
     [[nodiscard]] std::vector<LoadFactors> next_quarter() const;
 
     /// The next two increments of a leg as one, before they are taken, where that is to be tried to see how far the leg
