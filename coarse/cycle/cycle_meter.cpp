@@ -128,9 +128,11 @@ void CycleMeter::add(const Increment& increment) {
         const bool of_before = looks_ahead_ && !rises_on(t) && is_rest_of_rise(tip, increment.step);
         take_extremes(tip.cycle, increment, t, loading && !of_before, touches_[t]);
         if (of_before) take_extremes(tip.rest, increment, t, rises, touches_[t]);
+        // In shear, where K_I is of the mesh and goes its own way, each increment that loads goes farthest.
+        const bool shears = !peaks_between_ends_ && !stands && !rises && rise_of_K(increment, t) > 0.0;
         for (SignalOfCycle& signal : tip.signal) {
             if (of_before && K >= tip.rest.K_max) signal.reach_largest_of_rest();
-            if (loading && !of_before && K >= tip.cycle.K_max) signal.reach_largest();
+            if (shears || (loading && !of_before && K >= tip.cycle.K_max)) signal.reach_largest();
         }
         note_zone(tip.cycle, increment, t);
         note_mouth(tip, increment, t);

@@ -71,11 +71,14 @@ std::vector<double> CaseHistories::turns() const {
     return turns;
 }
 
-std::vector<double> CaseHistories::at_equal_angles(int increments) const {
+double CaseHistories::at_angle(double part) const {
     const auto first = std::ranges::find_if(cases_, lags);
-    const LagPath path = first != cases_.end() ? first->path : LagPath::Triangle;
+    return way_at(first != cases_.end() ? first->path : LagPath::Triangle, part);
+}
+
+std::vector<double> CaseHistories::at_equal_angles(int increments) const {
     std::vector<double> ways;
-    for (int k = 0; k <= increments; ++k) ways.push_back(way_at(path, static_cast<double>(k) / increments));
+    for (int k = 0; k <= increments; ++k) ways.push_back(at_angle(static_cast<double>(k) / increments));
     return ways;
 }
 

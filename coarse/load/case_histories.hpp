@@ -46,7 +46,9 @@ public:
     [[nodiscard]] bool have_corner(double way) const;
     /// Parts of a leg at which a load that lags turns, ascending, between 0 and 1.
     [[nodiscard]] std::vector<double> turns() const;
-    /// Parts of a leg at equal angles of the cycle, by the path of the first load that lags; the first 0.
+    /// Part of a leg at a part of its angle, half a cycle, by the path of the first load that lags.
+    [[nodiscard]] double at_angle(double part) const;
+    /// Parts of a leg at equal angles; the first 0.
     [[nodiscard]] std::vector<double> at_equal_angles(int increments) const;
 
     [[nodiscard]] Eigen::VectorXd at(const LoadPlace& place) const;

@@ -145,12 +145,13 @@ std::optional<LoadStep> LoadController::next() const {
 }
 
 std::vector<LoadFactors> LoadController::next_quarter() const {
-    constexpr int parts = 64, very_small = 10000;
+    constexpr int parts = 64;
+    constexpr double quarter = 0.5, farther = 1e-4;  // of the half cycle
     if (!looks_ahead()) return {};
     std::vector<double> ways = cases_.at_equal_angles(2 * parts);
     ways.resize(parts + 1);
-    ways.push_back(cases_.at_equal_angles(very_small)[very_small / 2 + 1]);  // what turns where the quarter ends falls
-    for (const double turn : cases_.turns())                                 // a sharp one may be the peak
+    ways.push_back(cases_.at_angle(quarter + farther));  // what turns where the quarter ends falls
+    for (const double turn : cases_.turns())             // a sharp one may be the peak
         if (const auto after = std::ranges::lower_bound(ways, turn); after != ways.end() && *after != turn)
             ways.insert(after, turn);
     std::vector<LoadFactors> loads;

@@ -26,8 +26,7 @@ std::string functions_change(bool stand) {
 std::string functions_frozen(int tip) {
     return fmt::format(
         "tip {} has moved by less than {:g} elements: its functions are frozen there in spite of growth.retain = "
-        "\"all\", "
-        "for the equations would not tell them from those that follow. Where it does so again nothing is said",
+        "\"all\", for the equations would not tell them from those that follow. Where it does so again nothing is said",
         tip, apart_to_retain);
 }
 

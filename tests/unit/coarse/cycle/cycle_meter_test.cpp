@@ -411,11 +411,12 @@ TEST_F(CycleMeterTest, ShearLoadsAsTheLoadDoes) {
     unit_K_II = 10.0;
     go(0, 20.0, 1.0, true);
     go(1, 0.0, 1.0, true);
-    go(1, 10.0, 1.0, true);
-    go(1, 20.0, 1.0, true);
+    go(1, 10.0, 1.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 5.0}});
+    go(1, 20.0, 1.0, false);
     const CycleResult result = meter.finish().at(0);
     EXPECT_NEAR(result.forward, 0.2, 1e-15);
     EXPECT_EQ(result.cyclic, 0.0);
+    EXPECT_EQ(result.opening.K_op, -5e-3);
 }
 
 TEST_F(CycleMeterTest, LosesAnOpeningLoadThatNobodyFound) {
