@@ -5,8 +5,10 @@
 #include "app/report/report.hpp"
 #include "app/run/launch.hpp"
 #include "app/run/run.hpp"
+#include "common/linear/blas.hpp"
 
 int main(int argc, char** argv) {
+    stria::begin_with_kernels_of_the_processor(argv);
     return stria::tell_exit(stria::exit_code_of("stria-coarse", [&]() -> int {
         std::optional<stria::Command> command = stria::parse_component("stria-coarse", argc, argv);
         if (!command) return stria::Done;

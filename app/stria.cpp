@@ -8,6 +8,7 @@
 #include "app/run/run.hpp"
 #include "app/study/study.hpp"
 #include "common/case/case_file.hpp"
+#include "common/linear/blas.hpp"
 
 #include <fmt/format.h>
 
@@ -47,5 +48,6 @@ int work(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    stria::begin_with_kernels_of_the_processor(argv);
     return stria::exit_code_of("stria", [&] { return work(argc, argv); });
 }

@@ -11,7 +11,7 @@
 
 #include "bench/sizes.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::test {
@@ -54,6 +54,7 @@ Measurement best_of(int repeats, int across, double radius) {
 }  // namespace stria::test
 
 int main(int argc, char** argv) {
+    stria::begin_with_kernels_of_the_processor(argv);
     stria::use_one_thread();
     const int repeats = argc > 1 ? std::atoi(argv[1]) : 3;
     const std::vector<int> sizes = stria::sizes_from(argc, argv, 2, {41, 81, 161, 321});

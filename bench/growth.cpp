@@ -8,7 +8,7 @@
 #include "bench/sizes.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 
 namespace stria {
@@ -63,6 +63,7 @@ void measure(int across, int refine) {
 }  // namespace stria
 
 int main(int argc, char** argv) {
+    stria::begin_with_kernels_of_the_processor(argv);
     stria::use_one_thread();
     std::printf("| elements | zone | unknowns of the structure | a step, ms | set-up, ms | core factored, kept, "
                 "middle, far factored | near elements, of the core | K_1 |\n|---|---|---|---|---|---|---|---|\n");

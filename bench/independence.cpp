@@ -15,7 +15,7 @@
 #include "bench/sizes.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 
 namespace stria {
@@ -133,6 +133,7 @@ void print(const std::vector<Measurement>& sizes) {
 }  // namespace stria
 
 int main(int argc, char** argv) {
+    stria::begin_with_kernels_of_the_processor(argv);
     stria::use_one_thread();
     std::vector<stria::Measurement> sizes;
     for (const int n : stria::sizes_from(argc, argv, 1, {45, 141, 447, 1001})) sizes.push_back(stria::measure(n));

@@ -14,7 +14,7 @@
 #include "coarse/specimen/structured.hpp"
 #include "common/index.hpp"
 #include "common/linear/lapack.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "fine/bulk/points/element_kernels.hpp"
 #include "fine/contact/contact_interface.hpp"
 #include "fine/material/material_law.hpp"

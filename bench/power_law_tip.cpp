@@ -16,7 +16,7 @@
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/integration/crack_faces.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/condition_number.hpp"
 
@@ -158,6 +158,7 @@ void run(const Trial& trial) {
 
 int main(int argc, char** argv) {
     using stria::test::Trial;
+    stria::begin_with_kernels_of_the_processor(argv);
     stria::use_one_thread();
     if (argc < 4) return 2;
     Trial trial;

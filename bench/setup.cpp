@@ -24,7 +24,7 @@
 #include "coarse/model/scene.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/structure/structure.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 
 namespace stria {
 namespace {
@@ -177,6 +177,7 @@ void print(const std::vector<Measurement>& sizes) {
 }  // namespace stria
 
 int main(int argc, char** argv) {
+    stria::begin_with_kernels_of_the_processor(argv);
     const int repeats = argc > 1 ? std::atoi(argv[1]) : 3;
     const std::vector<int> elements = stria::sizes_from(argc, argv, 2, {2'000, 20'000, 200'000, 1'000'000});
     std::vector<stria::Measurement> sizes;

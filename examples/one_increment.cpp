@@ -7,7 +7,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_file.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 
 int main(int count, char** words) {

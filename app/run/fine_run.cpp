@@ -7,7 +7,7 @@
 #include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/error.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "common/memory.hpp"
 #include "coupling/transport/serve.hpp"
 #include "fine/zone/fine_model.hpp"

@@ -12,7 +12,7 @@
 #include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/error.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "common/memory.hpp"
 
 namespace stria {

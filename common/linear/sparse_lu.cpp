@@ -1,6 +1,5 @@
 #include "common/linear/sparse_lu.hpp"
 
-#include <dlfcn.h>
 #include <umfpack.h>
 
 #include <algorithm>
@@ -50,10 +49,6 @@ void expect_ok(int status) {
     throw NumericalFailure("sparse LU: the matrix is singular (UMFPACK status " + std::to_string(status) + ")");
 }
 
-template <class... Arguments> void call_if_present(const char* symbol, Arguments... arguments) {
-    if (void* found = dlsym(RTLD_DEFAULT, symbol)) reinterpret_cast<void (*)(Arguments...)>(found)(arguments...);
-}
-
 }  // namespace
 
 void SparseLu::Free::operator()(void* numeric) const { umfpack_di_free_numeric(&numeric); }
@@ -86,12 +81,6 @@ Eigen::VectorXd SparseLu::solve(const Eigen::VectorXd& right_hand_side) const {
                                x.data(), right_hand_side.data(), numeric_.get(), settings().data(), info.data()));
     if (!x.allFinite()) throw NumericalFailure("sparse LU: the solution is not finite");
     return x.cwiseProduct(scales_);
-}
-
-void use_one_thread() {
-    // Both symbols are absent with the reference BLAS and without OpenMP: then there is nothing to stop.
-    call_if_present("openblas_set_num_threads", 1);
-    call_if_present("omp_set_max_active_levels", 0);
 }
 
 }  // namespace stria

@@ -27,7 +27,4 @@ private:
     std::unique_ptr<void, Free> numeric_;
 };
 
-/// Forces one BLAS thread and no OpenMP inside CHOLMOD (docs/method.md, section 10): call once at program start.
-void use_one_thread();
-
 }  // namespace stria

@@ -12,7 +12,7 @@
 #include "common/error.hpp"
 #include "common/index.hpp"
 #include "common/linear/lapack.hpp"
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 
 namespace stria {
 namespace {

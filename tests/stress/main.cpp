@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <iostream>
 
-#include "common/linear/sparse_lu.hpp"
+#include "common/linear/blas.hpp"
 #include "tests/stress/body_trials.hpp"
 #include "tests/stress/crack_trials.hpp"
 #include "tests/stress/law_trials.hpp"
@@ -24,6 +24,7 @@ void show(const stria::test::CrackedPlate& plate) {
 }  // namespace
 
 int main(int count, char** words) {
+    stria::begin_with_kernels_of_the_processor(words);
     if (count != 3) {
         std::cerr << "usage: stria_stress N SEED\n";
         return 2;

@@ -82,12 +82,5 @@ TEST(SparseLu, RefusesWhatIsNotANumber) {
     EXPECT_THROW(SparseLu{a}, NumericalFailure);
 }
 
-TEST(SparseLu, OneThreadMayBeAskedForMoreThanOnce) {
-    use_one_thread();
-    use_one_thread();
-    const SparseMatrix a = held_chain(10, 1.0, 1.0, 0.1);
-    EXPECT_TRUE(SparseLu(a).solve(Eigen::VectorXd::Ones(a.rows())).allFinite());
-}
-
 }  // namespace
 }  // namespace stria
