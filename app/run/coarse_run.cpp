@@ -10,6 +10,7 @@
 #include "app/run/run_end.hpp"
 #include "coarse/advice/case_warnings.hpp"
 #include "coarse/model/crack_room.hpp"
+#include "coarse/model/reported_length.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/case/case_file.hpp"
 #include "common/error.hpp"
@@ -36,6 +37,7 @@ coarse::Scene scene_of(const RunOptions& options, const Case& input,
         require_memory("linear algebra", 2e8);
         coarse::Scene scene = coarse::refined_scene(input, before_solving);
         coarse::require_tips(scene.enriched, static_cast<int>(input.cracks.size()));
+        coarse::require_way_to_grow(scene);
         return scene;
     } catch (const CaseError& error) {
         throw CaseError(fmt::format("{}: {}", options.case_path, error.what()));

@@ -124,7 +124,7 @@ private:
         if (guessed && is_misled(report)) return false;
         equilibrium.apply();
     }
-    report.failure = fmt::format("no convergence in {} iterations", solver.max_iterations);
+    report.failure = fmt::format("no convergence in {} iterations (solver.max_iterations)", solver.max_iterations);
     return !guessed;
 }
 

@@ -8,6 +8,7 @@
 
 #include "coarse/enrichment/crack_front.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/model/reported_length.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/integration/crack_faces.hpp"
@@ -15,13 +16,6 @@
 
 namespace stria::coarse {
 namespace {
-
-/// From the load line where the specimen has one; else arc length from the mouth, or half of it with two tips.
-double crack_length(const Scene& scene, const Tip& tip) {
-    if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
-    const auto tips = std::ranges::count(scene.enriched.tips, tip.crack, &Tip::crack);
-    return length_in_body(scene.enriched, tip.crack) / static_cast<double>(tips);
-}
 
 /// NaN where the zone holds the place, or no crack.
 double opening_at(const CoarseElements& structure, const FaceStation& station, const Eigen::VectorXd& u) {
@@ -31,7 +25,7 @@ double opening_at(const CoarseElements& structure, const FaceStation& station, c
 
 TipResult at_place_of(const Scene& scene, const Tip& tip) {
     TipResult result;
-    result.a = crack_length(scene, tip);
+    result.a = reported_length(scene, tip);
     result.x = tip.position.x();
     result.y = tip.position.y();
     result.CTOD = std::nan("");

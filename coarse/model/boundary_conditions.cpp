@@ -82,6 +82,8 @@ Loads resolve_boundaries(const Mesh& mesh, const std::vector<BoundarySection>& s
         } else if (section.force) {
             loads.forces.push_back({place.nodes.front(), *section.force});
         }
+        if (place.edges.empty() && place.pin == nullptr)
+            loads.points.insert(loads.points.end(), place.nodes.begin(), place.nodes.end());
         for (const int node : place.nodes) prescribe(prescribed, mesh, section, node, key_of(k));
     }
     for (const auto& [where, value] : prescribed) loads.displacements.push_back({where.first, where.second, value});

@@ -36,6 +36,7 @@ struct Loads {
     std::vector<EdgeLoad> edges;
     std::vector<PointForce> forces;
     std::vector<PrescribedDisplacement> displacements;  // each node and component once, in ascending order
+    std::vector<int> points;  // nodes that bear a force or are held by themselves: stress is singular there
 };
 
 /// Resolves names and points. Throws CaseError: an unknown name (the available ones are listed), a point without a node

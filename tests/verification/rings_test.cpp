@@ -128,6 +128,27 @@ TEST(Rings, AnInclinedCrackPushedShutSlides) {
     }
 }
 
+// Pushed at two points on its line a plate opens its crack as a Brazilian disc does. Beside a point the stress is that
+// of 1/r, whose square only a fine mesh could sum up.
+TEST(Rings, StayOffPointsAtWhichStressIsSingular) {
+    Case pushed = specimen("plate", 1.0, {{0.25, 0.507}, {0.75, 0.507}});
+    pushed.mesh.size = 0.0125;
+    pushed.boundaries.resize(2);
+    for (const std::size_t k : {0U, 1U}) {
+        pushed.boundaries[k].on = "point";
+        pushed.boundaries[k].at = Vec2(k == 0 ? 0.0 : 1.0, 0.5);
+        pushed.boundaries[k].force = Vec2(k == 0 ? 1.0 : -1.0, 0.0);
+    }
+    const ElasticSolution solution(pushed);
+    for (const coarse::TipResult& tip : solution.tips) {
+        const double J = tip.J * plane_modulus / (tip.K_I * tip.K_I + tip.K_II * tip.K_II);
+        std::cout << fmt::format("pushed at points: K_I {:.4f}, J E' / K^2 {:.4f}, spread of J {:.3f} %\n", tip.K_I, J,
+                                 100.0 * tip.J_spread);
+        EXPECT_GT(tip.K_I, 0.0);
+        EXPECT_NEAR(J, 1.0, 0.01);
+    }
+}
+
 // A point that is moved pulls as a force does. One of two tips has it nearer than the edges of the plate.
 TEST(Rings, EndBeforeAPointThatIsMoved) {
     Case pulled = specimen("plate", 2.0, {{0.375, 1.0}, {0.625, 1.0}});

@@ -50,19 +50,35 @@ void hold_what_moves(LoadsOfCase& loads) {
     }
 }
 
+struct Nearest {
+    const Mesh& mesh;
+    const Vec2& x;
+    double distance = std::numeric_limits<double>::infinity();  // mm
+    void look_at(int node) { distance = std::min(distance, (mesh.nodes[at(node)] - x).norm()); }
+};
+
+void for_all(const LoadsOfCase& loads, auto&& look) {
+    look(loads.main);
+    for (const Loads& of_case : loads.cases) look(of_case);
+}
+
 }  // namespace
 
 double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x) {
-    double distance = std::numeric_limits<double>::infinity();
-    const auto keep_off = [&](const Loads& some) {
-        for (const PointForce& load : some.forces)
-            distance = std::min(distance, (mesh.nodes[at(load.node)] - x).norm());
-        for (const PrescribedDisplacement& held : some.displacements)
-            distance = std::min(distance, (mesh.nodes[at(held.node)] - x).norm());
-    };
-    keep_off(loads.main);
-    for (const Loads& of_case : loads.cases) keep_off(of_case);
-    return distance;
+    Nearest nearest{mesh, x};
+    for_all(loads, [&](const Loads& some) {
+        for (const PointForce& load : some.forces) nearest.look_at(load.node);
+        for (const PrescribedDisplacement& held : some.displacements) nearest.look_at(held.node);
+    });
+    return nearest.distance;
+}
+
+double distance_to_points(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x) {
+    Nearest nearest{mesh, x};
+    for_all(loads, [&](const Loads& some) {
+        for (const int node : some.points) nearest.look_at(node);
+    });
+    return nearest.distance;
 }
 
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input) {

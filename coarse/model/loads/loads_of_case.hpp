@@ -16,6 +16,9 @@ struct LoadsOfCase {
 /// Distance to the nearest node on which a force acts or that is held, mm; infinite where there is none.
 double distance_to_loads(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
 
+/// To the nearest of Loads::points.
+double distance_to_points(const Mesh& mesh, const LoadsOfCase& loads, const Vec2& x);
+
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input);
 
 /// That of the first listed section with a load or a non-zero displacement, if any; of those without a factor of their

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/structure/structure.hpp"
@@ -46,6 +47,25 @@ TEST(Rings, AreNoLongerThanFortyElementsOfABodyWhoseCrackGrows) {
     EXPECT_NEAR(largest_ring(scene, 0), 40.0 * longest, 1e-12);
     EXPECT_NEAR(largest_ring(cracked_plate(size, false), 0), 0.95 * 7.3,
                 1e-12);  // where flow goes how far nobody knows
+}
+
+// By four tenths of the way to a point, whatever acts there, and by a twentieth of that to a loaded edge.
+TEST(Rings, StayOffPointsThatBearAForceOrAreHeld) {
+    const Case plate = test::pulled_plate(0.25, true, false);
+    const Vec2 near(7.25, 15.25), far(7.25, 2.0);
+    const auto largest_with = [&](const std::function<void(BoundarySection&, double)>& act) {
+        Case input = plate;
+        for (const Vec2& place : {near, far}) {
+            BoundarySection& point = input.boundaries.emplace_back();
+            point.on = "point";
+            point.at = place;
+            act(point, place == near ? 1.0 : -1.0);
+        }
+        return largest_ring(refined_scene(input), 0);
+    };
+    const double radius = 0.6 * (near - Vec2(7.3, 10.4)).norm();
+    EXPECT_NEAR(largest_with([](auto& point, double sign) { point.force = Vec2(0.0, sign); }), radius, 1e-12);
+    EXPECT_NEAR(largest_with([](auto& point, double) { point.displacement[0] = 0.0; }), radius, 1e-12);
 }
 
 TEST(Rings, AreFewerOnACoarseMeshButNeverNone) {

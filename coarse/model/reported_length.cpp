@@ -1,0 +1,30 @@
+#include "coarse/model/reported_length.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/load/growth_schedule.hpp"
+#include "common/error.hpp"
+
+namespace stria::coarse {
+
+double reported_length(const Scene& scene, const Tip& tip) {
+    if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
+    const auto tips = std::ranges::count(scene.enriched.tips, tip.crack, &Tip::crack);
+    return length_in_body(scene.enriched, tip.crack) / static_cast<double>(tips);
+}
+
+void require_way_to_grow(const Scene& scene) {
+    if (!scene.input.growth) return;
+    const std::vector<Tip>& tips = scene.enriched.tips;
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        const double a = reported_length(scene, tips[t]);
+        if (is_as_long_as_asked(*scene.input.growth, a))
+            throw CaseError(fmt::format("growth.until = {:g}: tip {} has a = {:.6g} mm before it grows, so nothing "
+                                        "would",
+                                        *scene.input.growth->until, t, a));
+    }
+}
+
+}  // namespace stria::coarse
