@@ -264,6 +264,7 @@ bool FatigueAnalysis::release_new_faces() {
         accept(step, report, {});
         controller_.committed_besides(step.cycle, openings(accepted_.tips));
         release_.advance();
+        look_ahead();  // of the longer crack, as a run does that goes on from here
     }
     return true;
 }

@@ -137,6 +137,15 @@ const StoppedRun elastic{"Elastic",
                              input.cracks[0].contact.reset();
                          }};
 
+/// A tip that opens as the load falls: no opening behind it is known before it has grown, and then all the increments
+/// of the half cycle that begins are chosen by it.
+const StoppedRun lengthened{"Lengthened",
+                            {"mesh.grading=[{at=[[2.0,100.0]],size=0.2,outer_size=0.8,radius=2.0}]", "mesh.size=12.5",
+                             "load.steps=auto", "crack.0.points=[[0.0,100.0],[2.0,100.0]]", "closure.distance=2.1",
+                             "growth.increment=0.2", "load.blocks=[{cycles=2, max=100.0, min=-120.0}]",
+                             "boundary=[{on='top', traction=[0.0,-1.0]}, {on='bottom', displacement=[0.0,0.0]}]"},
+                            19};
+
 /// A part of an analysis; where it was stopped, what it left.
 struct Part {
     std::vector<double> K_at_start, K_at_end;  // largest K_I of the history, for the cracks there are
@@ -294,6 +303,10 @@ TEST_P(Resume, StopsWhereItMatters) {
     if (name == "Slotted") {
         EXPECT_GT(state.cracks.at(0).grown_at_start, 0.3);
     }
+    if (name == "Lengthened") {
+        EXPECT_TRUE(state.load.schedule.tells);
+        EXPECT_EQ(state.load.increments, 0);
+    }
     if (name == "Growing") {
         EXPECT_FALSE(state.zone.frozen_tips.empty());
     }
@@ -313,7 +326,7 @@ TEST(ResumedCrack, HasTheLargestKOfItsLength) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, Resume,
                          testing::Values(still, again, sliding, sliding_growing, extended, growing, slotted, small,
-                                         within, followed, halved, displaced, elastic, layered, loaded),
+                                         within, followed, halved, displaced, elastic, layered, loaded, lengthened),
                          testing::PrintToStringParamName());
 
 class ResumeInOneMatrix : public Resume {};
