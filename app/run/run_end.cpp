@@ -42,6 +42,11 @@ std::vector<std::string> warnings_at_end(const coarse::FatigueAnalysis& analysis
         warnings.push_back(fmt::format("N is too large by about {:.2g} %: da/dN changes much from one growth to the "
                                        "next; a smaller growth.increment, or \"auto\", tells it",
                                        100.0 * doubt / N));
+    if (!std::isfinite(N))
+        warnings.emplace_back(
+            "no N is known: the crack was arrested within its last growth, and no rate tells how many "
+            "cycles that takes; cycles.csv has N up to there, and a smaller growth.increment tells "
+            "the place");
     if (const double grown = analysis.uncounted_growth(); grown > 0.0)
         warnings.push_back(
             fmt::format("N does not count the last {:.4g} mm: the cycles that tell their rate are not over", grown));

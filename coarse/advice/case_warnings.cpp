@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "coarse/advice/growth_adequacy.hpp"
 #include "coarse/advice/material_adequacy.hpp"
 #include "coarse/advice/mesh_adequacy.hpp"
+#include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
@@ -46,11 +48,19 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
     for (std::size_t t = 0; t < tips.size(); ++t) {
         const double own = faces_that_touch(scene, tips[t]);
         if (may_touch(scene.input.cracks[at(tips[t].crack)]) && distance[t] >= own)
-            all.push_back(
-                fmt::format("tip {}: closure is looked at {:.3g} mm behind it, and its faces that may touch end after "
-                            "{:.3g} mm: nothing touches there, and it counts as open all the cycle (closure.distance)",
-                            t, distance[t], own));
+            all.push_back(fmt::format(
+                "tip {}: closure is looked at {:.3g} mm behind it, and its faces that may touch end after {:.3g} mm: "
+                "nothing touches there, and it counts as open all the cycle{} (closure.distance)",
+                t, distance[t], own,
+                scene.input.growth ? fmt::format(" until it has grown by {:.3g} mm", distance[t] - own) : ""));
     }
+    return all;
+}
+
+/// Of that of each tip, mm.
+std::vector<double> lengths_of_cracks(const Scene& scene) {
+    std::vector<double> all;
+    for (const Tip& tip : scene.enriched.tips) all.push_back(crack_length(scene, tip));
     return all;
 }
 
@@ -63,7 +73,9 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(thickness_warnings(scene.input));
+    add(units_of_K_warnings(scene.input));
     add(rate_warnings(scene.input, K, largest_K_I(scene.input, nominal)));
+    add(early_end_warnings(scene.input, largest_K_I(scene.input, nominal), lengths_of_cracks(scene)));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));

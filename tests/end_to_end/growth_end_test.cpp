@@ -24,13 +24,13 @@ growth = { increment = 1.0, direction = "straight" }
 
 class GrowthEnd : public testing::Test {
 protected:
-    void run(const std::string& setting) {
+    void run(const std::string& setting, const std::string& another = "title=plate") {
         std::ofstream(folder / "case.toml") << plate_that_grows;
-        ASSERT_EQ(
-            run_program("stria",
-                        {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--set", setting},
-                        folder / "log"),
-            0)
+        ASSERT_EQ(run_program("stria",
+                              {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--set",
+                               setting, "--set", another},
+                              folder / "log"),
+                  0)
             << text_of(folder / "log");
         history = read_table(folder / "out/history.csv");
     }
@@ -38,6 +38,9 @@ protected:
         const NumberTable faces = read_table(folder / "out/faces.csv");
         if (faces.rows == 0) return {};
         return {faces["increment"].begin(), faces["increment"].end()};
+    }
+    [[nodiscard]] bool summary_says(const std::string& sentence) const {
+        return text_of(folder / "out/summary.json").find(sentence) != std::string::npos;
     }
     [[nodiscard]] long field_files() const {
         const std::filesystem::directory_iterator files(folder / "out/fields");
@@ -65,6 +68,22 @@ TEST_F(GrowthEnd, UnforeseenLeavesTheIncrementAtWhichItCame) {
     EXPECT_LT(history["cycle"].back(), 50);
     EXPECT_EQ(increments_with_faces(), std::set<double>{history["increment"].back()});
     EXPECT_EQ(field_files(), 1);
+}
+
+// K falls by 9 % at a time, below the threshold.
+TEST_F(GrowthEnd, ByArrestSaysThatNIsNotKnown) {
+    run("growth={law=\"paris\", C=2e-13, m=3.0, increment=1.0, threshold=80.0, direction=\"straight\"}",
+        "load={control=\"K\", K_gradient=-0.09, steps=2, blocks=[{cycles=50, max=200.0, ratio=0.5}]}");
+    EXPECT_LT(history["a"].back(), 12.0);
+    EXPECT_TRUE(summary_says("the crack was arrested within its last growth")) << text_of(folder / "log");
+}
+
+// dK is half of K_max.
+TEST_F(GrowthEnd, ByArrestBeforeItHasBegunIsAWarning) {
+    run("growth={law=\"paris\", C=2e-13, m=3.0, increment=1.0, threshold=150.0, direction=\"straight\"}",
+        "load={control=\"K\", steps=2, blocks=[{cycles=50, max=200.0, ratio=0.5}]}");
+    EXPECT_EQ(history["cycle"].back(), 1);
+    EXPECT_TRUE(summary_says("nothing drives a tip any more")) << text_of(folder / "log");
 }
 
 TEST_F(GrowthEnd, ThatDoesNotComeLeavesTheExtremesOfTheLastCycleOfTheHistory) {

@@ -31,7 +31,7 @@ std::string functions_frozen(int tip) {
 }
 
 std::string is_arrested(bool by_last_cycle) {
-    return fmt::format("nothing drives a tip any more: the crack is arrested{}",
+    return fmt::format("warning: nothing drives a tip any more: the crack is arrested{}",
                        by_last_cycle ? ", by the last cycle of a load that varies (growth.every = 1)" : "");
 }
 

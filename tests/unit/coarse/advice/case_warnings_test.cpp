@@ -17,7 +17,7 @@ const std::vector<Vec2> from_mouth{{0.0, 10.13}, {4.0, 10.13}}, from_tip{{4.0, 1
 
 /// That nothing touches where closure is looked at; empty: it is not said.
 std::string nothing_touches(double distance, double notch, double grown_at_start = 0.0,
-                            const std::vector<Vec2>& points = from_mouth) {
+                            const std::vector<Vec2>& points = from_mouth, bool grows = false) {
     Case input = specimen("plate", 20.0, points);
     input.mesh.width = 10.0;
     input.mesh.size = 0.5;
@@ -28,6 +28,7 @@ std::string nothing_touches(double distance, double notch, double grown_at_start
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.load.blocks = {{.cycles = 2, .max = 60.0, .min = -60.0}};
     input.closure.distance = distance;
+    if (grows) input.growth = GrowthSection{.increment = 0.1};
     const coarse::Scene scene = coarse::refined_scene(input);
     const std::vector<std::string> all = coarse::case_warnings(scene, {.K_I = {5.0}, .K_II = {0.0}});
     const auto found =
@@ -45,6 +46,14 @@ TEST(CaseWarnings, ClosureIsLookedAtWhereFacesMayTouch) {
     EXPECT_EQ(nothing_touches(0.7, 3.0, 0.5), "") << "nor beyond one that stays";
     EXPECT_NE(nothing_touches(4.1, 3.0, 0.5).find("end after 4 mm"), std::string::npos)
         << nothing_touches(4.1, 3.0, 0.5);
+}
+
+// A crack that starts from its notch: the faces that it grows may touch.
+TEST(CaseWarnings, ClosureIsLookedAtWhereFacesWillTouch) {
+    const std::string all = nothing_touches(0.7, 4.5), until = nothing_touches(0.7, 4.5, 0.0, from_mouth, true);
+    EXPECT_NE(all.find("open all the cycle (closure.distance)"), std::string::npos) << all;
+    EXPECT_NE(until.find("open all the cycle until it has grown by 0.7 mm (closure.distance)"), std::string::npos)
+        << until;
 }
 
 }  // namespace

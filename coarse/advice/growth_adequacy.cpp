@@ -1,0 +1,63 @@
+#include "coarse/advice/growth_adequacy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "coarse/load/growth_schedule.hpp"
+
+namespace stria::coarse {
+namespace {
+
+// Over Young's modulus, sqrt(mm). A crack that grows by an atom's distance b at a time has dK_eff = E sqrt(b), 5e-4 E
+// (Hertzberg, Int. J. Fracture 64 (1993) R53), and thresholds are about that; brittle metals break at 3e-3 E. Those
+// typed in MPa sqrt(m) are 1/32 of what they are.
+constexpr double least_threshold = 1e-4, least_toughness = 1e-3;
+
+const double root_metre = std::sqrt(1000.0);  // in sqrt(mm)
+
+double least_young(const Case& input) {
+    double least = input.material.young;
+    for (const RegionSection& region : input.regions) least = std::min(least, region.material.young);
+    return least;
+}
+
+std::optional<std::string> units_warning(const std::string& key, const std::optional<double>& K, double least) {
+    if (!K || *K >= least) return std::nullopt;
+    return fmt::format("{} = {:g} MPa sqrt(mm) is {:.2g} MPa sqrt(m), less than that of any metal; if {:g} is meant in "
+                       "MPa sqrt(m), {} = {:.4g}",
+                       key, *K, *K / root_metre, *K, key, *K * root_metre);
+}
+
+}  // namespace
+
+std::vector<std::string> units_of_K_warnings(const Case& input) {
+    if (!input.growth) return {};
+    const double young = least_young(input);
+    std::vector<std::string> all;
+    for (const std::optional<std::string>& warning :
+         {units_warning("growth.threshold", input.growth->threshold, least_threshold * young),
+          units_warning("growth.toughness", input.growth->toughness, least_toughness * young)})
+        if (warning) all.push_back(*warning);
+    return all;
+}
+
+std::vector<std::string> early_end_warnings(const Case& input, const std::vector<double>& K,
+                                            const std::vector<double>& lengths) {
+    if (!input.growth || K.empty()) return {};
+    const GrowthSection& growth = *input.growth;
+    std::vector<std::string> all;
+    if (const auto most = std::ranges::max_element(K); growth.toughness && *most >= *growth.toughness)
+        all.push_back(fmt::format("growth.toughness = {:g}: K_max of tip {} reaches {:.4g} MPa sqrt(mm) before it has "
+                                  "grown, and there the run ends",
+                                  *growth.toughness, most - K.begin(), *most));
+    if (const auto longest = std::ranges::max_element(lengths); is_as_long_as_asked(growth, *longest))
+        all.push_back(fmt::format("growth.until = {:g}: the crack of tip {} is {:.4g} mm long as the case begins, and "
+                                  "the run ends before it grows",
+                                  *growth.until, longest - lengths.begin(), *longest));
+    return all;
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,20 @@
+// Whether what begins and ends growth can be what is meant: a K typed in MPa sqrt(m) is a lawful number.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/case/case.hpp"
+
+namespace stria::coarse {
+
+/// One sentence for each of growth.threshold and growth.toughness that no metal has, and what it is if it is meant in
+/// MPa sqrt(m).
+std::vector<std::string> units_of_K_warnings(const Case& input);
+
+/// One sentence for each of growth.toughness and growth.until that is reached before a crack has grown. `K`: the
+/// largest of the load history, MPa sqrt(mm), and `lengths` as the case begins, mm; one per tip.
+std::vector<std::string> early_end_warnings(const Case& input, const std::vector<double>& K,
+                                            const std::vector<double>& lengths);
+
+}  // namespace stria::coarse
