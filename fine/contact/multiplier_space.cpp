@@ -158,10 +158,13 @@ int MultiplierSpace::branch(double s) const {
 }
 
 // What the second multiplier loses to the end it gets back from what follows, if anything does: of a uniform opening,
-// and of one that grows from nothing at the other end, or faces that gape there would count as touching.
+// and of one that grows from nothing at the other end, or faces that gape there would count as touching. Where the
+// second multiplier is the one at a tip, too, faces beside it may be all but closed and gape from the next one on: what
+// it would get back is not to be counted on.
 bool MultiplierSpace::goes_straight_on(const Branch& branch, int outer, int inwards) const {
     const int second = outer + inwards, third = second + inwards;
     const bool is_last = third < branch.first_multiplier || third >= branch.first_multiplier + branch.multipliers;
+    if (is_last && (inwards > 0 ? branch.tip_at_end : branch.tip_at_start)) return false;
     const double here = nodes_[at(outer)], interval = std::abs(nodes_[at(second)] - here),
                  end = inwards > 0 ? here - branch.first_s : branch.last_s - here,
                  other_end = inwards > 0 ? branch.last_s - nodes_[at(second)] : nodes_[at(second)] - branch.first_s,

@@ -18,7 +18,7 @@ namespace stria::fine {
 /// Branches end at kinks and at a notch: at kinks the pressure may jump there. One that is much shorter than an element
 /// has next to no jumps of its own, and goes with its neighbour, the one nearer to the origin. The pressure is constant
 /// towards a tip, and straight on towards any other end that is no farther than the next node, unless that would leave
-/// the multiplier there without a weight.
+/// the multiplier there without a weight, or that is the one at a tip.
 class MultiplierSpace {
 public:
     /// One multiplier at each of `points`, ascending arc lengths, constant half way to the next: the paper's plain

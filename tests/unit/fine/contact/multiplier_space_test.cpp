@@ -217,6 +217,16 @@ TEST(MultiplierSpace, FacesThatGapeFromATipAreOpenToEach) {
     }
 }
 
+// A tip that has grown out of a notch by two elements: its faces part from the second crossing on.
+TEST(MultiplierSpace, FacesThatGapeFromTheMultiplierAtATipAreOpenToIt) {
+    for (const double notch : {5.05, 5.2, 5.5, 5.9})
+        for (const double tip : {7.1, 7.5, 7.9}) {
+            const MultiplierSpace space = space_of({{0.0, 1.4}, {tip, 1.4}}, notch);
+            ASSERT_EQ(space.size(), 2);
+            EXPECT_GT(least_gap(space, notch, tip, [](double s) { return std::max(7.0 - s, 0.0); }), 0.0) << notch;
+        }
+}
+
 TEST(MultiplierSpace, OneAtEachPointActsHalfWayToTheNext) {
     const MultiplierSpace space(std::vector{1.0, 2.0, 4.0});
     EXPECT_EQ(space.size(), 3);
