@@ -7,7 +7,6 @@
 #include "coarse/advice/growth_adequacy.hpp"
 #include "coarse/advice/material_adequacy.hpp"
 #include "coarse/advice/mesh_adequacy.hpp"
-#include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
@@ -57,13 +56,6 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
     return all;
 }
 
-/// Of that of each tip, mm.
-std::vector<double> lengths_of_cracks(const Scene& scene) {
-    std::vector<double> all;
-    for (const Tip& tip : scene.enriched.tips) all.push_back(crack_length(scene, tip));
-    return all;
-}
-
 }  // namespace
 
 std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& nominal) {
@@ -75,7 +67,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(thickness_warnings(scene.input));
     add(units_of_K_warnings(scene.input));
     add(rate_warnings(scene.input, K, largest_K_I(scene.input, nominal)));
-    add(early_end_warnings(scene.input, largest_K_I(scene.input, nominal), lengths_of_cracks(scene)));
+    add(early_break_warnings(scene.input, largest_K_I(scene.input, nominal)));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));

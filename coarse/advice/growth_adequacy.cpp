@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "coarse/load/growth_schedule.hpp"
-
 namespace stria::coarse {
 namespace {
 
@@ -44,20 +42,13 @@ std::vector<std::string> units_of_K_warnings(const Case& input) {
     return all;
 }
 
-std::vector<std::string> early_end_warnings(const Case& input, const std::vector<double>& K,
-                                            const std::vector<double>& lengths) {
-    if (!input.growth || K.empty()) return {};
-    const GrowthSection& growth = *input.growth;
-    std::vector<std::string> all;
-    if (const auto most = std::ranges::max_element(K); growth.toughness && *most >= *growth.toughness)
-        all.push_back(fmt::format("growth.toughness = {:g}: K_max of tip {} reaches {:.4g} MPa sqrt(mm) before it has "
-                                  "grown, and there the run ends",
-                                  *growth.toughness, most - K.begin(), *most));
-    if (const auto longest = std::ranges::max_element(lengths); is_as_long_as_asked(growth, *longest))
-        all.push_back(fmt::format("growth.until = {:g}: the crack of tip {} is {:.4g} mm long as the case begins, and "
-                                  "the run ends before it grows",
-                                  *growth.until, longest - lengths.begin(), *longest));
-    return all;
+std::vector<std::string> early_break_warnings(const Case& input, const std::vector<double>& K) {
+    if (!input.growth || !input.growth->toughness || K.empty()) return {};
+    const auto most = std::ranges::max_element(K);
+    if (*most < *input.growth->toughness) return {};
+    return {fmt::format("growth.toughness = {:g}: K_max of tip {} reaches {:.4g} MPa sqrt(mm) before it has grown, and "
+                        "there the run ends",
+                        *input.growth->toughness, most - K.begin(), *most)};
 }
 
 }  // namespace stria::coarse

@@ -12,9 +12,8 @@ namespace stria::coarse {
 /// MPa sqrt(m).
 std::vector<std::string> units_of_K_warnings(const Case& input);
 
-/// One sentence for each of growth.toughness and growth.until that is reached before a crack has grown. `K`: the
-/// largest of the load history, MPa sqrt(mm), and `lengths` as the case begins, mm; one per tip.
-std::vector<std::string> early_end_warnings(const Case& input, const std::vector<double>& K,
-                                            const std::vector<double>& lengths);
+/// One sentence where growth.toughness is reached before a crack has grown. `K`: the largest of the load history,
+/// MPa sqrt(mm), one per tip.
+std::vector<std::string> early_break_warnings(const Case& input, const std::vector<double>& K);
 
 }  // namespace stria::coarse

@@ -125,12 +125,6 @@ void put_openings(const CoarseElements& structure, int t, const Eigen::VectorXd&
 
 }  // namespace
 
-double crack_length(const Scene& scene, const Tip& tip) {
-    if (scene.mesh.load_line) return tip.position.x() - *scene.mesh.load_line;
-    const auto tips = std::ranges::count(scene.enriched.tips, tip.crack, &Tip::crack);
-    return length_in_body(scene.enriched, tip.crack) / static_cast<double>(tips);
-}
-
 std::vector<double> openings(const std::vector<TipResult>& tips) {
     std::vector<double> openings;
     for (const TipResult& tip : tips) openings.push_back(tip.opening);

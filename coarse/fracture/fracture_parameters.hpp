@@ -29,9 +29,6 @@ struct TipResult {
     std::vector<double> K_I_of_cases = {}, K_II_of_cases = {};  // likewise, of each load case at its factor 1
 };
 
-/// mm. From the load line where the specimen has one; else arc length from the mouth, or half of it with two tips.
-[[nodiscard]] double crack_length(const Scene& scene, const Tip& tip);
-
 /// At their stated distances behind the tips, mm.
 [[nodiscard]] std::vector<double> openings(const std::vector<TipResult>& tips);
 

@@ -11,8 +11,8 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
-#include "common/linear/lapack.hpp"
 #include "common/linear/blas.hpp"
+#include "common/linear/lapack.hpp"
 
 namespace stria {
 namespace {
