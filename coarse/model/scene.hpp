@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "coarse/load/load_factors.hpp"
 #include "coarse/model/loads/loads_of_case.hpp"
 #include "coarse/model/rigid_motions.hpp"
+#include "coarse/model/supports_on_unknowns.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 #include "common/index_set.hpp"
@@ -14,22 +14,6 @@
 #include "common/material/materials.hpp"
 
 namespace stria::coarse {
-
-struct PrescribedUnknown {
-    int unknown;                     // of the whole mesh
-    double value;                    // mm at the load factor 1
-    std::vector<double> in_cases{};  // likewise of the first load cases; the others do not move it
-
-    [[nodiscard]] double in_case(Eigen::Index k) const { return k < std::ssize(in_cases) ? in_cases[at(k)] : 0.0; }
-    [[nodiscard]] double under(const LoadFactors& factors) const {
-        double sum = factors.main * value;
-        for (Eigen::Index k = 0; k < std::ssize(in_cases); ++k) sum += factors.of_case(k) * in_cases[at(k)];
-        return sum;
-    }
-};
-
-/// Overwrites the prescribed ones among the unknowns `u` of the whole mesh, mm.
-void impose(const std::vector<PrescribedUnknown>& prescribed, const LoadFactors& factors, Eigen::VectorXd& u);
 
 struct Scene {
     Case input;
