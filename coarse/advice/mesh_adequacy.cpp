@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/crack_length.hpp"
 #include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/crack/crack_crossings.hpp"
+#include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/geometry/segment.hpp"
@@ -40,11 +41,6 @@ Exit leaves(const std::array<Vec2, 4>& corners, const Vec2& from, const Vec2& di
         exit = {distance, std::fmod(static_cast<double>(k) + snapped, 4.0), a + snapped * edge};
     }
     return exit;
-}
-
-std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
-    const auto& n = mesh.elements[at(element)];
-    return {mesh.nodes[at(n[0])], mesh.nodes[at(n[1])], mesh.nodes[at(n[2])], mesh.nodes[at(n[3])]};
 }
 
 /// Length of the edges of a square of its area, mm.
@@ -137,7 +133,7 @@ std::optional<CrackPiece> straight_on(const Mesh& mesh, const CrackPiece& last, 
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             if (nodes[k] != ends || nodes[(k + 1) % 4] != begins) continue;  // all run counter-clockwise
             const Vec2 &from = last.points.back(), &first = mesh.nodes[at(nodes[k])];
-            const Exit exit = leaves(corners_of(mesh, e), from, direction);
+            const Exit exit = leaves(corners_of_element(mesh, e), from, direction);
             CrackPiece piece;
             piece.crack = last.crack;
             piece.element = e;
@@ -157,7 +153,7 @@ void end_on_edge(const Mesh& mesh, std::vector<CrackPiece>& pieces) {
     constexpr double rounding = 1e-6;
     CrackPiece& last = pieces.back();
     const Vec2 tip = last.points.back();
-    const std::array<Vec2, 4> corners = corners_of(mesh, last.element);
+    const std::array<Vec2, 4> corners = corners_of_element(mesh, last.element);
     const Vec2 direction = heading(corners, last);
     const Exit exit = leaves(corners, tip, direction);
     const double s = last.s.back(), behind = s - last.s.front();
@@ -217,23 +213,14 @@ double lag(const Mesh& mesh, std::span<const CrackPiece> pieces) {
             const Vec2 middle = 0.5 * (piece.points[k] + piece.points[k + 1]), half = piece.points[k + 1] - middle;
             for (const auto& [xi, weight] : gauss_line(2)) {
                 const Eigen::Vector4d shape =
-                    shape_values(map_to_parent(corners_of(mesh, piece.element), middle + xi * half));
+                    shape_values(map_to_parent(corners_of_element(mesh, piece.element), middle + xi * half));
                 for (std::size_t i = 0; i < nodes.size(); ++i)
                     if (closed.contains(nodes[i])) taken += weight * half.norm() * shape[static_cast<Eigen::Index>(i)];
             }
         }
     }
     constexpr double of_K = 1.4;  // measured: verification.CrackFronts
-    return of_K * (taken - 0.5 * size_of(corners_of(mesh, pieces.back().element)));
-}
-
-double length_in_body(const EnrichedMesh& mesh, int crack) {
-    const auto is_its = [&](const CrackPiece& piece) { return piece.crack == crack; };
-    double length = std::ranges::find_if(mesh.pieces | std::views::reverse, is_its)->s.back() -
-                    std::ranges::find_if(mesh.pieces, is_its)->s.front();
-    for (const Tip& tip : mesh.tips)
-        if (tip.crack == crack) length += tip.beyond;
-    return length;
+    return of_K * (taken - 0.5 * size_of(corners_of_element(mesh, pieces.back().element)));
 }
 
 std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start) {

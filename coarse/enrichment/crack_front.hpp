@@ -5,7 +5,6 @@
 #include <span>
 
 #include "common/crack/crack_path.hpp"
-#include "common/enrichment/enriched_mesh.hpp"
 #include "common/fem/mesh.hpp"
 
 namespace stria::coarse {
@@ -20,9 +19,6 @@ namespace stria::coarse {
 /// elastic crack, beside one that leaves its last element across from where it came in (docs/method.md, section 2).
 /// Negative where they seem to end later.
 [[nodiscard]] double lag(const Mesh& mesh, std::span<const CrackPiece> pieces);
-
-/// Of the part of a crack in the body, from the mouth or a tip to its other end, mm of arc.
-[[nodiscard]] double length_in_body(const EnrichedMesh& mesh, int crack);
 
 /// Nodes of the edge that a path with fronts on edges ends on, or the node: nothing jumps there.
 [[nodiscard]] std::set<int> front_nodes(const Mesh& mesh, const CrackPath& path, bool start);

@@ -28,7 +28,7 @@ void CrackSides::note_piece(const CrackPiece& piece) {
 }
 
 int CrackSides::side_in(const CrackPiece& piece, const Vec2& x) const {
-    return side_of_polygon(cut_element(corners(piece.element), piece).left, x) >= 0 ? 1 : -1;
+    return side_of_polygon(cut_element(corners_of_element(mesh_, piece.element), piece).left, x) >= 0 ? 1 : -1;
 }
 
 // The elements at a hanging node may all be whole but for the larger one, of which it is no corner.
@@ -133,7 +133,7 @@ void CrackSides::put_beside_tip(const CrackPiece& piece, const Tip& tip, const s
 // Seen from a tip outside it an element spans less than half a turn; more where the branch of theta changes inside it.
 bool CrackSides::is_torn(int element, const Tip& tip, int side) const {
     double least = 1e300, most = -1e300;
-    for (const Vec2& corner : corners(element)) {
+    for (const Vec2& corner : corners_of_element(mesh_, element)) {
         const double theta = tip_polar(tip, corner, side).theta;
         least = std::min(least, theta);
         most = std::max(most, theta);
@@ -143,7 +143,7 @@ bool CrackSides::is_torn(int element, const Tip& tip, int side) const {
 
 // The line behind the tip, from a crack that has turned.
 bool CrackSides::lies_across(int element, const Tip& tip, int side) const {
-    return std::ranges::any_of(corners(element), [&](const Vec2& corner) {
+    return std::ranges::any_of(corners_of_element(mesh_, element), [&](const Vec2& corner) {
         return std::abs(tip_polar(tip, corner, side).theta - tip_polar(tip, corner, 0).theta) > std::numbers::pi;
     });
 }
@@ -165,11 +165,6 @@ int CrackSides::side_at(const Vec2& bend, const Vec2& x) const {
     const bool left_of_first = orientation(before, bend, x) > 0, left_of_second = orientation(bend, after, x) > 0;
     const bool turns_left = orientation(before, bend, after) >= 0;
     return (turns_left ? left_of_first && left_of_second : left_of_first || left_of_second) ? 1 : -1;
-}
-
-std::array<Vec2, 4> CrackSides::corners(int element) const {
-    const auto& n = mesh_.elements[at(element)];
-    return {mesh_.nodes[at(n[0])], mesh_.nodes[at(n[1])], mesh_.nodes[at(n[2])], mesh_.nodes[at(n[3])]};
 }
 
 }  // namespace stria::coarse

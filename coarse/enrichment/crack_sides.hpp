@@ -1,7 +1,6 @@
 // On which side of a crack the nodes and elements that touch it lie. Side +1 is left of the crack's direction.
 #pragma once
 
-#include <array>
 #include <map>
 #include <set>
 #include <span>
@@ -50,7 +49,6 @@ private:
     [[nodiscard]] std::pair<Vec2, Vec2> neighbours_on_crack(const Vec2& x) const;
     /// Of a place beside one of the crack's points, at which it may bend.
     [[nodiscard]] int side_at(const Vec2& bend, const Vec2& x) const;
-    [[nodiscard]] std::array<Vec2, 4> corners(int element) const;
 
     const Mesh& mesh_;
     const CrackPath& path_;

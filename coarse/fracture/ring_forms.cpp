@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "coarse/model/rings.hpp"
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 
 namespace stria::coarse {
@@ -18,9 +19,7 @@ const CornerGradients& corner_gradients(const PlainOperator& op, const EnrichedM
 }
 
 CornerGradients corner_gradients(const ElementOperator& op, const EnrichedMesh& mesh, std::size_t q) {
-    QuadNodes corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(op.element)][k])];
-    return shape_q4(corners, op.points[q].xi).gradient;
+    return shape_q4(corners_of_element(mesh, op.element), op.points[q].xi).gradient;
 }
 
 bool is_mean(const PlainOperator& op) { return op.mean_dilatation; }

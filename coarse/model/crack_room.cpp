@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/crack_length.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "common/crack/crack_path.hpp"

@@ -52,8 +52,7 @@ private:
         }
         // To rounding; far outside a slanted element there are no parent coordinates to ask for.
         [[nodiscard]] bool is_in(int element) const {
-            QuadNodes corners;
-            for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
+            const QuadNodes corners = corners_of_element(mesh, element);
             const double off = -0.25e-6 * cross(corners[2] - corners[0], corners[3] - corners[1]);
             for (std::size_t k = 0; k < 4; ++k)
                 if (cross(corners[(k + 1) % 4] - corners[k], x - corners[k]) < off) return false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/fem/centre.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "common/fem/strain_operator.hpp"
@@ -63,8 +64,7 @@ std::array<int, 8> plain_unknowns(const EnrichedMesh& mesh, int element) {
 
 PlainOperator plain_operator(const EnrichedMesh& mesh, int element, bool mean_dilatation) {
     static const std::array<ParentPoint, 4> parent = parent_points();
-    QuadNodes corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
+    const QuadNodes corners = corners_of_element(mesh, element);
     PlainOperator op;
     op.element = element;
     op.unknowns = plain_unknowns(mesh, element);

@@ -7,6 +7,7 @@
 
 #include "coarse/enrichment/enrichment.hpp"
 #include "coarse/specimen/structured.hpp"
+#include "common/fem/centre.hpp"
 #include "common/fem/mesh.hpp"
 #include "common/fem/quadrature.hpp"
 #include "common/index.hpp"
@@ -46,12 +47,6 @@ inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, c
 inline EnrichedMesh cracked(const Mesh& mesh, const std::vector<Vec2>& points, int tip_functions = 6,
                             double exponent = 0.5) {
     return cracked(mesh, points, {tip_functions, exponent});
-}
-
-inline std::array<Vec2, 4> corners_of(const EnrichedMesh& mesh, int element) {
-    std::array<Vec2, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
-    return corners;
 }
 
 /// The crack inside an element, or null.

@@ -78,7 +78,7 @@ Vec2 displacement(const EnrichedMesh& mesh, int element, const Vec2& x, int side
 int side_in(const EnrichedMesh& mesh, int element, const Vec2& x) {
     const CrackPiece* piece = piece_in(mesh, element);
     if (piece == nullptr) return mesh.element_side[at(element)];
-    const auto c = corners_of(mesh, element);
+    const auto c = corners_of_element(mesh, element);
     return cut_element(c, *piece).side_of(x + 1e-9 * ((c[0] + c[1] + c[2] + c[3]) / 4.0 - x));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "coarse/enrichment/crack_length.hpp"
 #include "common/error.hpp"
 #include "tests/support/cracked_mesh.hpp"
 

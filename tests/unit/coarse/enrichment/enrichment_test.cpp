@@ -112,7 +112,7 @@ TEST(Enrichment, SidesBesideATipTearNoElement) {
     const Vec2 tip(1.16, 1.0);
     const EnrichedMesh enriched = cracked(mesh, {tip - Vec2(2.65, 1.41), tip}, 1);
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
-        const auto corners = corners_of(enriched, e);
+        const auto corners = corners_of_element(enriched, e);
         const auto angle = [&](const Vec2& x) {
             return tip_polar(enriched.tips[0], x, enriched.element_side[at(e)]).theta;
         };

@@ -7,6 +7,7 @@
 
 #include "coarse/model/boundary_conditions.hpp"
 #include "common/error.hpp"
+#include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/mesh_files.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -15,8 +16,7 @@ namespace stria::coarse {
 namespace {
 
 double area_of(const Mesh& mesh, int element) {
-    QuadNodes corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
+    const QuadNodes corners = corners_of_element(mesh, element);
     for (const Vec2& xi : {Vec2(-1.0, -1.0), Vec2(1.0, -1.0), Vec2(1.0, 1.0), Vec2(-1.0, 1.0)})
         EXPECT_GT(shape_q4(corners, xi).jacobian, 0.0) << element;
     return 4.0 * shape_q4(corners, Vec2::Zero()).jacobian;

@@ -9,6 +9,7 @@
 
 #include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
+#include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"
 #include "tests/support/cracked_mesh.hpp"
 
@@ -16,12 +17,6 @@ namespace stria::test {
 namespace {
 
 using Points = std::vector<Vec2>;
-
-std::array<Vec2, 4> corners_of(const Mesh& mesh, int element) {
-    std::array<Vec2, 4> corners;
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.nodes[at(mesh.elements[at(element)][k])];
-    return corners;
-}
 
 double length_of(const std::vector<CrackPiece>& pieces) {
     double length = 0.0;
@@ -36,7 +31,7 @@ void expect_chain(const Mesh& mesh, const CrackPath& path) {
     for (std::size_t k = 0; k < path.pieces.size(); ++k) {
         const CrackPiece& piece = path.pieces[k];
         ASSERT_EQ(piece.points.size(), piece.s.size());
-        const auto corners = corners_of(mesh, piece.element);
+        const auto corners = corners_of_element(mesh, piece.element);
         const Vec2 entry = piece.entry >= 0.0 ? boundary_point(corners, piece.entry) : piece.points.front();
         const Vec2 exit = piece.exit >= 0.0 ? boundary_point(corners, piece.exit) : piece.points.back();
         EXPECT_LT((entry - piece.points.front()).norm() + (exit - piece.points.back()).norm(), 1e-12);

@@ -39,7 +39,7 @@ std::vector<EnrichedMesh> meshes() {
 int side_at(const EnrichedMesh& mesh, int element, const Vec2& x) {
     const CrackPiece* piece = piece_in(mesh, element);
     if (piece == nullptr) return 0;
-    return side_of_polygon(cut_element(corners_of(mesh, element), *piece).left, x) >= 0 ? 1 : -1;
+    return side_of_polygon(cut_element(corners_of_element(mesh, element), *piece).left, x) >= 0 ? 1 : -1;
 }
 
 BasisValues values_at(const ElementBasis& basis, const Vec2& x, int side) {
@@ -115,7 +115,7 @@ TEST(ElementBasis, GradientsMatchDifferences) {
 /// Values by unknown, seen from inside an element.
 std::map<int, double> seen_from(const EnrichedMesh& mesh, int e, const Vec2& x) {
     const ElementBasis basis(mesh, e, piece_in(mesh, e) != nullptr);
-    const auto corners = corners_of(mesh, e);
+    const auto corners = corners_of_element(mesh, e);
     const Vec2 centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4.0;
     const BasisValues values = values_at(basis, x, side_at(mesh, e, x + 1e-7 * (centre - x)));
     std::map<int, double> result;

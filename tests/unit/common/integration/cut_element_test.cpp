@@ -22,7 +22,7 @@ std::vector<EnrichedMesh> meshes() {
 TEST(CutElement, AreasOfBothSidesAddUp) {
     for (const EnrichedMesh& mesh : meshes()) {
         for (const CrackPiece& piece : mesh.pieces) {
-            const auto corners = corners_of(mesh, piece.element);
+            const auto corners = corners_of_element(mesh, piece.element);
             const CutElement cut = cut_element(corners, piece);
             EXPECT_GT(polygon_area(cut.left), 0.0);
             EXPECT_GT(polygon_area(cut.right), 0.0);
@@ -33,14 +33,14 @@ TEST(CutElement, AreasOfBothSidesAddUp) {
 
 TEST(CutElement, PlusIsLeftOfTheCrack) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}});
-    const CutElement cut = cut_element(corners_of(mesh, 5), *piece_in(mesh, 5));
+    const CutElement cut = cut_element(corners_of_element(mesh, 5), *piece_in(mesh, 5));
     EXPECT_EQ(cut.side_of({0.3, 0.45}), 1);
     EXPECT_EQ(cut.side_of({0.3, 0.35}), -1);
 }
 
 TEST(CutElement, TipGoesStraightOn) {
     const EnrichedMesh mesh = cracked(square_mesh(4), {{0.0, 0.4}, {0.6, 0.4}});
-    const CutElement cut = cut_element(corners_of(mesh, 6), *piece_in(mesh, 6));
+    const CutElement cut = cut_element(corners_of_element(mesh, 6), *piece_in(mesh, 6));
     ASSERT_EQ(cut.tips.size(), 1U);
     ASSERT_EQ(cut.continuation.size(), 1U);
     EXPECT_EQ(cut.continuation[0].first, Vec2(0.6, 0.4));
@@ -52,7 +52,8 @@ TEST(InterfaceElements, AddUpToTheCrack) {
         for (const int subcells : {1, 2, 3, 5}) {
             double length = 0.0;
             for (const CrackPiece& piece : mesh.pieces) {
-                const InterfacePoints ends = interface_elements(corners_of(mesh, piece.element), piece, subcells);
+                const InterfacePoints ends =
+                    interface_elements(corners_of_element(mesh, piece.element), piece, subcells);
                 for (std::size_t k = 1; k < ends.points.size(); ++k) {
                     length += (ends.points[k] - ends.points[k - 1]).norm();
                     EXPECT_NEAR((ends.points[k] - ends.points[k - 1]).norm(), ends.s[k] - ends.s[k - 1], 1e-14);
@@ -66,7 +67,7 @@ TEST(InterfaceElements, AddUpToTheCrack) {
 TEST(InterfaceElements, EachLiesInOneSubQuadrangle) {
     for (const EnrichedMesh& mesh : meshes()) {
         for (const CrackPiece& piece : mesh.pieces) {
-            const auto corners = corners_of(mesh, piece.element);
+            const auto corners = corners_of_element(mesh, piece.element);
             const int s = 4;
             const InterfacePoints ends = interface_elements(corners, piece, s);
             for (std::size_t k = 1; k < ends.points.size(); ++k) {

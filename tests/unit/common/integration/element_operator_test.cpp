@@ -42,7 +42,7 @@ double left_weight(const ElementOperator& op) {
 
 double left_area(const EnrichedMesh& mesh, int element) {
     const CrackPiece* piece = piece_in(mesh, element);
-    return piece != nullptr ? polygon_area(cut_element(corners_of(mesh, element), *piece).left) : 0.0;
+    return piece != nullptr ? polygon_area(cut_element(corners_of_element(mesh, element), *piece).left) : 0.0;
 }
 
 TEST(ElementOperator, WeightsAddUpToTheArea) {
@@ -53,7 +53,7 @@ TEST(ElementOperator, WeightsAddUpToTheArea) {
                 EXPECT_GT(point.weight, 0.0);
                 sum += point.weight;
             }
-            EXPECT_NEAR(sum, polygon_area(corners_of(mesh, op.element)), 1e-15);
+            EXPECT_NEAR(sum, polygon_area(corners_of_element(mesh, op.element)), 1e-15);
             EXPECT_NEAR(op.area, sum, 1e-17);
         });
     }
@@ -103,7 +103,7 @@ TEST(ElementOperator, HasNoPointsThatWeighNothing) {
 TEST(ElementOperator, PointsKnowTheirParentCoordinates) {
     for_each_operator({.subcells = 2}, [](const EnrichedMesh& mesh, const ElementOperator& op) {
         for (const IntegrationPoint& point : op.points) {
-            EXPECT_LT((map_to_physical(corners_of(mesh, op.element), point.xi) - point.x).norm(), 1e-14);
+            EXPECT_LT((map_to_physical(corners_of_element(mesh, op.element), point.xi) - point.x).norm(), 1e-14);
         }
     });
 }
@@ -141,7 +141,7 @@ TEST(ElementOperator, GradientsIntegrateToTheBoundaryIntegral) {
     for_each_operator(dense, [](const EnrichedMesh& mesh, const ElementOperator& op) {
         const CrackPiece* piece = piece_in(mesh, op.element);
         const ElementBasis basis(mesh, op.element, piece != nullptr);
-        const auto corners = corners_of(mesh, op.element);
+        const auto corners = corners_of_element(mesh, op.element);
         Gradients exact;
         if (piece != nullptr) {
             const CutElement cut = cut_element(corners, *piece);
@@ -200,7 +200,7 @@ TEST(ElementOperator, PointsThatStayWhileATipMovesOnReproduceLinearFields) {
     const Vec2 mouth(0.0, 0.34), first(0.3352, 0.3341), second(0.53, 0.3433);
     const EnrichedMesh before = cracked(mesh, {mouth, first}), now = cracked(mesh, {mouth, first, second});
     std::vector<IntegrationPoint> points = make_operator(before, element, piece_in(before, element), of_zone).points;
-    const CutElement cut = cut_element(corners_of(now, element), *piece_in(now, element));
+    const CutElement cut = cut_element(corners_of_element(now, element), *piece_in(now, element));
     for (IntegrationPoint& point : points) point.side = cut.side_of(point.x);
     const ElementOperator op = make_operator(now, element, piece_in(now, element), of_zone, points);
     const double below = op.area - left_weight(op), area_below = op.area - polygon_area(cut.left);

@@ -31,7 +31,7 @@ protected:
     void cut(const Vec2& from, const Vec2& to, const std::vector<IntegrationPoint>& more = {}) {
         const Mesh mesh = square_mesh(1);
         const EnrichedMesh enriched = cracked(mesh, {from, to}, 0);
-        corners_ = corners_of(enriched, 0);
+        corners_ = corners_of_element(enriched, 0);
         sides_ = cut_element(corners_, enriched.pieces.front());
         points_ = place_points(corners_, nullptr, {}, false, {.subcells = 2});
         points_.insert(points_.end(), more.begin(), more.end());

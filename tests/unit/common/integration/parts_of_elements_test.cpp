@@ -27,7 +27,7 @@ Vec2 displacement_in(const EnrichedMesh& mesh, int element, const Vec2& x, int s
 ElementSet about_tips(const EnrichedMesh& mesh) {
     ElementSet found(mesh.elements.size());
     for (int e = 0; e < found.size(); ++e) {
-        const auto corners = test::corners_of(mesh, e);
+        const auto corners = corners_of_element(mesh, e);
         const double diagonal = (corners[2] - corners[0]).norm();
         for (const Tip& tip : mesh.tips)
             if (((corners[0] + corners[2]) / 2.0 - tip.position).norm() < 1.6 * diagonal) found.insert(e);
@@ -64,10 +64,10 @@ Compared compare(unsigned seed) {
         const int whole = finer.part_of[at(e)] >= 0 ? finer.part_of[at(e)] : e;
         const CrackPiece *piece = test::piece_in(before, whole), *part = test::piece_in(now, e);
         if (finer.part_of[at(e)] >= 0 && piece != nullptr) ++result.cut_parents;
-        const auto corners = test::corners_of(now, e);
+        const auto corners = corners_of_element(now, e);
         for (const Vec2& xi : {Vec2(-0.7, 0.3), Vec2(0.4, 0.6), Vec2(0.1, -0.8)}) {
             const Vec2 x = map_to_physical(corners, xi);
-            const int side = piece != nullptr ? cut_element(test::corners_of(before, whole), *piece).side_of(x) : 0;
+            const int side = piece != nullptr ? cut_element(corners_of_element(before, whole), *piece).side_of(x) : 0;
             const int own = part != nullptr ? cut_element(corners, *part).side_of(x) : 0;
             const Vec2 difference = displacement_in(now, e, x, own, v) - displacement_in(before, whole, x, side, u);
             result.difference = std::max(result.difference, difference.norm());
