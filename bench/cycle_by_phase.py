@@ -32,7 +32,7 @@ PARTS = {
     "contact": r"fine::ContactInterface::",
     "fronts: factor": r"FrontTree::factor",
     "fronts: solve": r"FrontTree::(reduce|expand)",
-    "Gamma: factor": r"CondensedEquilibrium::factor_tangent",
+    "Gamma: factor": r"BorderedSystem::factor",
     "Gamma: solve": r"CondensedEquilibrium::(solve|linearise)",
     "near structure: solve": r"Structure::expand",
     "rings": r"RingForms|ring_integrals|RingSums|fine::add_to",

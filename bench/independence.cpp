@@ -14,6 +14,7 @@
 
 #include "bench/sizes.hpp"
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"

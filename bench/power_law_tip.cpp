@@ -13,6 +13,7 @@
 
 #include "coarse/analysis/fatigue_analysis.hpp"
 #include "coarse/enrichment/enrichment.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/integration/crack_faces.hpp"

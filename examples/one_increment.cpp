@@ -1,7 +1,7 @@
 // One equilibrium without the programs: a case, its scene, structure and zone in this process; prints K and J per tip.
 #include <fmt/format.h>
 
-#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/zone/refined_scene.hpp"

@@ -9,6 +9,7 @@
 #include "app/run/fine_side.hpp"
 #include "app/run/monolithic/monolithic.hpp"
 #include "app/run/mpi_parting.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/error.hpp"

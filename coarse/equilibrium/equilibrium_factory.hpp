@@ -4,9 +4,8 @@
 #include <memory>
 
 #include "coarse/equilibrium/equilibrium.hpp"
-#include "coarse/equilibrium/equilibrium_sections.hpp"
 #include "coarse/structure/structure.hpp"
-#include "coupling/fine_scale.hpp"
+#include "coupling/zone_snapshot.hpp"
 
 namespace stria::coarse {
 
@@ -46,27 +45,6 @@ public:
     /// Likewise, as coupling::FineScale.
     virtual void keep_zone() = 0;
     virtual coupling::ZoneSnapshot kept_zone() = 0;
-};
-
-/// Equilibrium of structure and zone over the port (null: no fine component).
-class CondensedFactory : public EquilibriumFactory {
-public:
-    CondensedFactory(coupling::FineScale* fine, EquilibriumSections input) : fine_(fine), input_(std::move(input)) {}
-    std::unique_ptr<Equilibrium> make(const Structure& structure, const coupling::Patch* patch,
-                                      const Eigen::VectorXd& committed, const LoadFactors& factors) override;
-    void begin_zone(const coupling::Patch& patch) override { fine_->begin_set_patch(patch); }
-    void extend_zone(const coupling::Patch& patch) override { fine_->set_patch(patch); }
-    [[nodiscard]] bool keeps_increments() const override { return fine_ != nullptr; }
-    std::unique_ptr<Equilibrium> resume(const Structure& structure, const coupling::Patch* patch,
-                                        const Eigen::VectorXd& committed, const coupling::ZoneSnapshot& zone) override;
-    coupling::ZoneState zone_state() override { return fine_->state(); }
-    coupling::ZoneSnapshot zone_snapshot() override { return fine_->snapshot(); }
-    void keep_zone() override { fine_->keep(); }
-    coupling::ZoneSnapshot kept_zone() override { return fine_->kept(); }
-
-private:
-    coupling::FineScale* fine_;
-    EquilibriumSections input_;
 };
 
 }  // namespace stria::coarse

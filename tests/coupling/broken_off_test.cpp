@@ -6,6 +6,7 @@
 
 #include "app/results/run_files.hpp"
 #include "app/run/coarse_run.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "common/error.hpp"
 #include "common/io/number_table.hpp"
 #include "tests/support/deadline.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "common/error.hpp"
 #include "tests/support/fails_sometimes.hpp"
 #include "tests/support/sent_analysis.hpp"

@@ -6,7 +6,8 @@
 #include <functional>
 
 #include "app/run/monolithic/monolithic.hpp"
-#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/sent_analysis.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <future>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "common/error.hpp"
 #include "coupling/transport/memory_transport.hpp"
 #include "coupling/transport/remote_fine_scale.hpp"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/error.hpp"
 #include "fine/zone/fine_model.hpp"

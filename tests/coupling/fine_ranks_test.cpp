@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"

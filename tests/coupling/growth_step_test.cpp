@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "common/index.hpp"
 #include "fine/zone/fine_model.hpp"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/run/monolithic/monolithic.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "coupling/ranks/fine_ranks.hpp"
 #include "tests/support/sent_analysis.hpp"

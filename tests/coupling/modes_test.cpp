@@ -10,6 +10,7 @@
 
 #include "app/run/fine_side.hpp"
 #include "app/run/monolithic/monolithic.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coupling/transport/memory_transport.hpp"
 #include "coupling/transport/remote_fine_scale.hpp"
 #include "coupling/transport/serve.hpp"

@@ -4,6 +4,7 @@
 
 #include "app/run/fine_side.hpp"
 #include "app/run/monolithic/monolithic.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "tests/support/pulled_plate.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"

@@ -10,6 +10,7 @@
 
 #include "app/run/fine_side.hpp"
 #include "app/run/monolithic/monolithic.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/results/checkpoint.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coupling/transport/wire.hpp"

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/advice/mesh_adequacy.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 

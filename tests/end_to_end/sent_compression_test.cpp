@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 #include "common/io/number_table.hpp"

@@ -2,7 +2,7 @@
 // report.
 #pragma once
 
-#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/zone/zone_selection.hpp"

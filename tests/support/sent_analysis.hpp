@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/model/mesh_refinement.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"

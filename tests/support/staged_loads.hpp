@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/newton.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/zone/refined_scene.hpp"

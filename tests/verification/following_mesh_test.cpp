@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 #include "common/geometry/segment.hpp"

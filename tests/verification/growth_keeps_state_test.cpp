@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "tests/support/growth/witness.hpp"
 #include "tests/support/sent_analysis.hpp"

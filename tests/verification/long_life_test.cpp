@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "tests/support/sent_analysis.hpp"
 

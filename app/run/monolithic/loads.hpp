@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "coarse/equilibrium/largest_forces.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/messages.hpp"
 
@@ -13,16 +14,17 @@ class MonolithicLoads {
 public:
     /// `whole`: unknown of the whole mesh of each zone unknown. The zone carries the load on its own ones.
     MonolithicLoads(const coarse::Structure& structure, const coupling::Patch& patch, const std::vector<int>& whole)
-        : scene_(structure.scene()) {
+        : largest_(structure.scene(), structure.elements().initial().load) {
+        const coarse::Scene& scene = structure.scene();
         const auto outside_zone = [&](Eigen::VectorXd force) {
             for (int i = 0; i < std::ssize(whole); ++i)
                 if (!std::ranges::binary_search(patch.boundary, i)) force[whole[at(i)]] = 0.0;
             return force;
         };
         const Eigen::VectorXd& initial = structure.elements().initial().load;
-        initial_ = initial.size() > 0 ? initial : Eigen::VectorXd::Zero(scene_.enriched.unknowns).eval();
-        main_ = outside_zone(scene_.unit_force);
-        for (const Eigen::VectorXd& force : scene_.case_forces) cases_.push_back(outside_zone(force));
+        initial_ = initial.size() > 0 ? initial : Eigen::VectorXd::Zero(scene.enriched.unknowns).eval();
+        main_ = outside_zone(scene.unit_force);
+        for (const Eigen::VectorXd& force : scene.case_forces) cases_.push_back(outside_zone(force));
     }
 
     [[nodiscard]] const Eigen::VectorXd& initial() const { return initial_; }
@@ -36,18 +38,10 @@ public:
     }
 
     /// Largest of the forces of any unit load, N/mm.
-    [[nodiscard]] double largest(const coarse::LoadFactors& factors) const {
-        double force =
-            std::max((factors.main * scene_.unit_force).lpNorm<Eigen::Infinity>(), initial_.lpNorm<Eigen::Infinity>());
-        for (std::size_t k = 0; k < cases_.size(); ++k)
-            force = std::max(
-                force,
-                (factors.of_case(static_cast<Eigen::Index>(k)) * scene_.case_forces[k]).lpNorm<Eigen::Infinity>());
-        return force;
-    }
+    [[nodiscard]] double largest(const coarse::LoadFactors& factors) const { return largest_.under(factors); }
 
 private:
-    const coarse::Scene& scene_;
+    coarse::LargestForces largest_;
     Eigen::VectorXd initial_, main_;
     std::vector<Eigen::VectorXd> cases_;
 };

@@ -7,7 +7,7 @@
 #include "app/run/monolithic/loads.hpp"
 #include "app/run/monolithic/matrix.hpp"
 #include "coarse/elements/support_forces.hpp"
-#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 #include "coarse/equilibrium/factor_reuse.hpp"
 #include "coarse/equilibrium/zone_residual.hpp"
 #include "common/enrichment/part_of_mesh.hpp"

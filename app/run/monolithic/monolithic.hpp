@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/equilibrium/equilibrium_sections.hpp"
 #include "fine/zone/zone_system.hpp"
 
 namespace stria {

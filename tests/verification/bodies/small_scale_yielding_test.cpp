@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/model/mesh_refinement.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/exact_field.hpp"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "coarse/analysis/fatigue_analysis.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 #include "coarse/zone/structure_stresses.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/pulled_plate.hpp"

@@ -3,13 +3,17 @@
 
 #include <vector>
 
-#include "coarse/equilibrium/bordered_system.hpp"
+#include "coarse/equilibrium/condensed/bordered_system.hpp"
+#include "coarse/equilibrium/condensed/condensed_zone.hpp"
+#include "coarse/equilibrium/condensed/control_equation.hpp"
+#include "coarse/equilibrium/condensed/expanded_displacement.hpp"
+#include "coarse/equilibrium/condensed/gamma_states.hpp"
+#include "coarse/equilibrium/condensed/gamma_supports.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/equilibrium_sections.hpp"
-#include "coarse/equilibrium/expanded_displacement.hpp"
 #include "coarse/equilibrium/factor_reuse.hpp"
+#include "coarse/equilibrium/largest_forces.hpp"
 #include "coarse/structure/structure.hpp"
-#include "coupling/fine_scale.hpp"
 
 namespace stria::coarse {
 
@@ -23,55 +27,45 @@ public:
     void begin(const Target& target, const Predictor& predictor) override;
     Residual linearise() override;
     double solve() override;
-    void look_at_rest() override { request_.check_rest = true; }
-    void set_elastic(bool elastic) override { request_.elastic = elastic; }
+    void look_at_rest() override { zone_.look_at_rest(); }
+    void set_elastic(bool elastic) override { zone_.set_elastic(elastic); }
     void apply() override;
     void apply_further(double part) override;
     void put_aside() override;
-    void begin_commit(const coupling::Commit& what) override;
+    void begin_commit(const coupling::Commit& what) override { zone_.begin_commit(what); }
     coupling::StepReport commit(const coupling::Commit& what) override;
     void rollback() override;
-    [[nodiscard]] LoadFactors factors() const override { return trial_.factors(); }
+    [[nodiscard]] LoadFactors factors() const override { return states_.trial().factors(); }
     [[nodiscard]] const std::vector<std::int32_t>& yielding_points() const override {
-        return response_.digest.yielding_points;
+        return zone_.answer().digest.yielding_points;
     }
-    [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return expanded_.whole(trial_); }
+    [[nodiscard]] Eigen::VectorXd structure_displacement() const override { return expanded_.whole(states_.trial()); }
     [[nodiscard]] DisplacementBesideFar displacement_beside_far() const override {
-        return expanded_.beside_far(trial_);
+        return expanded_.beside_far(states_.trial());
     }
-    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return expanded_.near(trial_); }
+    [[nodiscard]] const Eigen::VectorXd& near_displacement() const override { return expanded_.near(states_.trial()); }
     [[nodiscard]] MachineReading machine_reading() const override;
     [[nodiscard]] EquilibriumState state() const override;
     void restore(const EquilibriumState& state) override;
     [[nodiscard]] CoarseEffort effort() const override;
 
 private:
-    [[nodiscard]] Eigen::VectorXd on_free(const Eigen::VectorXd& gamma) const;
-    void impose_held();
+    void impose_supports();
     void ask_zone(const Eigen::VectorXd& u);
     [[nodiscard]] Eigen::MatrixXd tangent() const;
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
-    [[nodiscard]] double largest_applied_force() const;
     void add_structure_work(Residual& result) const;
-    void move(double part);
-
-    /// A place on Gamma that is prescribed.
-    struct Held {
-        std::ptrdiff_t place;
-        const PrescribedUnknown* prescribed;
-        double share;  // of its reaction in the machine's force
-    };
+    void expect_next(const Residual& result);
+    void move(double part, bool further);
 
     const Structure& structure_;
-    coupling::FineScale* fine_;
-    EquilibriumSections input_;
-    double largest_unit_force_, largest_initial_force_;  // N/mm
-    std::vector<double> largest_case_forces_;            // likewise, of each load case
-    std::vector<Held> held_;
-    LinearReading controlled_;  // on the free places
-    double target_ = 0.0, off_target_ = 0.0;
-    GammaState committed_, trial_;
-    IncrementMemory<GammaState> increments_;
+    double tolerance_;  // of the relative residual
+    LargestForces largest_forces_;
+    GammaSupports supports_;
+    GammaStates states_;
+    CondensedZone zone_;
+    ControlEquation control_;
+    double off_target_ = 0.0;
     Eigen::VectorXd residual_;            // on the free places, N/mm
     Eigen::VectorXd structure_residual_;  // likewise, without the zone's forces
     GammaState correction_;               // likewise, mm
@@ -79,16 +73,11 @@ private:
         GammaState correction;  // the last one that was applied, whole
         double work_before;     // along it, of the structure's residual where it began, N
     } taken_;
-    FactorReuse factor_reuse_{0.0};        // in the present search
-    coupling::PatchDisplacement request_;  // the next one; its boundary is put in when it leaves
-    coupling::PatchResponse response_;
-    CondensedTangent zone_tangent_;  // of the last response that brought one
+    FactorReuse factor_reuse_{0.0};  // in the present search
     BorderedSystem system_;          // for as long as the zone's tangent is the same
-    bool factor_is_due_ = true;      // it is not any more
-    bool put_aside_ = false;         // the zone does not know yet
     bool near_wanted_ = false;       // of the next trial state, which may well be the last
     ExpandedDisplacement expanded_;  // of the trial state
-    CoarseEffort effort_;
+    coupling::WorkCounts work_;
 };
 
 }  // namespace stria::coarse

@@ -4,20 +4,12 @@
 #include <Eigen/LU>
 #include <functional>
 
-#include "coarse/structure/condensed_loads.hpp"
+#include "coarse/equilibrium/condensed/gamma_states.hpp"
+#include "coarse/structure/linear_reading.hpp"
 #include "common/linear/dense_cholesky.hpp"
 #include "common/substructure/substructure.hpp"
 
 namespace stria::coarse {
-
-/// Displacements of places on Gamma, mm, and load factors.
-struct GammaState {
-    Eigen::VectorXd displacement;
-    double load_factor = 0.0;
-    Eigen::VectorXd cases = {};  // of a state
-
-    [[nodiscard]] LoadFactors factors() const { return {load_factor, cases}; }
-};
 
 /// A du - b dlambda = R and w . du + k dlambda = r. At a limit load A is singular along what is controlled: sigma w
 /// times the second equation, added to the first, makes it definite again and changes no solution. (Load control: w =

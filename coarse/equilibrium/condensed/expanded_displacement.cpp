@@ -1,4 +1,4 @@
-#include "coarse/equilibrium/expanded_displacement.hpp"
+#include "coarse/equilibrium/condensed/expanded_displacement.hpp"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
-#include "coarse/equilibrium/equilibrium_factory.hpp"
+#include "coarse/equilibrium/condensed/condensed_factory.hpp"
 
-#include "coarse/equilibrium/condensed_equilibrium.hpp"
+#include "coarse/equilibrium/condensed/condensed_equilibrium.hpp"
 
 namespace stria::coarse {
 

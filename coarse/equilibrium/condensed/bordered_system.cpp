@@ -1,4 +1,4 @@
-#include "coarse/equilibrium/bordered_system.hpp"
+#include "coarse/equilibrium/condensed/bordered_system.hpp"
 
 namespace stria::coarse {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "coarse/equilibrium/bordered_system.hpp"
+#include "coarse/equilibrium/condensed/gamma_states.hpp"
 #include "coarse/structure/structure.hpp"
 #include "coupling/work_counts.hpp"
 
