@@ -2,6 +2,7 @@
 """Checks the order inside the top folders: rooms and sub-folders include one another one way, and none grows too large.
 
 A room is x.hpp with x.cpp. No circle of rooms, none of sub-folders; a sub-folder includes only what stands before it in ORDER.
+A folder inside a sub-folder stands above it or below it: it includes the sub-folder, or the sub-folder includes it.
 """
 
 import re
@@ -33,6 +34,13 @@ ORDER = {
 
 # Folders whose sources all live in a sub-folder.
 WITHOUT_LOOSE_FILES = ["coarse", "fine"]
+
+# Deeper folders include one another one way, too, but for these circles.
+FOLDER_CIRCLES = [
+    ["coarse/analysis", "coarse/analysis/growth"],
+    ["common/case", "common/case/checks", "common/case/loads"],
+    ["fine/material", "fine/material/implicit"],
+]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
@@ -93,6 +101,21 @@ def room_complaints(top):
         yield f"{top}: circle of rooms {', '.join(circle)}"
 
 
+def folder(path):
+    return path.rsplit("/", 1)[0]
+
+
+def folder_complaints(top):
+    arrows = {(folder(file), folder(header)) for file, header in includes_inside(top) if folder(file) != folder(header)}
+    found = circles(arrows)
+    for circle in found:
+        if circle not in FOLDER_CIRCLES:
+            yield f"{top}: circle of folders {', '.join(circle)}"
+    for circle in FOLDER_CIRCLES:
+        if circle[0].split("/")[0] == top and circle not in found:
+            yield f"{top}: no circle of folders {', '.join(circle)} any more; FOLDER_CIRCLES may lose it"
+
+
 def order_complaints(top):
     order = ORDER[top]
     for folder in sorted({sub_folder(file.relative_to(ROOT).as_posix()) for file in sources(top)} - set(order)):
@@ -122,6 +145,7 @@ def loose_complaints(top):
 def complaints():
     for top in ROOMS_ONE_WAY:
         yield from room_complaints(top)
+        yield from folder_complaints(top)
     for top in SMALL:
         yield from size_complaints(top)
     for top in ORDER:

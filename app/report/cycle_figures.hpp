@@ -5,7 +5,7 @@
 
 #include "app/charts/page.hpp"
 #include "app/charts/sheet.hpp"
-#include "app/report/run_record.hpp"
+#include "app/report/record/run_record.hpp"
 
 namespace stria::report {
 

@@ -6,7 +6,7 @@
 
 #include "app/charts/chart.hpp"
 #include "app/charts/sheet.hpp"
-#include "app/report/face_states.hpp"
+#include "app/report/record/face_states.hpp"
 
 namespace stria::report {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/charts/page.hpp"
-#include "app/report/run_record.hpp"
+#include "app/report/record/run_record.hpp"
 
 namespace stria::report {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/report/run_record.hpp"
+#include "app/report/record/run_record.hpp"
 
 namespace stria::report {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/model/loads/boundary_conditions.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 
 namespace stria::coarse {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/model/loads/boundary_conditions.hpp"
 
 namespace stria::coarse {
 

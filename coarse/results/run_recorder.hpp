@@ -9,7 +9,7 @@
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/cycle/increment.hpp"
 #include "coarse/fields/field_writer.hpp"
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/model/loads/boundary_conditions.hpp"
 #include "coarse/results/tables.hpp"
 #include "common/io/csv.hpp"
 

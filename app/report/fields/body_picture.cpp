@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "app/report/face_states.hpp"
 #include "app/report/fields/field_cells.hpp"
 #include "app/report/fields/outline.hpp"
 #include "app/report/fields/plan_view.hpp"
+#include "app/report/record/face_states.hpp"
 #include "coarse/fields/field_writer.hpp"
 #include "coarse/results/result_files.hpp"
 #include "common/crack/notch.hpp"

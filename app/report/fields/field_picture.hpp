@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/charts/page.hpp"
-#include "app/report/run_record.hpp"
+#include "app/report/record/run_record.hpp"
 
 namespace stria::report {
 

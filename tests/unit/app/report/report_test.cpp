@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "app/report/cycle_figures.hpp"
-#include "app/report/face_states.hpp"
+#include "app/report/record/face_states.hpp"
 #include "app/report/report_page.hpp"
 #include "common/error.hpp"
 #include "tests/support/counted_words.hpp"

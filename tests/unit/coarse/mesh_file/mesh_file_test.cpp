@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/model/loads/boundary_conditions.hpp"
 #include "common/error.hpp"
 #include "common/fem/centre.hpp"
 #include "common/fem/shape_q4.hpp"

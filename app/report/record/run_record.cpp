@@ -1,4 +1,4 @@
-#include "app/report/run_record.hpp"
+#include "app/report/record/run_record.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

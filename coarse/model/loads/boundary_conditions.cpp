@@ -1,4 +1,4 @@
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/model/loads/boundary_conditions.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/report/run_record.hpp"
+#include "app/report/record/run_record.hpp"
 
 namespace stria::report {
 

@@ -1,5 +1,5 @@
 // Boundary sections resolved on a mesh, the balance of free rigid motions, and the boundary of the history.
-#include "coarse/model/boundary_conditions.hpp"
+#include "coarse/model/loads/boundary_conditions.hpp"
 
 #include <gtest/gtest.h>
 

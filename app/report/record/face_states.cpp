@@ -1,4 +1,4 @@
-#include "app/report/face_states.hpp"
+#include "app/report/record/face_states.hpp"
 
 #include <algorithm>
 #include <cmath>
