@@ -14,87 +14,12 @@
 #include "coupling/transport/memory_transport.hpp"
 #include "coupling/transport/remote_fine_scale.hpp"
 #include "coupling/transport/serve.hpp"
+#include "tests/coupling/scenes_of_modes.hpp"
 #include "tests/support/deadline.hpp"
-#include "tests/support/program.hpp"
 #include "tests/support/sent_analysis.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace stria::test {
 namespace {
-
-/// Plastic flow in tension, contact in compression, 36 increments.
-const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "load.steps=12",
-                                           "solver.tolerance=1e-12"};
-
-/// The same on large elements that the zone splits; the crack runs through their middles, and from large into small.
-const std::vector<std::string> refined_scene{"mesh.grading=[]", "mesh.size=7.4", "fine.refine=16", "fine.growth=0.25",
-                                             "solver.tolerance=1e-12"};
-
-/// The zone of the first, begun too small: new elements join while others have a history.
-const std::vector<std::string> extended_scene{mesh_at_tip(0.3), "mesh.size=10.0", "fine.radius=1.0",
-                                              "solver.tolerance=1e-12"};
-
-/// The crack grows through elements and across their edges, at the maximum of two cycles.
-const std::vector<std::string> growing_scene{mesh_at_tip(0.4),         "mesh.size=10.0",
-                                             "solver.tolerance=1e-12", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
-                                             "load.steps=14",          "growth.increment=0.25"};
-
-/// Small elements follow the tip of a crack that grows.
-const std::vector<std::string> following_scene{"mesh.grading=[]",
-                                               "mesh.size=7.4",
-                                               "fine.refine=8",
-                                               "fine.radius=1.0",
-                                               "solver.tolerance=1e-12",
-                                               "load.steps=6",
-                                               "load.blocks=[{cycles=3, max=50.0, ratio=-1.0}]",
-                                               "growth.increment=0.6"};
-
-/// An inclined crack whose faces slide against friction while they are closed.
-const std::vector<std::string> sliding_scene{
-    "mesh.grading=[{at=[[20.0,100.0]], size=0.3, outer_size=0.6, radius=3.0, growth=0.25}]",
-    "mesh.size=10.0",
-    "solver.tolerance=1e-12",
-    "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]",
-    "crack.0.contact.friction=0.3",
-    "load.steps=12",
-    "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
-
-/// The ends are held, and nothing is left to the structure.
-const std::vector<std::string> whole_scene{
-    "mesh.grading=[]",
-    "mesh.size=12.4",
-    "fine.radius=300.0",
-    "boundary=[{on=\"top\", displacement=[0.0, 1e-3]}, {on=\"bottom\", displacement=[0.0, 0.0]}]",
-    "load.steps=12",
-    "load.blocks=[{cycles=1, max=200.0, ratio=-1.0}]",
-    "solver.tolerance=1e-12"};
-
-/// The plastic zone reaches into a weaker metal ahead, and from there into a strip that never yields. The weaker one
-/// has a misfit, and the plate a stress across it before any load.
-const std::vector<std::string> layered_scene{
-    mesh_at_tip(0.6),
-    "mesh.size=10.0",
-    "load.steps=12",
-    "solver.tolerance=1e-12",
-    "region=[{outline=[[21.0,0.0],[23.0,200.0]], initial_stress={yy=25.0, xx=10.0}, material={young=120e3, "
-    "poisson=0.34, yield_stress=150.0, isotropic={law='voce', Q=80.0, b=20.0}, kinematic=[{C=5e3, gamma=30.0}]}}, "
-    "{outline=[[23.0,0.0],[50.0,90.0],[50.0,200.0],[23.0,200.0]], material={young=300e3, poisson=0.2}}]",
-    "initial_stress={sigma_y={at=[0.0,12.5,25.0,37.5,50.0], stress=[20.0,0.0,-20.0,0.0,20.0]}}"};
-
-/// Under a dead load, a shear behind the tension, an end that a load case moves, and a wheel on the side of the zone
-/// that rolls over the mouth of the crack.
-const std::vector<std::string> loaded_scene{
-    mesh_at_tip(0.6),
-    "mesh.size=10.0",
-    "load.steps=12",
-    "solver.tolerance=1e-12",
-    "fine.radius=30.0",
-    "load.blocks=[{cycles=1, max=35.0, min=-75.0}]",
-    "load_case=[{name='dead', constant=15.0}, {name='shear', factor=0.3, phase=90.0}, {name='moved', factor=1e-3}]",
-    "boundary=[{on='top', traction=[0.0,1.0]}, {on='top', traction=[0.0,1.0], case='dead'}, "
-    "{on='bottom', displacement=[0.0,0.0]}, {on='bottom', displacement=[0.0,-1.0], case='moved'}, "
-    "{on='top', traction=[1.0,0.0], case='shear'}, {on='left', origin=[0.0,100.0], travelling={p0=40.0, "
-    "half_width=3.0, friction=0.2, from=-12.0, to=12.0}}]"};
 
 struct SettingsOfCase {
     const char* name;
@@ -366,85 +291,6 @@ TEST_P(SharedZone, ExtendsWhereItsSceneSays) {
 
 TEST_P(SharedZone, SplitsElementsWhereItsSceneSays) {
     EXPECT_EQ(direct->mesh_splits > 0, std::string(GetParam().name) == "following");
-}
-
-/// history.csv by columns; empty cells are NaN.
-std::map<std::string, std::vector<double>> columns_of(const std::string& text) {
-    std::istringstream lines(text);
-    std::string line, cell;
-    std::getline(lines, line);
-    std::vector<std::string> names;
-    for (std::istringstream header(line); std::getline(header, cell, ',');) names.push_back(cell);
-    std::map<std::string, std::vector<double>> columns;
-    while (std::getline(lines, line)) {
-        std::istringstream row(line);
-        for (const std::string& name : names) {
-            cell.clear();
-            std::getline(row, cell, ',');
-            columns[name].push_back(cell.empty() ? std::nan("") : std::stod(cell));
-        }
-    }
-    return columns;
-}
-
-class Programs : public testing::Test {
-protected:
-    [[nodiscard]] std::string run(const std::string& mode, const std::string& ranks = "1",
-                                  const std::vector<std::string>& scene = small_scene) const {
-        std::vector<std::string> words{
-            "run",   shipped_sent,          "--mode", mode, "--fine", ranks, "-o", folder_ / mode, "--quiet",
-            "--set", "output.faces=\"all\""};
-        for (const std::string& value : scene) words.insert(words.end(), {"--set", value});
-        EXPECT_EQ(run_program("stria", words, folder_ / (mode + ".log")), 0) << text_of(folder_ / (mode + ".log"));
-        return folder_ / mode;
-    }
-
-    void expect_same_tables(const std::string& one, const std::string& other) const {
-        for (const char* file : {"/history.csv", "/faces.csv"}) {
-            EXPECT_GT(text_of(one + file).size(), 1000U);
-            EXPECT_TRUE(text_of(one + file) == text_of(other + file)) << file;
-        }
-    }
-    TemporaryFolder folder_;
-};
-
-TEST_F(Programs, TwoProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi"), run("inprocess")); }
-
-TEST_F(Programs, ThreeProgramsAndOneLeaveTheSameBytes) { expect_same_tables(run("mpi", "3"), run("inprocess", "3")); }
-
-TEST_F(Programs, TwoRanksGrowACrackAsInOneProgram) {
-    expect_same_tables(run("mpi", "2", growing_scene), run("inprocess", "2", growing_scene));
-}
-
-TEST_F(Programs, TwoRanksSlideAsInOneProgram) {
-    expect_same_tables(run("mpi", "2", sliding_scene), run("inprocess", "2", sliding_scene));
-}
-
-TEST_F(Programs, MonolithicLeavesTheSameColumnsToRounding) {
-    const auto one = columns_of(text_of(run("inprocess") + "/history.csv"));
-    const auto whole = columns_of(text_of(run("monolithic") + "/history.csv"));
-    ASSERT_EQ(one.size(), whole.size());
-    const auto largest = [](const std::vector<double>& values) {
-        double size = 0.0;
-        for (const double value : values) size = std::max(size, std::abs(value));
-        return size;
-    };
-    for (const auto& [name, values] : one) {
-        const std::vector<double>& other = whole.at(name);
-        // Spreads are relative to what passes through zero: the difference between the rings is what has to agree.
-        const std::string spread_of = name == "J_spread" ? "J" : name == "K_spread" ? "K_I" : "";
-        // K_II is zero by symmetry, and the balance is what large numbers leave.
-        const double size = largest(one.at(name == "K_II"            ? "K_I"
-                                           : name == "balance_error" ? "external_work"
-                                           : spread_of.empty()       ? name
-                                                                     : spread_of));
-        ASSERT_EQ(values.size(), other.size());
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            const bool both_empty = std::isnan(values[k]) && std::isnan(other[k]);
-            const double unit = spread_of.empty() ? 1.0 : std::abs(one.at(spread_of)[k]);
-            EXPECT_TRUE(both_empty || unit * std::abs(values[k] - other[k]) <= 1e-9 * size) << name << ' ' << k + 1;
-        }
-    }
 }
 
 }  // namespace
