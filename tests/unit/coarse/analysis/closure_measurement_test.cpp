@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -100,6 +101,78 @@ TEST_F(ClosureMeasurementTest, ALegPressesFacesWhereKIsBelowZero) {
     EXPECT_TRUE(presses(leg(30.0, 5.0, -10.0, -10.0), tip));
     EXPECT_TRUE(presses(leg(30.0, 5.0), against));
     EXPECT_FALSE(presses(leg(-30.0, -5.0), against));
+}
+
+// A signal goes on from where it stood a cycle ago: what is expected is told in units of the history, and rates with
+// it.
+TEST_F(ClosureMeasurementTest, RemembersWhereASignalCameAndWentAndHowFast) {
+    const double unit = 2.0;
+    step.target.value = 20.0;
+    measurement->commit(step, state(40.0, 300.0), {}, unit);
+    EXPECT_TRUE(std::isnan(measurement->memory().opened.at(0)));
+    const OpeningChange closes{
+        .tip = 0, .signal = 0, .closes = true, .load_factor = 8.0, .target = 8.0, .rate = {3.0, std::nan("")}},
+        opens{.tip = 0, .signal = 1, .closes = false, .load_factor = 5.0, .target = 5.0, .rate = {-1.0, 7.0}};
+    measurement->commit(step, state(40.0, 300.0), {closes, opens}, unit);
+    const ClosureMemory& memory = measurement->memory();
+    EXPECT_EQ(memory.closed.at(0), 4.0);
+    EXPECT_EQ(memory.opened.at(1), 2.5);
+    EXPECT_TRUE(std::isnan(memory.opened.at(0)) && std::isnan(memory.closed.at(1)));
+    EXPECT_EQ(memory.closing_rates.at(0), 6.0);
+    EXPECT_TRUE(std::isnan(memory.closing_rates.at(1)));
+    EXPECT_EQ(memory.opening_rates.at(2), -2.0);
+    EXPECT_EQ(memory.opening_rates.at(3), 14.0);
+    // A change whose load nobody found leaves what is known, and so does a rate.
+    OpeningChange unknown = closes;
+    unknown.load_factor = std::nan("");
+    unknown.target = 30.0;
+    OpeningChange slower = opens;
+    slower.rate = {std::nan(""), 1.0};
+    measurement->commit(step, state(40.0, 300.0), {unknown, slower}, unit);
+    EXPECT_EQ(memory.closed.at(0), 4.0);
+    EXPECT_EQ(memory.closing_rates.at(0), 6.0);
+    EXPECT_EQ(memory.opening_rates.at(2), -2.0);
+    EXPECT_EQ(memory.opening_rates.at(3), 2.0);
+}
+
+TEST_F(ClosureMeasurementTest, RemembersTheLargestOfEachSignal) {
+    commit(40.0, 300.0);
+    commit(-70.0, -20.0);
+    commit(10.0, 100.0);
+    ASSERT_EQ(measurement->memory().largest.size(), 2U);
+    const std::vector<double> largest = measurement->memory().largest;
+    EXPECT_EQ(std::abs(largest[0]), 70.0);
+    EXPECT_EQ(std::abs(largest[1]), 300.0);
+}
+
+// Trials lie between the ends, load cases at the same share of their way as [load]; one near the last trial that came
+// to equilibrium goes on from there, others from a share of the attempt.
+TEST_F(ClosureMeasurementTest, LooksForAChangeBetweenTheEnds) {
+    commit(-30.0, 300.0);
+    const ClosureMeasurement::End from{{.value = 10.0, .cases = Eigen::VectorXd::Constant(1, 4.0)}, 10.0},
+        to{{.value = 30.0, .cases = Eigen::VectorXd::Constant(1, 8.0)}, 30.0};
+    std::vector<LoadStep> trials;
+    const auto contact_at = [](double load) { return 30.0 * (load - 17.0) / (load > 17.0 ? 13.0 : 7.0); };
+    const auto solve = [&](const LoadStep& trial) {
+        trials.push_back(trial);
+        return ClosureMeter::Trial{state(contact_at(trial.target.value), 300.0), trial.target.value};
+    };
+    const std::vector<OpeningChange> found = measurement->changes(step, state(30.0, 300.0), from, to, 0.5, 1.0, solve);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(found[0].closes);
+    EXPECT_EQ(found[0].signal, 0);
+    EXPECT_NEAR(found[0].target, 17.0, 0.002 / 0.5 * 20.0);
+    ASSERT_GT(trials.size(), 1U);
+    double share_before = NAN;
+    for (const LoadStep& trial : trials) {
+        const double share = (trial.target.value - 10.0) / 20.0;
+        EXPECT_NEAR(trial.target.cases[0], 4.0 + 4.0 * share, 1e-12);
+        const bool near = std::abs(share - share_before) < 0.2;
+        EXPECT_EQ(trial.predictor.goes_on, near);
+        EXPECT_NEAR(trial.predictor.factor, near ? share - share_before : share, 1e-12);
+        EXPECT_EQ(trial.predictor.back, 0);
+        share_before = share;
+    }
 }
 
 }  // namespace

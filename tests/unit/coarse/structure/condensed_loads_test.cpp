@@ -9,8 +9,7 @@
 #include "coarse/structure/structure.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
-#include "tests/support/load_cases.hpp"
-#include "tests/support/pulled_plate.hpp"
+#include "tests/support/plate_of_load_cases.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -57,16 +56,8 @@ TEST_F(CondensedLoadsOf, AStructureReadWhatTheMeshReads) {
 class LoadCasesOf : public testing::Test {
 protected:
     static Scene loaded() {
-        Case input = test::pulled_plate(0.5, true, true);
+        Case input = test::plate_of_load_cases(0.5, true, true);
         input.fine.radius = 1.5;
-        input.boundaries[1].traction.reset();
-        input.boundaries[1].displacement = {0.0, -2e-4};
-        input.load_cases = {test::lagging_load("moved", 1.0), test::dead_load("pressed", 1.0)};
-        BoundarySection moved = test::held("bottom"), pressed = test::pulled_in_case("pressed", "right", {0.1, 0.0});
-        moved.displacement[1] = 3e-4;
-        moved.load_case = "moved";
-        pressed.pressure = 0.5;
-        input.boundaries.insert(input.boundaries.end(), {moved, pressed});
         return refined_scene(input);
     }
 
