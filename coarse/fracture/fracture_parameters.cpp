@@ -6,7 +6,6 @@
 #include <span>
 #include <tuple>
 
-#include "coarse/enrichment/crack_length.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/model/reported_length.hpp"
 #include "common/case/case_questions.hpp"

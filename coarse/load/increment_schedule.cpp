@@ -190,13 +190,13 @@ void IncrementSchedule::add(double way, std::vector<double> openings) {
 }
 
 // A measurement costs about as much as the leg: one where a block of cycles has come to itself, and one in many after
-// it.
+// it. Where no opening is known, as where a crack is shorter than the distance, it would tell nothing: none is used up.
 bool IncrementSchedule::measures(bool rises, bool alike) const {
     const Legs& legs = rises ? state_.rising : state_.falling;
     const int in_a_row = alike ? legs.alike + 1 : 0;
     const bool due =
         legs.unmeasured >= measured_at_last || (legs.unmeasured >= measured_after && in_a_row == in_a_row_before);
-    return chooses_ && due && is_cycle(state_.path);
+    return chooses_ && due && is_cycle(state_.path) && knows_an_opening(state_.path);
 }
 
 void IncrementSchedule::add(TwoAsOne pair) {
@@ -226,7 +226,7 @@ void IncrementSchedule::learn(bool rises) {
 void IncrementSchedule::end_leg(bool rises, bool alike) {
     if (!chooses_ || state_.path.way.empty()) return;
     Legs& legs = rises ? state_.rising : state_.falling;
-    legs.alike = alike ? legs.alike + 1 : 0;
+    legs.alike = alike && knows_an_opening(state_.path) ? legs.alike + 1 : 0;
     if (is_cycle(state_.path)) learn(rises);
     state_.pairs.clear();
     begin(std::vector<double>(state_.path.opening.back()));

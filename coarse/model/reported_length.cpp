@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "coarse/enrichment/crack_front.hpp"
+#include "coarse/enrichment/crack_length.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "common/error.hpp"
 

@@ -245,7 +245,8 @@ void declare_ends(Section<GrowthSection>& s) {
     s.value("until", &GrowthSection::until)
         .in("mm")
         .positive()
-        .says("The run ends when a crack is as long. By a law of da/dN the last increment is cut to it.");
+        .says("The run ends when a crack is as long, and none is as it begins. By a law of da/dN the last increment is "
+              "cut to it.");
     s.value("toughness", &GrowthSection::toughness)
         .in("MPa sqrt(mm)")
         .positive()

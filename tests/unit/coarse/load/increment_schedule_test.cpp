@@ -318,6 +318,24 @@ TEST(IncrementSchedule, MeasuresNowAndThen) {
     EXPECT_FALSE(ramp.measures(true, true)) << "a leg whose start nobody has seen";
 }
 
+// A crack that is shorter than the distance at which openings are looked at grows beyond it.
+TEST(IncrementSchedule, MeasuresOnceAnOpeningIsKnown) {
+    IncrementSchedule schedule(LoadSection{});
+    const auto measures_after_leg = [&](double opening) {
+        const std::vector<double> ways = schedule.ways(true);
+        schedule.begin({opening});
+        const bool measures = schedule.measures(true, true);
+        for (std::size_t k = 1; k < ways.size(); ++k) schedule.add(ways[k], {opening + ways[k]});
+        schedule.end_leg(true, true);
+        return measures;
+    };
+    for (int legs = 0; legs < 10; ++legs)
+        EXPECT_FALSE(measures_after_leg(std::numeric_limits<double>::quiet_NaN())) << legs;
+    bool measures = false;
+    for (int legs = 0; legs < 4; ++legs) measures = measures || measures_after_leg(1.0);
+    EXPECT_TRUE(measures) << "as of a crack that has been long enough from the beginning";
+}
+
 // Extremes stay exact, each leg keeps its number until it is measured again, and a run that is gone on with has learned
 // what the first one had.
 TEST(IncrementSchedule, GuidesTheController) {
