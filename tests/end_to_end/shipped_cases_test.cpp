@@ -99,7 +99,7 @@ double life_to(double a, const std::vector<std::string>& values) {
 TEST(ShippedCases, ParisLifeDoesNotDependOnIncrementsFourTimesFinerLong) {
     const double chosen = life_to(13.0, {"growth.increment=auto"});
     const double finer = life_to(13.0, {"growth.increment=0.02495", "load.blocks.0.cycles=100"});
-    EXPECT_NEAR(chosen, finer, 0.005 * finer);  // measured: 0.0002
+    EXPECT_NEAR(chosen, finer, 0.005 * finer);  // measured: 0.0014
 }
 
 TEST(ShippedCases, ResidualStressShortensTheLifeOfTheTJointAsItsReadmeSaysLong) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "tests/support/pulled_plate.hpp"
@@ -72,18 +74,24 @@ TEST_F(CrackedBodyOf, AGrownCrackHasTheNominalSolutionOfItsLength) {
     EXPECT_EQ(body.nominal_at_start().K_I.at(0), at_start.at(0).K_I);
 }
 
-// The elements that the crack newly cuts, and those about the old and the new tip.
+// The elements that the crack newly cuts, and those about the new tip.
 TEST_F(CrackedBodyOf, AZoneTakesWhatChangesItsFunctions) {
     Case input = pulled(true);
     input.fine.radius = 0.3;
     const Scene scene = refined_scene(input);
     CrackedBody body(scene, effort, silent, nullptr);
-    const auto next = longer(body, 1.1);
+    const auto next = longer(body, 2.1);  // some that it cuts are not about the new tip
     const ElementSet zone = body.zone_with_changes(*next);
     for (const CrackPiece& piece : next->enriched.pieces) {
         const bool is_new = piece.points.back().x() > 7.3;
         EXPECT_TRUE(!is_new || zone.contains(piece.element)) << piece.element;
     }
+    const auto sees_tip = [&](int node) {
+        return std::ranges::any_of(next->enriched.terms[at(node)],
+                                   [](const Term& term) { return term.kind == Term::Kind::Tip; });
+    };
+    for (int e = 0; e < zone.size(); ++e)
+        EXPECT_TRUE(zone.contains(e) || std::ranges::none_of(next->enriched.elements[at(e)], sees_tip)) << e;
     EXPECT_TRUE(std::ranges::any_of(next->enriched.pieces,
                                     [&](const CrackPiece& piece) { return !body.in_zone().contains(piece.element); }));
 }
@@ -121,6 +129,13 @@ TEST_F(CrackedBodyOf, AStateGoesOnFromWhereItWasWritten) {
     EXPECT_EQ(resumed.nominal().at(0).K_I, body.nominal().at(0).K_I);
     EXPECT_EQ(resumed.largest_K(), body.largest_K());
     EXPECT_EQ(resumed.structure().tangent(), body.structure().tangent());
+    // What only a later growth or a K that controls asks for.
+    EXPECT_GT(state.unit_displacement.mean, body.nominal_at_start().displacement.mean);
+    EXPECT_FALSE(state.still_of_nominal == StillElements());
+    AnalysisState rewritten;
+    resumed.write(rewritten);
+    EXPECT_EQ(rewritten.unit_displacement.mean, state.unit_displacement.mean);
+    EXPECT_EQ(rewritten.still_of_nominal, state.still_of_nominal);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coarse/equilibrium/condensed/condensed_factory.hpp"
@@ -101,16 +102,21 @@ TEST(TwoScaleModel, KeepsItsEquilibriumWhereTheZoneGrows) {
     Pulled pulled(scene);
     const Increment before = pulled.go_to(25.0);
     const int outside = [&] {
+        const auto is_loaded = [&](int node) { return scene.unit_force[scene.enriched.unknown(node, 0, 1)] > 0.0; };
         int e = 0;
-        while (pulled.body.in_zone().contains(e)) ++e;
+        while (pulled.body.in_zone().contains(e) || std::ranges::none_of(scene.mesh.elements[at(e)], is_loaded)) ++e;
         return e;
     }();
+    LoadStep tried;
+    tried.target.value = 30.0;
+    ASSERT_TRUE(pulled.model.solve(tried, [] { return true; }).converged);
     const auto zone = pulled.body.in_zone().count();
     pulled.model.extend_zone({outside});
     EXPECT_TRUE(pulled.body.in_zone().contains(outside));
     EXPECT_GT(pulled.body.in_zone().count(), zone);
     EXPECT_EQ(pulled.effort.counts.zone_extensions, 1);
     EXPECT_EQ(pulled.model.load_factor(), 25.0);
+    EXPECT_NEAR(pulled.model.loaded_displacement(), before.machine.displacement, 1e-12);
     const Increment after = pulled.go_to(25.0);
     EXPECT_NEAR(after.machine.displacement, before.machine.displacement, 1e-5 * before.machine.displacement);
     EXPECT_NEAR(after.work.external, before.work.external, 1e-5 * before.work.external);

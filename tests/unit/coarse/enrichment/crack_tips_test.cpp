@@ -49,12 +49,12 @@ TEST(CrackTips, OfAnEdgeCrackIsTheEndThatLiesInside) {
     EXPECT_EQ(from_left[0].upper, -to_left[0].upper);
 }
 
-// A tip just behind the edge of an element: its last piece runs to where nodes and edges have pulled the way in.
+// A tip just behind a node, which has pulled the beginning of its last piece onto itself.
 TEST(CrackTips, LookWhereTheCrackIsGivenToGo) {
-    const Vec2 bend(0.5 + 1e-9, 0.4), end(0.6, 0.45);
-    const std::vector<Tip> tips = tips_of(test::square_mesh(4), path_along({{0.0, 0.4}, bend, end}));
+    const Vec2 bend(0.3, 0.3002), end(0.51, 0.5102);
+    const std::vector<Tip> tips = tips_of(test::square_mesh(4), path_along({{0.0, 0.3}, bend, end}));
     ASSERT_EQ(tips.size(), 1U);
-    EXPECT_LT((tips[0].direction - (end - bend).normalized()).norm(), 1e-7);
+    EXPECT_LT((tips[0].direction - (end - bend).normalized()).norm(), 1e-12);
 }
 
 // At the end on edges that it moves to, the faces end 0.14 mm before one tip and 0.11 mm beyond the other.
@@ -84,6 +84,8 @@ TEST(CrackTips, HaveTheirCrackBehindThem) {
     const std::vector<Vec2> hook{mouth, {0.47, 0.55}, {0.55, 0.6}, {0.55, 0.66}, {0.45, 0.7}};
     EXPECT_THROW(require(hook), CrackOffMesh);
     EXPECT_NO_THROW(require({mouth, {0.3, 0.55}, {0.8, 0.55}, {0.8, 0.9}, {0.6, 0.95}}));
+    // It turns back within its last element, and yet no point of it lies ahead.
+    EXPECT_THROW(require({{0.36, 0.0}, {0.36, 0.53}, {0.48, 0.55}, {0.48, 0.57}, {0.43, 0.62}}), CrackOffMesh);
 }
 
 }  // namespace

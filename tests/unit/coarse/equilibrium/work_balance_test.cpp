@@ -113,6 +113,18 @@ TEST_F(WorkBalanceOf, ContactTakesItsPartOfThoseLoadsThatChange) {
     add_increment(without, structure, equilibrium.structure_displacement(), dead_load_grows,
                   equilibrium.machine_reading(), {});
     EXPECT_NEAR(balance.by_cases[1], without.by_cases[1] - 0.5, 1e-9 * std::abs(before.external));
+    // Both grow: the main load moves the bottom, too.
+    const WorkBalance between = balance;
+    without = balance;
+    const LoadFactors both_grow{60.0, Eigen::Vector2d(0.0, 120.0)};
+    go_to(both_grow, zone);
+    add_increment(without, structure, equilibrium.structure_displacement(), both_grow, equilibrium.machine_reading(),
+                  {});
+    const double of_main = 30.0 * (std::abs(balance.load_displacement - between.load_displacement) +
+                                   std::abs(balance.imposed_force - between.imposed_force)),
+                 of_case = 40.0 * std::abs(balance.case_displacements[1] - between.case_displacements[1]);
+    EXPECT_NEAR(balance.by_cases[1], without.by_cases[1] - 0.5 * of_case / (of_main + of_case),
+                1e-9 * std::abs(before.external));
 }
 
 // An initial stress has done work before anybody loads the body.
