@@ -128,17 +128,20 @@ TEST(Rings, AnInclinedCrackPushedShutSlides) {
     }
 }
 
+BoundarySection force_at(const Vec2& place, const Vec2& force) {
+    BoundarySection point;
+    point.on = "point";
+    point.at = place;
+    point.force = force;
+    return point;
+}
+
 // Pushed at two points on its line a plate opens its crack as a Brazilian disc does. Beside a point the stress is that
 // of 1/r, whose square only a fine mesh could sum up.
 TEST(Rings, StayOffPointsAtWhichStressIsSingular) {
     Case pushed = specimen("plate", 1.0, {{0.25, 0.507}, {0.75, 0.507}});
     pushed.mesh.size = 0.0125;
-    pushed.boundaries.resize(2);
-    for (const std::size_t k : {0U, 1U}) {
-        pushed.boundaries[k].on = "point";
-        pushed.boundaries[k].at = Vec2(k == 0 ? 0.0 : 1.0, 0.5);
-        pushed.boundaries[k].force = Vec2(k == 0 ? 1.0 : -1.0, 0.0);
-    }
+    pushed.boundaries = {force_at({0.0, 0.5}, {1.0, 0.0}), force_at({1.0, 0.5}, {-1.0, 0.0})};
     const ElasticSolution solution(pushed);
     for (const coarse::TipResult& tip : solution.tips) {
         const double J = tip.J * plane_modulus / (tip.K_I * tip.K_I + tip.K_II * tip.K_II);
@@ -153,12 +156,7 @@ TEST(Rings, StayOffPointsAtWhichStressIsSingular) {
 TEST(Rings, EndBeforeAPointThatIsMoved) {
     Case pulled = specimen("plate", 2.0, {{0.375, 1.0}, {0.625, 1.0}});
     pulled.mesh.size = 0.025;
-    pulled.boundaries.resize(2);
-    for (const std::size_t k : {0U, 1U}) {
-        pulled.boundaries[k].on = "point";
-        pulled.boundaries[k].at = Vec2(0.675, k == 0 ? 1.075 : 0.925);
-        pulled.boundaries[k].force = Vec2(0.0, k == 0 ? 1.0 : -1.0);
-    }
+    pulled.boundaries = {force_at({0.675, 1.075}, {0.0, 1.0}), force_at({0.675, 0.925}, {0.0, -1.0})};
     Case moved = pulled;
     for (BoundarySection& point : moved.boundaries) {
         point.displacement[1] = point.force->y();
