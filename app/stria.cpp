@@ -7,7 +7,7 @@
 #include "app/run/launch.hpp"
 #include "app/run/run.hpp"
 #include "app/study/study.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/linear/blas.hpp"
 
 #include <fmt/format.h>

@@ -17,7 +17,7 @@
 #include "common/linear/lapack.hpp"
 #include "fine/bulk/points/element_kernels.hpp"
 #include "fine/contact/contact_interface.hpp"
-#include "fine/material/material_law.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 
 namespace {
 

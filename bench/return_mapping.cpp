@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "fine/material/material_law.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 
 #include "common/index.hpp"
 

@@ -6,7 +6,7 @@
 #include "coarse/fracture/nominal_solution.hpp"
 #include "coarse/zone/refined_scene.hpp"
 #include "coarse/zone/zone_selection.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 

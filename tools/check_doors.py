@@ -22,7 +22,7 @@ DOORS = [
     ("CGAL", r"CGAL/", ["common/geometry/clipping.cpp"]),
     ("CHOLMOD and UMFPACK", r"(suitesparse/)?(cholmod|umfpack|amd|colamd|SuiteSparse_config)\w*\.h$", ["common/linear/", "common/substructure/sparse_leaf.cpp"]),
     ("HDF5", r"(hdf5|hdf5_hl|H5\w*)\.h$", ["common/io/hdf5.cpp"]),
-    ("toml++", r"(toml\+\+/|toml\.hpp$)", ["common/case/case_file.cpp"]),
+    ("toml++", r"(toml\+\+/|toml\.hpp$)", ["common/case/schema/case_file.cpp"]),
     ("CLI11", r"CLI/", ["app/command_line.cpp"]),
     ("nlohmann-json", r"nlohmann/", ["app/results/run_files.cpp"]),
 ]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Checks the order inside the top folders: rooms and sub-folders include one another one way, and none grows too large.
+"""Checks the order inside the top folders: rooms and folders include one another one way, and none grows too large.
 
-A room is x.hpp with x.cpp. No circle of rooms, none of sub-folders; a sub-folder includes only what stands before it in ORDER.
+A room is x.hpp with x.cpp. No circle of rooms, none of folders; a sub-folder includes only what stands before it in ORDER.
 A folder inside a sub-folder stands above it or below it: it includes the sub-folder, or the sub-folder includes it.
 """
 
@@ -26,7 +26,7 @@ ORDER = {
     ],
     "coupling": [".", "transport", "ranks"],
     "coarse": [
-        "load", "mesh_file", "specimen", "enrichment", "model", "elements", "structure", "fracture", "equilibrium", "zone", "advice", "cycle", "analysis", "fields", "results",
+        "load", "mesh_file", "specimen", "enrichment", "model", "elements", "structure", "fracture", "equilibrium", "zone", "advice", "cycle", "growth", "analysis", "fields", "results",
     ],
     "fine": ["material", "growth", "bulk", "contact", "zone"],
     "app": ["process", "results", "run", "charts", "report", "study", "material", "."],
@@ -34,13 +34,6 @@ ORDER = {
 
 # Folders whose sources all live in a sub-folder.
 WITHOUT_LOOSE_FILES = ["coarse", "fine"]
-
-# Deeper folders include one another one way, too, but for these circles.
-FOLDER_CIRCLES = [
-    ["coarse/analysis", "coarse/analysis/growth"],
-    ["common/case", "common/case/checks", "common/case/loads"],
-    ["fine/material", "fine/material/implicit"],
-]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
@@ -107,13 +100,8 @@ def folder(path):
 
 def folder_complaints(top):
     arrows = {(folder(file), folder(header)) for file, header in includes_inside(top) if folder(file) != folder(header)}
-    found = circles(arrows)
-    for circle in found:
-        if circle not in FOLDER_CIRCLES:
-            yield f"{top}: circle of folders {', '.join(circle)}"
-    for circle in FOLDER_CIRCLES:
-        if circle[0].split("/")[0] == top and circle not in found:
-            yield f"{top}: no circle of folders {', '.join(circle)} any more; FOLDER_CIRCLES may lose it"
+    for circle in circles(arrows):
+        yield f"{top}: circle of folders {', '.join(circle)}"
 
 
 def order_complaints(top):

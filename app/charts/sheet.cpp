@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/charts/drawing.hpp"
+#include "app/results/run_tables.hpp"
 
 namespace stria::charts {
 
@@ -26,6 +27,13 @@ std::string in_address(const std::string& text) {
 }
 
 }  // namespace
+
+Sheet sheet_of(const NumberTable& table, const std::string& name, const std::vector<std::size_t>& rows,
+               const std::vector<std::string>& columns) {
+    Sheet sheet{.name = name};
+    for (const std::string& column : columns) sheet.columns.push_back({column, values_of(table, column, rows)});
+    return sheet;
+}
 
 const std::vector<double>& Sheet::operator[](const std::string& column) const {
     const auto found = std::ranges::find(columns, column, &Column::name);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/charts/chart.hpp"
+#include "common/io/number_table.hpp"
 
 namespace stria::charts {
 
@@ -19,6 +20,10 @@ struct Sheet {
     /// Throws std::out_of_range where there is none of that name.
     [[nodiscard]] const std::vector<double>& operator[](const std::string& column) const;
 };
+
+/// Those rows and columns of a table of a run, under their own names.
+Sheet sheet_of(const NumberTable& table, const std::string& name, const std::vector<std::size_t>& rows,
+               const std::vector<std::string>& columns);
 
 /// A header and one line per row; each number in the shortest form that reads back the same, as in the tables of a run.
 std::string csv(const Sheet& sheet);

@@ -8,6 +8,7 @@
 #include "coarse/load/load_history.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/material/hardening_curve.hpp"
 
 namespace stria::material {

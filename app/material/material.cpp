@@ -9,7 +9,7 @@
 #include "app/charts/chart.hpp"
 #include "app/material/cyclic_test.hpp"
 #include "app/process/exit_code.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/csv.hpp"
 #include "common/io/file_failure.hpp"

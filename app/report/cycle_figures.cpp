@@ -22,10 +22,7 @@ constexpr const char* K_unit = "MPa sqrt(mm)";
 /// The columns of cycles.csv for one tip, under their own names.
 Sheet columns_of(const RunRecord& run, std::size_t tip, const std::string& name,
                  const std::vector<std::string>& columns) {
-    Sheet sheet{.name = fmt::format("{}-tip-{}", name, tip)};
-    const std::vector<std::size_t> rows = rows_of_tip(run.cycles, tip);
-    for (const std::string& column : columns) sheet.columns.push_back({column, values_of(run.cycles, column, rows)});
-    return sheet;
+    return charts::sheet_of(run.cycles, fmt::format("{}-tip-{}", name, tip), rows_of_tip(run.cycles, tip), columns);
 }
 
 std::string name_of_tip(const RunRecord& run, std::size_t tip, const std::string& what) {

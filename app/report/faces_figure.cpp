@@ -103,7 +103,7 @@ std::string name_of(const RunRecord& run, const FaceState& state) {
                        run.history["load_factor"][row], std::isnan(a) ? "" : fmt::format(", a = {:.6g} mm", a));
 }
 
-charts::Sheet sheet_of(const States& states, int crack) {
+charts::Sheet sheet_of_faces(const States& states, int crack) {
     charts::Sheet sheet{.name = fmt::format("faces-{}", crack)};
     sheet.columns = {{"increment", {}}, {"s", {}}, {"opening", {}}, {"slip", {}}, {"pressure", {}}, {"shear", {}}};
     for (const FaceState& state : states) {
@@ -136,7 +136,7 @@ std::string slides_of(const RunRecord& run, const States& states, int crack) {
         charts.push_back(chart_of_values(states, "Slip, micrometres", &FaceState::slip, micrometres));
     std::vector<std::string> names;
     for (const FaceState& state : states) names.push_back(name_of(run, state));
-    return charts::slides(charts, names, first_shown(states), csv_link(sheet_of(states, crack)));
+    return charts::slides(charts, names, first_shown(states), csv_link(sheet_of_faces(states, crack)));
 }
 
 }  // namespace

@@ -19,13 +19,6 @@ using Rows = std::vector<std::size_t>;
 
 constexpr std::size_t most_loops = 5, most_increments = 1500;
 
-Sheet sheet_of(const NumberTable& table, const std::string& name, const Rows& rows,
-               const std::vector<std::string>& columns) {
-    Sheet sheet{.name = name};
-    for (const std::string& column : columns) sheet.columns.push_back({column, values_of(table, column, rows)});
-    return sheet;
-}
-
 std::string chart_of(const Sheet& sheet, const std::vector<std::string>& curves, LineChart chart) {
     for (const std::string& column : curves) {
         chart.curves.push_back(curve_of(sheet, sheet.columns.front().name, column));
@@ -72,7 +65,7 @@ std::string loops_over(const RunRecord& run, const std::vector<Rows>& cycles, co
                                 .markers = false});
         all.insert(all.end(), rows.begin(), rows.end());
     }
-    const Sheet sheet = sheet_of(run.history, "load-" + column, all, {"increment", "cycle", "load", column});
+    const Sheet sheet = charts::sheet_of(run.history, "load-" + column, all, {"increment", "cycle", "load", column});
     return charts::captioned(svg(chart), csv_link(sheet));
 }
 
@@ -103,8 +96,9 @@ std::string note_on(const RunRecord& run, const Rows& shown) {
 }
 
 Figure fracture(const RunRecord& run, const Rows& rows) {
-    const Sheet sheet = sheet_of(run.history, "fracture", rows,
-                                 {"increment", "load_factor", "K_I", "K_II", "J", "contact_length", "plastic_zone"});
+    const Sheet sheet =
+        charts::sheet_of(run.history, "fracture", rows,
+                         {"increment", "load_factor", "K_I", "K_II", "J", "contact_length", "plastic_zone"});
     const std::string x = "increment";
     return {.title = "From increment to increment",
             .sentence = "The first tip." + note_on(run, rows),
@@ -116,9 +110,9 @@ Figure fracture(const RunRecord& run, const Rows& rows) {
 }
 
 Figure work(const RunRecord& run, const Rows& rows) {
-    const Sheet sheet = sheet_of(run.history, "work", rows,
-                                 {"increment", "external_work", "stored_energy", "dissipation", "released_energy",
-                                  "frictional_dissipation", "balance_error"});
+    const Sheet sheet = charts::sheet_of(run.history, "work", rows,
+                                         {"increment", "external_work", "stored_energy", "dissipation",
+                                          "released_energy", "frictional_dissipation", "balance_error"});
     return {
         .title = "Work balance",
         .sentence = "Per mm of thickness, total so far. The error is what the loads have done less what is "
@@ -135,12 +129,12 @@ Figure convergence(const RunRecord& run, const Rows& rows) {
     Figure figure{.title = "Convergence"};
     const LineChart empty{.title = "Newton iterations", .x_label = "increment", .from_zero = true};
     if (rows.size() == rows_of_tip(run.history, 0).size()) {
-        const Sheet sheet = sheet_of(run.history, "iterations", rows, {"increment", "newton_iterations"});
+        const Sheet sheet = charts::sheet_of(run.history, "iterations", rows, {"increment", "newton_iterations"});
         figure.charts.push_back(chart_of(sheet, {"newton_iterations"}, empty));
         figure.tables = csv_link(sheet);
     }
-    const Sheet cycles = sheet_of(run.cycles, "effort", rows_of_tip(run.cycles, 0),
-                                  {"cycle", "newton_iterations", "wall_s", "fine_points", "fine_unknowns"});
+    const Sheet cycles = charts::sheet_of(run.cycles, "effort", rows_of_tip(run.cycles, 0),
+                                          {"cycle", "newton_iterations", "wall_s", "fine_points", "fine_unknowns"});
     if (run.cycles.rows < 2) return figure;
     LineChart of_cycle{.title = "Newton iterations of a cycle", .x_label = "cycle", .from_zero = true};
     figure.charts.push_back(chart_of(cycles, {"newton_iterations"}, of_cycle));

@@ -12,7 +12,7 @@
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/reported_length.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/checksum.hpp"
 #include "common/io/whole_file.hpp"

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "fine/zone/fine_model.hpp"
 

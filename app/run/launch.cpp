@@ -6,8 +6,8 @@
 #include "app/run/run_lock.hpp"
 #include "coarse/results/result_files.hpp"
 #include "coarse/results/run_status.hpp"
-#include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/process/exit_code.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "coupling/transport/mpi_transport.hpp"
 
 namespace stria {

@@ -7,8 +7,8 @@
 #include "app/process/children.hpp"
 #include "app/run/launch.hpp"
 #include "app/study/runner.hpp"
-#include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/case/schema/case_file.hpp"
 
 namespace stria::study {
 

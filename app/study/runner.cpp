@@ -13,8 +13,8 @@
 #include "app/run/run_lock.hpp"
 #include "app/study/plan.hpp"
 #include "coarse/results/result_files.hpp"
-#include "common/case/case_file.hpp"
 #include "common/case/case_questions.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/checksum.hpp"
 

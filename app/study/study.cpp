@@ -12,7 +12,7 @@
 #include "app/study/page.hpp"
 #include "app/study/plan.hpp"
 #include "app/study/runner.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
 #include "common/io/whole_file.hpp"

@@ -13,7 +13,7 @@
 #include "coarse/model/rings.hpp"
 #include "coarse/specimen/regions.hpp"
 #include "common/case/case_questions.hpp"
-#include "common/case/method_schema.hpp"
+#include "common/case/schema/method_schema.hpp"
 
 namespace stria::coarse {
 namespace {

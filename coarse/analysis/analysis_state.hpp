@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "coarse/analysis/closure_measurement.hpp"
-#include "coarse/analysis/growth/growth_increment.hpp"
-#include "coarse/analysis/growth/tip_rates.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/elements/coarse_elements.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/growth/growth_increment.hpp"
+#include "coarse/growth/tip_rates.hpp"
 #include "coarse/load/load_controller.hpp"
 #include "coarse/load/load_scale.hpp"
 #include "coarse/model/mesh_refinement.hpp"

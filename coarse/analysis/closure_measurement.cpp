@@ -8,6 +8,11 @@ namespace {
 
 constexpr double precision = 0.002;  // of the largest loads of a half cycle
 
+/// Whether loads press the faces of a tip together, beside an initial stress.
+bool presses(const TipResult& nominal, const LoadFactors& loads) {
+    return (nominal.K_initial != 0.0 ? K_I_under(nominal, loads) : rise_of_K(nominal, loads)) < 0.0;
+}
+
 }  // namespace
 
 bool ClosureMeasurement::has_changed(const LoadStep& step, const NewtonReport& report) const {
@@ -49,8 +54,7 @@ LegOutlook ClosureMeasurement::outlook(const LegEnds& leg, const std::vector<Tip
         const double rise = rise_of_K(nominal[t], changes);
         const bool with_load = rise * changes.main >= 0.0;
         (with_load ? outlook.senses.with_load : outlook.senses.against_load) = true;
-        for (const LoadFactors& end : {leg.from, leg.to})
-            outlook.presses = outlook.presses || rise_of_K(nominal[t], end) < 0.0;
+        for (const LoadFactors& end : {leg.from, leg.to}) outlook.presses = outlook.presses || presses(nominal[t], end);
         if (rise < 0.0 && t * signals < memory_.closed.size()) outlook.met.push_back(memory_.closed[t * signals]);
     }
     return outlook;

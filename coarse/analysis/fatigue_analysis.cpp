@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "coarse/analysis/limit_load_hint.hpp"
+#include "coarse/advice/limit_load_hint.hpp"
 #include "coarse/analysis/run_texts.hpp"
 #include "coarse/analysis/settled_stress.hpp"
 #include "common/error.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "coarse/analysis/closure_measurement.hpp"
-#include "coarse/analysis/growth/crack_growth.hpp"
+#include "coarse/analysis/crack_growth.hpp"
 #include "coarse/analysis/two_scale_model.hpp"
 
 namespace stria::coarse {

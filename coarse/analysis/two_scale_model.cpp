@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "coarse/analysis/limit_load_hint.hpp"
+#include "coarse/advice/limit_load_hint.hpp"
 #include "coarse/equilibrium/carried_increments.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/structure/gamma.hpp"

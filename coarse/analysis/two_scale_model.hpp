@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "coarse/analysis/committed_displacement.hpp"
-#include "coarse/analysis/growth/crack_growth.hpp"
-#include "coarse/analysis/growth/room_of_tips.hpp"
+#include "coarse/analysis/crack_growth.hpp"
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"
+#include "coarse/growth/room_of_tips.hpp"
 #include "coarse/zone/yield_guard.hpp"
 
 namespace stria::coarse {

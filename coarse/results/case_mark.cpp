@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <sstream>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
 

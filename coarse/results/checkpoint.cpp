@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "coarse/results/checkpoint_members.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/archive.hpp"
 #include "common/io/sealed_file.hpp"

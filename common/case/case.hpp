@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/case/loads/load_sections.hpp"
+#include "common/case/load_sections.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/or_auto.hpp"
 

@@ -77,13 +77,7 @@ public:
     }
 };
 
-/// The law of a case, of plane strain or plane stress: J2 with isotropic and kinematic hardening, or elastic where no
-/// yield stress is given. `substeps`: of a strain increment at points that flow. Throws CaseError for parameters that
-/// make no law.
-std::unique_ptr<MaterialLaw> make_material_law(const MaterialSection& material, PlaneState plane, int substeps = 1);
-
 /// The laws of a body, by material.
 using MaterialLaws = std::vector<std::unique_ptr<MaterialLaw>>;
-[[nodiscard]] MaterialLaws make_material_laws(const Materials& materials, int substeps = 1);
 
 }  // namespace stria::fine

@@ -8,6 +8,7 @@
 #include "coupling/messages.hpp"
 #include "fine/bulk/bulk.hpp"
 #include "fine/contact/contact_interface.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/zone/taken_over.hpp"
 #include "fine/zone/zone_at_rest.hpp"
 #include "fine/zone/zone_memory.hpp"

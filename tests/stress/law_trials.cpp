@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/material/hardening_curve.hpp"
 #include "tests/stress/random_metal.hpp"
 #include "tests/support/material_point.hpp"

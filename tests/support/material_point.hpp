@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/index.hpp"
-#include "fine/material/material_law.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 
 namespace stria::test {
 

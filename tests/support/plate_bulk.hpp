@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fine/bulk/bulk.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {

@@ -3,6 +3,7 @@
 
 #include "fine/bulk/bulk_elements.hpp"
 #include "fine/bulk/points/point_history.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "tests/support/plates.hpp"
 
 namespace stria::test {

@@ -13,7 +13,7 @@
 #include "coarse/model/mesh_refinement.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/linear/blas.hpp"
 #include "fine/zone/fine_model.hpp"
 #include "tests/support/folders.hpp"

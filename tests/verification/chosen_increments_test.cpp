@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "tests/support/folders.hpp"
 #include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"

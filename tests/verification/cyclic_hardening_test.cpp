@@ -15,6 +15,7 @@
 #include "app/material/cyclic_test.hpp"
 #include "app/material/driven_point.hpp"
 #include "common/index.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/material/hardening_curve.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/material_catalogue.hpp"

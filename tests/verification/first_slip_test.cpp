@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "tests/support/folders.hpp"
 #include "tests/support/sent_analysis.hpp"
 

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "coarse/analysis/growth/crack_advance.hpp"
+#include "coarse/growth/crack_advance.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/specimens.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "coarse/analysis/growth/crack_advance.hpp"
+#include "coarse/growth/crack_advance.hpp"
 #include "common/fem/centre.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/layered_plates.hpp"

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <numeric>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "tests/support/folders.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"

@@ -12,7 +12,7 @@
 #include "coarse/model/mesh_refinement.hpp"
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/specimen.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/integration/crack_faces.hpp"
 #include "tests/support/comparison.hpp"

@@ -15,7 +15,7 @@
 
 #include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/zone/refined_scene.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/index.hpp"
 #include "tests/support/comparison.hpp"
 #include "tests/support/folders.hpp"

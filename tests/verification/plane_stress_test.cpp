@@ -12,6 +12,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "common/geometry/vec2.hpp"
 #include "common/index.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "tests/support/elastic_scene.hpp"
 #include "tests/support/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "coarse/results/result_files.hpp"
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 
 namespace stria::report {

@@ -4,6 +4,7 @@
 
 #include "app/material/cyclic_test.hpp"
 #include "common/error.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "tests/support/material_catalogue.hpp"
 
 namespace stria::test {

@@ -101,6 +101,10 @@ TEST_F(ClosureMeasurementTest, ALegPressesFacesWhereKIsBelowZero) {
     EXPECT_TRUE(presses(leg(30.0, 5.0, -10.0, -10.0), tip));
     EXPECT_TRUE(presses(leg(30.0, 5.0), against));
     EXPECT_FALSE(presses(leg(-30.0, -5.0), against));
+    const TipResult closed{.K_I = 10.0, .K_initial = -50.0}, opened{.K_I = 10.0, .K_initial = 50.0};
+    EXPECT_FALSE(presses(leg(30.0, 6.0), closed));
+    EXPECT_TRUE(presses(leg(30.0, 4.0), closed));
+    EXPECT_FALSE(presses(leg(30.0, -4.0), opened));
 }
 
 // A signal goes on from where it stood a cycle ago: what is expected is told in units of the history, and rates with

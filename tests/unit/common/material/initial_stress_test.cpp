@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "common/case/region_schema.hpp"
+#include "common/case/schema/region_schema.hpp"
 #include "common/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 

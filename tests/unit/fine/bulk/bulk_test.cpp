@@ -10,6 +10,7 @@
 #include <map>
 
 #include "common/index.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"
 #include "tests/support/plate_bulk.hpp"
 

@@ -11,6 +11,7 @@
 #include "tests/support/material_point.hpp"
 
 #include "common/index.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 
 namespace stria::test {
 namespace {

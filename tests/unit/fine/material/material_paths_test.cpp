@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/material/hardening_curve.hpp"
 #include "tests/support/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"

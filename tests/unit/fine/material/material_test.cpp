@@ -14,6 +14,7 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "fine/material/hardening_curve.hpp"
 #include "tests/support/material_catalogue.hpp"
 #include "tests/support/material_point.hpp"

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "fine/material/catalogue/material_catalogue.hpp"
 #include "tests/support/point_histories.hpp"
 
 namespace stria::test {

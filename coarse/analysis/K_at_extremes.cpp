@@ -1,0 +1,43 @@
+#include "coarse/analysis/K_at_extremes.hpp"
+
+#include <utility>
+
+#include "coarse/growth/crack_advance.hpp"
+
+namespace stria::coarse {
+namespace {
+
+bool is_of_one_load(const CrackedBody& body, const ReachedExtremes& reached) {
+    return reached.maximum.cases.size() == 0 && !body.scene().initial_stress().any();
+}
+
+/// Where a load has gone at its maximum the one of the minimum is left.
+double sign_of_load(const ReachedExtremes& reached) {
+    const double factor = reached.maximum.main != 0.0 ? reached.maximum.main : reached.minimum.main;
+    return factor < 0.0 ? -1.0 : 1.0;
+}
+
+std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
+    for (TipResult& tip : nominal) {
+        tip.K_I = K_I_under(tip, factors);
+        tip.K_II = K_II_under(tip, factors);
+    }
+    return nominal;
+}
+
+}  // namespace
+
+std::vector<TipResult> K_at_maximum(const CrackedBody& body, const ReachedExtremes& reached) {
+    const bool one_load = is_of_one_load(body, reached);
+    std::vector<TipResult> nominal = under(one_load ? sign_of_load(reached) : reached.maximum, body.nominal());
+    if (reached.tips.empty()) return nominal;
+    const Scene& present = body.scene();
+    return directing(present.input.cracks, present.enriched.tips, std::move(nominal), reached.tips);
+}
+
+std::vector<TipResult> K_at_minimum(const CrackedBody& body, const ReachedExtremes& reached) {
+    if (is_of_one_load(body, reached)) return std::vector<TipResult>(body.nominal().size());
+    return under(reached.minimum, body.nominal());
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,232 @@
+#include "coarse/analysis/crack_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "coarse/analysis/K_at_extremes.hpp"
+#include "coarse/enrichment/retained_functions.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/growth/crack_advance.hpp"
+#include "coarse/growth/growth_law.hpp"
+#include "coarse/growth/growth_texts.hpp"
+#include "coarse/load/growth_schedule.hpp"
+#include "common/case/case_questions.hpp"
+#include "common/crack/crack_end.hpp"
+#include "common/crack/crack_path.hpp"
+#include "common/error.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+
+namespace {
+
+constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
+
+}  // namespace
+
+CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memory)
+    : growth_(*input.growth), note_(note), ended_(memory.ended), increment_(std::move(memory.increment)),
+      rates_(input, std::move(memory.rates)), K_reached_(std::move(memory.K_reached)),
+      extremes_(std::move(memory.extremes)) {}
+
+GrowthMemory CrackGrowth::memory() const {
+    return {.ended = ended_,
+            .increment = increment_.memory(),
+            .rates = rates_.memory(),
+            .K_reached = K_reached_,
+            .extremes = extremes_};
+}
+
+void CrackGrowth::take(const Increment& reached) {
+    const LoadStep& step = reached.step;
+    K_reached_.resize(reached.tips.size(), 0.0);
+    for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
+    const LoadFactors factors{reached.load_factor, step.target.cases};
+    if (step.at_minimum) extremes_.minimum = factors;
+    if (!step.at_maximum) return;
+    extremes_.maximum = factors;
+    extremes_.tips = reached.tips;
+}
+
+// A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
+bool CrackGrowth::is_due_at(const LoadStep& step) const {
+    if (grows_at(growth_, step)) return true;
+    return broken_tip() >= 0 && step.ends_cycle && (!rates_.are_means() || ends_period(growth_, step.cycle));
+}
+
+GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleResult>& last) {
+    if (!is_prescribed(growth_) && last.empty()) return {};  // no cycle has told a rate yet
+    const std::vector<TipResult>& nominal = body.nominal();
+    const Scene& present = body.scene();
+    GrownScene grown;
+    if (!is_over(nominal, last)) {
+        if (!rates_.are_of_a_whole_period()) return {};
+        const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
+        grown = along_first_of(body, ways(present, guides, last));
+        if (grown.longer) note_turns(body, *grown.longer, guides, last);
+        if (grown.longer) note_functions(present.enriched, *grown.longer);
+    }
+    ended_ = !grown.longer;
+    if (grown.longer) K_reached_.clear();
+    return grown;
+}
+
+// From one element edge to another where faces end on edges; where they end is not known about another direction.
+TipSteps CrackGrowth::steps_about(std::size_t fastest, const Scene& present, double turn,
+                                  const std::vector<double>& elements) const {
+    TipSteps steps{.tip = fastest, .least = elements[fastest]};
+    if (present.enriched.tip_functions > 0) return steps;
+    steps.element = elements[fastest];
+    if (turn <= sharp_turn) steps.beyond = present.enriched.tips[fastest].beyond;
+    return steps;
+}
+
+double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
+                              const std::vector<double>& elements) {
+    const std::vector<Tip>& tips = present.enriched.tips;
+    const std::vector<double> lengthening = rates_.lengthening(tips);
+    if (growth_.increment.is_auto())
+        return increment_.next(growth_, last, rates_.present(), lengthening,
+                               steps_about(fastest_of(rates_.shares(tips.size())), present, turn, elements));
+    const double given = growth_.increment.value();
+    return is_prescribed(growth_) ? given : cut_to_end(given, growth_, last, lengthening);
+}
+
+std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
+                                                   const std::vector<CycleResult>& last) {
+    const std::vector<Tip>& tips = present.enriched.tips;
+    const std::vector<double> shares = rates_.shares(tips.size());
+    std::vector<double> elements;
+    for (const Tip& tip : tips) elements.push_back(tip_element_edge(present.enriched, tip));
+    const auto by = [&](double increment, GrowthDirection direction) {
+        std::vector<double> advances = shares;
+        for (double& advance : advances) advance *= increment;
+        return longer_cracks(present.input.cracks, direction, tips, guides, advances, elements);
+    };
+    const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
+    const double turn = largest_turn(tips, by(element, growth_.direction));
+    const double increment = this->increment(last, present, turn, elements);
+    std::vector<Cracks> ways{by(increment, growth_.direction)};
+    warn_of_sharp_turns(tips, ways.front(), elements);
+    // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
+    if (largest_turn(tips, ways.front()) < small_turn) ways.push_back(by(increment, GrowthDirection::Straight));
+    return ways;
+}
+
+void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks& longer,
+                                      const std::vector<double>& elements) const {
+    for (std::size_t t = 0; t < tips.size(); ++t) {
+        if (std::abs(turn_of(tips[t], longer)) <= sharp_turn) continue;
+        const double grows = (end_of(longer[at(tips[t].crack)], tips[t]) - tips[t].position).norm();
+        if (grows < elements_behind_bend * elements[t]) note_(turns_sharply(t, grows, elements[t]));
+    }
+}
+
+// Where the cycles that follow are other ones their rates are too.
+void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
+                             const std::vector<CycleResult>& last) {
+    if (is_prescribed(growth_) || last.empty() || rates_.end_with_the_cycle()) return;
+    const std::vector<TipResult> least = K_at_minimum(body, extremes_);
+    std::vector<SharpTurn> turns;
+    for (std::size_t t = 0; t < last.size(); ++t) {
+        const double angle = turn_of(body.scene().enriched.tips[t], longer.input.cracks);
+        if (std::abs(angle) > sharp_turn)
+            turns.push_back({t, leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle)});
+    }
+    rates_.leap(turns);
+}
+
+void CrackGrowth::note_functions(const EnrichedMesh& before, const Scene& longer) {
+    const bool stand = longer.enriched.tip_functions > 0;
+    if (stand != (before.tip_functions > 0)) note_(functions_change(stand));
+    if (growth_.retain != Retain::All || !needs_fine(longer.input)) return;
+    for (const int tip : tips_nearly_where_they_were(longer.enriched, before))
+        if (said_to_freeze_.insert(tip).second) note_(functions_frozen(tip));
+}
+
+// What drives the tips has been measured.
+void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
+    const std::vector<double> rates = rates_.present();
+    const auto unread = std::ranges::find_if(rates, [](double rate) { return std::isnan(rate); });
+    if (unread == rates.end()) return;
+    const auto tip = unread - rates.begin();
+    if (growth_.law == GrowthLaw::Ctod)
+        throw NumericalFailure(fmt::format("tip {}: no opening range at closure.distance behind it, which drives the "
+                                           "growth: the crack is shorter than that",
+                                           tip));
+    if (!grows_by_opening_loads(growth_) || std::isnan(last[at(tip)].K_max))
+        throw NumericalFailure(fmt::format("K drives the growth, and no ring about tip {} tells it: an edge, a load, a "
+                                           "bend or another tip is too near; smaller elements there may, or behind a "
+                                           "sharp turn a larger growth.increment",
+                                           tip));
+    throw NumericalFailure(fmt::format(
+        "K_op drives the growth, and no equilibrium of {} tells it for tip {}; finer increments (load.steps) may",
+        rates_.are_means() ? "a cycle since the growth before" : "the last cycle", tip));
+}
+
+int CrackGrowth::broken_tip() const {
+    if (!growth_.toughness) return -1;
+    const auto tip = std::ranges::find_if(K_reached_, [&](double K) { return K >= *growth_.toughness; });
+    return tip != K_reached_.end() ? static_cast<int>(tip - K_reached_.begin()) : -1;
+}
+
+bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const {
+    if (const int tip = broken_tip(); tip >= 0) {
+        note_(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", tip, K_reached_[at(tip)]));
+        return true;
+    }
+    const auto longest =
+        std::ranges::find_if(nominal, [&](const auto& t) { return is_as_long_as_asked(growth_, t.a); });
+    if (longest != nominal.end()) {
+        note_(fmt::format("tip {}: the crack is {:.6g} mm long (growth.until)", longest - nominal.begin(), longest->a));
+        return true;
+    }
+    require_drive(last);
+    if (last.empty() || rates_.drive_a_tip()) return false;
+    note_(is_arrested(rates_.end_with_the_cycle()));
+    return true;
+}
+
+// The first way that the mesh can hold, or the first bent a little earlier.
+GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) {
+    std::string why;
+    bool left_the_mesh = false;
+    GrownScene grown;
+    const auto is_held = [&](const Cracks& cracks) {
+        try {
+            grown = with_cracks(body, cracks);
+            return true;
+        } catch (const CaseError& error) {
+            if (!why.empty()) return false;
+            why = error.what();
+            left_the_mesh = dynamic_cast<const CrackOffMesh*>(&error) != nullptr;
+            return false;
+        }
+    };
+    if (std::ranges::any_of(ways, is_held)) return grown;
+    if (left_the_mesh && std::ranges::any_of(bent_before_edges(ways.front(), body.scene().enriched), is_held)) {
+        note_("a crack bends a little before its tip: at the tip the mesh cannot hold the bend");
+        return grown;
+    }
+    left_the_mesh_ = left_the_mesh;
+    note_(fmt::format("growth ends here{}: {}", left_the_mesh ? ", and not the life" : "", why));
+    return {};
+}
+
+GrownScene CrackGrowth::with_cracks(const CrackedBody& body, const Cracks& cracks) const {
+    const Scene& present = body.scene();
+    Case input = present.input;
+    input.cracks = cracks;
+    GrownScene grown;
+    grown.finer = body.finer_about_ends_of(input.cracks);
+    const Mesh& mesh = grown.finer ? grown.finer->scene.mesh : present.mesh;
+    constexpr int as_fine_as_it_is = 1;
+    grown.longer = std::make_unique<Scene>(make_scene(input, mesh, as_fine_as_it_is));
+    if (grown.longer->enriched.tips.size() == present.enriched.tips.size()) return grown;
+    note_("the next advance takes a crack out of the body: growth ends here");
+    return {};
+}
+
+}  // namespace stria::coarse

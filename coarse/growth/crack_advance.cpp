@@ -1,0 +1,167 @@
+#include "coarse/growth/crack_advance.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "coarse/enrichment/tip_reach.hpp"
+#include "common/crack/crack_end.hpp"
+#include "common/geometry/segment.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+
+namespace {
+
+constexpr double no_field = 1e-6;  // of the K of a unit load: faces that touch without a load leave rounding
+
+double size_of(const TipResult& tip) { return std::hypot(tip.K_I, tip.K_II); }
+
+/// From the edge over which a crack has come into the element of its tip to the tip, mm; that of faces that end there,
+/// too. Infinite where it has come over none.
+double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
+    if (tip.beyond > 0.0) return tip.beyond;
+    const double way = tip.upper, place = tip.s + way * tip.beyond;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const CrackPiece& piece : mesh.pieces) {
+        const double s = tip.upper > 0 ? piece.s.front() : piece.s.back();
+        const bool comes_in = (tip.upper > 0 ? piece.entry : piece.exit) >= 0.0;
+        if (piece.crack == tip.crack && comes_in && way * (place - s) > 0.0)
+            nearest = std::min(nearest, way * (place - s));
+    }
+    return nearest;
+}
+
+/// From here on the crack runs along a `way` that leads to a tip. What lies at its other end stays where it is.
+void lead_along(CrackSection& crack, const Tip& tip, std::vector<Vec2> way) {
+    if (tip.upper < 0) {
+        std::ranges::reverse(way);
+        crack.grown_at_start += length_of(way) - length_of(crack.points);
+    }
+    crack.points = std::move(way);
+}
+
+}  // namespace
+
+double hoop_stress_angle(double K_I, double K_II) {
+    if (std::abs(K_II) <= 0.005 * std::max(-K_I, 0.0)) return 0.0;  // closed, or no field at all: no direction
+    K_I = std::max(K_I, 0.0);
+    return -2.0 * std::atan2(2.0 * K_II, K_I + std::hypot(K_I, std::sqrt(8.0) * K_II));
+}
+
+double K_just_turned(const TipResult& before, double angle) {
+    const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+    return c * c * (c * before.K_I - 3.0 * s * before.K_II);
+}
+
+double turn(double angle, double stretch, double increment, double element) {
+    constexpr double tolerance = 1e-4;
+    const double over = 0.5 * (std::min(stretch, element) + increment);
+    return std::abs(angle) * over < tolerance * element ? 0.0 : angle;
+}
+
+double turn_of(const Tip& tip, const std::vector<CrackSection>& longer) {
+    const Vec2 now = direction_of_end(longer[at(tip.crack)], tip);
+    return std::atan2(cross(tip.direction, now), tip.direction.dot(now));
+}
+
+double largest_turn(const std::vector<Tip>& tips, const std::vector<CrackSection>& longer) {
+    double largest = 0.0;
+    for (const Tip& tip : tips) largest = std::max(largest, std::abs(turn_of(tip, longer)));
+    return largest;
+}
+
+double behind_sharp_turn(const CrackSection& crack, const Tip& tip) {
+    const std::vector<Vec2> way = points_to(crack, tip);
+    double behind = 0.0;
+    for (std::size_t corner = way.size() - 2; corner > 0; --corner) {
+        const Vec2 ahead = way[corner + 1] - way[corner], before = way[corner] - way[corner - 1];
+        behind += ahead.norm();
+        if (std::abs(std::atan2(cross(before, ahead), before.dot(ahead))) > sharp_turn) return behind;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+// By a node the mesh holds a tip on it (snapped_onto_mesh()). What it has been moved by along its way is owed to the
+// next advance, or short steps would not add up. A corner is where the mesh has it, or the way from there would lead
+// astray.
+void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double increment) {
+    std::vector<Vec2> way = points_to(crack, tip);
+    const double owed = (way.back() - tip.position).dot(direction);
+    const Vec2 next = tip.position + (increment + owed) * direction;
+    const bool straight = std::abs(cross(tip.direction, direction)) < 1e-12;
+    if (!straight && way.size() > 2 && way[way.size() - 2] == tip.position) way.pop_back();  // it has not left it yet
+    if (!straight) {
+        way.back() = tip.position;
+        way.push_back(next);
+    } else {
+        way.back() = next;
+    }
+    lead_along(crack, tip, std::move(way));
+}
+
+// Bends that lie beyond the edge, too, are left away.
+bool bend_before_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip) {
+    constexpr double before_edge = 0.02, most_of_stretch = 0.9;  // elements; of the way since a bend
+    const double element = tip_element_edge(mesh, tip);
+    double back = behind_edge(mesh, tip) + before_edge * element;
+    std::vector<Vec2> way = points_to(longer, tip);
+    const Vec2 end = way.back();
+    way.pop_back();
+    if (way.back() != tip.position || back > element) return false;
+    for (; way.size() > 1; way.pop_back()) {
+        const Vec2 stretch = way.back() - way[way.size() - 2];
+        if (back <= most_of_stretch * stretch.norm()) {
+            way.back() -= back * stretch.normalized();
+            way.push_back(end);
+            lead_along(longer, tip, std::move(way));
+            return true;
+        }
+        back = std::max(back - stretch.norm(), before_edge * element);
+    }
+    return false;
+}
+
+std::vector<std::vector<CrackSection>> bent_before_edges(const std::vector<CrackSection>& longer,
+                                                         const EnrichedMesh& mesh) {
+    std::vector<std::vector<CrackSection>> ways;
+    std::vector<CrackSection> all = longer;
+    for (const Tip& tip : mesh.tips) {
+        if (!bend_before_edge(all[at(tip.crack)], mesh, tip)) continue;
+        ways.push_back(longer);
+        (void)bend_before_edge(ways.back()[at(tip.crack)], mesh, tip);
+    }
+    if (ways.size() > 1) ways.push_back(std::move(all));
+    return ways;
+}
+
+std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,
+                                 std::vector<TipResult> nominal, const std::vector<TipResult>& reached) {
+    for (std::size_t t = 0; t < nominal.size(); ++t) {
+        const std::optional<ContactSection>& contact = cracks[at(tips[t].crack)].contact;
+        const bool touches = reached[t].contact_length > 0.0 && size_of(reached[t]) > no_field * size_of(nominal[t]);
+        if (!contact || contact->friction == 0.0 || !touches || reached[t].rings_flow) continue;
+        nominal[t].K_I = std::max(reached[t].K_I, 0.0);  // closed faces leave the rounding of one
+        nominal[t].K_II = reached[t].K_II;
+    }
+    return nominal;
+}
+
+std::vector<CrackSection> longer_cracks(std::vector<CrackSection> cracks, GrowthDirection direction,
+                                        const std::vector<Tip>& tips, const std::vector<TipResult>& directing,
+                                        const std::vector<double>& advance_by, const std::vector<double>& elements) {
+    for (std::size_t t = 0; t < directing.size(); ++t) {
+        if (advance_by[t] == 0.0) continue;
+        CrackSection& crack = cracks[at(tips[t].crack)];
+        double angle = 0.0;
+        if (direction == GrowthDirection::HoopStress)
+            angle = turn(hoop_stress_angle(directing[t].K_I, directing[t].K_II), last_stretch(crack, tips[t]).norm(),
+                         advance_by[t], elements[t]);
+        advance(crack, tips[t], Eigen::Rotation2Dd(angle) * tips[t].direction, advance_by[t]);
+    }
+    return cracks;
+}
+
+}  // namespace stria::coarse

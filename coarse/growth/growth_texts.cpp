@@ -1,0 +1,38 @@
+#include "coarse/growth/growth_texts.hpp"
+
+#include <fmt/format.h>
+
+#include "coarse/enrichment/retained_functions.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
+
+namespace stria::coarse {
+
+std::string turns_sharply(std::size_t tip, double grows, double element) {
+    return fmt::format(
+        "warning: tip {} turns sharply and grows by {:.3g} mm, less than {:g} elements of {:.3g} mm: its K "
+        "is not resolved until it is as far behind the bend",
+        tip, grows, elements_behind_bend, element);
+}
+
+std::string functions_change(bool stand) {
+    return fmt::format(
+        "warning: from here on {} at the tips: {}all of their elements are smaller than 1/{:g} of "
+        "their cracks (fine.enrichment = \"auto\"). Opening loads leap, by some hundredths of K_max in a "
+        "trial; with fine.enrichment = \"none\" from the start they do not",
+        stand ? "functions stand" : "no function stands", stand ? "not " : "", 1.0 / small_elements);
+}
+
+std::string functions_frozen(int tip) {
+    return fmt::format(
+        "tip {} has moved by less than {:g} elements: its functions are frozen there in spite of growth.retain = "
+        "\"all\", for the equations would not tell them from those that follow. Where it does so again nothing is said",
+        tip, apart_to_retain);
+}
+
+std::string is_arrested(bool by_last_cycle) {
+    return fmt::format("warning: nothing drives a tip any more: the crack is arrested{}",
+                       by_last_cycle ? ", by the last cycle of a load that varies (growth.every = 1)" : "");
+}
+
+}  // namespace stria::coarse

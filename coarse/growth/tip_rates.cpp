@@ -1,0 +1,107 @@
+#include "coarse/growth/tip_rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/growth/crack_advance.hpp"
+#include "coarse/growth/growth_law.hpp"
+#include "coarse/load/growth_schedule.hpp"
+#include "coarse/load/load_history.hpp"
+#include "common/case/case_questions.hpp"
+#include "common/index.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// Where a tip stands, at the end of a cycle.
+GrownTip grown_tip(const Scene& present, std::size_t t) {
+    const Tip& tip = present.enriched.tips[t];
+    return {.behind_turn = behind_sharp_turn(present.input.cracks[at(tip.crack)], tip),
+            .resolved = elements_behind_bend * tip_element_edge(present.enriched, tip)};
+}
+
+}  // namespace
+
+TipRates::TipRates(const Case& input, TipRatesMemory memory)
+    : growth_(*input.growth), varies_(varies(input)), takes_mean_(takes_mean_rate(input)),
+      cut_off_(cycle_cut_off(input.load)), period_(std::move(memory.period)), life_(memory.life),
+      at_turn_(std::move(memory.at_turn)) {}
+
+bool TipRates::has_just_turned(std::size_t tip) const { return tip < at_turn_.size() && !std::isnan(at_turn_[tip]); }
+
+std::vector<double> TipRates::present() const {
+    std::vector<double> rates = period_.present();
+    for (std::size_t t = 0; t < rates.size(); ++t)
+        if (has_just_turned(t)) rates[t] = std::fmax(rates[t], at_turn_[t]);  // what is not known is not a number
+    return rates;
+}
+
+bool TipRates::drive_a_tip() const { return fastest_rate(present()) > 0.0; }
+
+bool TipRates::are_of_a_whole_period() const { return !takes_mean_ || period_.memory().cycles >= growth_.every; }
+
+// With the rates at its beginning a slower tip would go too far where its share falls. Cycles that differ, openings,
+// which swing from cycle to cycle, and a tip that has just turned tell no trend; and rates of two moments make no
+// share.
+std::vector<double> TipRates::shares(std::size_t tips) const {
+    bool go_on = !varies_ && !grows_by_openings(growth_);
+    for (std::size_t t = 0; t < tips; ++t) go_on = go_on && !has_just_turned(t);
+    return shares_of_advance(growth_, go_on ? period_.ahead() : present(), tips);
+}
+
+std::vector<double> TipRates::lengthening(const std::vector<Tip>& tips) const {
+    const std::vector<double> shares = this->shares(tips.size());
+    std::vector<double> of_tips;
+    for (const Tip& tip : tips) {
+        double sum = 0.0, ends = 0.0;
+        for (std::size_t t = 0; t < tips.size(); ++t)
+            if (tips[t].crack == tip.crack) sum += shares[t], ends += 1.0;
+        of_tips.push_back(sum / ends);
+    }
+    return of_tips;
+}
+
+void TipRates::leap(const std::vector<SharpTurn>& turns) {
+    const std::vector<double> before = present();
+    at_turn_.resize(before.size(), not_known);
+    for (const SharpTurn& turn : turns) at_turn_[turn.tip] = rate_behind_leap(growth_, before[turn.tip], turn.leap);
+    const std::size_t fastest = fastest_of(present());
+    if (std::ranges::find(turns, fastest, &SharpTurn::tip) != turns.end()) life_.turn(at_turn_[fastest]);
+}
+
+double TipRates::uncounted() const {
+    const PeriodMemory period = period_.memory();
+    const bool is_under_way = takes_mean_ && period.cycles < growth_.every && !period.grown.empty();
+    return uncounted_of_the_past() + (is_under_way ? std::ranges::max(period.grown) : 0.0);
+}
+
+void TipRates::count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present) {
+    std::vector<double> grown;
+    for (const CycleResult& tip : cycles) grown.push_back(tip.da);
+    period_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
+    if (is_prescribed(growth_) || cycles.empty()) return;  // each stands for itself
+    for (std::size_t t = 0; t < at_turn_.size(); ++t)
+        if (has_just_turned(t) && grown_tip(present, t).is_resolved()) at_turn_[t] = not_known;
+    const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
+    const bool ends = !takes_mean_ && std::ranges::any_of(cycles, is_long_enough);
+    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycle, ends) : 0.0;
+    for (CycleResult& tip : cycles) tip.dN = passed;
+}
+
+// The last cycle of a history may return to another maximum than the sequence goes on to: the mean is of another one.
+double TipRates::cycles_of_period(const Scene& present, int cycle, bool ends) {
+    const std::vector<double>& ways = period_.grown();
+    const std::size_t fastest = fastest_of(ways);
+    GrownTip grown = grown_tip(present, fastest);
+    grown.grown = ways[fastest];
+    grown.ends = ends;
+    const double before = period_.before().empty() ? 0.0 : period_.before()[fastest], now = this->present()[fastest];
+    return life_.passed(grown, before, takes_mean_ && cycle == cut_off_ ? before : now);
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,78 @@
+// How fast the tips grow by a law, what that makes of an increment of the fastest one, and how many cycles it took.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "coarse/cycle/cycle_result.hpp"
+#include "coarse/growth/life_count.hpp"
+#include "coarse/growth/period_rates.hpp"
+#include "coarse/model/scene.hpp"
+#include "common/case/case.hpp"
+
+namespace stria::coarse {
+
+/// A checkpoint holds it.
+struct TipRatesMemory {
+    PeriodMemory period;
+    LifeMemory life;
+    std::vector<double> at_turn;  // just behind the last sharp turn of each tip, mm per cycle; NaN: K is resolved
+};
+
+/// The rate of a tip that turns sharply leaps by a factor; NaN: by what is not known.
+struct SharpTurn {
+    std::size_t tip = 0;
+    double leap = 0.0;
+};
+
+class TipRates {
+public:
+    /// Of a case whose cracks grow.
+    explicit TipRates(const Case& input, TipRatesMemory memory = {});
+
+    [[nodiscard]] TipRatesMemory memory() const { return {period_.memory(), life_.memory(), at_turn_}; }
+
+    /// da/dN of the tips, mm per cycle; empty before the first cycle has ended. K of a tip that has just turned is not
+    /// resolved and far too low: until it is, the rate with which the tip left the turn stands for a lower one, or a
+    /// tip would never leave it.
+    [[nodiscard]] std::vector<double> present() const;
+    [[nodiscard]] bool drive_a_tip() const;
+
+    /// They are means over the cycles from one growth to the next.
+    [[nodiscard]] bool are_means() const { return takes_mean_; }
+    /// And all cycles of such a period have told theirs. At minima the first chance to grow has a cycle less behind it.
+    [[nodiscard]] bool are_of_a_whole_period() const;
+    /// They are of the last cycle, and those that follow are other ones.
+    [[nodiscard]] bool end_with_the_cycle() const { return varies_ && !takes_mean_; }
+
+    /// What each of so many tips advances next of what the fastest one does.
+    [[nodiscard]] std::vector<double> shares(std::size_t tips) const;
+    /// By which `a` of each tip grows then: half of a crack with two tips by half of what both do.
+    [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
+
+    /// The tips turn so in a growth.
+    void leap(const std::vector<SharpTurn>& turns);
+
+    /// Takes the rates of a cycle that has ended, and puts into `cycles`, one per tip, how many it stands for: what the
+    /// growth took that is known to its end. `present`: with the tips as long as at its end.
+    void count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present);
+    /// Growth of the fastest tip of which no cycle has told yet how many it took, mm: of all, and of past periods.
+    [[nodiscard]] double uncounted() const;
+    [[nodiscard]] double uncounted_of_the_past() const { return life_.memory().uncounted; }
+    /// Cycles that the life may be off by, since the rate changes from one growth to the next.
+    [[nodiscard]] double life_in_doubt() const { return life_.memory().doubt; }
+
+private:
+    [[nodiscard]] bool has_just_turned(std::size_t tip) const;
+    /// Of the growth at the beginning of the period that `cycle` ends. `ends`: growth ends the run.
+    [[nodiscard]] double cycles_of_period(const Scene& present, int cycle, bool ends);
+
+    GrowthSection growth_;
+    bool varies_, takes_mean_;
+    int cut_off_;  // the last cycle, where it does not rise as the sequence would; 0: it does
+    PeriodRates period_;
+    LifeCount life_;
+    std::vector<double> at_turn_;
+};
+
+}  // namespace stria::coarse

@@ -1,0 +1,203 @@
+#include "coarse/growth/crack_advance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/crack/notch.hpp"
+
+namespace stria::coarse {
+namespace {
+
+TEST(CrackAdvance, MovesTheEndOfAStraightCrackAndBendsAtACorner) {
+    CrackSection crack{.points = {{0.0, 1.0}, {2.0, 1.0}}, .contact = {}};
+    const Tip tip{.crack = 0, .position = {2.0, 1.0}, .direction = {1.0, 0.0}, .s = 2.0, .upper = 1};
+    advance(crack, tip, {1.0, 0.0}, 0.25);
+    ASSERT_EQ(crack.points.size(), 2U);
+    EXPECT_EQ(crack.points[1], Vec2(2.25, 1.0));
+    const Tip grown{.crack = 0, .position = {2.25, 1.0}, .direction = {1.0, 0.0}, .s = 2.25, .upper = 1};
+    advance(crack, grown, {0.6, 0.8}, 0.5);
+    ASSERT_EQ(crack.points.size(), 3U);
+    EXPECT_LT((crack.points[2] - Vec2(2.55, 1.4)).norm(), 1e-15);
+}
+
+TEST(CrackAdvance, MovesTheFirstPointOfACrackThatStartsAtATip) {
+    CrackSection crack{.points = {{1.0, 1.0}, {2.0, 1.0}}, .contact = {}};
+    advance(crack, {.crack = 0, .position = {1.0, 1.0}, .direction = {-1.0, 0.0}, .s = 0.0, .upper = -1}, {-1.0, 0.0},
+            0.25);
+    EXPECT_EQ(crack.points.front(), Vec2(0.75, 1.0));
+    EXPECT_EQ(crack.grown_at_start, 0.25);
+}
+
+// A notch is an arc length from where the first point was.
+TEST(CrackAdvance, KnowsHowFarTheFirstPointHasMoved) {
+    CrackSection crack{.points = {{1.0, 1.0}, {2.0, 1.0}}, .contact = {}, .notch = 0.5};
+    const auto tip_at = [&](std::size_t point, int upper) {
+        const Vec2 before = crack.points[upper > 0 ? point - 1 : point + 1];
+        return Tip{.crack = 0,
+                   .position = crack.points[point],
+                   .direction = (crack.points[point] - before).normalized(),
+                   .s = 0.0,
+                   .upper = upper};
+    };
+    advance(crack, tip_at(1, 1), {1.0, 0.0}, 0.4);
+    EXPECT_EQ(crack.grown_at_start, 0.0) << "the other end";
+    advance(crack, tip_at(0, -1), {-1.0, 0.0}, 0.25);
+    advance(crack, tip_at(0, -1), {-0.8, 0.6}, 0.5);
+    advance(crack, tip_at(0, -1), {-0.8, 0.6}, 0.125);
+    EXPECT_EQ(crack.points.size(), 3U);
+    EXPECT_NEAR(crack.grown_at_start, 0.875, 1e-15);
+    const Notch notch = notch_of(crack, crack.grown_at_start);
+    EXPECT_TRUE(notch.holds(0.9) && notch.holds(1.37) && !notch.holds(0.87) && !notch.holds(1.38));
+}
+
+// The mesh holds a tip on a node, 0.9 thousandths of an edge from where the crack ends.
+TEST(CrackAdvance, StepsShorterThanWhatANodePullsATipByAddUp) {
+    for (const int upper : {1, -1}) {
+        CrackSection crack{.points = {{0.0, 1.0}, {2.0, 1.0}}, .contact = {}};
+        if (upper < 0) std::swap(crack.points[0], crack.points[1]);
+        const Tip on_node{.crack = 0, .position = {2.0, 1.0}, .direction = {1.0, 0.0}, .s = 0.0, .upper = upper};
+        const auto end = [&] { return upper > 0 ? crack.points.back() : crack.points.front(); };
+        for (int step = 1; step <= 3; ++step) {
+            advance(crack, on_node, {1.0, 0.0}, 3e-4);
+            EXPECT_NEAR(end().x(), 2.0 + step * 3e-4, 1e-15);
+        }
+        const Vec2 along(0.8, 0.6);
+        for (int step = 1; step <= 2; ++step) advance(crack, on_node, along, 3e-4);
+        ASSERT_EQ(crack.points.size(), 3U) << "one corner, on the node";
+        EXPECT_EQ(crack.points[1], Vec2(2.0, 1.0));
+        EXPECT_LT((end() - Vec2(2.0, 1.0) - (0.8 * 9e-4 + 6e-4) * along).norm(), 1e-15);
+    }
+}
+
+// Elements of 1 mm; the tip lies 0.3 mm along the crack beyond the edge y = 1 of the row that it has come from.
+TEST(CrackAdvance, BendsBeforeTheEdgeThatItHasComeOver) {
+    EnrichedMesh mesh;
+    mesh.nodes = {{2.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {2.0, 1.0}, {3.0, 2.0}, {2.0, 2.0}};
+    mesh.elements = {{0, 1, 2, 3}, {3, 2, 4, 5}};
+    const double s = 2.0 * std::numbers::sqrt2;
+    const Vec2 along = Vec2(1.0, 1.0).normalized(), tip = Vec2(2.2, 1.0) + 0.3 * along, end = tip + Vec2(1.0, -0.5);
+    mesh.pieces = {
+        {.crack = 0, .element = 0, .neighbour = -1, .points = {}, .s = {0.5, s}, .entry = 3.2, .exit = 2.8},
+        {.crack = 0, .element = 1, .neighbour = -1, .points = {}, .s = {s, s + 1.0}, .entry = 0.2, .exit = 1.8}};
+    for (const double beyond : {0.3, -0.7}) {  // faces end before the tip, or ahead of it
+        const bool opened = beyond < 0.0;
+        Tip of_crack{.crack = 0, .position = tip, .direction = along, .s = s + (opened ? 1.0 : 0.0), .upper = 1};
+        of_crack.beyond = beyond;
+        CrackSection crack{.points = {tip - (s + 0.3) * along, tip, end}, .contact = {}};
+        ASSERT_TRUE(bend_before_edge(crack, mesh, of_crack));
+        EXPECT_LT((crack.points[1] - (tip - 0.32 * along)).norm(), 1e-12) << beyond;
+        EXPECT_EQ(crack.points[2], end);
+        EXPECT_EQ(crack.grown_at_start, 0.0);
+        EXPECT_FALSE(bend_before_edge(crack, mesh, of_crack)) << "it has gone straight on";
+        const Vec2 bend = tip - 0.3 * along + Vec2(0.0, 0.1);  // beyond the edge
+        CrackSection bent{.points = {bend - Vec2(0.0, 2.0), bend, tip, end}, .contact = {}};
+        ASSERT_TRUE(bend_before_edge(bent, mesh, of_crack));
+        ASSERT_EQ(bent.points.size(), 3U);
+        EXPECT_EQ(bent.points[1].x(), bend.x());
+        EXPECT_LT(bent.points[1].y(), bend.y() - 0.019);
+        CrackSection of_short{.points = {tip - 0.33 * along, tip, end}, .contact = {}};
+        EXPECT_FALSE(bend_before_edge(of_short, mesh, of_crack)) << "it has begun there";
+    }
+}
+
+TEST(CrackAdvance, KnowsHowFarATipIsBehindASharpTurn) {
+    const CrackSection crack{.points = {{0.0, 0.0}, {3.0, 0.0}, {3.4, 0.3}, {4.4, 1.0}}, .contact = {}};
+    const Tip last{.crack = 0, .position = {4.4, 1.0}, .direction = {0.8, 0.56}, .s = 0.0, .upper = 1};
+    EXPECT_NEAR(behind_sharp_turn(crack, last), 0.5 + std::hypot(1.0, 0.7), 1e-14);  // 37 and then 2 degrees
+    const Tip first{.crack = 0, .position = {0.0, 0.0}, .direction = {-1.0, 0.0}, .s = 0.0, .upper = -1};
+    EXPECT_NEAR(behind_sharp_turn(crack, first), 3.0, 1e-14);
+    const CrackSection straight{.points = {{0.0, 0.0}, {3.0, 0.0}}, .contact = {}};
+    EXPECT_TRUE(std::isinf(behind_sharp_turn(straight, first)));
+}
+
+// docs/references.md 2.4: an inclined crack at b to the load, K_I : K_II = sin b : cos b.
+TEST(CrackAdvance, TurnsToTheLargestHoopStress) {
+    constexpr double degree = std::numbers::pi / 180.0;
+    for (const auto& [b, angle] : {std::pair{30.0, -60.0}, {45.0, -53.1301}, {60.0, -43.2213}}) {
+        const double K_I = std::sin(b * degree), K_II = std::cos(b * degree);
+        EXPECT_NEAR(hoop_stress_angle(K_I, K_II) / degree, angle, 1e-4);
+        EXPECT_NEAR(hoop_stress_angle(K_I, -K_II) / degree, -angle, 1e-4);
+    }
+    EXPECT_NEAR(hoop_stress_angle(0.0, 1.0) / degree, -70.5288, 1e-4);
+    EXPECT_NEAR(hoop_stress_angle(1.0, 1e-9), -2e-9, 1e-17);
+    EXPECT_NEAR(hoop_stress_angle(-1.0, 1.0) / degree, -70.5288, 1e-4);  // no further than in pure shear
+    EXPECT_EQ(hoop_stress_angle(0.0, 0.0), 0.0);                         // no ring has seen a field
+    EXPECT_EQ(hoop_stress_angle(-1.0, 1e-9), 0.0);                       // the load closes it
+}
+
+// The largest of all directions; in pure shear 2 / sqrt(3) of K_II.
+TEST(CrackAdvance, KnowsTheKOfACrackThatHasJustTurned) {
+    const TipResult mixed{.K_I = 1.0, .K_II = 1.0};
+    EXPECT_EQ(K_just_turned(mixed, 0.0), 1.0);
+    const double best = hoop_stress_angle(1.0, 1.0), K = K_just_turned(mixed, best);
+    for (const double off : {-0.01, 0.01}) EXPECT_LT(K_just_turned(mixed, best + off), K);
+    EXPECT_NEAR(K_just_turned({.K_I = 0.0, .K_II = 1.0}, hoop_stress_angle(0.0, 1.0)), 2.0 / std::numbers::sqrt3,
+                1e-12);
+    EXPECT_EQ(K_just_turned({.K_I = 1.0, .K_II = -1.0}, -best), K);
+}
+
+/// The farthest that a crack gets from the circle of radius 50 mm whose tangent it turns to at the end of each step.
+double farthest_from_a_circle(double increment, double element) {
+    CrackSection crack{.points = {{-5.0, 0.0}, {0.0, 0.0}}, .contact = {}};
+    const double radius = 50.0;
+    const Vec2 centre(0.0, radius);
+    double farthest = 0.0;
+    for (double s = 0.0; s < 20.0; s += increment) {
+        const Vec2 end = crack.points.back(), along = (end - crack.points[crack.points.size() - 2]).normalized();
+        const Vec2 tangent = Vec2(centre.y() - end.y(), end.x() - centre.x()).normalized();
+        const double angle = std::asin(cross(along, tangent));
+        const double K_II = -std::sin(angle) / (3.0 * std::cos(angle) - 1.0);  // of the largest hoop stress there
+        const Tip tip{.crack = 0, .position = end, .direction = along, .s = 0.0, .upper = 1};
+        crack = longer_cracks({crack}, GrowthDirection::HoopStress, {tip}, {{.K_I = 1.0, .K_II = K_II}}, {increment},
+                              {element})[0];
+        farthest = std::max(farthest, std::abs((crack.points.back() - centre).norm() - radius));
+    }
+    return farthest;
+}
+
+// Nothing is lost below some angle.
+TEST(CrackAdvance, TheWayConvergesWithItsSteps) {
+    const double whole = farthest_from_a_circle(1.0, 1.0), half = farthest_from_a_circle(0.5, 1.0);
+    EXPECT_GT(whole, 0.1);
+    EXPECT_NEAR(half, 0.5 * whole, 0.05 * whole);
+    EXPECT_NEAR(farthest_from_a_circle(0.25, 1.0), 0.25 * whole, 0.05 * whole);
+    EXPECT_LT(farthest_from_a_circle(0.01, 1.0), 0.15 * whole);  // corners are 0.1 elements apart: sqrt(2e-4 radius)
+    EXPECT_LT(farthest_from_a_circle(0.01, 0.05), 0.04 * whole);
+}
+
+TEST(CrackAdvance, HasNoCornerWithinTheTolerance) {
+    EXPECT_EQ(turn(1.9e-4, 0.8, 0.2, 1.0), 0.0);
+    EXPECT_EQ(turn(2.1e-4, 0.8, 0.2, 1.0), 2.1e-4);
+    EXPECT_EQ(turn(-2.1e-4, 0.8, 0.2, 1.0), -2.1e-4);
+    EXPECT_EQ(turn(2.1e-4, 0.6, 0.2, 1.0), 0.0);   // waits until the stretch is as long
+    EXPECT_EQ(turn(1.9e-4, 20.0, 0.0, 1.0), 0.0);  // not for ever: K_II has an error
+    EXPECT_EQ(turn(1.9e-4, 20.0, 0.2, 1.0), 1.9e-4);
+}
+
+TEST(CrackAdvance, CracksWithFrictionThatTouchGoWhereTheSolutionReachedSays) {
+    const std::vector<CrackSection> cracks{{.points = {}, .contact = ContactSection{0.0}},
+                                           {.points = {}, .contact = ContactSection{0.3}}};
+    std::vector<Tip> tips(2);
+    tips[0].crack = 0;
+    tips[1].crack = 1;
+    const std::vector<TipResult> nominal{{.K_I = 1.0, .K_II = 2.0}, {.K_I = 1.0, .K_II = 2.0}};
+    std::vector<TipResult> reached{{.K_I = 5.0, .K_II = 6.0}, {.K_I = -1e-9, .K_II = 0.5}};
+    EXPECT_EQ(directing(cracks, tips, nominal, reached)[1].K_II, 2.0);  // open from end to end
+    reached[0].contact_length = reached[1].contact_length = 0.1;
+    const std::vector<TipResult> chosen = directing(cracks, tips, nominal, reached);
+    EXPECT_EQ(chosen[0].K_I, 1.0);
+    EXPECT_EQ(chosen[0].K_II, 2.0);
+    EXPECT_EQ(chosen[1].K_I, 0.0);
+    EXPECT_EQ(chosen[1].K_II, 0.5);
+    std::vector<TipResult> flowed = reached;
+    flowed[1].rings_flow = true;
+    EXPECT_EQ(directing(cracks, tips, nominal, flowed)[1].K_II, 2.0);
+    reached[1].K_II = -1e-12;  // rounding
+    EXPECT_EQ(directing(cracks, tips, nominal, reached)[1].K_II, 2.0);
+}
+
+}  // namespace
+}  // namespace stria::coarse
