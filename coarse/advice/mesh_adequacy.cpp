@@ -42,7 +42,7 @@ bool lives_by_closure(const Scene& scene, std::size_t t) {
     return growth && may_touch(crack) && grows_by_openings(*growth);
 }
 
-/// What too few elements do to a life (docs/verification.md, lives on elements half as large).
+/// What too few elements do to a life (docs/verification/closure.md, lives on elements half as large).
 const char* of_its_life(const Scene& scene, std::size_t t) {
     const bool known = scene.input.model.plane == PlaneState::Stress && lives_by_closure(scene, t);
     return known ? "; with half as many as are wanted, lives by opening loads were 7 to 75 % longer" : "";
@@ -78,7 +78,8 @@ std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone,
                        tip, zone.K_I, zone.length, zone.place, zone.length / element, element, zone.elements, advice);
 }
 
-/// Openings nearer to the tip are those of its own element (docs/verification.md, what opening loads are good to).
+/// Openings nearer to the tip are those of its own element (docs/verification/closure.md, what opening loads are good
+/// to).
 std::optional<std::string> distance_warning(std::size_t tip, double distance, double element, int refine) {
     constexpr double with_room = 1.3;  // elements, for an advice of two digits
     if (distance <= 0.0 || distance >= to_distance * element) return std::nullopt;
@@ -126,7 +127,7 @@ std::optional<std::string> step_warning(std::size_t tip, double increment, doubl
         tip, increment, increment / zone, zone, most_of_zone * zone);
 }
 
-/// The crests that steps leave hold the faces (docs/verification.md, how many elements).
+/// The crests that steps leave hold the faces (docs/verification/closure.md, how many elements).
 std::optional<std::string> life_in_strain_warning(const Scene& scene, std::size_t t) {
     if (scene.input.model.plane != PlaneState::Strain || !lives_by_closure(scene, t)) return std::nullopt;
     return fmt::format(

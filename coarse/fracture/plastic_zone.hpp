@@ -23,7 +23,7 @@ double subdivision_radius(double beta, double K, double yield_stress);
 double forward_zone(double K_I, double yield_stress, PlaneState plane);
 
 /// Its extent straight ahead of a tip that grows: the same in plane stress, 0.04 (K / sigma_y)^2 in plane strain
-/// (measured: docs/verification.md, opening loads). There the faces close that a growing tip leaves.
+/// (measured: docs/verification/closure.md). There the faces close that a growing tip leaves.
 double forward_zone_ahead(double K_I, double yield_stress, PlaneState plane);
 
 /// At most that far ahead of a tip the elastic stresses reach yield: as far as forward_zone() in plane stress, 0.47

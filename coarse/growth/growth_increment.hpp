@@ -46,14 +46,14 @@ struct TipSteps {
 
 /// Increments of the fastest tip: at most `zone_fraction` of the plastic zone that the tip has just loaded, straight
 /// ahead of it, so that the wake is laid down in steps that the zone is large against (to the sides it is four times as
-/// large in plane strain, and by such steps K_op comes out too high: docs/verification.md, how many elements); at least
-/// an element at the tip, because K behind a bend that is nearer is not resolved. Where faces end on element edges,
-/// whole elements from one edge to another: else now none and now two of them open, and K_op swings. Where openings
-/// drive the growth one element, since two leave a crest that holds the faces: lives were 8 % longer. The first is the
-/// smallest, each at most twice the one before, and smaller where errors would pass `accuracy`: with d the distance of
-/// the last but one value from the chord between its neighbours, d / 2 of `per_mm` relative to it (the trapezoidal rule
-/// of a life is off by d / 6 where the rate is smooth, by d at a jump), and d of `closure`. Errors fall with the square
-/// of the size.
+/// large in plane strain, and by such steps K_op comes out too high: docs/verification/closure.md, how many elements);
+/// at least an element at the tip, because K behind a bend that is nearer is not resolved. Where faces end on element
+/// edges, whole elements from one edge to another: else now none and now two of them open, and K_op swings. Where
+/// openings drive the growth one element, since two leave a crest that holds the faces: lives were 8 % longer. The
+/// first is the smallest, each at most twice the one before, and smaller where errors would pass `accuracy`: with d the
+/// distance of the last but one value from the chord between its neighbours, d / 2 of `per_mm` relative to it (the
+/// trapezoidal rule of a life is off by d / 6 where the rate is smooth, by d at a jump), and d of `closure`. Errors
+/// fall with the square of the size.
 class GrowthIncrement {
 public:
     explicit GrowthIncrement(GrowthIncrementMemory memory = {}) : memory_(std::move(memory)) {}

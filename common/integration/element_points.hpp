@@ -18,7 +18,7 @@ struct IntegrationPoint {
 };
 
 /// Which elements take mean dilatation. In plane stress nothing keeps a volume; tip functions are better without where
-/// nothing locks, and plain elements better with it even then (docs/verification.md).
+/// nothing locks, and plain elements better with it even then.
 enum class MeanDilatation { Nowhere, WithoutTipFunctions, Everywhere };
 
 /// How an element is integrated.

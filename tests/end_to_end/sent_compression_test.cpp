@@ -16,7 +16,7 @@ namespace {
 
 constexpr double crack_length = 20.0, element = 0.1;  // mm, at the tip
 constexpr double rounding_floor = 1e-12;              // of a relative residual
-// At the largest load, with every element half as large (docs/verification.md, the zone radius and the mesh).
+// At the largest load, with every element half as large (docs/verification/zone.md, zone radius and mesh).
 constexpr double refined_J = 3.280235, refined_CMOD = 0.060711;  // N/mm, mm
 
 /// A fine component that remembers its zone and what became of it.

@@ -1,5 +1,5 @@
 // What load.accuracy promises: the range of the opening behind the tip, cycle by cycle, with the increments that the
-// program chooses, against many given ones (docs/performance.md, increments chosen by the program).
+// program chooses, against many given ones (docs/verification/increments.md).
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

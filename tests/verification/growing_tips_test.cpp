@@ -1,5 +1,5 @@
-// The faces that a growing plastic crack leaves behind (docs/verification.md, "What stands at a growing tip"): without
-// a tip function they are smooth and do not overlap, with the frozen one of each old tip they do.
+// The faces that a growing plastic crack leaves behind (docs/verification/growth.md, "What stands at a growing tip"):
+// without a tip function they are smooth and do not overlap, with the frozen one of each old tip they do.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

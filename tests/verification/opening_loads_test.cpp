@@ -1,5 +1,5 @@
 // Opening loads of a growing crack over the size of the elements at its tip, at a fixed growth per cycle and at fixed
-// distances behind the tip (docs/verification.md, opening loads). The tables are printed.
+// distances behind the tip (docs/verification/closure.md). The tables are printed.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
