@@ -146,7 +146,7 @@ ElementSet others_without_tips(const EnrichedMesh& mesh, const StillElements& st
 
 /// Whether what is behind is factored in much more operations than its rim, which comes with the core in each step: two
 /// unknowns a node, about 80 n^(3/2) operations in the plane (nested dissection, George 1973), and m^3 / 3 for a dense
-/// rim, four times as fast (docs/performance.md).
+/// rim, four times as fast. What this rule spares: docs/performance.md, a step of growth.
 bool spares_work(const EnrichedMesh& mesh, const StillElements& still, const ElementSet& behind) {
     const NodeSet inside = nodes_of(mesh, behind);
     NodeSet of_core(mesh.nodes.size());

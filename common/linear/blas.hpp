@@ -20,7 +20,7 @@ struct VectorInstructions {
 /// Kernels of OpenBLAS, by its own names (OPENBLAS_CORETYPE), that a processor should have instead of those that it
 /// `has_chosen`; empty: they are right. OpenBLAS goes by the model of a processor. Of one that is younger than itself
 /// it takes what those of 2004 and 2007 had, Prescott of Intel's and Barcelona of AMD's: Debian 12's 0.3.21 does not
-/// know Emerald Rapids (docs/performance.md).
+/// know Emerald Rapids (docs/benchmarks.md).
 [[nodiscard]] std::string better_kernels(std::string_view has_chosen, const VectorInstructions& processor);
 
 /// Where OpenBLAS does not know the processor the program begins once more, with OPENBLAS_CORETYPE set: the choice is
