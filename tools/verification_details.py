@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Runs the verification cases and prints the Markdown tables that stand behind the table of docs/verification.md.
+"""Runs the verification cases and prints the Markdown tables that stand in the pages of docs/verification/: elastic
+bodies, the first example, contact pressures.
 
     tools/verification_details.py build/release/bin/stria
     tools/verification_details.py build/release/bin/stria --tests build/release/bin/stria_verification_tests
