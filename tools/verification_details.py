@@ -1,6 +1,5 @@
 #!/usr/bin/python3
-"""Runs the verification cases and prints the Markdown tables that stand in the pages of docs/verification/: elastic
-bodies, the first example, contact pressures.
+"""Runs the verification cases and prints the Markdown tables that stand in the pages of docs/verification/.
 
     tools/verification_details.py build/release/bin/stria
     tools/verification_details.py build/release/bin/stria --tests build/release/bin/stria_verification_tests
