@@ -21,8 +21,10 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs/tutorial.md"
 PROGRAMS = Path(sys.argv.pop() if len(sys.argv) > 1 else ROOT / "build/release/bin").resolve()
 
+EXPORT = re.compile(r"^export (\w+)=(.*)$", re.MULTILINE)
 FENCE = re.compile(r"^```(\w*)[ ]?(\d*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 SECONDS = re.compile(r"in \d+\.\d s")
@@ -48,6 +50,17 @@ def minutes_of_reader(section):
     return (len(FENCE.sub("", section).split()) + shown) / WORDS + typed / LETTERS
 
 
+def environment_of_page():
+    """What the page has a reader export and nothing else, for this copy of Stria and for these programs."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    environment["STRIA"] = str(ROOT)
+    for name, value in EXPORT.findall(PAGE.read_text(encoding="utf-8")):
+        if name != "STRIA":
+            environment[name] = re.sub(r"\$(\w+)", lambda match: environment.get(match[1], ""), value)
+    environment["PATH"] = f"{PROGRAMS}:{environment['PATH']}"
+    return environment
+
+
 def blocks(page):
     return [(kind, int(code or 0), body) for kind, code, body in FENCE.findall(page)]
 
@@ -71,8 +84,7 @@ class Page(unittest.TestCase):
         holder = tempfile.TemporaryDirectory()
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
-        path = f"{PROGRAMS}:{ROOT / 'tools'}:{os.environ['PATH']}"
-        self.environment = {**os.environ, "STRIA": str(ROOT), "PATH": path, "PYTHONPATH": str(ROOT / "tools")}
+        self.environment = environment_of_page()
 
     def type_in(self, line):
         done = subprocess.run(["bash", "-c", line], cwd=self.folder, env=self.environment, capture_output=True, text=True, check=False)
@@ -92,7 +104,7 @@ class Page(unittest.TestCase):
         self.assertIn("weld", (self.folder / "t-joint.msh").read_text(encoding="utf-8"))
 
     def test_every_command_does_what_the_page_says(self):
-        page = (ROOT / "docs/tutorial.md").read_text(encoding="utf-8")
+        page = PAGE.read_text(encoding="utf-8")
         table = {int(number): (float(seconds), float(minutes)) for number, seconds, minutes in ROW.findall(page)}
         self.assertEqual(set(table), set(steps(page)))
         for number, section in steps(page).items():
@@ -125,7 +137,7 @@ class Page(unittest.TestCase):
                         self.assertTrue(any(agree(line, other) for other in printed), "\n".join(printed[-12:]))
 
     def test_the_page_has_what_it_is_read_for(self):
-        kinds = [kind for kind, _, _ in blocks((ROOT / "docs/tutorial.md").read_text(encoding="utf-8"))]
+        kinds = [kind for kind, _, _ in blocks(PAGE.read_text(encoding="utf-8"))]
         self.assertGreaterEqual(kinds.count("sh"), 8)
         self.assertGreaterEqual(kinds.count("text"), 6)
         self.assertEqual(kinds.count("gmsh"), 1)
