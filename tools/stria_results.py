@@ -40,7 +40,7 @@ def number(cell):
 
 
 class Table:
-    """Columns by their names."""
+    """Columns by their names: list(table) names them, and len(table) counts rows."""
 
     def __init__(self, columns):
         self.columns = columns
@@ -58,6 +58,12 @@ class Table:
         except ImportError:
             return self.columns[name]
         return numpy.array(self.columns[name])
+
+    def __iter__(self):
+        return iter(self.columns)
+
+    def __contains__(self, name):
+        return name in self.columns
 
     def __len__(self):
         return len(next(iter(self.columns.values()), []))
@@ -116,7 +122,7 @@ def counted(N, grown):
 
 
 def secant_rates(N, grown, pairs):
-    """ASTM E647 X1.1: two rows and the rate between them."""
+    """ASTM E647 X1.1: two rows and the rate between them, which is that of the point midway on the straight line."""
     for first, last in pairs:
         yield (first, last), (grown[last] - grown[first]) / (N[last] - N[first])
 
@@ -198,10 +204,11 @@ def e647(run, tip=0, method="secant"):
     rates = {"secant": secant_rates, "polynomial": polynomial_rates}[method]
     table = {name: [] for name in ("N", "a_mm", "dadN_mm_per_cycle", "dK_MPa_sqrt_m", "R", "Kmax_MPa_sqrt_m", "dKeff_MPa_sqrt_m", "Kop_MPa_sqrt_m")}
     for (first, last), rate in rates(cycles["N"], grown, pairs):
-        mean = lambda values: 0.5 * (values[first] + values[last]) / SQRT_M
+        middle = lambda values: 0.5 * (values[first] + values[last])
+        mean = lambda values: middle(values) / SQRT_M
         K_max, K_min = cycles["K_max"], cycles["K_min"]
         dK = mean([tension_range(high, low) for high, low in zip(K_max, K_min)])
-        row = (cycles["N"][last], 0.5 * (cycles["a"][first] + cycles["a"][last]), rate, dK, mean(K_min) / mean(K_max), mean(K_max), mean(cycles["dK_eff"]), mean(cycles["K_op"]))
+        row = (middle(cycles["N"]), middle(cycles["a"]), rate, dK, mean(K_min) / mean(K_max), mean(K_max), mean(cycles["dK_eff"]), mean(cycles["K_op"]))
         for column, value in zip(table.values(), row):
             column.append(value)
     return Table(table)

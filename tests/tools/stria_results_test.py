@@ -44,6 +44,12 @@ class Tables(Folder):
         self.assertEqual(list(run.cycles.of(tip=0)["N"]), [0.0, 1e5 / 3])
         self.assertTrue(math.isnan(run.cycles["U"][1]))
 
+    def test_a_table_tells_its_columns(self):
+        (self.folder / "history.csv").write_text("increment,J\n1,0.5\n")
+        history = results.Run(self.folder).history
+        self.assertEqual(list(history), ["increment", "J"])
+        self.assertTrue("J" in history and "K_I" not in history)
+
     def test_a_frame_has_the_columns(self):
         run = self.write_cycles("run", [0.0], [10.0], [300.0], 0.1, 0.4)
         before = sys.modules.get("pandas")
@@ -79,7 +85,7 @@ class Rates(Folder):
         table = results.e647(run).columns
         self.assertEqual(table["dadN_mm_per_cycle"], [0.0005, 0.0005])
         self.assertEqual(table["a_mm"], [10.25, 11.0])
-        self.assertEqual(table["N"], [1000.0, 3000.0])
+        self.assertEqual(table["N"], [500.0, 2000.0])  # (N, a) is a point of the a-N curve
         # What lies in compression does not count: dK is K_max; in MPa sqrt(m).
         self.assertAlmostEqual(table["dK_MPa_sqrt_m"][0], 310.0 / math.sqrt(1000.0), 12)
         self.assertAlmostEqual(table["dKeff_MPa_sqrt_m"][0], 0.75 * 310.0 / math.sqrt(1000.0), 12)
