@@ -13,7 +13,7 @@ namespace stria::report {
 
 namespace {
 
-constexpr const char* page_name = "report.html";
+constexpr const char* page_name = coarse::result_files::report;
 
 void try_report(const RunOptions& options) {
     const std::filesystem::path folder = options.output_directory;

@@ -14,10 +14,11 @@ inline constexpr const char* closure = "closure.csv";        // where a profile 
 inline constexpr const char* loads = "loads.csv";            // where there are load cases or pressures that travel
 inline constexpr const char* load_cases = "load-cases.csv";  // where there are load cases
 inline constexpr const char* checkpoint = "checkpoint.h5";
+inline constexpr const char* report = "report.html";  // written by the program at the end, unless told not to
 
 /// All of them but the checkpoint before the last one, and the fields, of which FieldWriter knows.
-inline constexpr std::array all = {resolved_case, summary, history,    cycles,    faces,
-                                   closure,       loads,   load_cases, checkpoint};
+inline constexpr std::array all = {resolved_case, summary, history,    cycles,     faces,
+                                   closure,       loads,   load_cases, checkpoint, report};
 
 }  // namespace result_files
 

@@ -13,7 +13,7 @@ namespace {
 TEST(ResultFiles, OfAnEarlierRunGoAndOthersStay) {
     const test::TemporaryFolder folder;
     for (const char* file : result_files::all) std::ofstream(folder / file) << "old\n";
-    std::ofstream(folder / "checkpoint.previous.h5") << "old\n";
+    for (const char* file : {"checkpoint.previous.h5", "report.html"}) std::ofstream(folder / file) << "old\n";
     std::ofstream(folder / "notes.txt") << "mine\n";
     EXPECT_TRUE(has_results(folder / ""));
     EXPECT_TRUE(has_checkpoint(folder / ""));
