@@ -81,13 +81,18 @@ void require_balance(const Mesh& mesh, const Loads& loads, const Frame& frame, c
         magnitude += force.norm();
     }
     if ((motions.transpose() * work).norm() <= rounding * magnitude) return;
-    const char* motion = "rotation";
-    if (is_free(1, supported) && std::abs(work[1]) > rounding * magnitude) motion = "translation along y";
-    if (is_free(0, supported) && std::abs(work[0]) > rounding * magnitude) motion = "translation along x";
-    throw CaseError(
-        fmt::format("boundary: the supports leave the {} free and the loads drive it; support it or balance "
-                    "the loads",
-                    motion));
+    const auto drive = [&](int motion) {
+        return is_free(motion, supported) && std::abs(work[motion]) > rounding * magnitude;
+    };
+    // What is left of loads that were meant to balance: on chords a pressure pulls by less than on their arc.
+    const auto moved = [&](int motion) {
+        return fmt::format("translation along {} free and the loads drive it by {:.4g} N/mm, of {:.4g} that act",
+                           motion == 0 ? "x" : "y", work[motion], magnitude);
+    };
+    throw CaseError(fmt::format("boundary: the supports leave the {}; support it or balance the loads",
+                                drive(0)   ? moved(0)
+                                : drive(1) ? moved(1)
+                                           : "rotation free and the loads drive it"));
 }
 
 /// The mesh nodes nearest to the corners of the bounding box: far from each other, and seldom near a crack.

@@ -160,6 +160,8 @@ TEST(RigidMotions, NameTheMotionThatTheLoadsDrive) {
     EXPECT_TRUE(
         mentions(refusal({traction_on("top", 1.0, 0.0), traction_on("bottom", 0.0, 0.0)}), "translation along x"));
     EXPECT_TRUE(mentions(refusal({traction_on("top", 0.0, 1.0)}), "translation along y"));
+    EXPECT_TRUE(mentions(refusal({traction_on("top", 0.0, 1.0), traction_on("bottom", 0.0, -0.98)}),
+                         "along y free and the loads drive it by 0.08 N/mm, of 7.92 that act;"));
     EXPECT_TRUE(mentions(refusal({traction_on("top", 1.0, 0.0), traction_on("bottom", -1.0, 0.0)}), "rotation"));
     EXPECT_TRUE(mentions(refusal({held_at(0.0, 0.0, 0.0, 0.0), force_at(4.0, 0.0, 0.0, 1.0)}), "rotation"));
     EXPECT_EQ(refusal({held_at(0.0, 0.0, 0.0, 0.0), force_at(4.0, 0.0, 1.0, 0.0)}), "accepted");
