@@ -19,17 +19,35 @@ std::vector<NodalWeight> displacement_of_loads(const Mesh& mesh, const EnrichedM
     return sum;
 }
 
+/// Of [load], on the loaded boundary; none unless a pin presses there.
+Loads pressure_of_pin(const LoadedBoundary& loaded, const Loads& main) {
+    Loads there;
+    for (const EdgeLoad& load : main.edges)
+        if (std::ranges::any_of(loaded.edges, [&](const BoundaryEdge& edge) {
+                return edge.element == load.edge.element && edge.edge == load.edge.edge;
+            }))
+            there.edges.push_back(load);
+    const auto is_pin = [](const EdgeLoad& load) { return load.traction.cosine.has_value(); };
+    return std::ranges::any_of(there.edges, is_pin) ? there : Loads{};
+}
+
 }  // namespace
 
 Eigen::VectorXd weights_of_displacement(const std::optional<LoadedBoundary>& loaded, const Mesh& mesh,
-                                        const EnrichedMesh& enriched, const Loads& main,
+                                        const EnrichedMesh& enriched, const ForcesOnUnknowns& forces, const Loads& main,
                                         const Eigen::VectorXd& unit_force) {
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(enriched.unknowns);
     if (!loaded || !loaded->has_direction()) return weights;
     std::vector<NodalWeight> sum = mean_displacement(mesh, *loaded);
     const bool bends_only = loaded->resultant.isZero(0.0);
-    if (loaded->by_force && !bends_only && is_left_free(sum, mesh, main))
-        sum = displacement_of_loads(mesh, enriched, main, unit_force, loaded->pull);
+    if (loaded->by_force && !bends_only) {
+        if (is_left_free(sum, mesh, main)) {
+            sum = displacement_of_loads(mesh, enriched, main, unit_force, loaded->pull);
+        } else if (const Loads pin = pressure_of_pin(*loaded, main); !pin.edges.empty()) {
+            // The half of a hole on which nothing presses moves otherwise, and the mean of both is no compliance.
+            return forces.of(pin) / loaded->resultant.norm();
+        }
+    }
     for (const auto& [node, weight] : sum) weights.segment<2>(enriched.unknown(node, 0, 0)) += weight;
     return weights;
 }

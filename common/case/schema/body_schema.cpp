@@ -280,7 +280,8 @@ Section<BoundarySection> boundary_section() {
         .says("Force at a point or pin, per thickness and unit load factor.");
     s.value("cosine", &BoundarySection::cosine)
         .says("Direction in which a pin or bolt presses: the pressure times the cosine between its own direction and "
-              "this one, where that is positive.");
+              "this one, where that is positive. A pin of force F per mm in a hole of radius R has the pressure "
+              "2 F / (pi R).");
     s.value("centre", &BoundarySection::centre)
         .in("mm")
         .says("With cosine: of the pin; the pressure is radial. Absent: it acts along the inward normal.");

@@ -50,6 +50,24 @@ TEST(Displacement, OfAHeldBodyIsTheMeanOfItsBoundary) {
     EXPECT_NEAR(displacement_of(input), 1e-3 * (1.0 + 30.0 + 10.0), 1e-12);
 }
 
+// An edge is pressed as by a pin: what the pressure does work on over its resultant, not the mean.
+TEST(Displacement, UnderAPinIsWhatItsPressureDoesWorkOn) {
+    Case input = test::pulled_plate(2.0, false, false);
+    input.boundaries[1].traction.reset();
+    input.boundaries[1].displacement = {0.0, 0.0};
+    const double mean = displacement_of(input);
+    input.boundaries[0].traction.reset();
+    input.boundaries[0].pressure = -1.0;
+    input.boundaries[0].cosine = Vec2(0.0, -1.0);
+    EXPECT_NEAR(displacement_of(input), mean, 1e-12) << "the same everywhere on a straight edge";
+    input.boundaries[0].pressure = 1.0;
+    input.boundaries[0].centre = Vec2(0.0, 30.0);
+    const Scene scene = refined_scene(input);
+    const double resultant = loaded_boundary(scene.mesh, scene.input, scene.loads).value().resultant.norm();
+    EXPECT_TRUE(scene.mean_displacement.isApprox(scene.unit_force / resultant, 1e-12));
+    EXPECT_GT(std::abs(displacement_of(input) / mean + 1.0), 0.02);
+}
+
 // A crack along element edges that begins at a node of a held edge does not open there, on neither side.
 TEST(Supports, HoldTheMouthOfACrackOnTheEdge) {
     Case input = test::pulled_plate(2.0, false, false);
