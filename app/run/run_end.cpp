@@ -38,10 +38,12 @@ std::string cycles_passed(const coarse::FatigueAnalysis& analysis, double N) {
 std::vector<std::string> warnings_at_end(const coarse::FatigueAnalysis& analysis, const Case& input, double N) {
     std::vector<std::string> warnings;
     const bool one_load = input.growth && !coarse::varies(input);  // the rate leaps with the load
-    if (const double doubt = analysis.life_in_doubt(); one_load && doubt > input.growth->accuracy * N)
-        warnings.push_back(fmt::format("N is too large by about {:.2g} %: da/dN changes much from one growth to the "
+    if (const double doubt = analysis.life_in_doubt(); one_load && doubt > input.growth->accuracy * N) {
+        const double percent = 100.0 * doubt / (N - doubt);
+        warnings.push_back(fmt::format("N is too large by about {:.{}f} %: da/dN changes much from one growth to the "
                                        "next; a smaller growth.increment, or \"auto\", tells it",
-                                       100.0 * doubt / N));
+                                       percent, percent < 10.0 ? 1 : 0));
+    }
     if (!std::isfinite(N))
         warnings.emplace_back(
             "no N is known: the crack was arrested within its last growth, and no rate tells how many "

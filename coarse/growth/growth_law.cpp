@@ -101,12 +101,17 @@ double cycles_passed(double grown, double rate_before, double rate_after) {
     return grown > 0.0 ? 0.5 * grown * (1.0 / rate_before + 1.0 / rate_after) : 0.0;
 }
 
-double cycles_in_doubt(double grown, double rate_before, double rate_after) {
+double cycles_in_doubt(double grown, double rate_before, double rate_after, double length, double lengthened) {
     if (!(grown > 0.0)) return 0.0;
     const double x = std::log(rate_after / rate_before) / 2.0;
     constexpr double small = 1e-3;  // there rounding would be all of the difference
     const double share = std::abs(x) < small ? x * x / 3.0 : 1.0 - std::tanh(x) / x;
-    return share * cycles_passed(grown, rate_before, rate_after);
+    const double passed = cycles_passed(grown, rate_before, rate_after), of_exponential = share * passed;
+    if (!(rate_after > rate_before && length > 0.0 && lengthened > 0.0)) return of_exponential;
+    // A power of the length changes more at first than the exponential between the same ends: its cycles are fewer.
+    const double stretch = std::log1p(lengthened / length), y = stretch - 2.0 * x;
+    const double of_power = grown / rate_before * length / lengthened * stretch * (y == 0.0 ? 1.0 : std::expm1(y) / y);
+    return std::max(of_exponential, passed - of_power);
 }
 
 }  // namespace stria::coarse

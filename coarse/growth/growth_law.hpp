@@ -42,8 +42,10 @@ struct TipAtExtremes {
 /// fastest tip (trapezoidal rule).
 [[nodiscard]] double cycles_passed(double grown, double rate_before, double rate_after);
 
-/// What these are more than the cycles of a rate whose logarithm is straight over the growth: about what the rule is
-/// off by. Never negative.
-[[nodiscard]] double cycles_in_doubt(double grown, double rate_before, double rate_after);
+/// About what the rule is off by: what these are more than the cycles of a rate that goes with a power of the length,
+/// from `length` of the crack, mm, to what it is when it has become longer by `lengthened`, as K does with its root.
+/// Where that is not known, or the rate falls, of a rate whose logarithm is straight over the growth. Never negative.
+[[nodiscard]] double cycles_in_doubt(double grown, double rate_before, double rate_after, double length = 0.0,
+                                     double lengthened = 0.0);
 
 }  // namespace stria::coarse

@@ -13,8 +13,9 @@ void LifeCount::turn(double rate) {
     if (memory_.uncounted == 0.0) memory_.rate_at_turn = rate;
 }
 
-double LifeCount::count(double grown, double rate_before, double rate_after) {
-    memory_.doubt += cycles_in_doubt(grown, rate_before, rate_after);
+double LifeCount::count(const GrownTip& tip, double grown, double rate_before, double rate_after) {
+    const double lengthened = tip.lengthening * grown;
+    memory_.doubt += cycles_in_doubt(grown, rate_before, rate_after, tip.length - lengthened, lengthened);
     return cycles_passed(grown, rate_before, rate_after);
 }
 
@@ -22,15 +23,15 @@ double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_af
     if (tip.grown <= 0.0 && !(tip.ends && memory_.uncounted > 0.0)) return 0.0;
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
     if (memory_.uncounted == 0.0 && !std::isnan(rate_after) && tip.is_resolved(tip.behind_turn - tip.grown))
-        return count(tip.grown, rate_before, rate_after);
+        return count(tip, tip.grown, rate_before, rate_after);
     memory_.uncounted += tip.grown;
     // Of a crack that turns again and again no tip is ever far behind a turn.
     const bool known = !std::isnan(rate_after) && tip.is_resolved(std::max(tip.behind_turn, memory_.uncounted));
     if (!known && !(tip.ends && memory_.rate_at_turn > 0.0)) return 0.0;
     const double grown = std::exchange(memory_.uncounted, 0.0),
                  at_turn = std::exchange(memory_.rate_at_turn, not_known);
-    if (!known) return count(grown, at_turn, std::max(at_turn, rate_after));  // K that is not resolved is low
-    return count(grown, at_turn > 0.0 ? at_turn : rate_after, rate_after);
+    if (!known) return count(tip, grown, at_turn, std::max(at_turn, rate_after));  // K that is not resolved is low
+    return count(tip, grown, at_turn > 0.0 ? at_turn : rate_after, rate_after);
 }
 
 }  // namespace stria::coarse

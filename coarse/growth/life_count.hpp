@@ -8,6 +8,8 @@ namespace stria::coarse {
 /// About a tip at the end of a cycle.
 struct GrownTip {
     double grown = 0.0;        // since the end of the cycle before, mm
+    double length = 0.0;       // of its crack, as reported, mm; 0: not known
+    double lengthening = 1.0;  // by which that becomes longer per mm that the tip grows
     double behind_turn = 0.0;  // from the last sharp turn of its crack to the tip, mm; infinite where there is none
     double resolved = 0.0;     // K of a tip that is nearer to a turn is not resolved, mm
     bool ends = false;         // growth ends the run here
@@ -41,7 +43,7 @@ public:
     [[nodiscard]] const LifeMemory& memory() const { return memory_; }
 
 private:
-    double count(double grown, double rate_before, double rate_after);
+    double count(const GrownTip& tip, double grown, double rate_before, double rate_after);
 
     LifeMemory memory_;
 };

@@ -25,6 +25,14 @@ GrownTip grown_tip(const Scene& present, std::size_t t) {
             .resolved = elements_behind_bend * tip_element_edge(present.enriched, tip)};
 }
 
+/// What the tips of a crack have grown, on an average, mm: by that its `a` has.
+double mean_way(const std::vector<Tip>& tips, const std::vector<double>& ways, std::size_t of_tip) {
+    double sum = 0.0, ends = 0.0;
+    for (std::size_t t = 0; t < tips.size(); ++t)
+        if (tips[t].crack == tips[of_tip].crack) sum += ways[t], ends += 1.0;
+    return sum / ends;
+}
+
 }  // namespace
 
 TipRates::TipRates(const Case& input, TipRatesMemory memory)
@@ -57,12 +65,7 @@ std::vector<double> TipRates::shares(std::size_t tips) const {
 std::vector<double> TipRates::lengthening(const std::vector<Tip>& tips) const {
     const std::vector<double> shares = this->shares(tips.size());
     std::vector<double> of_tips;
-    for (const Tip& tip : tips) {
-        double sum = 0.0, ends = 0.0;
-        for (std::size_t t = 0; t < tips.size(); ++t)
-            if (tips[t].crack == tip.crack) sum += shares[t], ends += 1.0;
-        of_tips.push_back(sum / ends);
-    }
+    for (std::size_t t = 0; t < tips.size(); ++t) of_tips.push_back(mean_way(tips, shares, t));
     return of_tips;
 }
 
@@ -89,16 +92,19 @@ void TipRates::count_cycles(int cycle, std::vector<CycleResult>& cycles, const S
         if (has_just_turned(t) && grown_tip(present, t).is_resolved()) at_turn_[t] = not_known;
     const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
     const bool ends = !takes_mean_ && std::ranges::any_of(cycles, is_long_enough);
-    const double passed = !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycle, ends) : 0.0;
+    const double passed =
+        !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycles, cycle, ends) : 0.0;
     for (CycleResult& tip : cycles) tip.dN = passed;
 }
 
 // The last cycle of a history may return to another maximum than the sequence goes on to: the mean is of another one.
-double TipRates::cycles_of_period(const Scene& present, int cycle, bool ends) {
+double TipRates::cycles_of_period(const Scene& present, const std::vector<CycleResult>& last, int cycle, bool ends) {
     const std::vector<double>& ways = period_.grown();
     const std::size_t fastest = fastest_of(ways);
     GrownTip grown = grown_tip(present, fastest);
     grown.grown = ways[fastest];
+    grown.length = last[fastest].a;
+    if (grown.grown > 0.0) grown.lengthening = mean_way(present.enriched.tips, ways, fastest) / grown.grown;
     grown.ends = ends;
     const double before = period_.before().empty() ? 0.0 : period_.before()[fastest], now = this->present()[fastest];
     return life_.passed(grown, before, takes_mean_ && cycle == cut_off_ ? before : now);

@@ -64,8 +64,10 @@ public:
 
 private:
     [[nodiscard]] bool has_just_turned(std::size_t tip) const;
-    /// Of the growth at the beginning of the period that `cycle` ends. `ends`: growth ends the run.
-    [[nodiscard]] double cycles_of_period(const Scene& present, int cycle, bool ends);
+    /// Of the growth at the beginning of the period that the last cycle ends, one result per tip. `ends`: growth ends
+    /// the run.
+    [[nodiscard]] double cycles_of_period(const Scene& present, const std::vector<CycleResult>& last, int cycle,
+                                          bool ends);
 
     GrowthSection growth_;
     bool varies_, takes_mean_;

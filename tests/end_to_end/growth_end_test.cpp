@@ -27,8 +27,8 @@ protected:
     void run(const std::string& setting, const std::string& another = "title=plate") {
         std::ofstream(folder / "case.toml") << plate_that_grows;
         ASSERT_EQ(run_program("stria",
-                              {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--set",
-                               setting, "--set", another},
+                              {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--force",
+                               "--set", setting, "--set", another},
                               folder / "log"),
                   0)
             << text_of(folder / "log");
@@ -84,6 +84,26 @@ TEST_F(GrowthEnd, ByArrestBeforeItHasBegunIsAWarning) {
         "load={control=\"K\", steps=2, blocks=[{cycles=50, max=200.0, ratio=0.5}]}");
     EXPECT_EQ(history["cycle"].back(), 1);
     EXPECT_TRUE(summary_says("nothing drives a tip any more")) << text_of(folder / "log");
+}
+
+// Half of the plate's width in one growth and in a hundred; a power of the length is nearer to K than an exponential.
+TEST_F(GrowthEnd, SaysByHowMuchNIsTooLarge) {
+    const auto N_by = [&](double increment) {
+        run(fmt::format("growth={{law=\"paris\", C=2e-13, m=3.0, increment={}, until=12.0, direction=\"straight\"}}",
+                        increment),
+            "crack=[{points=[[0.0, 20.0], [4.0, 20.0]]}]");
+        return read_table(folder / "out/cycles.csv")["N"].back();
+    };
+    const double known = N_by(0.25);
+    EXPECT_FALSE(summary_says("N is too large"));
+    for (const double increment : {8.0, 4.0, 2.0}) {
+        const double off = 100.0 * (N_by(increment) / known - 1.0);
+        const std::string sentence = "N is too large by about ", summary = text_of(folder / "out/summary.json");
+        ASSERT_TRUE(summary_says(sentence)) << increment;
+        const double said = std::stod(summary.substr(summary.find(sentence) + sentence.size()));
+        EXPECT_GT(said, 0.7 * off) << increment;
+        EXPECT_LT(said, 1.5 * off) << increment;
+    }
 }
 
 TEST_F(GrowthEnd, ThatDoesNotComeLeavesTheExtremesOfTheLastCycleOfTheHistory) {
