@@ -26,6 +26,19 @@ std::vector<std::string> thickness_warnings(const Case& input) {
                         t, t)};
 }
 
+/// How far off one increment and two between reversals are: docs/verification.md, opening loads.
+std::vector<std::string> steps_warnings(const Case& input) {
+    constexpr int enough = 8;
+    if (!may_yield(input) || input.load.steps.is_auto() || input.load.steps.value() >= enough) return {};
+    return {fmt::format("load.steps = {}: metal that flows is taken from one reversal to the next in {}; with one the "
+                        "opening range was 2 to 5 % too large and K_op up to 0.02 of K_max too low, with two 1 % and "
+                        "0.01: {} or more, or \"auto\"",
+                        input.load.steps.value(),
+                        input.load.steps.value() == 2 ? "one increment"
+                                                      : fmt::format("{} increments", input.load.steps.value() / 2),
+                        enough)};
+}
+
 /// How far behind a tip faces that may touch end, mm along them: at the notch, or beyond it at the other end of the
 /// crack; at its middle where that end is a tip.
 double faces_that_touch(const Scene& scene, const Tip& tip) {
@@ -65,6 +78,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(thickness_warnings(scene.input));
+    add(steps_warnings(scene.input));
     add(units_of_K_warnings(scene.input));
     add(rate_warnings(scene.input, K, largest_K_I(scene.input, nominal)));
     add(early_break_warnings(scene.input, largest_K_I(scene.input, nominal)));

@@ -56,5 +56,28 @@ TEST(CaseWarnings, ClosureIsLookedAtWhereFacesWillTouch) {
         << until;
 }
 
+// Metal that flows; an elastic body needs no more than two.
+TEST(CaseWarnings, FewIncrementsOfMetalThatFlowsAreSaid) {
+    Case input = specimen("plate", 20.0, from_mouth);
+    input.mesh.width = 10.0;
+    input.mesh.size = 0.5;
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load.blocks = {{.cycles = 2, .max = 60.0, .min = 0.0}};
+    const auto said = [&](std::optional<double> yield_stress, OrAuto<int> steps) {
+        input.material.yield_stress = yield_stress;
+        input.load.steps = steps;
+        for (const std::string& text :
+             coarse::case_warnings(coarse::refined_scene(input), {.K_I = {5.0}, .K_II = {0.0}}))
+            if (text.starts_with("load.steps")) return text;
+        return std::string();
+    };
+    EXPECT_NE(said(250.0, 2).find("load.steps = 2: metal that flows is taken from one reversal to the next in one inc"),
+              std::string::npos);
+    EXPECT_NE(said(250.0, 6).find("in 3 increments"), std::string::npos);
+    EXPECT_EQ(said(250.0, 8), "");
+    EXPECT_EQ(said(250.0, {}), "");
+    EXPECT_EQ(said({}, 2), "");
+}
+
 }  // namespace
 }  // namespace stria::test
