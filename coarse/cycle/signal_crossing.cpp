@@ -6,6 +6,7 @@ namespace stria::coarse {
 namespace {
 
 constexpr double rounding = 1e-9;  // of a share
+constexpr double beside = 10.0;    // precisions: stations as near to where a signal passes zero tell how it does
 
 std::size_t side(double signal) { return is_closed(signal) ? 1 : 0; }
 
@@ -33,17 +34,17 @@ double as_expected(const std::vector<ClosureStation>& way, std::size_t i, std::s
                    const ExpectedCrossing& expected) {
     const ClosureStation &before = way[i], &after = way[i + 1];
     const double start = before.target, end = after.target;
-    const double share = (expected.target - start) / (end - start), beside = 0.9 * precision / std::abs(end - start);
+    const double share = (expected.target - start) / (end - start), least = 0.9 * precision / std::abs(end - start);
     const auto is_far = [&](std::size_t other, double from) {
         return std::abs(way[other].target - from) > 2.0 * precision;
     };
     if (std::abs(share) <= rounding && (i == 0 || is_far(i - 1, start))) {
         const double there = at_rate(before, after, k, expected);
-        return is_within(there) ? std::max(there, beside) : beside;
+        return is_within(there) ? std::max(there, least) : least;
     }
     if (std::abs(1.0 - share) <= rounding && (i + 2 == way.size() || is_far(i + 2, end))) {
         const double there = at_rate(after, before, k, expected);
-        return 1.0 - (is_within(there) ? std::max(there, beside) : beside);
+        return 1.0 - (is_within(there) ? std::max(there, least) : least);
     }
     return is_within(share) ? share : NAN;
 }
@@ -53,8 +54,9 @@ double as_expected(const std::vector<ClosureStation>& way, std::size_t i, std::s
 // Signals are nearly straight on either side of zero, and bend there: faces press with another stiffness than they
 // open. So two stations on one side tell where it is, or one and its rate, and where they are near it they know. What
 // leads to the station across, whose signal says otherwise, leads nowhere; of two the one nearer to where it leads
-// tells more. A station at which the signal is zero but for rounding is the place itself: elastic faces part in each
-// cycle where they did, and what rounding says of them there tells nothing.
+// tells more. Where both lead to one place they know it if one of them is beside it: from far away they may agree by
+// chance, since signals bend on the way as well. A station at which the signal is zero but for rounding is the place
+// itself: elastic faces part in each cycle where they did, and what rounding says of them there tells nothing.
 Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision,
                   const ExpectedCrossing& expected) {
     const ClosureStation &before = way[i], &after = way[i + 1];
@@ -69,8 +71,10 @@ Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::si
         return {share, true};
     if (width <= precision) return {0.5, true};
     const auto leads = [&](double share) { return std::min(share, 1.0 - share) > near; };
-    if (leads(from_before) && leads(from_after) && std::abs(from_after - from_before) <= near)
-        return {0.5 * (from_before + from_after), true};
+    const double middle = 0.5 * (from_before + from_after), away = std::min(middle, 1.0 - middle) * width;
+    if (leads(from_before) && leads(from_after) && std::abs(from_after - from_before) <= near &&
+        away <= beside * precision)
+        return {middle, true};
     constexpr std::size_t enough = 8;  // stations for each signal: whatever leads on has had its chance
     if (way.size() > enough * before.signal.size()) return {0.5, false};
     if (const double share = as_expected(way, i, k, precision, expected); std::isfinite(share)) return {share, false};
@@ -85,7 +89,7 @@ std::array<double, 2> rates_beside(const std::vector<ClosureStation>& way, std::
     std::array<double, 2> rates{NAN, NAN};
     const auto look_at = [&](std::size_t first, std::size_t station) {
         const double signal = way[station].signal[k], off = way[station].target - target;
-        const bool fits = std::abs(off) >= 0.2 * precision && std::abs(off) <= 10.0 * precision;
+        const bool fits = std::abs(off) >= 0.2 * precision && std::abs(off) <= beside * precision;
         double& rate = rates[side(way[first].signal[k])];
         if (std::isnan(rate) && fits && side(signal) == side(way[first].signal[k])) rate = signal / off;
     };

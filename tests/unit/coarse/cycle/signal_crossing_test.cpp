@@ -36,6 +36,13 @@ TEST(SignalCrossing, IsWhereTwoStationsOnEitherSideLead) {
     EXPECT_NEAR(found.share, 1.0 / 3.0, 1e-14);
 }
 
+// Both sides lead to 5 from far away; faces that still touch there press less and less up to 7.
+TEST(SignalCrossing, IsTriedWhereBothSidesLeadFromFarAway) {
+    const Crossing found = between(way_of({{0.0, 10.0}, {3.0, 4.0}, {8.0, -1.5}, {9.0, -2.0}}), 1);
+    EXPECT_FALSE(found.known);
+    EXPECT_NEAR(found.share, 2.0 / 5.0, 1e-14);
+}
+
 TEST(SignalCrossing, IsTriedWhereTheStationsOnOneSideLead) {
     const Crossing before = between(way_of({{0.0, 4.0}, {3.0, 1.0}, {6.0, -9.0}}), 1);
     EXPECT_FALSE(before.known);
