@@ -26,7 +26,7 @@ std::vector<std::string> thickness_warnings(const Case& input) {
                         t, t)};
 }
 
-/// How far off one increment and two between reversals are: docs/verification.md, opening loads.
+/// How far off one increment and two between reversals are: docs/verification/increments.md.
 std::vector<std::string> steps_warnings(const Case& input) {
     constexpr int enough = 8;
     if (!may_yield(input) || input.load.steps.is_auto() || input.load.steps.value() >= enough) return {};
