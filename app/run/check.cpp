@@ -141,7 +141,7 @@ void print_estimate(const coarse::Scene& scene, const coarse::NominalSolution& n
                     const std::vector<double>& K_I) {
     const coarse::WorkEstimate work = coarse::estimate_work(nominal, K_I, largest_increment(scene, nominal, K_I));
     fmt::print("# estimate of the run: {:.0f} increments, at most {} of {} points flow; about {:.2g} s of a processor "
-               "and {:.2g} MB, more where increments have to be halved\n",
+               "and {:.2g} MB, to a factor of two or three; more where increments have to be halved\n",
                work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
 }
 

@@ -14,11 +14,14 @@ namespace stria::coarse {
 namespace {
 
 // Seconds of a processor of 2026, measured on cases of which one or the other takes nearly all. A point that flows: the
-// return in parts of plane stress or of hardening that is not linear; the exact one takes a third.
-constexpr double for_unknown = 12e-6, for_unknown_of_load = 0.5e-6, for_point = 0.5e-6, for_flow = 2.2e-6,
-                 for_row = 0.5e-3;
-constexpr double of_set_up = 0.4;   // of the body's seconds, for a step of growth
-constexpr double compressed = 2.0;  // times as many chosen increments where faces are pressed together
+// return in parts of plane stress or of hardening that is not linear, or the exact one.
+constexpr double for_unknown = 12e-6, for_unknown_of_load = 0.5e-6, for_point = 0.3e-6, for_flow = 2.2e-6,
+                 for_exact_flow = 0.7e-6, for_row = 0.5e-3, for_iteration = 0.6e-3;
+constexpr double for_factor = 2e-6;      // an unknown of the zone in an iteration, of fronts below which points flow
+constexpr double least_factored = 0.25;  // of them: faces move, and some flow is in many fronts
+constexpr double of_set_up = 0.4;        // of the body's seconds, for a step of growth
+// Chosen increments of a cycle that presses faces together: until its half cycles are measured, and then: 49 to 81.
+constexpr double compressed_at_first = 32.0, compressed_then = 60.0, until_measured = 4.0;
 constexpr double iterations = 4.0;  // of an increment; 2 to 4 in shipped cases, 6.5 with trials for four opening loads
 constexpr double of_release = 7.0;  // iterations that open the faces of a growth, from one equilibrium to the next
 constexpr double evaluated = 0.4;   // of the points, in a mean iteration: others rest or are proven elastic
@@ -80,17 +83,35 @@ double growths_of(const Case& input, const std::vector<TipResult>& tips, double 
     return std::min(most, std::ceil(std::max(*growth.until - longest, 0.0) / increment));
 }
 
-/// Per cycle, on an average.
-double increments_of_cycle(const Case& input, const std::vector<Leg>& legs) {
+/// Of so many cycles and the ramp.
+double increments_of(const Case& input, const std::vector<Leg>& legs, double cycles) {
     const auto presses = [](const Leg& leg) { return leg.to < 0.0; };
     const bool compresses = some_touch(input.cracks) && std::ranges::any_of(legs, presses);
-    return input.load.first_steps() * (input.load.steps.is_auto() && compresses ? compressed : 1.0);
+    const double first = input.load.first_steps();
+    if (!input.load.steps.is_auto() || !compresses) return (cycles + 0.5) * first;
+    const double at_first = std::min(cycles, until_measured);
+    return 0.5 * first + at_first * compressed_at_first + (cycles - at_first) * compressed_then;
 }
 
-/// Of the points, in a mean iteration: what flows does not rest.
-double share_evaluated(const WorkEstimate& work) {
+/// Points that flow take little then (docs/equations.md, exact return).
+bool returns_exactly(const MaterialSection& material, PlaneState plane) {
+    const IsotropicHardening& isotropic = material.isotropic;
+    const auto is_linear = [](const KinematicHardening& term) { return term.gamma == 0.0 && !term.C_start; };
+    return plane == PlaneState::Strain && isotropic.law == "linear" &&
+           std::ranges::all_of(material.kinematic, is_linear);
+}
+
+/// In a mean iteration: what flows does not rest.
+double share_that_moves(const WorkEstimate& work, double least) {
+    return work.points == 0 ? 0.0 : std::max(least, static_cast<double>(work.yielding) / work.points);
+}
+
+/// s; `unknowns`: of the zone.
+double seconds_of_iteration(const WorkEstimate& work, double unknowns, bool exact) {
     if (work.points == 0) return 0.0;
-    return std::max(evaluated, static_cast<double>(work.yielding) / work.points);
+    const double points = for_point * work.points + (exact ? for_exact_flow : for_flow) * work.yielding;
+    return for_iteration + share_that_moves(work, evaluated) * points +
+           share_that_moves(work, least_factored) * for_factor * unknowns;
 }
 
 /// Unknowns on the rim of the far body while nothing is a zone.
@@ -136,9 +157,11 @@ WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<dou
     work.growths = growths_of(input, nominal.tips, increment);
     double cycles = cycle_count(input.load);
     if (input.growth && input.growth->until) cycles = std::min(cycles, (work.growths + 1.0) * input.growth->every);
-    work.increments = (cycles + 0.5) * increments_of_cycle(input, CaseHistories(input).legs());
-    const double iteration = share_evaluated(work) * (for_point * work.points + for_flow * work.yielding);
+    work.increments = increments_of(input, CaseHistories(input).legs(), cycles);
+    const double unknowns = 2.0 * work.points / per_element;  // an element has a node
+    const double iteration = seconds_of_iteration(work, unknowns, returns_exactly(input.material, input.model.plane));
     work.seconds = (2.0 + of_set_up * work.growths) * seconds_of_body(scene) + work.increments * for_row +
+                   work.growths * for_unknown * unknowns +
                    (work.increments * iterations + work.growths * of_release) * iteration;
     work.bytes = bytes_of_body(scene) + bytes_of_point * work.points;
     return work;
