@@ -1,10 +1,11 @@
-// Cracks from a round hole in an infinite plate under tension across them: K from the integral equation of their
-// dislocations, each in a plate whose hole is free of traction (docs/references.md 2.8).
+// Cracks from a round hole in an infinite plate, under tension across them or under pins: K from the integral equation
+// of their dislocations, each in a plate whose hole is free of traction (docs/references.md 2.8 and 2.10).
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace stria::test {
@@ -26,8 +27,27 @@ inline double stress_of_dislocation(double x, double xi) {
     return phi(x) + 0.5 * (2.0 * freeing + x * freeing_slope + freeing_psi + middle);
 }
 
+/// Kirsch's stress across the x axis around a hole of radius 1, of the tension 1.
+inline double stress_of_tension(double x) { return 1.0 + 0.5 / (x * x) + 1.5 / std::pow(x, 4); }
+
+/// Of two pins that press on either half of the hole, up and down, with the cosine to that: the pressure |sin(theta)|.
+/// Its even harmonics, each with Michell's functions r^-n and r^(2-n) of cos(n theta).
+inline double stress_of_two_pins(double x) {
+    constexpr int harmonics = 2000;
+    const double r = std::abs(x), squared = r * r;
+    double sum = 2.0 / (std::numbers::pi * squared), power = 1.0;  // r^-n
+    for (int k = 1; k < harmonics; ++k) {
+        const double n = 2.0 * k, pressure = -4.0 / (std::numbers::pi * (n * n - 1.0));
+        power /= squared;
+        sum += 0.5 * pressure * power * ((n - 2.0) - n / squared);
+    }
+    return sum;
+}
+
 /// K over stress sqrt(pi length), with the length over the radius of the hole; one crack, or two opposite ones.
-inline double factor_of_cracks_from_a_hole(double length, int cracks) {
+/// `stress`: across the way of the cracks before there are any.
+inline double factor_of_cracks_from_a_hole(double length, int cracks,
+                                           const std::function<double(double)>& stress = stress_of_tension) {
     constexpr int n = 80;
     constexpr double pi = std::numbers::pi;
     const auto place = [&](double t) { return 1.0 + 0.5 * length * (1.0 + t); };
@@ -44,7 +64,7 @@ inline double factor_of_cracks_from_a_hole(double length, int cracks) {
     }
     for (int row = 0; row < n - 1; ++row) {
         const double x = place(std::cos((row + 1) * pi / n));
-        b[row] = 1.0 + 0.5 / (x * x) + 1.5 / std::pow(x, 4);  // Kirsch's stress around the hole
+        b[row] = stress(x);
     }
     const Eigen::VectorXd density = A.partialPivLu().solve(b);
     double at_tip = 0.0;
