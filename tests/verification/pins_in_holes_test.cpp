@@ -6,7 +6,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "common/case/case_file.hpp"
+#include "common/case/schema/case_file.hpp"
 #include "common/index.hpp"
 #include "tests/support/cracks_from_a_hole.hpp"
 #include "tests/support/folders.hpp"
