@@ -152,11 +152,16 @@ Vec2 displacement_there(const std::vector<BoundarySection>& sections, const Boun
     return Vec2::Zero();
 }
 
-/// Of the boundary's outward normals; zero all around a hole.
+/// Of the boundary's outward normals, each as long as its edge; zero all around a hole.
 Vec2 outward(const Mesh& mesh, const std::vector<BoundaryEdge>& edges) {
     Vec2 sum = Vec2::Zero();
-    for (const BoundaryEdge& edge : edges) sum -= edge_geometry(mesh, edge).inward_normal();
-    return sum.norm() > 1e-9 * static_cast<double>(edges.size()) ? sum.normalized() : Vec2::Zero();
+    double length = 0.0;
+    for (const BoundaryEdge& edge : edges) {
+        const EdgeGeometry geometry = edge_geometry(mesh, edge);
+        sum -= geometry.length() * geometry.inward_normal();
+        length += geometry.length();
+    }
+    return sum.norm() > 1e-9 * length ? sum.normalized() : Vec2::Zero();
 }
 
 /// What pulls at any boundary of the main load's, along a direction: an edge may be listed in parts.
