@@ -19,15 +19,22 @@ void start_from(CycleResult& cycle, const CycleMemory::Station& start) {
     cycle.opening_behind.include(start.opening, false);
 }
 
-/// Where a crack grows at its minimum loading begins with the longer one, whose K that load gives if no K is asked for.
-/// `K`: as it grows. Under load cases it may have been less elsewhere in the cycle.
-void begin_loading_again(CycleResult& cycle, double K, bool K_is_asked) {
+/// Where a crack grows at its minimum loading begins with the longer one. `K`: as it grows. Under load cases it may
+/// have been less elsewhere in the cycle.
+void begin_loading_again(CycleResult& cycle, double K) {
     constexpr CycleResult none;
     constexpr double rounding = 1e-9;
     if (K > cycle.K_min + rounding * std::abs(K)) return;
-    if (!K_is_asked) cycle.K_min = none.K_min;
+    cycle.K_min = none.K_min;
     cycle.CTOD.least = none.CTOD.least;
     cycle.opening_behind.least = none.opening_behind.least;
+}
+
+/// A crack has, within this cycle: what K a load makes is another one at all tips, at those that stand as well.
+bool some_tip_has_grown(const std::vector<CycleMemory::Tip>& tips, const Increment& increment) {
+    for (std::size_t t = 0; t < tips.size(); ++t)
+        if (tips[t].cycle.a > 0.0 && increment.tips[t].a > tips[t].cycle.a) return true;
+    return false;
 }
 
 /// Of the cycle before: a load that lags still lifts K in the first quarter of this one. Where it goes on to do so that
@@ -36,12 +43,12 @@ bool is_rest_of_rise(const CycleMemory::Tip& tip, const LoadStep& step) {
     return !tip.has_fallen && step.moment - (step.cycle - 1) <= 0.25 * (1.0 + 1e-9);
 }
 
-/// `loading`: K rises to the increment's end, or the cycle ends there. With load cases it may rise in any part of it.
-/// `touches`: else faces that are pressed overlap, and J is none of a crack. As loading begins it would be that of the
-/// minimum: the larger, the smaller the increments are.
-void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, bool loading, bool touches) {
+/// `K`: nominal, at the increment's end. `loading`: K rises to there, or the cycle ends there. With load cases it may
+/// rise in any part of it. `touches`: else faces that are pressed overlap, and J is none of a crack. As loading begins
+/// it would be that of the minimum: the larger, the smaller the increments are.
+void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, double K, bool loading,
+                   bool touches) {
     const TipResult& tip = increment.tips[t];
-    const double K = increment.K_at_end(t);
     cycle.a = tip.a;
     cycle.K_initial = increment.nominal[t].K_initial;
     cycle.K_min = std::isnan(K) ? K : std::min(cycle.K_min, K);
@@ -83,9 +90,9 @@ std::optional<double> opened_by_offset(CycleMemory::Path down, CycleMemory::Path
 }  // namespace
 
 CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips, bool looks_ahead)
-    : definition_(input.closure.definition), K_is_asked_(input.load.control == Control::StressIntensity),
-      looks_ahead_(looks_ahead), peaks_between_ends_(CaseHistories(input).peak_between_ends()),
-      control_(input.load.control), signals_(closure.signals()) {
+    : definition_(input.closure.definition), looks_ahead_(looks_ahead),
+      peaks_between_ends_(CaseHistories(input).peak_between_ends()), control_(input.load.control),
+      K_gradient_(input.load.K_gradient), signals_(closure.signals()) {
     now_.tips.resize(tips.size());
     for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
 }
@@ -115,19 +122,20 @@ void CycleMeter::add(const Increment& increment) {
     if (increment.step.cycle != now_.cycle || now_.tips.front().signal.size() != signals_.first_slip())
         begin(increment.step.cycle);
     const bool stands = rise_of_load(increment) == 0.0;
+    const bool has_grown = some_tip_has_grown(now_.tips, increment);
+    const double asked = has_grown ? load_asked_of_longer(increment) : increment.load_factor;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
-        const double K = increment.K_at_end(t);
+        const double K = K_I_under(increment.nominal[t], {asked, increment.step.target.cases});
         const bool rises = !stands && t < now_.last.size() && K > now_.last[t].K;
         note_signals(tip, increment, t);
         note_slip(tip.cycle, increment, t);
-        const bool has_grown = tip.cycle.a > 0.0 && increment.tips[t].a > tip.cycle.a;  // within this cycle
-        if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K, K_is_asked_);
+        if (has_grown) begin_loading_again(tip.cycle, now_.last[t].K);
         if (!stands && !rises) tip.has_fallen = true;
         const bool loading = rises || increment.step.ends_cycle;
         const bool of_before = looks_ahead_ && !rises_on(t) && is_rest_of_rise(tip, increment.step);
-        take_extremes(tip.cycle, increment, t, loading && !of_before, touches_[t]);
-        if (of_before) take_extremes(tip.rest, increment, t, rises, touches_[t]);
+        take_extremes(tip.cycle, increment, t, K, loading && !of_before, touches_[t]);
+        if (of_before) take_extremes(tip.rest, increment, t, K, rises, touches_[t]);
         // In shear, where K_I is of the mesh and goes its own way, each increment that loads goes farthest.
         const bool shears = !peaks_between_ends_ && !stands && !rises && rise_of_K(increment, t) > 0.0;
         for (SignalOfCycle& signal : tip.signal) {
@@ -149,6 +157,15 @@ void CycleMeter::add(const Increment& increment) {
     }
     now_.last = std::move(reached);
     now_.last_target = increment.step.target.value;
+}
+
+// The load stands while the crack grows, and goes to what is asked of the longer one from there on: a cycle has the K
+// between which it would go if it were there already. So a life does not depend on where in a cycle its crack grows.
+double CycleMeter::load_asked_of_longer(const Increment& increment) const {
+    const double longer = increment.tips.front().a - now_.tips.front().cycle.a;
+    if (control_ != Control::StressIntensity || now_.last.empty()) return increment.load_factor;
+    return increment.load_factor * std::exp(K_gradient_ * longer) * now_.last.front().unit_K /
+           increment.nominal.front().K_I;
 }
 
 // Where a displacement is controlled the load may fall as it rises; unless load cases change, it is what rises.

@@ -71,14 +71,18 @@ private:
     /// [load], as loads lag or travel, [load] does.
     [[nodiscard]] bool half_cycle_rises(const Increment& increment, std::size_t t) const;
     [[nodiscard]] bool rises_on(std::size_t t) const { return t < now_.rises_on.size() && now_.rises_on[t] != 0; }
+    /// Where the crack has grown, the load factor at which the K of the first tip is what it is asked to be; else that
+    /// of the increment.
+    [[nodiscard]] double load_asked_of_longer(const Increment& increment) const;
     void note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
     void note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const;
     void note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const;
     void note_mouth(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
 
     OpeningDefinition definition_ = OpeningDefinition::Contact;
-    bool K_is_asked_ = false, looks_ahead_ = false, peaks_between_ends_ = false;
+    bool looks_ahead_ = false, peaks_between_ends_ = false;
     Control control_ = Control::Load;
+    double K_gradient_ = 0.0;    // LoadSection
     std::vector<bool> touches_;  // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;
     CycleMemory now_;

@@ -108,6 +108,30 @@ TEST(LoadHistories, ALifeBetweenConstantLoadsIsTheSameWhereverItGrows) {
     EXPECT_NEAR(lives[1], lives[0], 1e-6 * lives[0]);
 }
 
+// So it is between values of K that are asked for, below zero and beside an initial stress, whose K changes as the
+// crack grows: with K_min of the shorter crack lives were 10 % to a factor of two apart.
+TEST(LoadHistories, ALifeBetweenConstantKIsTheSameWhereverItGrows) {
+    const auto life = [](const Case& input) {
+        double cycles = 0.0;
+        for (const coarse::Increment& increment : run_direct(input).increments)
+            for (const coarse::CycleResult& cycle : increment.cycles) cycles += cycle.dN;
+        return cycles;
+    };
+    Case pressed = elastic_plate(), steep = elastic_plate(), stressed = elastic_plate();
+    pressed.load.blocks = {{.cycles = 6, .max = 100.0, .min = -50.0}};
+    steep.load.blocks = stressed.load.blocks = {{.cycles = 6, .max = 100.0, .min = 70.0}};
+    steep.load.K_gradient = 3.0;
+    stressed.initial_stress.emplace().sigma_y =
+        StressProfile{.at = {0.0, 0.25, 0.5, 0.75, 1.0}, .stress = {150.0, 0.0, -150.0, 0.0, 150.0}};
+    for (Case* input : {&pressed, &steep, &stressed}) {
+        input->growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.031, .C = 1e-12, .m = 3.0};
+        input->growth->driving = input == &pressed ? GrowthDriving::FullRange : GrowthDriving::Range;
+        const double at_maximum = life(*input);
+        input->growth->at = GrowthAt::Minimum;
+        EXPECT_NEAR(life(*input), at_maximum, 1e-6 * at_maximum);
+    }
+}
+
 // A sequence of four cycles and a peak, again and again: a growth takes da / (mean rate) of its cycles, whichever of
 // them is the last one, and the peak counts once.
 TEST(LoadHistories, ALifeUnderARepeatedSequenceIsThatOfItsMeanRate) {

@@ -40,6 +40,11 @@ protected:
                                   .CMOD = mouth_of_load ? mouth_of_load(load) : load,
                                   .opening = 2e-3 * load + opening_at_tip,
                                   .plastic_zone = 0.01 * load});
+        if (is_beside_another) {
+            increment.nominal.push_back(increment.nominal[0]);
+            increment.signal.insert(increment.signal.end(), increment.signal.begin(), increment.signal.end());
+            increment.tips.push_back({.a = 3.0});
+        }
         meter.add(increment);
     }
 
@@ -51,6 +56,7 @@ protected:
     Eigen::VectorXd cases, cases_before;    // factors of load cases
     double initial_K = 0.0, way = 1.0;      // of the tip, over the length that the crack is said to have
     double opening_at_tip = 0.0;            // beside what the load makes
+    bool is_beside_another = false;         // tip, which stands, and has the same K
     bool told = true;                       // K, by a ring
     double J_of_load = 1.0;
     std::function<double(double)> mouth_of_load;  // mm; absent: the load
@@ -461,6 +467,18 @@ TEST_F(CycleMeterTest, ClosesAtTheMinimumWhereNoLoadTellsSo) {
     go(2, 20.0, 2.0, false, {{.tip = 0, .signal = 0, .closes = false, .load_factor = 6.0}});
     const CycleResult grown = meter.finish().at(0);
     EXPECT_EQ(grown.opening.K_cl, grown.K_min);
+}
+
+// Its K was that of the shorter crack beside it: 50 instead of 100.
+TEST_F(CycleMeterTest, LoadingBeginsWithTheLongerCrackAtATipThatStandsToo) {
+    is_beside_another = true;
+    closure = ClosureMeter(input.closure, {300.0, 300.0}, input.cracks, {500.0, 500.0});
+    meter = CycleMeter(input, closure, {tips[0], tips[0]});
+    go(0, 20.0, 1.0, false);
+    go(1, 5.0, 1.0, false);
+    go(1, 5.0, 2.0, false);  // grows
+    go(1, 20.0, 2.0, false);
+    for (const CycleResult& cycle : meter.finish()) EXPECT_EQ(cycle.K_min, 100.0);
 }
 
 TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
