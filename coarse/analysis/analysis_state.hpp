@@ -40,7 +40,8 @@ struct GrowthMemory {
     bool ended = false;  // growth has ended the run
     GrowthIncrementMemory increment;
     TipRatesMemory rates;
-    std::vector<double> K_reached;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    std::vector<double> K_reached;   // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    std::vector<LengthAndK> before;  // what the tips had reached when they grew last
     ReachedExtremes extremes;
 };
 

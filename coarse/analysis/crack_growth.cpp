@@ -29,13 +29,14 @@ constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memory)
     : growth_(*input.growth), note_(note), ended_(memory.ended), increment_(std::move(memory.increment)),
       rates_(input, std::move(memory.rates)), K_reached_(std::move(memory.K_reached)),
-      extremes_(std::move(memory.extremes)) {}
+      before_(std::move(memory.before)), extremes_(std::move(memory.extremes)) {}
 
 GrowthMemory CrackGrowth::memory() const {
     return {.ended = ended_,
             .increment = increment_.memory(),
             .rates = rates_.memory(),
             .K_reached = K_reached_,
+            .before = before_,
             .extremes = extremes_};
 }
 
@@ -69,7 +70,10 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
         if (grown.longer) note_functions(present.enriched, *grown.longer);
     }
     ended_ = !grown.longer;
-    if (grown.longer) K_reached_.clear();
+    if (grown.longer) {
+        before_ = reached(last);
+        K_reached_.clear();
+    }
     return grown;
 }
 
@@ -94,6 +98,13 @@ double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene&
     return is_prescribed(growth_) ? given : cut_to_end(given, growth_, last, lengthening);
 }
 
+std::vector<LengthAndK> CrackGrowth::reached(const std::vector<CycleResult>& last) const {
+    std::vector<LengthAndK> tips;
+    for (std::size_t t = 0; t < std::min(last.size(), K_reached_.size()); ++t)
+        tips.push_back({last[t].a, K_reached_[t]});
+    return tips;
+}
+
 std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const std::vector<TipResult>& guides,
                                                    const std::vector<CycleResult>& last) {
     const std::vector<Tip>& tips = present.enriched.tips;
@@ -107,7 +118,9 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    const double increment = this->increment(last, present, turn, elements);
+    double increment = this->increment(last, present, turn, elements);
+    if (growth_.toughness && !is_prescribed(growth_))
+        increment = cut_to_toughness(increment, *growth_.toughness, reached(last), before_, rates_.lengthening(tips));
     std::vector<Cracks> ways{by(increment, growth_.direction)};
     warn_of_sharp_turns(tips, ways.front(), elements);
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.

@@ -61,6 +61,7 @@ private:
     [[nodiscard]] bool is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const;
     using Cracks = std::vector<CrackSection>;
 
+    [[nodiscard]] std::vector<LengthAndK> reached(const std::vector<CycleResult>& last) const;
     /// Of the fastest tip, mm. `turn`: the largest of the tips, radians; `elements`: edges of theirs, mm.
     [[nodiscard]] double increment(const std::vector<CycleResult>& last, const Scene& present, double turn,
                                    const std::vector<double>& elements);
@@ -86,7 +87,8 @@ private:
     bool left_the_mesh_ = false;
     GrowthIncrement increment_;
     TipRates rates_;
-    std::vector<double> K_reached_;  // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    std::vector<double> K_reached_;   // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
+    std::vector<LengthAndK> before_;  // what the tips had reached when they grew last; empty: they have not grown
     ReachedExtremes extremes_;
     std::set<int> said_to_freeze_;  // tips: no checkpoint, for a run that retains functions cannot be resumed
 };

@@ -36,6 +36,21 @@ double cut_to_end(double increment, const GrowthSection& growth, const std::vect
     return increment;
 }
 
+double cut_to_toughness(double increment, double toughness, const std::vector<LengthAndK>& now,
+                        const std::vector<LengthAndK>& before, const std::vector<double>& lengthening) {
+    constexpr double beyond = 1.001, least = 0.01, root = 0.5, steepest = 5.0;
+    double cut = increment;
+    for (std::size_t t = 0; t < now.size(); ++t) {
+        const LengthAndK &tip = now[t], first = t < before.size() ? before[t] : LengthAndK();
+        if (!(lengthening[t] > 0.0 && tip.a > 0.0 && tip.K > 0.0)) continue;
+        const bool tells = first.K > 0.0 && tip.a > first.a && tip.K > first.K;
+        const double power = tells ? std::min(std::log(tip.K / first.K) / std::log(tip.a / first.a), steepest) : root;
+        const double lengthened = tip.a * std::expm1(std::log(beyond * toughness / tip.K) / power);
+        cut = std::min(cut, lengthened / lengthening[t]);
+    }
+    return std::max(cut, least * increment);
+}
+
 void GrowthIncrement::add(const std::vector<CycleResult>& cycles) {
     memory_.zones.resize(cycles.size());
     for (std::size_t t = 0; t < cycles.size(); ++t) {

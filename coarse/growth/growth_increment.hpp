@@ -36,6 +36,18 @@ struct GrowthIncrementMemory {
 [[nodiscard]] double cut_to_end(double increment, const GrowthSection& growth, const std::vector<CycleResult>& last,
                                 const std::vector<double>& lengthening);
 
+/// Of a tip, what it had reached when it grew: its length, mm, and the largest nominal K since the growth before, MPa
+/// sqrt(mm).
+struct LengthAndK {
+    double a = 0.0, K = 0.0;
+};
+
+/// The same, cut to where K of a tip reaches `toughness`, MPa sqrt(mm), and a thousandth beyond: K goes with a power of
+/// the length, by `now` and the growth `before` (empty: with its root; no more than its fifth power, by which K rises
+/// where the load does). One per tip. Not less than a hundredth of the increment, for K may rise more slowly.
+[[nodiscard]] double cut_to_toughness(double increment, double toughness, const std::vector<LengthAndK>& now,
+                                      const std::vector<LengthAndK>& before, const std::vector<double>& lengthening);
+
 /// What the mesh about the fastest tip asks of an increment, mm.
 struct TipSteps {
     std::size_t tip = 0;  // its number

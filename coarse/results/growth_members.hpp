@@ -56,12 +56,19 @@ void members(auto& archive, Is<ReachedExtremes> auto& m) {
     archive("tips", tips);
 }
 
+void members(auto& archive, Is<LengthAndK> auto& m) {
+    auto& [a, K] = m;
+    archive("a", a);
+    archive("K", K);
+}
+
 void members(auto& archive, Is<GrowthMemory> auto& m) {
-    auto& [ended, increment, rates, K_reached, extremes] = m;
+    auto& [ended, increment, rates, K_reached, before, extremes] = m;
     archive("ended", ended);
     archive("increment", increment);
     archive("rates", rates);
     archive("K_reached", K_reached);
+    archive("before", before);
     archive("extremes", extremes);
 }
 

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <iostream>
 #include <numbers>
+#include <optional>
 
 #include "coarse/specimen/handbook.hpp"
 #include "tests/support/sent_analysis.hpp"
@@ -71,18 +72,20 @@ TEST(CrackGrowth, AnElasticBodyWhoseFacesTouchForgetsItToo) {
     EXPECT_EQ(cycles, 4);
 }
 
-/// An edge crack from a/W = .3 to .5 by Paris' law.
+/// An edge crack from a/W = .3 to .5 by Paris' law, or to where it breaks.
 struct ParisLife {
     static constexpr double C = 1e-13, m = 3.0, stress = 80.0;
     double cycles = 0.0, end = 0.0;
     std::size_t computed = 0;
 
-    ParisLife(OrAuto<double> increment, double element, GrowthAt at = GrowthAt::Maximum) {
+    ParisLife(OrAuto<double> increment, double element, GrowthAt at = GrowthAt::Maximum,
+              std::optional<double> toughness = {}) {
         Case input = edge_crack(0.3, 4.0, End::Pulled);
         input.mesh.size = element;
         input.load = {.steps = 2, .blocks = {{.cycles = 100, .max = stress, .min = 0.0}}};
         input.growth =
             GrowthSection{.law = GrowthLaw::Paris, .increment = increment, .at = at, .C = C, .m = m, .until = 0.5};
+        input.growth->toughness = toughness;
         const RunHistory run = run_direct(input);
         for (const coarse::Increment& step : run.increments)
             for (const coarse::CycleResult& cycle : step.cycles) {
@@ -92,14 +95,15 @@ struct ParisLife {
         end = run.increments.back().tips[0].a;
     }
 
+    /// The handbook's K at the largest load.
+    static double K_at(double a) { return stress * coarse::sent_factor(a) * std::sqrt(std::numbers::pi * a); }
+
     /// The integral of 1 / (C dK^m) with the handbook's K.
-    static double by_handbook() {
+    static double by_handbook(double to = 0.5) {
+        constexpr int parts = 2000;
+        const double da = (to - 0.3) / parts;
         double life = 0.0;
-        for (int k = 0; k < 2000; ++k) {
-            const double a = 0.3 + 0.2 * (k + 0.5) / 2000.0;
-            const double K = stress * coarse::sent_factor(a) * std::sqrt(std::numbers::pi * a);
-            life += 0.2 / 2000.0 / (C * std::pow(K, m));
-        }
+        for (int k = 0; k < parts; ++k) life += da / (C * std::pow(K_at(0.3 + da * (k + 0.5)), m));
         return life;
     }
 };
@@ -116,6 +120,19 @@ TEST(CrackGrowth, LivesAsLongAsParisLawSays) {
         // m times the error of K, .15 % at most against the handbook's .3
         EXPECT_NEAR(life.cycles, handbook, 0.01 * handbook);
         EXPECT_LE(life.computed, 21U);
+    }
+}
+
+// The last increment is cut to where K reaches the toughness, as a power of the length tells: with all of it the cracks
+// would end at a/W = .46.
+TEST(CrackGrowth, LivesUntilKReachesTheToughness) {
+    const double handbook = ParisLife::by_handbook(0.45);
+    for (const double increment : {0.02, 0.04}) {
+        const ParisLife life(increment, 1.0 / 21.0, GrowthAt::Maximum, ParisLife::K_at(0.45));
+        std::cout << fmt::format("breaks at a/W = {:.4f} after {:.0f} cycles, handbook {:.0f}; {} computed\n", life.end,
+                                 life.cycles, handbook, life.computed);
+        EXPECT_NEAR(life.end, 0.45, 0.005);
+        EXPECT_NEAR(life.cycles, handbook, 0.03 * handbook);
     }
 }
 

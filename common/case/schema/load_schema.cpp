@@ -251,7 +251,8 @@ void declare_ends(Section<GrowthSection>& s) {
     s.value("toughness", &GrowthSection::toughness)
         .in("MPa sqrt(mm)")
         .positive()
-        .says("The run ends when K_max of a tip reaches it.");
+        .says("The run ends when K_max of a tip reaches it. By a law of da/dN the last increment is cut to where it "
+              "does.");
 }
 
 }  // namespace

@@ -199,5 +199,22 @@ TEST(GrowthIncrement, GoesOnFromItsMemory) {
     EXPECT_EQ(next(whole, by_K_eff, three), next(resumed, by_K_eff, three));
 }
 
+// K goes with a power of the length: with its root, unless the growth before says otherwise.
+TEST(GrowthIncrement, EndsWhereKReachesTheToughness) {
+    const double toughness = 330.0, cut = 10.0 * (std::pow(1.001 * 1.1, 2.0) - 1.0);
+    EXPECT_NEAR(cut_to_toughness(5.0, toughness, {{10.0, 300.0}}, {}, {1.0}), cut, 1e-12);
+    EXPECT_NEAR(cut_to_toughness(5.0, toughness, {{10.0, 300.0}}, {}, {0.5}), 2.0 * cut, 1e-12);
+    EXPECT_EQ(cut_to_toughness(0.5, toughness, {{10.0, 300.0}}, {}, {1.0}), 0.5);
+    const LengthAndK before{8.0, 300.0 * std::pow(0.8, 1.5)};
+    EXPECT_NEAR(cut_to_toughness(5.0, toughness, {{10.0, 300.0}}, {before}, {1.0}),
+                10.0 * (std::pow(1.001 * 1.1, 1.0 / 1.5) - 1.0), 1e-12);
+    EXPECT_NEAR(cut_to_toughness(5.0, toughness, {{10.0, 300.0}}, {{9.9, 200.0}}, {1.0}),
+                10.0 * (std::pow(1.001 * 1.1, 0.2) - 1.0), 1e-12);
+    EXPECT_EQ(cut_to_toughness(0.5, toughness, {{10.0, 300.0}, {5.0, 329.0}}, {}, {1.0, 0.0}), 0.5);
+    EXPECT_NEAR(cut_to_toughness(5.0, toughness, {{10.0, 300.0}, {10.0, 329.0}}, {}, {1.0, 1.0}),
+                10.0 * (std::pow(1.001 * 330.0 / 329.0, 2.0) - 1.0), 1e-12);
+    EXPECT_EQ(cut_to_toughness(5.0, toughness, {{10.0, 330.3}}, {}, {1.0}), 0.05);
+}
+
 }  // namespace
 }  // namespace stria::coarse

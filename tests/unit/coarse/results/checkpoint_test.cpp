@@ -45,6 +45,7 @@ Checkpoint some_checkpoint() {
     state.growth.rates.life = {.uncounted = 0.02, .rate_at_turn = 1e-4};
     state.growth.rates.at_turn = {1.5e-6, 0.0};
     state.growth.K_reached = {610.5, 0.0};
+    state.growth.before = {{20.5, 590.25}, {0.0, 0.0}};
     state.growth.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth.rates.period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
     state.load.reached = -1.0 / 3.0;
@@ -123,6 +124,9 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.growth.rates.life.rate_at_turn, 1e-4);
     EXPECT_EQ(out.analysis.growth.rates.at_turn, in.analysis.growth.rates.at_turn);
     EXPECT_EQ(out.analysis.growth.K_reached, in.analysis.growth.K_reached);
+    ASSERT_EQ(out.analysis.growth.before.size(), 2U);
+    EXPECT_EQ(out.analysis.growth.before[0].a, 20.5);
+    EXPECT_EQ(out.analysis.growth.before[0].K, 590.25);
     EXPECT_EQ(out.analysis.growth.extremes.maximum.main, 50.0);
     EXPECT_EQ(out.analysis.growth.extremes.maximum.cases, in.analysis.growth.extremes.maximum.cases);
     EXPECT_EQ(out.analysis.growth.extremes.minimum.main, -5.0);
