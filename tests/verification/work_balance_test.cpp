@@ -88,17 +88,6 @@ TEST(WorkBalance, SharesOfLoadCasesDoNotDependOnTheIncrementsInWhichFacesPart) {
     EXPECT_LT((shares[0] - shares[1]).norm(), 1e-9 * shares[1].norm());
 }
 
-// The work of loads on elements that join the zone as the crack grows is the zone's from then on, and counted once.
-TEST(WorkBalance, ClosesWhereElementsThatBearLoadsJoinTheZone) {
-    Case input = sent_case({"mesh.height=16.0", "mesh.size=1.0", "mesh.grading=[]", "load.steps=4",
-                            "crack.0.points=[[0.0,8.03],[20.0,8.03]]", "fine.radius=9.0",
-                            "load.blocks=[{cycles=3,max=2.0,ratio=0.0}]"});
-    input.material.yield_stress.reset();
-    input.growth.emplace().increment = 1.0;
-    const Balance balance = balance_of(input);
-    EXPECT_LT(balance.relative_error(), 4e-3);
-}
-
 TEST(WorkBalance, CountsHardeningInPlaneStressAndBothKinds) {
     Case input = cycled(0.4, 2, 40);
     input.model.plane = PlaneState::Stress;
