@@ -130,6 +130,12 @@ TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {
         EXPECT_NE(warnings[0].find(fmt::format("crosses {:g} elements of 1 mm", increment)), std::string::npos)
             << warnings[0];
     }
+    input.growth->increment = 1.04;
+    input.load.blocks = {{.cycles = 30, .max = 1.0}};
+    ASSERT_EQ(at(3400.0).size(), 1U) << "two elements in one growth of 25";
+    EXPECT_NE(at(3400.0)[0].find("crosses 1.04 elements of 1 mm"), std::string::npos) << at(3400.0)[0];
+    input.growth->every = 3;
+    EXPECT_TRUE(at(3400.0).empty());
 }
 
 // A tenth of 10.2 mm in plane stress; in plane strain nothing is seen of it.
