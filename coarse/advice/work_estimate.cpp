@@ -8,6 +8,7 @@
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
+#include "common/material/linear_hardening.hpp"
 #include "common/memory.hpp"
 
 namespace stria::coarse {
@@ -95,10 +96,7 @@ double increments_of(const Case& input, const std::vector<Leg>& legs, double cyc
 
 /// Points that flow take little then (docs/equations.md, exact return).
 bool returns_exactly(const MaterialSection& material, PlaneState plane) {
-    const IsotropicHardening& isotropic = material.isotropic;
-    const auto is_linear = [](const KinematicHardening& term) { return term.gamma == 0.0 && !term.C_start; };
-    return plane == PlaneState::Strain && isotropic.law == "linear" &&
-           std::ranges::all_of(material.kinematic, is_linear);
+    return plane == PlaneState::Strain && material.isotropic.law == "linear" && are_linear(material.kinematic);
 }
 
 /// In a mean iteration: what flows does not rest.

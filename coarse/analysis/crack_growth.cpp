@@ -91,11 +91,14 @@ double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene&
                               const std::vector<double>& elements) {
     const std::vector<Tip>& tips = present.enriched.tips;
     const std::vector<double> lengthening = rates_.lengthening(tips);
-    if (growth_.increment.is_auto())
-        return increment_.next(growth_, last, rates_.present(), lengthening,
-                               steps_about(fastest_of(rates_.shares(tips.size())), present, turn, elements));
-    const double given = growth_.increment.value();
-    return is_prescribed(growth_) ? given : cut_to_end(given, growth_, last, lengthening);
+    if (is_prescribed(growth_)) return growth_.increment.value();
+    const double by_law =
+        growth_.increment.is_auto()
+            ? increment_.next(growth_, last, rates_.present(), lengthening,
+                              steps_about(fastest_of(rates_.shares(tips.size())), present, turn, elements))
+            : cut_to_end(growth_.increment.value(), growth_, last, lengthening);
+    return growth_.toughness ? cut_to_toughness(by_law, *growth_.toughness, reached(last), before_, lengthening)
+                             : by_law;
 }
 
 std::vector<LengthAndK> CrackGrowth::reached(const std::vector<CycleResult>& last) const {
@@ -118,9 +121,7 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));
-    double increment = this->increment(last, present, turn, elements);
-    if (growth_.toughness && !is_prescribed(growth_))
-        increment = cut_to_toughness(increment, *growth_.toughness, reached(last), before_, rates_.lengthening(tips));
+    const double increment = this->increment(last, present, turn, elements);
     std::vector<Cracks> ways{by(increment, growth_.direction)};
     warn_of_sharp_turns(tips, ways.front(), elements);
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.

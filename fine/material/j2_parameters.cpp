@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/material/linear_hardening.hpp"
 #include "fine/material/point_pack.hpp"
 
 namespace stria::fine {
@@ -14,11 +15,7 @@ double J2Parameters::prager_modulus() const {
     return sum;
 }
 
-bool J2Parameters::is_linear() const {
-    return isotropic.linear() != nullptr && std::ranges::all_of(kinematic, [](const KinematicHardening& term) {
-               return term.gamma == 0.0 && !term.C_start;
-           });
-}
+bool J2Parameters::is_linear() const { return isotropic.linear() != nullptr && are_linear(kinematic); }
 
 bool J2Parameters::has_thresholds() const {
     return std::ranges::any_of(kinematic, [](const KinematicHardening& term) { return term.threshold; });
