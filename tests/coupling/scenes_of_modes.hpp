@@ -8,8 +8,8 @@
 
 namespace stria::test {
 
-/// Plastic flow in tension, contact in compression, 36 increments.
-inline const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "load.steps=12",
+/// Plastic flow in tension, contact in compression, 24 increments.
+inline const std::vector<std::string> small_scene{mesh_at_tip(0.3), "mesh.size=10.0", "load.steps=8",
                                                   "solver.tolerance=1e-12"};
 
 /// The same on large elements that the zone splits; the crack runs through their middles, and from large into small.
@@ -24,7 +24,7 @@ inline const std::vector<std::string> extended_scene{mesh_at_tip(0.3), "mesh.siz
 inline const std::vector<std::string> growing_scene{
     mesh_at_tip(0.4),         "mesh.size=10.0",
     "solver.tolerance=1e-12", "load.blocks=[{cycles=2, max=50.0, ratio=-1.0}]",
-    "load.steps=14",          "growth.increment=0.25"};
+    "load.steps=8",           "growth.increment=0.25"};
 
 /// Small elements follow the tip of a crack that grows.
 inline const std::vector<std::string> following_scene{"mesh.grading=[]",
@@ -43,7 +43,7 @@ inline const std::vector<std::string> sliding_scene{
     "solver.tolerance=1e-12",
     "crack.0.points=[[0.0, 88.0], [20.0, 100.0]]",
     "crack.0.contact.friction=0.3",
-    "load.steps=12",
+    "load.steps=8",
     "load.blocks=[{cycles=1, max=50.0, ratio=-1.0}]"};
 
 /// The ends are held, and nothing is left to the structure.

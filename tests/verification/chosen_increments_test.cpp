@@ -56,7 +56,7 @@ TEST(ChosenIncrements, AreThoseOfTheRunInWhichTheLoadBeginsHigher) {
     const std::vector<std::string> settings{"fine.refine=8", "growth.increment=0.2"};
     const auto cycles = [&](double max, double min, double dead) {
         std::vector<std::string> all = settings;
-        all.push_back(fmt::format("load.blocks=[{{cycles=8, max={}, min={}}}]", max, min));
+        all.push_back(fmt::format("load.blocks=[{{cycles=6, max={}, min={}}}]", max, min));
         Case input = read_case(std::string(source_folder) + "/bench/growing_cycle/case.toml", all);
         if (dead != 0.0) {
             input.load_cases = {dead_load("dead", dead)};

@@ -73,7 +73,7 @@ TEST(ContactOfTips, OfAPlateIsThatOfItsHalf) {
             line.displacement[0] = 0.0;
             input.boundaries.push_back(line);
         }
-        input.load = {.steps = 12, .blocks = {{.cycles = 5, .max = 100.0, .min = 0.0}}};
+        input.load = {.steps = 12, .blocks = {{.cycles = 3, .max = 100.0, .min = 0.0}}};
         input.growth = GrowthSection{.increment = 0.1};
         input.closure.distance = 0.13;
         input.closure.profile = {0.3};

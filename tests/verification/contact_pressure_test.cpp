@@ -220,7 +220,7 @@ TEST(ContactPressure, QuadraticFieldOver100CutsAt21) {
     EXPECT_LT(error.penetration, 0.01);  // half that in units that shrink by half: of second order
 }
 
-TEST(ContactPressure, QuadraticFieldOver100CutsAt41) {
+TEST(ContactPressure, QuadraticFieldOver100CutsAt41Long) {
     const TractionErrors error = traction_errors(41, random_cuts(100));
     EXPECT_LT(error.mean, 0.0015);
     expect_within(error, 41, 0.0025);

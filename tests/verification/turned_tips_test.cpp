@@ -46,7 +46,7 @@ TEST(TurnedTips, AreNotArrestedByAKThatIsNotResolved) {
 // its own life was left out, and that of the other one was 57 % too long.
 TEST(TurnedTips, LeaveTheirTurnBesideACrackThatIsFasterThere) {
     const RunHistory coarse = run_direct(plate_with_turning_crack(0.5, 1)),
-                     fine = run_direct(plate_with_turning_crack(0.05, 1));
+                     fine = run_direct(plate_with_turning_crack(0.1, 1));
     EXPECT_NEAR(fine.increments.back().tips.at(0).a, 12.0, 1e-3);
     EXPECT_NEAR(coarse.increments.back().tips.at(0).a, 12.0, 1e-3);
     EXPECT_NEAR(life(coarse) / life(fine), 1.0, 0.10);

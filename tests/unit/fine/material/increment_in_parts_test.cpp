@@ -50,7 +50,7 @@ protected:
     /// Largest error of a path's increments, over the yield stress; one per number of sub-steps.
     std::vector<double> worst_errors(const std::vector<int>& substeps, double times = 1.0) {
         std::vector<double> worst(substeps.size(), 0.0);
-        on_a_random_path(30, 5, [&](const std::vector<double>& committed, const Mandel& one, const PointUpdate&) {
+        on_a_random_path(15, 5, [&](const std::vector<double>& committed, const Mandel& one, const PointUpdate&) {
             const Mandel increment = times * one;
             PointUpdate exact{.state = committed, .tangent = law_.elastic(), .yields = false};
             const int parts = times > 1.0 ? 2000 : 1000;
