@@ -108,6 +108,11 @@ std::string retained_warning(std::size_t tip) {
                        tip);
 }
 
+double rounded_down_to_two_digits(double length) {
+    const double digit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+    return digit * std::floor(length / digit * (1.0 + 1e-12));
+}
+
 /// Faces end on edges of elements: with 1.2 of them at a time now one opens, and now two; with 1.04 two in one of 25
 /// `growths`, which leaves a crest like that of two at a time.
 std::optional<std::string> growth_warning(std::size_t tip, double increment, double element, int growths) {
@@ -116,8 +121,8 @@ std::optional<std::string> growth_warning(std::size_t tip, double increment, dou
     if (elements < most_at_a_time && (elements < 1.0 || is_whole)) return std::nullopt;
     return fmt::format(
         "tip {}: growth.increment = {:g} mm crosses {:.3g} elements of {:.3g} mm at a time; opening loads swing from "
-        "step to step beyond one",
-        tip, increment, elements, element);
+        "step to step beyond one: growth.increment = {:.2g} or less, or elements of {:.3g} mm or more",
+        tip, increment, elements, element, rounded_down_to_two_digits(element), increment);
 }
 
 /// In plane stress faces part last at the end of the last step, or at the distance that is looked at.

@@ -62,9 +62,10 @@ TEST(TipSupport, ReachesThreeQuartersOfTheWayKeepsClearOfOthersAndIsNotLargerTha
 TEST(TipSupport, IsAsLargeAsTheCaseSaysOrTheCaseIsRefused) {
     TipEnrichment tips{.radius = 2.0};
     const RoomOfDisk room{.reach = 2.0, .half_way = 2.0, .diagonal = 1.0};
-    EXPECT_EQ(disk_radius(tips, Tip{}, room), 2.0);
+    const Tip tip{.crack = 0, .position = {3.0, 5.0}, .direction = Vec2::UnitX(), .s = 3.0, .upper = 1};
+    EXPECT_EQ(disk_radius(tips, tip, room), 2.0);
     tips.radius = 2.01;
-    EXPECT_THROW(static_cast<void>(disk_radius(tips, Tip{}, room)), CaseError);
+    EXPECT_THROW(static_cast<void>(disk_radius(tips, tip, room)), CaseError);
 }
 
 }  // namespace
