@@ -114,6 +114,13 @@ private:
 
     CellMean& mean(const CellKey& key) { return key.second == 0 ? whole_[at(key.first)] : sides_[key]; }
 
+    // The points of a tip's element stay where they are, and none of them may stand on one side of the crack: a strip
+    // beside an edge, say. What the other side holds goes on around the tip.
+    const CellMean& mean_of_cell(const CellKey& key) {
+        const CellMean& own = mean(key);
+        return own.weight > 0.0 ? own : mean({key.first, -key.second});
+    }
+
     void add_plain(int e) {
         // A node on the crack has two displacements; elements that touch the crack have points of their own.
         std::optional<ElementBasis> own;
@@ -161,7 +168,7 @@ private:
 
     void add_cell(CellType type, const std::vector<std::int64_t>& points, const CellKey& key) {
         data_.add_cell(type, points);
-        const CellMean& sum = mean(key);
+        const CellMean& sum = mean_of_cell(key);
         const double w = sum.weight > 0.0 ? sum.weight : 1.0;
         const Mandel stress = sum.stress / w, plastic = sum.plastic_strain / w;
         for (int c = 0; c < 4; ++c) {
