@@ -90,7 +90,8 @@ struct AnalysisState {
     UnitDisplacement unit_displacement;   // of the same body
     RunCounts counts;
     GrowthMemory growth;
-    std::vector<int> tips_without_room;  // that have been spoken of (RoomOfTips)
+    std::vector<int> tips_without_room;       // that have been spoken of (RoomOfTips)
+    std::vector<int> tips_on_large_elements;  // likewise (TipsOnLargeElements)
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

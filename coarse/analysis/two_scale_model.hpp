@@ -11,6 +11,7 @@
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"
 #include "coarse/growth/room_of_tips.hpp"
+#include "coarse/growth/tips_on_large_elements.hpp"
 #include "coarse/zone/yield_guard.hpp"
 
 namespace stria::coarse {
@@ -78,6 +79,7 @@ private:
     std::unique_ptr<Equilibrium> equilibrium_;
     std::optional<StructureRings> rings_;  // of the present structure
     RoomOfTips room_;
+    TipsOnLargeElements large_;
     CommittedDisplacement displacement_;
     bool is_kept_ = false;        // prepare_growth() has met a zone
     LoadFactors factors_;         // committed

@@ -16,6 +16,9 @@ namespace stria::coarse {
 /// With growth.retain = "all" a tip has moved by less than apart_to_retain elements.
 [[nodiscard]] std::string functions_frozen(int tip);
 
+/// A tip with elements of this edge, mm, so many `times` as large as fine.refine asks for.
+[[nodiscard]] std::string stands_on_large_elements(std::size_t tip, double element, int times);
+
 /// No tip is driven: `by_last_cycle` of a load that varies, of which others may drive one.
 [[nodiscard]] std::string is_arrested(bool by_last_cycle);
 

@@ -19,6 +19,11 @@ namespace {
 /// How often an element at a tip is split.
 int levels_of(const FineSection& fine) { return std::countr_zero(static_cast<unsigned>(fine.refine)); }
 
+/// How often it has been.
+int level_at(const Scene& scene, const Tip& tip) {
+    return scene.mesh.level.empty() ? 0 : scene.mesh.level[at(piece_of(scene.enriched.pieces, tip)->element)];
+}
+
 /// How far small elements lie ahead of a tip that grows, mm: as far as metal flows, because it is never split again.
 double way_ahead(const Case& input, double flow, double radius, Room room) {
     constexpr double most = 0.15;  // of the radius: each element of the zone is paid for
@@ -30,6 +35,8 @@ double way_ahead(const Case& input, double flow, double radius, Room room) {
 
 }  // namespace
 
+int levels_missing(const Scene& scene, const Tip& tip) { return levels_of(scene.input.fine) - level_at(scene, tip); }
+
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
                                           const std::vector<double>& K, Room room) {
     const EnrichedMesh& mesh = scene.enriched;
@@ -39,9 +46,7 @@ std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<
     std::vector<RefinedDisk> disks;
     for (std::size_t t = 0; t < mesh.tips.size(); ++t) {
         const Tip& tip = mesh.tips[t];
-        const int element = piece_of(mesh.pieces, tip)->element;
-        const int level = scene.mesh.level.empty() ? 0 : scene.mesh.level[at(element)];
-        const double smallest = std::ldexp(tip_element_size(mesh, tip), level - levels);
+        const double smallest = std::ldexp(tip_element_size(mesh, tip), -levels_missing(scene, tip));
         const double radius = std::max(zone_radius(fine, yield_stress[t], K[t]), 3.0 * smallest);
         const double flow = elastic_zone_ahead(K[t], yield_stress[t], scene.input.model.plane);
         const Vec2 ahead = way_ahead(scene.input, flow, radius, room) * direction_of_end(cracks[at(tip.crack)], tip);

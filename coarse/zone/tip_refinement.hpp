@@ -21,6 +21,9 @@ enum class Room {
 std::vector<RefinedDisk> disks_about_tips(const Scene& scene, const std::vector<CrackSection>& cracks,
                                           const std::vector<double>& K, Room room);
 
+/// How often the element at a tip would have to be split to be as small as the case asks for.
+[[nodiscard]] int levels_missing(const Scene& scene, const Tip& tip);
+
 /// Elements that may be split as the cracks take their next steps straight ahead. `whole`: that never are.
 [[nodiscard]] ElementSet elements_to_split_soon(const Scene& scene, const std::vector<double>& K,
                                                 const ElementSet& whole);

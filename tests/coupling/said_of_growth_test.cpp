@@ -74,6 +74,49 @@ TEST(SaidOfGrowth, IsNotSaidAgainByARunThatGoesOn) {
     EXPECT_EQ(notes_with(notes, "the largest ring").size(), 2U);
 }
 
+/// A crack that runs into a band of soft metal, which flows all at once where nobody asked for small elements yet.
+Case towards_soft_metal() {
+    Case input = specimen("plate", 20.0, {{0.0, 10.1}, {5.2, 10.1}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 1.0;
+    input.material.yield_stress = 300.0;
+    input.material.kinematic = {{.C = 4000.0}};
+    RegionSection band;
+    band.outline = {{7.0, 0.0}, {9.0, 20.0}};
+    band.material = input.material;
+    band.material.yield_stress = 40.0;
+    input.regions = {band};
+    input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
+    input.load = {.steps = 4, .blocks = {{.cycles = 8, .max = 45.0, .min = 0.0}}};
+    input.growth = GrowthSection{.increment = 0.3, .direction = GrowthDirection::Straight};
+    input.fine.refine = 8;
+    return input;
+}
+
+// Once for each size, and not again by a run that goes on.
+TEST(SaidOfGrowth, NamesATipThatHasComeToLargeElements) {
+    Case input = towards_soft_metal();
+    const coarse::Scene scene = coarse::refined_scene(input);
+    std::vector<std::string> notes;
+    coarse::Listener listener;
+    listener.note = [&](const std::string& text) { notes.push_back(text); };
+    listener.reached = [&](const coarse::LoadStep& step) { return !(step.ends_cycle && step.cycle == 7); };
+    fine::FineModel fine(input), other_fine(input);
+    coarse::CondensedFactory first(&fine, input), second(&other_fine, input);
+    coarse::FatigueAnalysis begun(scene, first, listener);
+    begun.run();
+    const coarse::AnalysisState state = begun.state();
+    EXPECT_EQ(notes_with(notes, "times as large as fine.refine asks for").size(), 3U);
+    EXPECT_EQ(notes_with(notes, "tip 0 has come to elements of 0.25 mm, 2 times as large").size(), 1U);
+    EXPECT_EQ(notes_with(notes, "tip 0 has come to elements of 1 mm, 8 times as large").size(), 1U);
+    coarse::FatigueAnalysis ended(scene, second, listener, &state);
+    ended.run();
+    EXPECT_TRUE(ended.finished());
+    EXPECT_EQ(notes_with(notes, "times as large as fine.refine asks for").size(), 3U);
+    input.regions.clear();
+    EXPECT_TRUE(notes_with(run_direct(input).notes, "times as large").empty()) << "small elements follow the tip";
+}
+
 // A crack of 4.85 mm through elements of 0.1 mm.
 TEST(SaidOfGrowth, SaysWhereFunctionsStandNoLonger) {
     Case input = specimen("sent", 40.0, {{0.0, 20.05}, {4.85, 20.05}});
