@@ -95,6 +95,8 @@ CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std
       K_gradient_(input.load.K_gradient), signals_(closure.signals()) {
     now_.tips.resize(tips.size());
     for (const Tip& tip : tips) touches_.push_back(input.cracks[at(tip.crack)].contact.has_value());
+    for (std::size_t k = 0; k < input.load_cases.size(); ++k)
+        if (input.load_cases[k].factor) follow_main_.push_back(static_cast<int>(k));
 }
 
 // The maximum that it starts from is that of the cycle before.
@@ -123,10 +125,11 @@ void CycleMeter::add(const Increment& increment) {
         begin(increment.step.cycle);
     const bool stands = rise_of_load(increment) == 0.0;
     const bool has_grown = some_tip_has_grown(now_.tips, increment);
-    const double asked = has_grown ? load_asked_of_longer(increment) : increment.load_factor;
+    const LoadFactors loads =
+        has_grown ? loads_asked_of_longer(increment) : LoadFactors(increment.load_factor, increment.step.target.cases);
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
-        const double K = K_I_under(increment.nominal[t], {asked, increment.step.target.cases});
+        const double K = K_I_under(increment.nominal[t], loads);
         const bool rises = !stands && t < now_.last.size() && K > now_.last[t].K;
         note_signals(tip, increment, t);
         note_slip(tip.cycle, increment, t);
@@ -161,11 +164,15 @@ void CycleMeter::add(const Increment& increment) {
 
 // The load stands while the crack grows, and goes to what is asked of the longer one from there on: a cycle has the K
 // between which it would go if it were there already. So a life does not depend on where in a cycle its crack grows.
-double CycleMeter::load_asked_of_longer(const Increment& increment) const {
+LoadFactors CycleMeter::loads_asked_of_longer(const Increment& increment) const {
+    LoadFactors loads(increment.load_factor, increment.step.target.cases);
+    if (control_ != Control::StressIntensity || now_.last.empty()) return loads;
     const double longer = increment.tips.front().a - now_.tips.front().cycle.a;
-    if (control_ != Control::StressIntensity || now_.last.empty()) return increment.load_factor;
-    return increment.load_factor * std::exp(K_gradient_ * longer) * now_.last.front().unit_K /
-           increment.nominal.front().K_I;
+    const double share = std::exp(K_gradient_ * longer) * now_.last.front().unit_K / increment.nominal.front().K_I;
+    loads.main *= share;
+    for (const int k : follow_main_)
+        if (k < loads.cases.size()) loads.cases[k] *= share;
+    return loads;
 }
 
 // Where a displacement is controlled the load may fall as it rises; unless load cases change, it is what rises.

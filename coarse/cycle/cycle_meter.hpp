@@ -71,9 +71,9 @@ private:
     /// [load], as loads lag or travel, [load] does.
     [[nodiscard]] bool half_cycle_rises(const Increment& increment, std::size_t t) const;
     [[nodiscard]] bool rises_on(std::size_t t) const { return t < now_.rises_on.size() && now_.rises_on[t] != 0; }
-    /// Where the crack has grown, the load factor at which the K of the first tip is what it is asked to be; else that
-    /// of the increment.
-    [[nodiscard]] double load_asked_of_longer(const Increment& increment) const;
+    /// Where the crack has grown, the loads at which the K of the first tip is what it is asked to be; else those of
+    /// the increment.
+    [[nodiscard]] LoadFactors loads_asked_of_longer(const Increment& increment) const;
     void note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
     void note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const;
     void note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const;
@@ -82,8 +82,9 @@ private:
     OpeningDefinition definition_ = OpeningDefinition::Contact;
     bool looks_ahead_ = false, peaks_between_ends_ = false;
     Control control_ = Control::Load;
-    double K_gradient_ = 0.0;    // LoadSection
-    std::vector<bool> touches_;  // of each tip, whether the faces of its crack have contact
+    double K_gradient_ = 0.0;       // LoadSection
+    std::vector<int> follow_main_;  // load cases whose factor is one of [load]
+    std::vector<bool> touches_;     // of each tip, whether the faces of its crack have contact
     ClosureMeter::Signals signals_;
     CycleMemory now_;
 };

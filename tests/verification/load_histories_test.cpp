@@ -9,6 +9,7 @@
 
 #include "common/case/schema/case_file.hpp"
 #include "tests/support/folders.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -108,8 +109,22 @@ TEST(LoadHistories, ALifeBetweenConstantLoadsIsTheSameWhereverItGrows) {
     EXPECT_NEAR(lives[1], lives[0], 1e-6 * lives[0]);
 }
 
-// So it is between values of K that are asked for, below zero and beside an initial stress, whose K changes as the
-// crack grows: with K_min of the shorter crack lives were 10 % to a factor of two apart.
+/// Bending that follows the load, by half of its factor, whose K changes in another way as the crack grows.
+Case bent_too() {
+    Case input = elastic_plate();
+    input.load_cases = {lagging_load("bends", 0.5)};
+    for (const double sign : {1.0, -1.0}) {
+        BoundarySection& bends = input.boundaries.emplace_back(at_end(sign > 0.0 ? "top" : "bottom", End::Pulled, 0.0));
+        bends.traction_gradient(1, 0) = -6.0 * sign;
+        bends.origin = {0.5, 0.0};
+        bends.load_case = "bends";
+    }
+    return input;
+}
+
+// So it is between values of K that are asked for, below zero, beside an initial stress, whose K changes as the crack
+// grows, and beside a load that follows the first: with K_min of the shorter crack lives were 10 % to a factor of two
+// apart, with the load of a follower likewise a half apart.
 TEST(LoadHistories, ALifeBetweenConstantKIsTheSameWhereverItGrows) {
     const auto life = [](const Case& input) {
         double cycles = 0.0;
@@ -117,13 +132,13 @@ TEST(LoadHistories, ALifeBetweenConstantKIsTheSameWhereverItGrows) {
             for (const coarse::CycleResult& cycle : increment.cycles) cycles += cycle.dN;
         return cycles;
     };
-    Case pressed = elastic_plate(), steep = elastic_plate(), stressed = elastic_plate();
+    Case pressed = elastic_plate(), steep = elastic_plate(), stressed = elastic_plate(), bent = bent_too();
     pressed.load.blocks = {{.cycles = 6, .max = 100.0, .min = -50.0}};
-    steep.load.blocks = stressed.load.blocks = {{.cycles = 6, .max = 100.0, .min = 70.0}};
+    steep.load.blocks = stressed.load.blocks = bent.load.blocks = {{.cycles = 6, .max = 100.0, .min = 70.0}};
     steep.load.K_gradient = 3.0;
     stressed.initial_stress.emplace().sigma_y =
         StressProfile{.at = {0.0, 0.25, 0.5, 0.75, 1.0}, .stress = {150.0, 0.0, -150.0, 0.0, 150.0}};
-    for (Case* input : {&pressed, &steep, &stressed}) {
+    for (Case* input : {&pressed, &steep, &stressed, &bent}) {
         input->growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.031, .C = 1e-12, .m = 3.0};
         input->growth->driving = input == &pressed ? GrowthDriving::FullRange : GrowthDriving::Range;
         const double at_maximum = life(*input);

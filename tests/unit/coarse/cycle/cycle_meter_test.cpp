@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "tests/support/load_cases.hpp"
+
 namespace stria::coarse {
 namespace {
 
@@ -479,6 +481,24 @@ TEST_F(CycleMeterTest, LoadingBeginsWithTheLongerCrackAtATipThatStandsToo) {
     go(1, 5.0, 2.0, false);  // grows
     go(1, 20.0, 2.0, false);
     for (const CycleResult& cycle : meter.finish()) EXPECT_EQ(cycle.K_min, 100.0);
+}
+
+// A load case that follows [load] goes with the K that is asked of the longer crack, a dead load stays.
+TEST_F(CycleMeterTest, LoadingBeginsWithTheKThatIsAskedOfTheLongerCrack) {
+    input.load.control = Control::StressIntensity;
+    input.load_cases = {test::lagging_load("follows", 0.5), test::dead_load("dead", 1.0)};
+    meter = CycleMeter(input, closure, tips);
+    const auto with_cases = [&](int cycle, double load, double a) {
+        cases = Eigen::Vector2d(0.5 * load, 1.0);
+        go(cycle, load, a, false);
+    };
+    with_cases(0, 20.0, 1.0);
+    with_cases(1, 5.0, 1.0);
+    with_cases(1, 5.0, 2.0);  // grows
+    with_cases(1, 10.0, 2.0);
+    const CycleResult cycle = meter.finish().at(0);
+    EXPECT_DOUBLE_EQ(cycle.K_min, 50.0 + 25.0 + 20.0);
+    EXPECT_DOUBLE_EQ(cycle.K_max, 200.0 + 100.0 + 20.0);
 }
 
 TEST_F(CycleMeterTest, TakesTheFirstSlipOfEachHalfCycle) {
