@@ -45,9 +45,10 @@ bool is_rest_of_rise(const CycleMemory::Tip& tip, const LoadStep& step) {
 
 /// `K`: nominal, at the increment's end. `loading`: K rises to there, or the cycle ends there. With load cases it may
 /// rise in any part of it. `touches`: else faces that are pressed overlap, and J is none of a crack. As loading begins
-/// it would be that of the minimum: the larger, the smaller the increments are.
-void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, double K, bool loading,
-                   bool touches) {
+/// it would be that of the minimum: the larger, the smaller the increments are. `is_due`: where loading begins the
+/// opening is another one (opening_as_asked).
+void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t, double K, bool loading, bool touches,
+                   bool is_due = false) {
     const TipResult& tip = increment.tips[t];
     cycle.a = tip.a;
     cycle.K_initial = increment.nominal[t].K_initial;
@@ -58,7 +59,15 @@ void take_extremes(CycleResult& cycle, const Increment& increment, std::size_t t
         if (touches || K >= 0.0) cycle.J_max = std::fmax(cycle.J_max, tip.J);  // NaN where nobody tells J
     }
     cycle.CTOD.include(tip.CTOD, loading);
-    cycle.opening_behind.include(tip.opening, loading);
+    if (!is_due) cycle.opening_behind.include(tip.opening, loading);
+}
+
+/// Behind a tip where loading begins, mm: on the line from what it was as the crack grew to what it is at the `K` and
+/// the `opening` of the next increment. No number where nothing else is asked, or K stands.
+double opening_as_asked(const CycleMemory::Station& grown, double K, double opening, bool touches) {
+    const double part = grown.K_due != 0.0 ? grown.K_due / (K - grown.K) : NAN;
+    const double there = grown.opening + part * (opening - grown.opening);
+    return touches ? std::max(there, std::min(grown.opening, 0.0)) : there;
 }
 
 /// Where the cycle before rose no higher than this one does, its rest stands for that of this one, which is to come.
@@ -125,8 +134,8 @@ void CycleMeter::add(const Increment& increment) {
         begin(increment.step.cycle);
     const bool stands = rise_of_load(increment) == 0.0;
     const bool has_grown = some_tip_has_grown(now_.tips, increment);
-    const LoadFactors loads =
-        has_grown ? loads_asked_of_longer(increment) : LoadFactors(increment.load_factor, increment.step.target.cases);
+    const LoadFactors loads = loads_asked(increment, has_grown);
+    std::vector<double> due;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         CycleMemory::Tip& tip = now_.tips[t];
         const double K = K_I_under(increment.nominal[t], loads);
@@ -137,7 +146,11 @@ void CycleMeter::add(const Increment& increment) {
         if (!stands && !rises) tip.has_fallen = true;
         const bool loading = rises || increment.step.ends_cycle;
         const bool of_before = looks_ahead_ && !rises_on(t) && is_rest_of_rise(tip, increment.step);
-        take_extremes(tip.cycle, increment, t, K, loading && !of_before, touches_[t]);
+        due.push_back(K_due(increment, t, K));
+        if (due[t] == 0.0 && t < now_.last.size())
+            tip.cycle.opening_behind.include(opening_as_asked(now_.last[t], K, increment.tips[t].opening, touches_[t]),
+                                             false);
+        take_extremes(tip.cycle, increment, t, K, loading && !of_before, touches_[t], due[t] != 0.0);
         if (of_before) take_extremes(tip.rest, increment, t, K, rises, touches_[t]);
         // In shear, where K_I is of the mesh and goes its own way, each increment that loads goes farthest.
         const bool shears = !peaks_between_ends_ && !stands && !rises && rise_of_K(increment, t) > 0.0;
@@ -151,7 +164,7 @@ void CycleMeter::add(const Increment& increment) {
     std::vector<CycleMemory::Station> reached;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        reached.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_at_end(t), tip.CTOD, tip.opening,
+        reached.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_at_end(t), due[t], tip.CTOD, tip.opening,
                            tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
                            stands ? tip.plastic_zone_axis : 0.0, half_cycle_rises(increment, t)});
         if (now_.x.size() > t) continue;
@@ -164,15 +177,21 @@ void CycleMeter::add(const Increment& increment) {
 
 // The load stands while the crack grows, and goes to what is asked of the longer one from there on: a cycle has the K
 // between which it would go if it were there already. So a life does not depend on where in a cycle its crack grows.
-LoadFactors CycleMeter::loads_asked_of_longer(const Increment& increment) const {
+LoadFactors CycleMeter::loads_asked(const Increment& increment, bool has_grown) const {
     LoadFactors loads(increment.load_factor, increment.step.target.cases);
-    if (control_ != Control::StressIntensity || now_.last.empty()) return loads;
+    if (!has_grown || control_ != Control::StressIntensity || now_.last.empty()) return loads;
     const double longer = increment.tips.front().a - now_.tips.front().cycle.a;
     const double share = std::exp(K_gradient_ * longer) * now_.last.front().unit_K / increment.nominal.front().K_I;
     loads.main *= share;
     for (const int k : follow_main_)
         if (k < loads.cases.size()) loads.cases[k] *= share;
     return loads;
+}
+
+double CycleMeter::K_due(const Increment& increment, std::size_t t, double K) const {
+    const double due = K - increment.K_at_end(t);
+    if (due == 0.0 && increment.step.releases && t < now_.last.size()) return now_.last[t].K_due;
+    return std::isfinite(due) ? due : 0.0;
 }
 
 // Where a displacement is controlled the load may fall as it rises; unless load cases change, it is what rises.

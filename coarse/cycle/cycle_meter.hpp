@@ -24,6 +24,7 @@ struct CycleMemory {
     struct Station {                   // what the next increment, or cycle, starts from
         double x = 0.0, y = 0.0;       // of the tip, mm
         double unit_K = 0.0, K = 0.0;  // nominal: of the load of [load] at its factor 1, and of all there is
+        double K_due = 0.0;            // what is asked of the crack as it has grown there, less K
         double CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
         double zone = 0.0, zone_axis = 0.0;  // plastic, mm, of flow while the load stood
         bool rose = false;                   // the half cycle that it ends, or stands at the end of
@@ -73,7 +74,10 @@ private:
     [[nodiscard]] bool rises_on(std::size_t t) const { return t < now_.rises_on.size() && now_.rises_on[t] != 0; }
     /// Where the crack has grown, the loads at which the K of the first tip is what it is asked to be; else those of
     /// the increment.
-    [[nodiscard]] LoadFactors loads_asked_of_longer(const Increment& increment) const;
+    [[nodiscard]] LoadFactors loads_asked(const Increment& increment, bool has_grown) const;
+    /// What the loads asked of the longer crack would add to the K of the increment, also while its new faces are
+    /// released in parts. `K`: under them.
+    [[nodiscard]] double K_due(const Increment& increment, std::size_t t, double K) const;
     void note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
     void note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const;
     void note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const;

@@ -118,11 +118,12 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [x, y, unit_K, K, CTOD, opening, CMOD, load_factor, zone, zone_axis, rose] = m;
+    auto& [x, y, unit_K, K, K_due, CTOD, opening, CMOD, load_factor, zone, zone_axis, rose] = m;
     archive("x", x);
     archive("y", y);
     archive("unit_K", unit_K);
     archive("K", K);
+    archive("K_due", K_due);
     archive("CTOD", CTOD);
     archive("opening", opening);
     archive("CMOD", CMOD);

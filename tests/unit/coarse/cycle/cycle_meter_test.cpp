@@ -148,7 +148,8 @@ TEST_F(CycleMeterTest, UnderControlOfKGrowthAtAMinimumLeavesTheKAskedFor) {
     EXPECT_EQ(cycle.K_min, 100.0);
 }
 
-// A distance behind the tip is another place once it has moved.
+// A distance behind the tip is another place once it has moved. Of the K that is asked of the longer crack 6.4 makes as
+// much as 8 did.
 TEST_F(CycleMeterTest, RangesBehindATipThatGrowsAtAMinimumAreOfTheLongerCrack) {
     for (const Control control : {Control::Load, Control::StressIntensity}) {
         input.load.control = control;
@@ -158,7 +159,8 @@ TEST_F(CycleMeterTest, RangesBehindATipThatGrowsAtAMinimumAreOfTheLongerCrack) {
         opening_at_tip = 3e-3;    // of new faces
         go(1, 8.0, 1.25, false);  // grows
         go(1, 16.0, 1.25, false);
-        EXPECT_NEAR(meter.finish().at(0).opening_range(), 0.016, 1e-15);
+        const double least = control == Control::Load ? 8.0 : 6.4;
+        EXPECT_NEAR(meter.finish().at(0).opening_range(), 2e-3 * (16.0 - least), 1e-15);
         opening_at_tip = 0.0;
     }
 }
