@@ -7,6 +7,7 @@
 #include "coarse/advice/growth_adequacy.hpp"
 #include "coarse/advice/material_adequacy.hpp"
 #include "coarse/advice/mesh_adequacy.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
@@ -39,18 +40,23 @@ std::vector<std::string> steps_warnings(const Case& input) {
                         enough)};
 }
 
-/// How far behind a tip faces that may touch end, mm along them: at the notch, or beyond it at the other end of the
-/// crack; at its middle where that end is a tip.
-double faces_that_touch(const Scene& scene, const Tip& tip) {
+/// Behind a tip, mm along its faces.
+struct FacesBehind {
+    double own;           // up to where the crack ends; to its middle where its other end is a tip
+    double begins, ends;  // a notch does there, no farther than that
+    [[nodiscard]] double that_touch() const { return ends < own ? own : begins; }
+};
+
+FacesBehind faces_behind(const Scene& scene, const Tip& tip) {
     const CrackSection& crack = scene.input.cracks[at(tip.crack)];
     const auto of_crack = [&](const Tip& other) { return other.crack == tip.crack; };
     const double length = length_of(crack.points),
                  own = length / static_cast<double>(std::ranges::count_if(scene.enriched.tips, of_crack));
-    if (crack.notch == 0.0) return own;
+    if (crack.notch == 0.0) return {own, own, own};
     const Notch notch = notch_of(crack, crack.grown_at_start);
     const auto behind = [&](double s) { return std::clamp(tip.upper > 0 ? length - s : s, 0.0, own); };
     const auto [begins, ends] = std::minmax({behind(notch.from), behind(notch.to)});
-    return ends < own ? own : begins;
+    return {own, begins, ends};
 }
 
 /// Beyond them nothing touches.
@@ -58,13 +64,40 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
     std::vector<std::string> all;
     const std::vector<Tip>& tips = scene.enriched.tips;
     for (std::size_t t = 0; t < tips.size(); ++t) {
-        const double own = faces_that_touch(scene, tips[t]);
+        const double own = faces_behind(scene, tips[t]).that_touch();
         if (may_touch(scene.input.cracks[at(tips[t].crack)]) && distance[t] >= own)
             all.push_back(fmt::format(
                 "tip {}: closure is looked at {:.3g} mm behind it, and its faces that may touch end after {:.3g} mm: "
                 "nothing touches there, and it counts as open all the cycle{} (closure.distance)",
                 t, distance[t], own,
                 scene.input.growth ? fmt::format(" until it has grown by {:.3g} mm", distance[t] - own) : ""));
+    }
+    return all;
+}
+
+/// Between a tip and a notch pressed faces are as if they were whole, and the pressure is singular at the notch: mean 2
+/// K / sqrt(2 pi d) over d, and no K_I at the tip. On fewer elements there is one multiplier, or none but the tip's
+/// (docs/verification/contact.md, K of a closed tip).
+std::vector<std::string> pressed_faces_warnings(const Scene& scene, const UnitResponse& nominal) {
+    constexpr double elements_before_notch = 1.75;
+    std::vector<std::string> all;
+    const std::vector<double> least = least_K_I(scene.input, nominal);
+    for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
+        const Tip& tip = scene.enriched.tips[t];
+        const CrackSection& crack = scene.input.cracks[at(tip.crack)];
+        const double element = tip_element_edge(scene.enriched, tip), to_notch = faces_behind(scene, tip).begins;
+        const double lacks = elements_before_notch * element - to_notch;
+        if (!may_touch(crack) || crack.notch == 0.0 || to_notch <= 0.0 || lacks <= 0.0 || least[t] >= 0.0) continue;
+        all.push_back(fmt::format(
+            "tip {}: only {:.3g} mm of faces that may touch, {:.2g} elements of {:.3g} mm, lie between it and the "
+            "notch, and the load presses them with a nominal K_I of {:.4g} MPa sqrt(mm); on fewer than {:g} they press "
+            "too hard, six times so on a thirtieth, and K_I under pressure, which is nothing there, is off by 0.4 of "
+            "the nominal one on one element, by 0.9 on a quarter, by 3 to 7 times that on a thirtieth{}: elements of "
+            "{:.2g} mm there{}",
+            t, to_notch, to_notch / element, element, least[t], elements_before_notch,
+            scene.input.growth ? fmt::format(", until it has grown by {:.3g} mm", lacks) : "",
+            to_notch / elements_before_notch,
+            crack.notch > lacks ? fmt::format(", or crack.{}.notch = {:.5g}", tip.crack, crack.notch - lacks) : ""));
     }
     return all;
 }
@@ -85,6 +118,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));
+    add(pressed_faces_warnings(scene, nominal));
     add(mesh_warnings(scene, K, distance));
     return all;
 }

@@ -149,6 +149,13 @@ std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal) 
     return largest_of(input, nominal).opening;
 }
 
+std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal) {
+    std::vector<double> K;
+    for (const Extremes& tip : extremes(input.load, nominal, 0.0, CaseHistories(input)))
+        K.push_back(tip.least_K_I < -negligible * tip.largest() ? tip.least_K_I : 0.0);
+    return K;
+}
+
 std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
     if (!input.growth) return largest_K_I(input, nominal);
     Case common = input;

@@ -54,6 +54,10 @@ std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal)
 /// The K_I of largest_K, MPa sqrt(mm), one per tip; 0 where nothing opens the crack.
 std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal);
 
+/// The K_I with which the load presses the faces at an extreme of the history, with each load case at its least, MPa
+/// sqrt(mm), one per tip; 0 where it presses none, or by less than a hundredth of the largest K.
+[[nodiscard]] std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal);
+
 /// The K_I of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip: by a maximum up to which the
 /// cycles make half of the growth (median_maximum), so that a few peaks do not stand for all. Without growth the
 /// largest.

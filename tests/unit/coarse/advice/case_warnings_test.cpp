@@ -15,9 +15,8 @@ namespace {
 
 const std::vector<Vec2> from_mouth{{0.0, 10.13}, {4.0, 10.13}}, from_tip{{4.0, 10.13}, {0.0, 10.13}};
 
-/// That nothing touches where closure is looked at; empty: it is not said.
-std::string nothing_touches(double distance, double notch, double grown_at_start = 0.0,
-                            const std::vector<Vec2>& points = from_mouth, bool grows = false) {
+/// A crack with a notch whose faces may touch in elements of 0.5 mm.
+Case notched(double notch, double grown_at_start, const std::vector<Vec2>& points) {
     Case input = specimen("plate", 20.0, points);
     input.mesh.width = 10.0;
     input.mesh.size = 0.5;
@@ -27,13 +26,34 @@ std::string nothing_touches(double distance, double notch, double grown_at_start
     input.cracks[0].grown_at_start = grown_at_start;
     input.boundaries = {at_end("top", End::Pulled, 1.0), at_end("bottom", End::Pulled, -1.0)};
     input.load.blocks = {{.cycles = 2, .max = 60.0, .min = -60.0}};
-    input.closure.distance = distance;
-    if (grows) input.growth = GrowthSection{.increment = 0.1};
+    return input;
+}
+
+/// What holds these words of all that is said; empty: nothing does.
+std::string said_of(const Case& input, const std::string& words) {
     const coarse::Scene scene = coarse::refined_scene(input);
     const std::vector<std::string> all = coarse::case_warnings(scene, {.K_I = {5.0}, .K_II = {0.0}});
     const auto found =
-        std::ranges::find_if(all, [](const std::string& text) { return text.find("nothing touches") != text.npos; });
+        std::ranges::find_if(all, [&](const std::string& text) { return text.find(words) != text.npos; });
     return found != all.end() ? *found : "";
+}
+
+/// That nothing touches where closure is looked at.
+std::string nothing_touches(double distance, double notch, double grown_at_start = 0.0,
+                            const std::vector<Vec2>& points = from_mouth, bool grows = false) {
+    Case input = notched(notch, grown_at_start, points);
+    input.closure.distance = distance;
+    if (grows) input.growth = GrowthSection{.increment = 0.1};
+    return said_of(input, "nothing touches");
+}
+
+/// That faces between a tip and a notch are pressed which no element can bend as they want.
+std::string too_few_before_notch(double notch, const std::vector<Vec2>& points, double least_load = -60.0,
+                                 bool grows = false) {
+    Case input = notched(notch, 0.0, points);
+    input.load.blocks[0].min = least_load;
+    if (grows) input.growth = GrowthSection{.increment = 0.1};
+    return said_of(input, "between it and the notch");
 }
 
 TEST(CaseWarnings, ClosureIsLookedAtWhereFacesMayTouch) {
@@ -54,6 +74,21 @@ TEST(CaseWarnings, ClosureIsLookedAtWhereFacesWillTouch) {
     EXPECT_NE(all.find("open all the cycle (closure.distance)"), std::string::npos) << all;
     EXPECT_NE(until.find("open all the cycle until it has grown by 0.7 mm (closure.distance)"), std::string::npos)
         << until;
+}
+
+TEST(CaseWarnings, FacesBeforeANotchAreTooShortToBePressed) {
+    const std::string said = too_few_before_notch(3.2, from_mouth);
+    EXPECT_NE(said.find("only 0.8 mm of faces that may touch, 1.6 elements of 0.5 mm"), std::string::npos) << said;
+    EXPECT_NE(said.find("nominal K_I of -300 MPa"), std::string::npos) << said;
+    EXPECT_NE(said.find("elements of 0.46 mm there, or crack.0.notch = 3.125"), std::string::npos) << said;
+    EXPECT_NE(too_few_before_notch(3.98, from_mouth), "");
+    EXPECT_NE(too_few_before_notch(3.2, from_mouth, -60.0, true).find("until it has grown by 0.075 mm"),
+              std::string::npos);
+    EXPECT_EQ(too_few_before_notch(3.1, from_mouth), "") << "elements enough";
+    EXPECT_EQ(too_few_before_notch(3.2, from_mouth, 0.0), "") << "nothing presses";
+    EXPECT_EQ(too_few_before_notch(0.0, from_mouth), "") << "no notch";
+    EXPECT_EQ(too_few_before_notch(4.0, from_mouth), "") << "nothing before it touches";
+    EXPECT_EQ(too_few_before_notch(1.0, from_tip), "") << "the tip is in the notch";
 }
 
 // Metal that flows; an elastic body needs no more than two.
