@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "coarse/model/forces_on_unknowns.hpp"
+#include "coarse/model/loads/loads_of_case.hpp"
 #include "coarse/model/supports_on_unknowns.hpp"
 
 namespace stria::coarse {
 
-/// Weights on all unknowns: their product with u is the mean displacement of the loaded boundary along its direction.
-/// Zero where no boundary is loaded. Where the mean is left free, what the loads do work on, for they balance; of a
-/// hole on which a pin presses, what this pressure does work on. `unit_force`: `forces` of `main`.
+/// Weights on all unknowns: their product with u is the displacement of the loaded boundary along its direction. Under
+/// forces it is what they do work on there, over their resultant; where a motion that nothing holds would change that,
+/// what all loads do work on over what they pull, for they balance. Of a pin of a compact specimen it is relative to
+/// the other one. Where forces there balance, and where the boundary is moved, it is its mean. Zero where no boundary
+/// is loaded, or nothing tells a direction.
 [[nodiscard]] Eigen::VectorXd weights_of_displacement(const std::optional<LoadedBoundary>& loaded, const Mesh& mesh,
                                                       const EnrichedMesh& enriched, const ForcesOnUnknowns& forces,
-                                                      const Loads& main, const Eigen::VectorXd& unit_force);
+                                                      const LoadsOfCase& loads);
 
 /// Per prescribed unknown, the share of its reaction in the force reported: the direction of the loaded boundary. Zero
 /// where forces load it, for they tell.

@@ -161,13 +161,13 @@ FreeMotions analyse_rigid_motions(const Mesh& mesh, const Loads& loads) {
     return result;
 }
 
-bool is_left_free(const std::vector<NodalWeight>& sum, const Mesh& mesh, const Loads& loads) {
+bool is_left_free(const std::vector<AppliedForce>& sum, const Mesh& mesh, const Loads& loads) {
     const Frame frame(mesh);
     MotionRow change = MotionRow::Zero();
     double magnitude = 0.0;
-    for (const auto& [node, weight] : sum) {
-        for (const int component : {0, 1}) change += weight[component] * frame.at(mesh.nodes[at(node)], component);
-        magnitude += weight.norm();
+    for (const auto& [x, force] : sum) {
+        for (const int component : {0, 1}) change += force[component] * frame.at(x, component);
+        magnitude += force.norm();
     }
     const Motions motions = free_motions(supported_motions(mesh, loads, frame));
     return (change * motions).norm() > rounding * magnitude;

@@ -23,8 +23,8 @@ struct FreeMotions {
 /// Throws CaseError naming the motion if the loads do work on a free one (to 1e-9 of the sum of their magnitudes).
 FreeMotions analyse_rigid_motions(const Mesh& mesh, const Loads& loads);
 
-/// Whether a motion that no support feels changes the sum of weight . u: then the pins say what it is, and not the
-/// body.
-bool is_left_free(const std::vector<NodalWeight>& sum, const Mesh& mesh, const Loads& loads);
+/// Whether a motion that no support of `loads` feels changes the sum of force . u: then the pins say what it is, and
+/// not the body.
+bool is_left_free(const std::vector<AppliedForce>& sum, const Mesh& mesh, const Loads& loads);
 
 }  // namespace stria::coarse

@@ -15,6 +15,7 @@
 #include "common/index.hpp"
 #include "tests/support/compact_tension.hpp"
 #include "tests/support/comparison.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/specimens.hpp"
 
 namespace stria::test {
@@ -174,6 +175,41 @@ TEST(Specimens, PinsOpenTheCompactSpecimenAndNeverYield) {
     const ElementSet zone = coarse::select_zone(plastic, {1.0});
     for (const int element : plastic.mesh.insert) EXPECT_FALSE(zone.contains(element));
     EXPECT_EQ(zone.count(), std::ssize(all));
+}
+
+/// P^2 / 2 dC/da over G, of the longer and the shorter crack and the one between. C = displacement / P.
+double rise_of_compliance(Case input, double a) {
+    const double by = 0.02, height = input.mesh.height;
+    double compliance[2], release = 0.0, pull = 0.0;
+    for (const int k : {0, 1, 2}) {
+        input.cracks[0].points = {{0.0, height / 2.0}, {a + (k - 1) * by / 2.0, height / 2.0}};
+        const ElasticSolution solution(graded_to_tips(input));
+        const coarse::Scene& scene = solution.scene;
+        pull = coarse::loaded_boundary(scene.mesh, scene.input, scene.loads)->resultant.norm();
+        const coarse::TipResult& tip = solution.tips[0];
+        if (k == 1)
+            release = (tip.K_I * tip.K_I + tip.K_II * tip.K_II) / plane_modulus;
+        else
+            compliance[k / 2] = scene.mean_displacement.dot(solution.u) / pull;
+    }
+    return pull * pull / 2.0 * (compliance[1] - compliance[0]) / by / release;
+}
+
+// Of tractions that change along the edge, too, and whether the other end is pulled as well or held. By the mean of the
+// edge it was 0.4 to 2 times as much.
+TEST(Specimens, LoadAndDisplacementAreACompliance) {
+    for (const End far : {End::Pulled, End::Clamped})
+        for (const double slope : {0.0, -1.8, 1.8}) {
+            Case input = edge_crack(0.4, 2.0, End::Pulled);
+            input.boundaries[0].traction_gradient(1, 0) = slope;
+            input.boundaries[0].origin = Vec2(0.5, 0.0);
+            input.boundaries[1].traction_gradient(1, 0) = -slope;
+            input.boundaries[1].origin = Vec2(0.5, 0.0);
+            if (far == End::Clamped) {
+                input.boundaries[1] = held("bottom");
+            }
+            EXPECT_NEAR(rise_of_compliance(input, 0.4), 1.0, 0.003) << slope;
+        }
 }
 
 /// Exact for an infinite plate: cracks from b to c and from -c to -b (Westergaard's function of two collinear cracks).

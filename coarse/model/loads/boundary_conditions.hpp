@@ -65,9 +65,13 @@ struct LoadedBoundary {
     /// Unit: of the prescribed displacement, else of the resultant, else outwards. Zero where nothing tells one: a
     /// pressure all around a hole.
     Vec2 direction = Vec2::Zero();
-    Vec2 resultant = Vec2::Zero();    // of all loads of [load] there per unit load factor, N/mm
-    double pull = 0.0;                // of [load] along the direction, on this boundary and others, N/mm
-    bool by_force = true;             // forces load it; or it is moved
+    Vec2 resultant = Vec2::Zero();  // of all loads of [load] there per unit load factor, N/mm
+    bool by_force = true;           // forces load it; or it is moved
+    /// Whose loads tell the displacement where they are forces: [load], or the load case of this number.
+    std::optional<std::size_t> load_case = {};
+    Loads acting = {};                // those of it that act there
+    double force = 0.0;               // their resultant, N/mm; zero where they balance
+    double pull = 0.0;                // of it along the direction, on this boundary and others, N/mm
     std::vector<Vec2> in_cases = {};  // what each load case adds to the resultant
 
     [[nodiscard]] bool has_direction() const { return !direction.isZero(0.0); }

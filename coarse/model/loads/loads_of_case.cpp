@@ -119,12 +119,16 @@ private:
     std::set<int> nodes_;
 };
 
-LoadThere load_that(const ActsAt& there, const Mesh& mesh, const Loads& loads) {
+Loads loads_that(const ActsAt& there, const Loads& loads) {
     Loads some;
     std::ranges::copy_if(loads.edges, std::back_inserter(some.edges), there);
     std::ranges::copy_if(loads.forces, std::back_inserter(some.forces), there);
+    return some;
+}
+
+LoadThere load_that(const ActsAt& there, const Mesh& mesh, const Loads& loads) {
     LoadThere sum;
-    for (const AppliedForce& applied : applied_forces(mesh, some)) {
+    for (const AppliedForce& applied : applied_forces(mesh, loads_that(there, loads))) {
         sum.resultant += applied.force;
         sum.magnitude += applied.force.norm();
     }
@@ -164,11 +168,13 @@ Vec2 outward(const Mesh& mesh, const std::vector<BoundaryEdge>& edges) {
     return sum.norm() > 1e-9 * length ? sum.normalized() : Vec2::Zero();
 }
 
-/// What pulls at any boundary of the main load's, along a direction: an edge may be listed in parts.
-double pulls_along(const Mesh& mesh, const std::vector<BoundarySection>& sections, Loads loads, const Vec2& direction) {
+/// What `loads`, those of one load case or of [load], pull at any boundary along a direction: an edge may be listed in
+/// parts.
+double pulls_along(const Mesh& mesh, const std::vector<BoundarySection>& sections, Loads loads,
+                   const std::optional<std::string>& load_case, const Vec2& direction) {
     double sum = 0.0;
     for (std::size_t k = 0; k < sections.size(); ++k) {
-        if (!is_of_main_load(sections[k])) continue;
+        if (sections[k].load_case != load_case || sections[k].travelling) continue;
         const ActsAt there(place_of(mesh, sections[k], key_of(k)));
         sum += std::max(0.0, load_that(there, mesh, loads).resultant.dot(direction));
         std::erase_if(loads.edges, there);  // counted
@@ -190,20 +196,23 @@ std::optional<LoadedBoundary> loaded_boundary(const Mesh& mesh, const Case& inpu
     const Vec2 displacement = displacement_there(sections, section);
     const Place place = place_of(mesh, section, key_of(*first));
     const ActsAt acts_there(place);
-    LoadThere there = load_that(acts_there, mesh, all.main);
     LoadedBoundary loaded{.name = section.on, .edges = place.edges, .nodes = place.nodes};
-    loaded.resultant = there.resultant;
+    loaded.resultant = load_that(acts_there, mesh, all.main).resultant;
     loaded.by_force = displacement.isZero(0.0);
     for (const Loads& loads : all.cases) loaded.in_cases.push_back(load_that(acts_there, mesh, loads).resultant);
     if (section.load_case) {
         const auto own = std::ranges::find(input.load_cases, *section.load_case, &LoadCaseSection::name);
-        there = load_that(acts_there, mesh, all.cases[at(own - input.load_cases.begin())]);
+        loaded.load_case = at(own - input.load_cases.begin());
     }
+    const Loads& own = all.of(loaded.load_case);
+    const LoadThere there = load_that(acts_there, mesh, own);
+    loaded.acting = loads_that(acts_there, own);
+    loaded.force = there.resultant.norm();
     if (!loaded.by_force)
         loaded.direction = displacement.normalized();
     else
         loaded.direction = there.balanced() ? outward(mesh, place.edges) : there.resultant.normalized();
-    loaded.pull = pulls_along(mesh, sections, all.main, loaded.direction);
+    loaded.pull = pulls_along(mesh, sections, own, section.load_case, loaded.direction);
     return loaded;
 }
 

@@ -11,6 +11,11 @@ namespace stria::coarse {
 struct LoadsOfCase {
     Loads main;                // with all supports: what a load case moves or holds, the main load holds at zero
     std::vector<Loads> cases;  // in the order of CaseHistories
+
+    /// Of a load case by its number; none: the main one.
+    [[nodiscard]] const Loads& of(std::optional<std::size_t> load_case) const {
+        return load_case ? cases[*load_case] : main;
+    }
 };
 
 /// Distance to the nearest node on which a force acts or that is held, mm; infinite where there is none.

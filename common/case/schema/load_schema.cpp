@@ -87,11 +87,11 @@ void declare_control(Section<LoadSection>& s) {
     s.choice<Control>(
          "control", &LoadSection::control,
          {{"load", Control::Load}, {"displacement", Control::Displacement}, {"K", Control::StressIntensity}})
-        .says("What max and min mean; load: the load factor. displacement: the mean displacement, mm, of the first "
-              "listed boundary that carries a load, along it (of a body that nothing holds there: what its loads do "
-              "work on, over the force; under a pin's cosine: what its pressure does work on); the load factor "
-              "follows, past a limit load too. K: the nominal K, MPa sqrt(mm), of the first tip; the load factor "
-              "K / K_1(a) follows the growing crack.");
+        .says("What max and min mean; load: the load factor. displacement: the displacement, mm, of the first listed "
+              "boundary that carries a load, along it: what the loads there do work on, over their resultant, its mean "
+              "where they are even (of a body that nothing holds there: what all loads do work on, over the force); "
+              "the load factor follows, past a limit load too. K: the nominal K, MPa sqrt(mm), of the first tip; the "
+              "load factor K / K_1(a) follows the growing crack.");
     s.value("K_gradient", &LoadSection::K_gradient)
         .in("1/mm")
         .says("With control = \"K\": K is that of the blocks times exp(K_gradient (a - a at the start)), ASTM E647.");

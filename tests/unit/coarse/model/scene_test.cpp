@@ -8,6 +8,7 @@
 #include "coarse/zone/refined_scene.hpp"
 #include "common/error.hpp"
 #include "common/integration/crack_faces.hpp"
+#include "tests/support/load_cases.hpp"
 #include "tests/support/pulled_plate.hpp"
 
 namespace stria::coarse {
@@ -43,18 +44,46 @@ TEST(Displacement, OfAFreeBodyIsTheSameOnARefinedMesh) {
     EXPECT_NEAR(displacement_of(input), 0.01, 1e-12);
 }
 
-TEST(Displacement, OfAHeldBodyIsTheMeanOfItsBoundary) {
+/// Pulled at its top alone, and held at the bottom.
+Case held_plate() {
     Case input = test::pulled_plate(2.0, false, false);
     input.boundaries[1].traction.reset();
     input.boundaries[1].displacement = {0.0, 0.0};
-    EXPECT_NEAR(displacement_of(input), 1e-3 * (1.0 + 30.0 + 10.0), 1e-12);
+    return input;
+}
+
+TEST(Displacement, OfAHeldBodyIsTheMeanOfAnEdgeThatIsPulledEvenly) {
+    EXPECT_NEAR(displacement_of(held_plate()), 1e-3 * (1.0 + 30.0 + 10.0), 1e-12);
+}
+
+// The mean is 0.041. A traction that grows by 1/20 of its mean per mm works on 1/20 of 0.003 (20^2 / 12) more.
+TEST(Displacement, OfAHeldBodyIsWhatUnevenTractionsDoWorkOn) {
+    Case input = held_plate();
+    input.boundaries[0].traction_gradient(1, 0) = 1.0 / 20.0;
+    input.boundaries[0].origin = Vec2(10.0, 0.0);
+    EXPECT_NEAR(displacement_of(input), 0.041 + 0.003 / 20.0 * 400.0 / 12.0, 1e-12);
+}
+
+// Whether a factor of their own loads them or not, held or free.
+TEST(Displacement, OfALoadCaseIsWhatItsLoadsDoWorkOn) {
+    for (const bool held : {true, false}) {
+        Case input = held ? held_plate() : test::pulled_plate(2.0, false, false);
+        for (BoundarySection& section : input.boundaries) {
+            if (!section.traction) continue;
+            section.traction_gradient(1, 0) = section.traction->y() / 20.0;
+            section.origin = Vec2(10.0, 0.0);
+        }
+        const double of_load = displacement_of(input);
+        input.load_cases = {test::lagging_load("pulls", 1.0)};
+        for (BoundarySection& section : input.boundaries)
+            if (section.traction) section.load_case = "pulls";
+        EXPECT_NEAR(displacement_of(input), of_load, 1e-12) << held;
+    }
 }
 
 // An edge is pressed as by a pin: what the pressure does work on over its resultant, not the mean.
 TEST(Displacement, UnderAPinIsWhatItsPressureDoesWorkOn) {
-    Case input = test::pulled_plate(2.0, false, false);
-    input.boundaries[1].traction.reset();
-    input.boundaries[1].displacement = {0.0, 0.0};
+    Case input = held_plate();
     const double mean = displacement_of(input);
     input.boundaries[0].traction.reset();
     input.boundaries[0].pressure = -1.0;
