@@ -225,7 +225,7 @@ GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vecto
         return grown;
     }
     left_the_mesh_ = left_the_mesh;
-    note_(fmt::format("growth ends here{}: {}", left_the_mesh ? ", and not the life" : "", why));
+    note_(growth_ends(why, left_the_mesh));
     return {};
 }
 

@@ -38,6 +38,10 @@ std::string functions_frozen(int tip) {
         tip, apart_to_retain);
 }
 
+std::string growth_ends(const std::string& why, bool by_the_mesh) {
+    return fmt::format("{}: {}", by_the_mesh ? "warning: growth ends here, and not the life" : "growth ends here", why);
+}
+
 std::string is_arrested(bool by_last_cycle) {
     return fmt::format("warning: nothing drives a tip any more: the crack is arrested{}",
                        by_last_cycle ? ", by the last cycle of a load that varies (growth.every = 1)" : "");

@@ -19,6 +19,9 @@ namespace stria::coarse {
 /// A tip with elements of this edge, mm, so many `times` as large as fine.refine asks for.
 [[nodiscard]] std::string stands_on_large_elements(std::size_t tip, double element, int times);
 
+/// The next growth is refused, and `why`. `by_the_mesh`: the body would hold it, so the life goes on.
+[[nodiscard]] std::string growth_ends(const std::string& why, bool by_the_mesh);
+
 /// No tip is driven: `by_last_cycle` of a load that varies, of which others may drive one.
 [[nodiscard]] std::string is_arrested(bool by_last_cycle);
 

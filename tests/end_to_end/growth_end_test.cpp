@@ -86,6 +86,20 @@ TEST_F(GrowthEnd, ByArrestBeforeItHasBegunIsAWarning) {
     EXPECT_TRUE(summary_says("nothing drives a tip any more")) << text_of(folder / "log");
 }
 
+// A node that is held lies ahead. That of the body alone is an end of its life.
+TEST_F(GrowthEnd, ByTheMeshIsAWarning) {
+    const std::string ends =
+        "growth ends here, and not the life: crack.0.points: the tip at (15, 20) is 1 mm from a node";
+    run("boundary=[{on=\"top\", traction=[0.0, 1.0]}, {on=\"bottom\", traction=[0.0, -1.0]}, "
+        "{on=\"point\", at=[16.0, 20.0], displacement=[0.0, 0.0]}]");
+    EXPECT_EQ(history["a"].back(), 14.0);
+    EXPECT_TRUE(summary_says(ends)) << text_of(folder / "log");
+    EXPECT_NE(text_of(folder / "log").find("warning: " + ends), std::string::npos) << text_of(folder / "log");
+    run("output.history=\"cycles\"");
+    EXPECT_EQ(history["a"].back(), 18.0);
+    EXPECT_FALSE(summary_says("growth ends here"));
+}
+
 // Half of the plate's width in one growth and in a hundred; a power of the length is nearer to K than an exponential.
 TEST_F(GrowthEnd, SaysByHowMuchNIsTooLarge) {
     const auto N_by = [&](double increment) {
