@@ -114,7 +114,7 @@ double rounded_down_to_two_digits(double length) {
 }
 
 /// Faces end on edges of elements: with 1.2 of them at a time now one opens, and now two; with 1.04 two in one of 25
-/// `growths`, which leaves a crest like that of two at a time.
+/// `growths`, which leaves a crest like that of two at a time. `element`: along the crack, mm.
 std::optional<std::string> growth_warning(std::size_t tip, double increment, double element, int growths) {
     const double elements = increment / element, misses = std::abs(elements - std::round(elements));
     const bool is_whole = misses < part_of_element && growths * misses < 0.5;
@@ -235,7 +235,8 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
         add(life_in_strain_warning(scene, t));
         if (input.growth->increment.is_auto()) continue;
         const double at_a_time = input.growth->increment.value();
-        add(growth_warning(t, at_a_time, element, cycle_count(input.load) / input.growth->every));
+        const double along = tip_element_along(scene.enriched, scene.enriched.tips[t]);
+        add(growth_warning(t, at_a_time, along, cycle_count(input.load) / input.growth->every));
         if (input.model.plane == PlaneState::Stress) add(step_warning(t, at_a_time, distance[t], zone.length));
     }
     return warnings;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "common/crack/crack_end.hpp"
-#include "common/fem/centre.hpp"
+#include "common/fem/chord.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -94,6 +94,11 @@ double tip_element_size(const EnrichedMesh& mesh, const Tip& tip) {
 double tip_element_edge(const EnrichedMesh& mesh, const Tip& tip) {
     const CrackPiece* const piece = piece_of(mesh.pieces, tip);
     return piece != nullptr ? edge_of_square(mesh, piece->element) : 0.0;
+}
+
+double tip_element_along(const EnrichedMesh& mesh, const Tip& tip) {
+    const CrackPiece* const piece = piece_of(mesh.pieces, tip);
+    return piece != nullptr ? chord(corners_of_element(mesh, piece->element), tip.direction) : 0.0;
 }
 
 }  // namespace stria::coarse

@@ -42,4 +42,7 @@ double tip_element_size(const EnrichedMesh& mesh, const Tip& tip);
 /// Edge of a square of that diagonal, mm.
 double tip_element_edge(const EnrichedMesh& mesh, const Tip& tip);
 
+/// How long it is along the crack, mm: by so much the tip goes from one element to the next.
+double tip_element_along(const EnrichedMesh& mesh, const Tip& tip);
+
 }  // namespace stria::coarse

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "coarse/specimen/specimen.hpp"
 #include "tests/support/specimens.hpp"
@@ -138,6 +139,27 @@ TEST_F(Advice, MindsHowFarTheCrackGrowsAtATime) {
         << at(3400.0)[0];
     input.growth->every = 3;
     EXPECT_TRUE(at(3400.0).empty());
+}
+
+// Of elements of 0.5 x 0.976 mm, whose diagonal is that of a square of 0.775 mm, it is the length along the crack.
+TEST_F(Advice, CountsTheElementsThatGrowthCrossesAlongTheCrack) {
+    input.mesh.grading = {
+        {.at = {{0.0, 1.0}, {20.0, 1.0}}, .size = 0.5, .outer_size = 0.5, .radius = 0.0, .growth = 0.5}};
+    const auto crosses = [&](double increment) {
+        input.growth = GrowthSection{.increment = increment};
+        for (const std::string& warning : at(3400.0))
+            if (const auto found = warning.find("crosses "); found != std::string::npos)
+                return warning.substr(found, warning.find(" at a time") - found);
+        return std::string("whole ones");
+    };
+    EXPECT_EQ(crosses(0.5), "whole ones");
+    EXPECT_EQ(crosses(0.79), "crosses 1.58 elements of 0.5 mm");
+    input.cracks[0].points = {{8.3, 20.0}, {8.3, 11.7}};
+    EXPECT_EQ(crosses(1.0), "whole ones");
+    EXPECT_EQ(crosses(1.2), "crosses 1.23 elements of 0.976 mm");
+    input.cracks[0].points = {{8.3, 20.0}, {9.3, 12.0}};  // steep: from row to row
+    EXPECT_EQ(crosses(std::hypot(1.0, 0.125)), "whole ones");
+    EXPECT_EQ(crosses(1.25), "crosses 1.27 elements of 0.984 mm");
 }
 
 // A tenth of 10.2 mm in plane stress; in plane strain nothing is seen of it.
