@@ -81,7 +81,7 @@ std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone,
 
 /// Openings nearer to the tip are those of its own element (docs/verification/closure.md, what opening loads are good
 /// to).
-std::optional<std::string> distance_warning(std::size_t tip, double distance, double element, int refine) {
+std::optional<std::string> warning_of_distance(std::size_t tip, double distance, double element, int refine) {
     constexpr double with_room = 1.3;  // elements, for an advice of two digits
     if (distance <= 0.0 || distance >= to_distance * element) return std::nullopt;
     const double finer = refine_for(to_distance, distance, element, refine);
@@ -176,17 +176,6 @@ std::optional<std::string> functions_warning(const Scene& scene) {
                        none - mesh.tips.begin(), small(*some), some - mesh.tips.begin());
 }
 
-/// K and T are taken across metals, J is not.
-std::optional<std::string> metal_warning(const Scene& scene, std::size_t t) {
-    if (tells_J(scene, static_cast<int>(t))) return std::nullopt;
-    const double radius = largest_ring_of_one_metal(scene, static_cast<int>(t));
-    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[t]);
-    return fmt::format("tip {}: the largest ring in its own metal has a radius of {:.3g} mm, {:.2g} elements of {:.3g} "
-                       "mm; J wants {:g} or more and is not told{}: smaller elements there",
-                       t, radius, radius / element, element, least_for_J,
-                       radius < least_for_K * element ? ", and K is off by more than one percent" : "");
-}
-
 }  // namespace
 
 std::optional<std::string> room_warning(const Scene& scene, std::size_t tip, double radius) {
@@ -196,6 +185,30 @@ std::optional<std::string> room_warning(const Scene& scene, std::size_t tip, dou
         "tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
         "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
         tip, radius, radius / element, element, elements_in_ring);
+}
+
+// K and T are taken across metals, J is not.
+int doubts_of_metal(const Scene& scene, std::size_t tip) {
+    if (tells_J(scene, static_cast<int>(tip))) return 0;
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
+    return largest_ring_of_one_metal(scene, static_cast<int>(tip)) < least_for_K * element ? 2 : 1;
+}
+
+std::optional<std::string> metal_warning(const Scene& scene, std::size_t tip) {
+    const int doubts = doubts_of_metal(scene, tip);
+    if (doubts == 0) return std::nullopt;
+    const double radius = largest_ring_of_one_metal(scene, static_cast<int>(tip));
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
+    return fmt::format("tip {}: the largest ring in its own metal has a radius of {:.3g} mm, {:.2g} elements of {:.3g} "
+                       "mm; J wants {:g} or more and is not told{}: smaller elements there",
+                       tip, radius, radius / element, element, least_for_J,
+                       doubts > 1 ? ", and K is off by more than one percent" : "");
+}
+
+std::optional<std::string> distance_warning(const Scene& scene, std::size_t tip, double distance) {
+    if (!asks_for_opening_loads(scene.input) || !std::isfinite(scene.yield_stress_at_tips()[tip])) return std::nullopt;
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
+    return warning_of_distance(tip, distance, element, scene.input.fine.refine);
 }
 
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,
@@ -230,7 +243,7 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
             if (warning) warnings.push_back(std::move(*warning) + of_its_life(scene, t));
         };
         add_with_life(zone_warning(t, zone, element, input.fine.refine));
-        if (zone.length > 0.0) add_with_life(distance_warning(t, distance[t], element, input.fine.refine));
+        if (zone.length > 0.0) add_with_life(warning_of_distance(t, distance[t], element, input.fine.refine));
         if (!input.growth) continue;
         add(life_in_strain_warning(scene, t));
         if (input.growth->increment.is_auto()) continue;

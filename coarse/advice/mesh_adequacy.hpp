@@ -37,4 +37,12 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<dou
 /// Nothing where that is due to a bend behind it.
 std::optional<std::string> room_warning(const Scene& scene, std::size_t tip, double radius);
 
+/// Likewise of a tip close to another metal. How many of J and K are not to be trusted there: none, J, both.
+int doubts_of_metal(const Scene& scene, std::size_t tip);
+std::optional<std::string> metal_warning(const Scene& scene, std::size_t tip);
+
+/// Likewise of a tip about which metal may flow: its `distance` of closure, mm, spans too few elements, for those on
+/// its way are larger than the first ones.
+std::optional<std::string> distance_warning(const Scene& scene, std::size_t tip, double distance);
+
 }  // namespace stria::coarse

@@ -36,10 +36,11 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
     couple(patch, from);
     if (from == nullptr) {
         (void)room_.look_at(*rings_);  // what there is to say at the start has been said (case_warnings())
+        (void)large_.look_at(body_.scene(), closure_.opening_at());
         return;
     }
     room_ = RoomOfTips(from->tips_without_room);
-    large_ = TipsOnLargeElements(from->tips_on_large_elements);
+    large_ = TipsOnLargeElements(from->said_of_elements);
     equilibrium_->restore(from->equilibrium);
     work_ = from->work;
 }
@@ -50,7 +51,7 @@ void TwoScaleModel::write(AnalysisState& state) const {
     state.largest_force = largest_force_;
     state.work = work_;
     state.tips_without_room = room_.known();
-    state.tips_on_large_elements = large_.known();
+    state.said_of_elements = large_.said();
     state.equilibrium = equilibrium_->state();
 }
 
@@ -215,7 +216,8 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
     turn_to(in_zone, std::move(patch));
     for (const std::string& warning : room_.look_at(*rings_)) note_("warning: " + warning);
-    for (const std::string& warning : large_.look_at(body_.scene())) note_("warning: " + warning);
+    for (const std::string& warning : large_.look_at(body_.scene(), closure_.opening_at()))
+        note_("warning: " + warning);
     displacement_.forget_kept_far();
     if (displacement_.lacks_far_other_than(body_.structure().factors().far.get()))
         displacement_.find_far(mesh());  // lest two far parts stay

@@ -117,6 +117,41 @@ TEST(SaidOfGrowth, NamesATipThatHasComeToLargeElements) {
     EXPECT_TRUE(notes_with(run_direct(input).notes, "times as large").empty()) << "small elements follow the tip";
 }
 
+// Elements of the start hold the distance of closure, those farther on do not.
+TEST(SaidOfGrowth, NamesATipWhoseElementsHaveGrownBeyondItsDistanceOfClosureOnce) {
+    Case input = towards_soft_metal();
+    input.regions.clear();
+    input.fine.refine = 1;
+    input.mesh.grading = {{.at = {{5.2, 10.1}}, .size = 0.1, .outer_size = 0.1, .radius = 0.3, .growth = 0.4}};
+    input.closure.distance = 0.25;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const auto closure = [](const std::vector<std::string>& notes) {
+        return notes_with(notes, "tip 0: closure is looked at 0.25 mm behind it").size();
+    };
+    EXPECT_EQ(closure(coarse::mesh_warnings(scene, {300.0}, {0.25})), 0U);
+    EXPECT_EQ(closure(run_direct(input).notes), 1U);
+    input.material.yield_stress.reset();
+    EXPECT_EQ(closure(run_direct(input).notes), 0U) << "nothing flows";
+}
+
+// J is left empty nearer than two elements to another metal, and K is off nearer than 0.3.
+TEST(SaidOfGrowth, NamesATipThatHasComeCloseToAnotherMetal) {
+    Case input = towards_soft_metal();
+    input.fine.refine = 1;
+    input.material.yield_stress.reset();
+    input.regions[0].outline = {{7.0, 0.0}, {20.0, 20.0}};
+    input.regions[0].material.yield_stress.reset();
+    input.regions[0].material.young = 70e3;
+    input.cracks[0].points[1].x() = 4.4;
+    input.growth->increment = 0.5;
+    input.load.blocks[0].cycles = 6;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    const RunHistory run = run_direct(input);
+    EXPECT_TRUE(notes_with(coarse::mesh_warnings(scene, {0.0}, {0.1}), "in its own metal").empty());
+    EXPECT_EQ(notes_with(run.notes, "J wants 2 or more and is not told: smaller").size(), 1U);
+    EXPECT_EQ(notes_with(run.notes, "J wants 2 or more and is not told, and K is off").size(), 1U);
+}
+
 // A crack of 4.85 mm through elements of 0.1 mm.
 TEST(SaidOfGrowth, SaysWhereFunctionsStandNoLonger) {
     Case input = specimen("sent", 40.0, {{0.0, 20.05}, {4.85, 20.05}});
