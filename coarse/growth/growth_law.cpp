@@ -114,4 +114,21 @@ double cycles_in_doubt(double grown, double rate_before, double rate_after, doub
     return std::max(of_exponential, passed - of_power);
 }
 
+double cycles_in_doubt(double grown, const std::array<RateAtLength, 3>& through, std::size_t first) {
+    const RateAtLength &from = through[first], &to = through[first + 1];
+    const auto slope = [&](std::size_t k) {
+        return std::log(through[k + 1].rate / through[k].rate) / std::log(through[k + 1].length / through[k].length);
+    };
+    const double bend = (slope(1) - slope(0)) / std::log(through[2].length / through[0].length), steep = slope(first);
+    const auto per_mm = [&](double way) {
+        const double length = std::lerp(from.length, to.length, way), behind = std::log(length / from.length),
+                     ahead = std::log(length / to.length);
+        return std::exp(-(steep + bend * ahead) * behind) / from.rate;
+    };
+    constexpr int panels = 64;  // of Simpson's rule
+    double sum = per_mm(0.0) + per_mm(1.0);
+    for (int k = 1; k < panels; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * per_mm(static_cast<double>(k) / panels);
+    return std::max(0.0, cycles_passed(grown, from.rate, to.rate) - grown * sum / (3.0 * panels));
+}
+
 }  // namespace stria::coarse

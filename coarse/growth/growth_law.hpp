@@ -1,6 +1,8 @@
 // Laws of da/dN: how fast a tip grows, and what that makes of all tips.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "coarse/cycle/cycle_result.hpp"
@@ -47,5 +49,14 @@ struct TipAtExtremes {
 /// Where that is not known, or the rate falls, of a rate whose logarithm is straight over the growth. Never negative.
 [[nodiscard]] double cycles_in_doubt(double grown, double rate_before, double rate_after, double length = 0.0,
                                      double lengthened = 0.0);
+
+/// Of the fastest tip: the length of its crack, mm, and da/dN, mm per cycle.
+struct RateAtLength {
+    double length = 0.0, rate = 0.0;
+};
+
+/// The same of a growth from `through[first]` to the next of these, of a rate whose logarithm is a parabola of that of
+/// the length: of a body that is nearly parted K rises by more than any power. They ascend, lengths and rates.
+[[nodiscard]] double cycles_in_doubt(double grown, const std::array<RateAtLength, 3>& through, std::size_t first);
 
 }  // namespace stria::coarse

@@ -1,6 +1,7 @@
 #include "coarse/growth/life_count.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,9 +15,28 @@ void LifeCount::turn(double rate) {
 }
 
 double LifeCount::count(const GrownTip& tip, double grown, double rate_before, double rate_after) {
-    const double lengthened = tip.lengthening * grown;
-    memory_.doubt += cycles_in_doubt(grown, rate_before, rate_after, tip.length - lengthened, lengthened);
+    doubt(grown, tip.lengthening * grown, {tip.length - tip.lengthening * grown, rate_before},
+          {tip.length, rate_after});
     return cycles_passed(grown, rate_before, rate_after);
+}
+
+// Three lengths tell more than two, of both growths between them.
+void LifeCount::doubt(double grown, double lengthened, const RateAtLength& from, const RateAtLength& to) {
+    CountedGrowth& last = memory_.last;
+    const bool rises = from.length > 0.0 && to.length > from.length && to.rate > from.rate;
+    constexpr double rounding = 1e-6;
+    const bool goes_on = rises && last.grown > 0.0 && last.to.rate == from.rate &&
+                         std::abs(last.to.length - from.length) <= rounding * from.length;
+    double by_two = 0.0;
+    if (goes_on) {
+        const std::array<RateAtLength, 3> through{last.from, last.to, to};
+        if (last.doubt > 0.0) memory_.doubt += cycles_in_doubt(last.grown, through, 0) - last.doubt;
+        memory_.doubt += cycles_in_doubt(grown, through, 1);
+    } else {
+        by_two = cycles_in_doubt(grown, from.rate, to.rate, from.length, lengthened);
+        memory_.doubt += by_two;
+    }
+    last = {rises ? grown : 0.0, from, to, by_two};
 }
 
 double LifeCount::passed(const GrownTip& tip, double rate_before, double rate_after) {

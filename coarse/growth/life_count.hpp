@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "coarse/growth/growth_law.hpp"
+
 namespace stria::coarse {
 
 /// About a tip at the end of a cycle.
@@ -18,11 +20,19 @@ struct GrownTip {
     [[nodiscard]] bool is_resolved() const { return is_resolved(behind_turn); }
 };
 
+/// The last growth that was counted.
+struct CountedGrowth {
+    double grown = 0.0;          // mm; 0: there was none, or the length is not known
+    RateAtLength from, to = {};  // where it began and ended
+    double doubt = 0.0;          // cycles, as these two tell; 0: one before it has told, too
+};
+
 /// A checkpoint holds it.
 struct LifeMemory {
     double uncounted = 0.0;                                          // grown since a turn and not yet counted, mm
     double rate_at_turn = std::numeric_limits<double>::quiet_NaN();  // with which that began, mm per cycle
     double doubt = 0.0;                                              // sum of cycles_in_doubt()
+    CountedGrowth last = {};
 };
 
 /// By the trapezoidal rule of 1 / rate. Where a crack turns sharply its K leaps, and what follows is not resolved until
@@ -44,6 +54,7 @@ public:
 
 private:
     double count(const GrownTip& tip, double grown, double rate_before, double rate_after);
+    void doubt(double grown, double lengthened, const RateAtLength& from, const RateAtLength& to);
 
     LifeMemory memory_;
 };

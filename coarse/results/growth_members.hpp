@@ -15,11 +15,26 @@ void members(auto& archive, Is<PeriodMemory> auto& m) {
     archive("at_growth", at_growth);
 }
 
+void members(auto& archive, Is<RateAtLength> auto& m) {
+    auto& [length, rate] = m;
+    archive("length", length);
+    archive("rate", rate);
+}
+
+void members(auto& archive, Is<CountedGrowth> auto& m) {
+    auto& [grown, from, to, doubt] = m;
+    archive("grown", grown);
+    archive("from", from);
+    archive("to", to);
+    archive("doubt", doubt);
+}
+
 void members(auto& archive, Is<LifeMemory> auto& m) {
-    auto& [uncounted, rate_at_turn, doubt] = m;
+    auto& [uncounted, rate_at_turn, doubt, last] = m;
     archive("uncounted", uncounted);
     archive("rate_at_turn", rate_at_turn);
     archive("doubt", doubt);
+    archive("last", last);
 }
 
 void members(auto& archive, Is<TipRatesMemory> auto& m) {

@@ -24,11 +24,12 @@ growth = { increment = 1.0, direction = "straight" }
 
 class GrowthEnd : public testing::Test {
 protected:
-    void run(const std::string& setting, const std::string& another = "title=plate") {
+    void run(const std::string& setting, const std::string& another = "title=plate",
+             const std::string& third = "title=plate") {
         std::ofstream(folder / "case.toml") << plate_that_grows;
         ASSERT_EQ(run_program("stria",
                               {"run", folder / "case.toml", "-o", folder / "out", "--mode", "inprocess", "--force",
-                               "--set", setting, "--set", another},
+                               "--set", setting, "--set", another, "--set", third},
                               folder / "log"),
                   0)
             << text_of(folder / "log");
@@ -100,23 +101,24 @@ TEST_F(GrowthEnd, ByTheMeshIsAWarning) {
     EXPECT_FALSE(summary_says("growth ends here"));
 }
 
-// Half of the plate's width in one growth and in a hundred; a power of the length is nearer to K than an exponential.
+// From a fifth to three fifths of the plate's width, in two growths and in more. On elements of 2 mm K of the first
+// length alone is 9 % low, and what the life is off by is as much the mesh's.
 TEST_F(GrowthEnd, SaysByHowMuchNIsTooLarge) {
     const auto N_by = [&](double increment) {
         run(fmt::format("growth={{law=\"paris\", C=2e-13, m=3.0, increment={}, until=12.0, direction=\"straight\"}}",
                         increment),
-            "crack=[{points=[[0.0, 20.0], [4.0, 20.0]]}]");
+            "crack=[{points=[[0.0, 20.0], [4.0, 20.0]]}]", "mesh.size=0.5");
         return read_table(folder / "out/cycles.csv")["N"].back();
     };
     const double known = N_by(0.25);
     EXPECT_FALSE(summary_says("N is too large"));
-    for (const double increment : {8.0, 4.0, 2.0}) {
+    for (const double increment : {4.0, 2.0, 1.0}) {
         const double off = 100.0 * (N_by(increment) / known - 1.0);
         const std::string sentence = "N is too large by about ", summary = text_of(folder / "out/summary.json");
         ASSERT_TRUE(summary_says(sentence)) << increment;
         const double said = std::stod(summary.substr(summary.find(sentence) + sentence.size()));
         EXPECT_GT(said, 0.7 * off) << increment;
-        EXPECT_LT(said, 1.5 * off) << increment;
+        EXPECT_LT(said, 1.2 * off) << increment;
     }
 }
 

@@ -142,5 +142,38 @@ TEST(LifeCount, IsInDoubtByTheLengthOfTheCrack) {
     EXPECT_DOUBLE_EQ(later.memory().doubt, cycles_in_doubt(0.03, 2e-5, 5e-5, 1.0, 0.03));
 }
 
+/// What so many growths from `a` to `b` are said to be off by, over what they are, of a plate 20 mm wide.
+double said_of(const std::function<double(double)>& K, double a, double b, int growths) {
+    const auto rate = [&](double length) { return 1e-12 * std::pow(K(length), 3.0); };
+    const auto trapezoids = [&](int parts, LifeCount* life) {
+        double sum = 0.0;
+        for (int k = 0; k < parts; ++k) {
+            const double from = a + k * (b - a) / parts, to = a + (k + 1) * (b - a) / parts;
+            sum += cycles_passed(to - from, rate(from), rate(to));
+            if (life != nullptr)
+                life->passed({.grown = to - from, .length = to, .behind_turn = INFINITY}, rate(from), rate(to));
+        }
+        return sum;
+    };
+    LifeCount life;
+    const double passed = trapezoids(growths, &life);
+    return life.memory().doubt / (passed - trapezoids(4000, nullptr));
+}
+
+// As an edge crack parts a plate K rises by more than a power of the length, and by less between ends that are guided:
+// by powers between two lengths it was 1.2 and 0.9 times as much.
+TEST(LifeCount, ThreeLengthsTellWhatTwoDoNot) {
+    const auto power = [](double a) { return std::sqrt(a); };
+    const auto edge = [](double a) {
+        return std::sqrt(a) * (1.12 + 2.5 * a * a / 400.0) / std::pow(1.0 - a / 20.0, 1.5);
+    };
+    const auto guided = [](double a) { return std::sqrt(a) * (1.12 - 0.3 * a / 20.0); };
+    EXPECT_NEAR(said_of(power, 4.0, 12.0, 4), 1.0, 1e-3);
+    EXPECT_NEAR(said_of(edge, 4.0, 12.0, 4), 1.0, 0.1);
+    EXPECT_NEAR(said_of(edge, 8.0, 16.0, 8), 1.0, 0.05);
+    EXPECT_NEAR(said_of(guided, 4.0, 12.0, 4), 1.0, 0.03);
+    EXPECT_NEAR(said_of(guided, 1.0, 12.0, 3), 1.0, 0.05);
+}
+
 }  // namespace
 }  // namespace stria::coarse
