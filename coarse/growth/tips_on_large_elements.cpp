@@ -26,7 +26,7 @@ std::vector<std::string> TipsOnLargeElements::look_at(const Scene& scene, const 
             said_.by_metal[t] = doubts;
             all.push_back(*metal_warning(scene, t));
         }
-        if (std::ranges::count(said_.too_near, tip) > 0) continue;
+        if (t >= distance.size() || std::ranges::count(said_.too_near, tip) > 0) continue;
         const std::optional<std::string> warning = distance_warning(scene, t, distance[t]);
         if (!warning) continue;
         said_.too_near.push_back(tip);

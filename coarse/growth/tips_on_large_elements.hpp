@@ -23,7 +23,7 @@ public:
     explicit TipsOnLargeElements(SaidOfElements said = {}) : said_(std::move(said)) {}
 
     /// What is to be said of tips whose elements are larger than has been said before. `distance`: of closure, mm, one
-    /// per tip.
+    /// per tip; none where nobody looks at closure.
     [[nodiscard]] std::vector<std::string> look_at(const Scene& scene, const std::vector<double>& distance);
 
     [[nodiscard]] const SaidOfElements& said() const { return said_; }
