@@ -23,6 +23,7 @@ constexpr double across_zone = 5.0;       // elements, the forward zone
 constexpr double ahead_in_stress = 10.0;  // elements, ahead of a tip that grows
 constexpr double ahead_in_strain = 5.0;
 constexpr double to_distance = 1.2;       // elements, from the tip to where closure is looked at
+constexpr double rounding = 1e-9;         // of an element's edge, which is a difference of places
 constexpr double most_at_a_time = 2.0;    // elements
 constexpr double part_of_element = 0.05;  // by which growth may miss a whole number of them
 constexpr double most_of_zone = 0.1;      // at a time, in plane stress
@@ -83,7 +84,7 @@ std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone,
 /// to).
 std::optional<std::string> warning_of_distance(std::size_t tip, double distance, double element, int refine) {
     constexpr double with_room = 1.3;  // elements, for an advice of two digits
-    if (distance <= 0.0 || distance >= to_distance * element) return std::nullopt;
+    if (distance <= 0.0 || distance >= (1.0 - rounding) * to_distance * element) return std::nullopt;
     const double finer = refine_for(to_distance, distance, element, refine);
     const std::string advice = finer <= most_refined ? fmt::format("fine.refine = {:g}, or ", finer) : "";
     return fmt::format("tip {}: closure is looked at {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; nearer than "

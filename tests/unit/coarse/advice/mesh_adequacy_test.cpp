@@ -225,6 +225,10 @@ TEST_F(Advice, MindsHowManyElementsLieBetweenTheTipAndWhereClosureIsLookedAt) {
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].find("0.3 mm behind it, 0.3 elements of 1 mm"), std::string::npos) << warnings[0];
     EXPECT_NE(warnings[0].find("fine.refine = 4, or closure.distance = 1.3"), std::string::npos) << warnings[0];
+    input.mesh.size = 0.4;
+    closure_at = 0.48;  // 1.2 of them, whose edges are rounded
+    EXPECT_TRUE(at(2100.0).empty());
+    input.mesh.size = 1.0;
     closure_at = 1e-5;  // 2^17 elements
     EXPECT_NE(at(2100.0).at(0).find("K_max off: closure.distance = 1.3"), std::string::npos) << at(2100.0)[0];
     input.material.yield_stress.reset();
