@@ -14,6 +14,15 @@ std::vector<AppliedForce> forces_that_read(const std::vector<NodalWeight>& mean,
     return forces;
 }
 
+/// Those of nodal displacements. What a jump adds between the nodes beside a mouth is a zone's own, and no equilibrium
+/// but that of one matrix could weigh it.
+Eigen::VectorXd without_jumps(const EnrichedMesh& enriched, const Eigen::VectorXd& weights) {
+    Eigen::VectorXd nodal = Eigen::VectorXd::Zero(weights.size());
+    for (const auto& [node, term, unknown] : enriched.own_unknowns())
+        if (term == 0) nodal.segment<2>(unknown) = weights.segment<2>(unknown);
+    return nodal;
+}
+
 }  // namespace
 
 // Half of load times displacement is the work then, however uneven the loads, and dC/da of the two the energy release
@@ -28,8 +37,9 @@ Eigen::VectorXd weights_of_displacement(const std::optional<LoadedBoundary>& loa
         const bool is_pin = mesh.pins.contains(loaded->name);
         const std::vector<AppliedForce> there =
             is_pin ? forces_that_read(mean, mesh) : applied_forces(mesh, loaded->acting);
-        if (is_left_free(there, mesh, loads.main)) return forces.of(loads.of(loaded->load_case)) / loaded->pull;
-        if (!is_pin) return forces.of(loaded->acting) / loaded->force;
+        if (is_left_free(there, mesh, loads.main))
+            return without_jumps(enriched, forces.of(loads.of(loaded->load_case)) / loaded->pull);
+        if (!is_pin) return without_jumps(enriched, forces.of(loaded->acting) / loaded->force);
     }
     for (const auto& [node, weight] : mean) weights.segment<2>(enriched.unknown(node, 0, 0)) += weight;
     return weights;
