@@ -13,6 +13,7 @@
 #include "coarse/load/load_history.hpp"
 #include "coarse/model/rings.hpp"
 #include "coarse/specimen/regions.hpp"
+#include "coarse/zone/tip_refinement.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/case/schema/method_schema.hpp"
 
@@ -81,12 +82,14 @@ std::optional<std::string> zone_warning(std::size_t tip, const WantedZone& zone,
 }
 
 /// Openings nearer to the tip are those of its own element (docs/verification/closure.md, what opening loads are good
-/// to).
-std::optional<std::string> warning_of_distance(std::size_t tip, double distance, double element, int refine) {
+/// to). `missing`: how often the element ought to have been split and cannot be (levels_missing).
+std::optional<std::string> warning_of_distance(std::size_t tip, double distance, double element, int refine,
+                                               int missing = 0) {
     constexpr double with_room = 1.3;  // elements, for an advice of two digits
     if (distance <= 0.0 || distance >= (1.0 - rounding) * to_distance * element) return std::nullopt;
-    const double finer = refine_for(to_distance, distance, element, refine);
-    const std::string advice = finer <= most_refined ? fmt::format("fine.refine = {:g}, or ", finer) : "";
+    const double finer = refine_for(to_distance, distance, std::ldexp(element, -missing), refine);
+    const bool helps = finer > refine && finer <= most_refined;
+    const std::string advice = helps ? fmt::format("fine.refine = {:g}, or ", finer) : "";
     return fmt::format("tip {}: closure is looked at {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; nearer than "
                        "{:g} the opening range is a tenth or more too small and K_op some hundredths of K_max off: "
                        "{}closure.distance = {:.2g}",
@@ -208,8 +211,9 @@ std::optional<std::string> metal_warning(const Scene& scene, std::size_t tip) {
 
 std::optional<std::string> distance_warning(const Scene& scene, std::size_t tip, double distance) {
     if (!asks_for_opening_loads(scene.input) || !std::isfinite(scene.yield_stress_at_tips()[tip])) return std::nullopt;
-    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
-    return warning_of_distance(tip, distance, element, scene.input.fine.refine);
+    const Tip& here = scene.enriched.tips[tip];
+    return warning_of_distance(tip, distance, tip_element_edge(scene.enriched, here), scene.input.fine.refine,
+                               levels_missing(scene, here));
 }
 
 std::vector<std::string> mesh_warnings(const Scene& scene, const std::vector<double>& K_I,

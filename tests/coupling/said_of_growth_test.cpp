@@ -134,6 +134,17 @@ TEST(SaidOfGrowth, NamesATipWhoseElementsHaveGrownBeyondItsDistanceOfClosureOnce
     EXPECT_EQ(closure(run_direct(input).notes), 0U) << "nothing flows";
 }
 
+// Elements as small as the case asks for would hold it, but what has flowed is not split.
+TEST(SaidOfGrowth, AdvisesNoRefinementThatCannotBe) {
+    Case input = towards_soft_metal();
+    input.closure.distance = 0.3;
+    const std::vector<std::string> notes =
+        notes_with(run_direct(input).notes, "tip 0: closure is looked at 0.3 mm behind it");
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].find("fine.refine"), std::string::npos) << notes[0];
+    EXPECT_NE(notes[0].find("off: closure.distance = "), std::string::npos) << notes[0];
+}
+
 // J is left empty nearer than two elements to another metal, and K is off nearer than 0.3.
 TEST(SaidOfGrowth, NamesATipThatHasComeCloseToAnotherMetal) {
     Case input = towards_soft_metal();
