@@ -8,6 +8,7 @@
 
 #include "coarse/enrichment/tip_reach.hpp"
 #include "common/crack/crack_end.hpp"
+#include "common/crack/straight_way.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -99,6 +100,7 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
     } else {
         way.back() = next;
     }
+    way.back() = on_rounded_way(way.end()[-2], way.back());
     lead_along(crack, tip, std::move(way));
 }
 

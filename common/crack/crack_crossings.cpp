@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "common/crack/straight_way.hpp"
 #include "common/error.hpp"
 #include "common/geometry/clipping.hpp"
 #include "common/geometry/segment.hpp"
@@ -171,11 +172,23 @@ void CrackCrossings::add_hanging_nodes() {
     }
 }
 
-// Along the crack an intersection moves by rounding with the crack's other end; on the edge it does not where the crack
-// runs along an axis. A crack that grows straight on so leaves what it has cut the same to the bit.
+// An intersection moves by rounding with the end of the crack. Where that has grown along a rounded direction, the edge
+// meets the line through what does not move: a crack that grows straight on leaves what it has cut the same to the bit.
+double CrackCrossings::fraction_of(const MeshEdge& edge, std::size_t segment, const Vec2& found) const {
+    constexpr double nearly_along = 1e-5;
+    const Vec2 &a = node(edge.first), along = node(edge.second) - a;
+    const bool at_start = segment == 0 && points_.size() > 2;
+    const Vec2 &before = points_[at_start ? 1 : segment], &end = points_[at_start ? 0 : segment + 1];
+    const Vec2 direction = rounded_direction(end - before);
+    const double across = cross(direction, along);
+    if (on_rounded_way(before, end) != end || std::abs(across) < nearly_along * along.norm())
+        return (found - a).dot(along) / along.squaredNorm();
+    return cross(direction, before - a) / across;
+}
+
 void CrackCrossings::add(const MeshEdge& edge, std::size_t segment, const Vec2& found) {
     const Vec2 &a = node(edge.first), &b = node(edge.second);
-    const double t = (found - a).dot(b - a) / (b - a).squaredNorm();
+    const double t = fraction_of(edge, segment, found);
     const Vec2 x = a + t * (b - a);
     const double s = arc_[segment] + (x - points_[segment]).norm();
     if (t < snap_fraction)

@@ -71,6 +71,7 @@ private:
     void collect();
     void add_hanging_nodes();
     void add(const MeshEdge& edge, std::size_t segment, const Vec2& found);
+    [[nodiscard]] double fraction_of(const MeshEdge& edge, std::size_t segment, const Vec2& found) const;
     void merge();
     [[nodiscard]] bool grazes(const Crossing& a, const Crossing& b) const;
     [[nodiscard]] bool has_kink_between(double s0, double s1) const;

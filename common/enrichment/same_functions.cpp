@@ -15,7 +15,7 @@ bool same_tie(const TiedNode& a, const TiedNode& b) {
 
 bool same_piece(const CrackPiece& a, const CrackPiece& b) {
     return a.crack == b.crack && a.element == b.element && a.neighbour == b.neighbour && a.points == b.points &&
-           a.s == b.s && a.entry == b.entry && a.exit == b.exit;
+           a.entry == b.entry && a.exit == b.exit;
 }
 
 }  // namespace
@@ -30,6 +30,10 @@ bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other) {
            mesh.material == other.material && mesh.element_side == other.element_side && mesh.branch == other.branch &&
            std::ranges::equal(mesh.tied, other.tied, same_tie) &&
            std::ranges::equal(mesh.terms, other.terms, same_terms);
+}
+
+bool same_arc_lengths(const EnrichedMesh& mesh, const EnrichedMesh& other) {
+    return std::ranges::equal(mesh.pieces, other.pieces, {}, &CrackPiece::s, &CrackPiece::s);
 }
 
 bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const ElementSet& elements) {
@@ -47,7 +51,7 @@ bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const E
         return as_tied && same_terms(mesh.terms[at(node)], other.terms[at(node)]);
     };
     const std::vector<int> piece = piece_of_elements(mesh), other_piece = piece_of_elements(other);
-    const auto same_cut = [&](int e) {
+    const auto cut_alike = [&](int e) {
         const int a = piece[at(e)], b = other_piece[at(e)];
         return a < 0 || b < 0 ? a == b : same_piece(mesh.pieces[at(a)], other.pieces[at(b)]);
     };
@@ -55,7 +59,7 @@ bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const E
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const auto& corners = mesh.elements[at(e)];
         if (std::ranges::none_of(corners, inside)) continue;
-        if (corners != other.elements[at(e)] || !std::ranges::all_of(corners, same_node) || !same_cut(e) ||
+        if (corners != other.elements[at(e)] || !std::ranges::all_of(corners, same_node) || !cut_alike(e) ||
             mesh.element_side[at(e)] != other.element_side[at(e)])
             return false;
     }

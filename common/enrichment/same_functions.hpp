@@ -6,8 +6,12 @@
 
 namespace stria {
 
-/// The same elements with the same functions, whatever the places of the tips: none of the functions is a tip's.
+/// The same elements with the same functions, whatever the places of the tips and the arc lengths: none of the
+/// functions is a tip's.
 [[nodiscard]] bool same_but_for_tips(const EnrichedMesh& mesh, const EnrichedMesh& other);
+
+/// What lies along the cracks of two such meshes is as far from their first points: none of these has moved.
+[[nodiscard]] bool same_arc_lengths(const EnrichedMesh& mesh, const EnrichedMesh& other);
 
 /// Whether elements of one mesh have the same corners and functions on the other, where they have the same numbers; and
 /// so do those beside them, which see some of their unknowns. None of their functions is a tip's.

@@ -21,7 +21,7 @@ ZoneSystem::ZoneSystem(const ZoneSections& input)
 TakenOver ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
     const bool stays = bulk_ && patch.part_of.empty() && patch_.boundary == patch.boundary &&
-                       same_but_for_tips(patch_.mesh, patch.mesh);
+                       same_but_for_tips(patch_.mesh, patch.mesh) && same_arc_lengths(patch_.mesh, patch.mesh);
     const std::unique_ptr<Bulk> old = stays ? nullptr : std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     if (old && patch.part_of.empty()) keep_displacement(memory_, patch_.mesh, patch);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "common/crack/notch.hpp"
+#include "common/crack/straight_way.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -21,6 +22,22 @@ TEST(CrackAdvance, MovesTheEndOfAStraightCrackAndBendsAtACorner) {
     advance(crack, grown, {0.6, 0.8}, 0.5);
     ASSERT_EQ(crack.points.size(), 3U);
     EXPECT_LT((crack.points[2] - Vec2(2.55, 1.4)).norm(), 1e-15);
+}
+
+// Its ends lie on one rounded direction, whatever the rounding of each: what it has cut stays the same to the bit.
+TEST(CrackAdvance, GoesStraightOnAlongOneLine) {
+    CrackSection crack{.points = {{0.0, 100.03}, {2.0, 100.03}}, .contact = {}};
+    Tip tip{.crack = 0, .position = {2.0, 100.03}, .direction = {1.0, 0.0}, .s = 2.0, .upper = 1};
+    advance(crack, tip, Vec2(0.97, 0.21).normalized(), 1.0);
+    const Vec2 first = rounded_direction(crack.points[2] - crack.points[1]);
+    for (int step = 0; step < 100; ++step) {
+        EXPECT_EQ(on_rounded_way(crack.points[1], crack.points[2]), crack.points[2]) << step;
+        EXPECT_EQ(rounded_direction(crack.points[2] - crack.points[1]), first) << step;
+        tip.position = crack.points[2];
+        tip.direction = (crack.points[2] - crack.points[1]).normalized();
+        advance(crack, tip, tip.direction, 0.07);
+        ASSERT_EQ(crack.points.size(), 3U);
+    }
 }
 
 TEST(CrackAdvance, MovesTheFirstPointOfACrackThatStartsAtATip) {

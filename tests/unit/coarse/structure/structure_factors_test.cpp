@@ -16,15 +16,17 @@ namespace stria::coarse {
 namespace {
 
 /// A wide plate whose crack grows; contact and a disk of 1.5 mm make the zone.
-Scene scene_with(double crack) {
+Scene scene_along(const std::vector<Vec2>& crack) {
     Case input = test::pulled_plate(0.5, true, true);
     input.mesh.width = input.mesh.height = 40.0;
-    input.cracks[0].points = {{0.0, 20.2}, {crack, 20.2}};
+    input.cracks[0].points = crack;
     input.fine.radius = 1.5;
     input.load.blocks = {{.cycles = 20, .max = 50.0, .min = 0.0}};
     input.growth = GrowthSection{.increment = 0.5};
     return refined_scene(input);
 }
+
+Scene scene_with(double crack) { return scene_along({{0.0, 20.2}, {crack, 20.2}}); }
 
 class Factors : public testing::Test {
 protected:
@@ -103,6 +105,18 @@ ElementSet cut_elements(const EnrichedMesh& mesh) {
     ElementSet cut(mesh.elements.size());
     for (const CrackPiece& piece : mesh.pieces) cut.insert(piece.element);
     return cut;
+}
+
+// All arc lengths are others then.
+TEST(SameFunctions, AreThoseOfACrackThatGrowsAtItsFirstPoint) {
+    const auto scene_to = [](double x) { return scene_along({{x, 20.2}, {0.0, 20.2}}); };
+    const Scene scene = scene_to(7.3), longer = scene_to(7.8);
+    ElementSet wake = cut_elements(scene.enriched);
+    for (const CrackPiece& piece : scene.enriched.pieces)
+        if (piece.points.front().x() > 5.0) wake.erase(piece.element);
+    EXPECT_GT(wake.count(), 3);
+    EXPECT_TRUE(same_functions(scene.enriched, longer.enriched, wake));
+    EXPECT_FALSE(same_functions(scene.enriched, longer.enriched, cut_elements(scene.enriched)));
 }
 
 // Of the whole body: the wake is condensed with its jumps.

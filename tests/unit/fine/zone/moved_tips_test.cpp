@@ -13,6 +13,7 @@ using coupling::PatchResponse;
 using fine::FineModel;
 
 Case with_tip_at(double x) { return plate_case({{0.0, 5.5}, {x, 5.5}}); }
+Case with_first_point_at(double x) { return plate_case({{x, 5.5}, {0.0, 5.5}}); }
 EnrichedMesh mesh_with_tip_at(double x) { return plate_mesh(24, 11, with_tip_at(x), 0); }
 
 Eigen::VectorXd pulled(const coupling::Patch& zone, double strain) {
@@ -45,6 +46,7 @@ TEST(MovedTips, AreNothingButMovedTips) {
     EnrichedMesh turned = mesh_with_tip_at(12.4);
     turned.nodes[3].y() += 1e-15;
     EXPECT_FALSE(same_but_for_tips(mesh_with_tip_at(12.2), turned));
+    EXPECT_TRUE(same_arc_lengths(mesh_with_tip_at(12.2), mesh_with_tip_at(12.2)));
 }
 
 TEST(MovedTips, LeaveTheZoneAsItIs) {
@@ -73,6 +75,25 @@ TEST(MovedTips, LeaveTheZoneAsItIs) {
         }
         EXPECT_NEAR(report.energy.stored, wanted.energy.stored, 1e-12 * wanted.energy.stored);
         EXPECT_EQ(report.work.fronts_refactored, wanted.work.fronts_refactored);  // a new tree takes them over
+    }
+}
+
+// What faces bear is known by its place along the crack, and that counts from there.
+TEST(MovedTips, ThatAreFirstPointsMakeTheZoneAnew) {
+    const auto patch_with = [](double x) { return plate_patch(plate_mesh(24, 11, with_first_point_at(x), 0)); };
+    const coupling::Patch before = patch_with(12.2), after = patch_with(12.4);
+    FineModel model(with_first_point_at(12.2));
+    flow(model, before);
+    model.set_patch(after);
+    for (const double strain : {7e-4, 3e-4, -3e-4}) {
+        const PatchResponse response = in_equilibrium(model, pulled(after, strain));
+        EXPECT_GT(response.force.norm(), 1.0) << strain;
+        const std::vector<coupling::FaceSample> faces = model.commit({}).faces;
+        ASSERT_FALSE(faces.empty());
+        for (const coupling::FaceSample& face : faces) {
+            EXPECT_NEAR(face.s, 12.4 - face.x, 1e-12);
+            EXPECT_EQ(face.pressure > 0.0, strain < 0.0) << face.x;
+        }
     }
 }
 
