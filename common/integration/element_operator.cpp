@@ -233,14 +233,18 @@ void ElementOperator::add_force(const Mandel& stress, std::size_t q, Eigen::Vect
     with_mean(*this, q, [&](const auto& g, const auto* m) { add_force_at(stress, points[q].weight, g, m, nodal); });
 }
 
+// One product for all points: of an element with tip functions they are hundreds.
 Eigen::MatrixXd ElementOperator::stiffness(const MandelMatrix& elastic) const {
-    const auto n = static_cast<Eigen::Index>(unknowns.size());
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+    const Eigen::Index n = std::ssize(unknowns), rows = 4 * std::ssize(points);
+    Eigen::MatrixXd strains(rows, n), stresses(rows, n);
     for (std::size_t q = 0; q < points.size(); ++q) {
-        const auto B = strain_matrix(q);
-        K.noalias() += points[q].weight * B.transpose() * (elastic * B);
+        const Eigen::Index row = 4 * static_cast<Eigen::Index>(q);
+        strains.middleRows<4>(row) = strain_matrix(q);
+        stresses.middleRows<4>(row).noalias() = (points[q].weight * elastic) * strains.middleRows<4>(row);
     }
-    return K;
+    Eigen::MatrixXd K(n, n);
+    K.triangularView<Eigen::Lower>() = strains.transpose() * stresses;
+    return K.selfadjointView<Eigen::Lower>();
 }
 
 Eigen::VectorXd gather(const Eigen::VectorXd& values, std::span<const int> unknowns) {
