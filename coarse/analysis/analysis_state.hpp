@@ -13,7 +13,6 @@
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/growth/growth_increment.hpp"
 #include "coarse/growth/tip_rates.hpp"
-#include "coarse/growth/tips_on_large_elements.hpp"
 #include "coarse/load/load_controller.hpp"
 #include "coarse/load/load_scale.hpp"
 #include "coarse/model/mesh_refinement.hpp"
@@ -91,8 +90,7 @@ struct AnalysisState {
     UnitDisplacement unit_displacement;   // of the same body
     RunCounts counts;
     GrowthMemory growth;
-    std::vector<int> tips_without_room;  // that have been spoken of (RoomOfTips)
-    SaidOfElements said_of_elements;
+    std::vector<int> said_of_mesh;  // MeshJudge
     DueGrowth due_growth;
     FaceRelease release;
     LoadPosition load;

@@ -43,6 +43,9 @@ public:
     [[nodiscard]] const std::vector<double>& largest_K() const { return largest_K_; }
     /// Of the cracks that the run began with.
     [[nodiscard]] const UnitResponse& nominal_at_start() const { return nominal_at_start_; }
+    /// Of the present ones; and the growth of the first tip so far, mm.
+    [[nodiscard]] UnitResponse nominal_response() const { return unit_response(*scene_, nominal_, unit_displacement_); }
+    [[nodiscard]] double grown() const;
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;
 
@@ -99,7 +102,6 @@ private:
                                                     const ElementSet& whole) const;
     [[nodiscard]] bool knows_far_part() const;
     [[nodiscard]] bool serves(const ElementSet& in_zone) const;
-    [[nodiscard]] double grown() const;
     [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone,
                                                       const StillElements& still);
     void choose_behind(const Scene& longer);

@@ -236,7 +236,7 @@ bool FatigueAnalysis::grow_where_due() {
         GrownScene grown = growth_->next(body_, last_cycle_);
         if (growth_->ended() && accepted_.number > 0) listener_.growth_ended(accepted_, body_.structure());
         if (grown.longer) {
-            if (!model_.lengthen_cracks(std::move(grown))) controller_.forget_increments();
+            if (!model_.lengthen_cracks(std::move(grown), due_growth_.cycle)) controller_.forget_increments();
             controller_.set_scale(body_.load_scale());
             release_ = {.cycle = due_growth_.cycle, .moment = due_growth_.moment, .held = 1.0};
         }

@@ -9,6 +9,7 @@
 #include "coarse/advice/limit_load_hint.hpp"
 #include "coarse/equilibrium/carried_increments.hpp"
 #include "coarse/load/case_histories.hpp"
+#include "coarse/load/load_scale.hpp"
 #include "coarse/structure/gamma.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
@@ -35,12 +36,10 @@ TwoScaleModel::TwoScaleModel(CrackedBody& body, const SolverSection& solver, con
     if (body_.has_zone()) patch = patch_of(body_.scene(), body_.in_zone(), displacement_.beside_far());
     couple(patch, from);
     if (from == nullptr) {
-        (void)room_.look_at(*rings_);  // what there is to say at the start has been said (case_warnings())
-        (void)large_.look_at(body_.scene(), closure_.opening_at());
+        (void)mesh_judge_.look_at(body_.scene(), demands(0));  // it has been said (case_warnings())
         return;
     }
-    room_ = RoomOfTips(from->tips_without_room);
-    large_ = TipsOnLargeElements(from->said_of_elements);
+    mesh_judge_ = MeshJudge(from->said_of_mesh);
     equilibrium_->restore(from->equilibrium);
     work_ = from->work;
 }
@@ -50,8 +49,7 @@ void TwoScaleModel::write(AnalysisState& state) const {
     state.load_factor = factors_.main;
     state.largest_force = largest_force_;
     state.work = work_;
-    state.tips_without_room = room_.known();
-    state.said_of_elements = large_.said();
+    state.said_of_mesh = mesh_judge_.said();
     state.equilibrium = equilibrium_->state();
 }
 
@@ -102,6 +100,15 @@ coupling::Patch TwoScaleModel::patch_of(const Scene& scene, const ElementSet& in
     patch.ahead = closure_.ahead(scene.enriched);
     patch.slip_at = closure_.slip_at();
     return patch;
+}
+
+// The rings are there already: to look for their room once more would cost a pass over the mesh.
+MeshDemands TwoScaleModel::demands(int passed) const {
+    MeshDemands demands{.K_I = common_K_I(body_.scene().input, body_.nominal_response(), body_.grown(), passed),
+                        .distance = closure_.opening_at()};
+    for (int tip = 0; tip < std::ssize(mesh().tips); ++tip)
+        demands.radius.push_back(std::ranges::max(rings_->about(tip).rings(), {}, &Annulus::outer).outer);
+    return demands;
 }
 
 NewtonReport TwoScaleModel::solve(const LoadStep& step, const Waits& waits) {
@@ -186,7 +193,7 @@ void TwoScaleModel::prepare_growth() {
 // What becomes fine because of its functions is so before they change. What else eq. (3) is expected to want joins with
 // the longer cracks. The nominal solution, which tells what it does want, is found while the zone turns to them: it
 // takes the elements beyond that afterwards. Without a zone nobody sees what the growth releases.
-bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
+bool TwoScaleModel::lengthen_cracks(GrownScene grown, int cycle) {
     const Stopwatch watch(effort_.growth_s);
     const EnrichedMesh& after = grown.longer->enriched;
     const bool kept = factory_.keeps_increments() && TipMoves::between(body_.scene().enriched, after).has_value();
@@ -215,9 +222,7 @@ bool TwoScaleModel::lengthen_cracks(GrownScene grown) {
     displacement_.find_far(mesh(), in_zone);
     if (patch && in_zone != expected) factory_.extend_zone(*std::exchange(patch, std::nullopt));
     turn_to(in_zone, std::move(patch));
-    for (const std::string& warning : room_.look_at(*rings_)) note_("warning: " + warning);
-    for (const std::string& warning : large_.look_at(body_.scene(), closure_.opening_at()))
-        note_("warning: " + warning);
+    for (const std::string& warning : mesh_judge_.look_at(body_.scene(), demands(cycle))) note_("warning: " + warning);
     displacement_.forget_kept_far();
     if (displacement_.lacks_far_other_than(body_.structure().factors().far.get()))
         displacement_.find_far(mesh());  // lest two far parts stay

@@ -5,13 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/analysis/committed_displacement.hpp"
 #include "coarse/analysis/crack_growth.hpp"
 #include "coarse/cycle/closure_meter.hpp"
 #include "coarse/equilibrium/equilibrium_factory.hpp"
 #include "coarse/fracture/structure_rings.hpp"
-#include "coarse/growth/room_of_tips.hpp"
-#include "coarse/growth/tips_on_large_elements.hpp"
 #include "coarse/zone/yield_guard.hpp"
 
 namespace stria::coarse {
@@ -45,8 +44,8 @@ public:
     void prepare_growth();
 
     /// Figure 3 (a): no stress, no displacement, no internal variable changes. The last state must be committed. False
-    /// where increments are not known any more, for predictors.
-    [[nodiscard]] bool lengthen_cracks(GrownScene grown);
+    /// where increments are not known any more, for predictors. `cycle`: in which they grow.
+    [[nodiscard]] bool lengthen_cracks(GrownScene grown, int cycle);
 
     /// Of the present equilibrium and of the guard; what was before them is in the run's own record.
     [[nodiscard]] CoarseEffort effort() const;
@@ -60,6 +59,8 @@ public:
 private:
     /// With what somebody reads of an increment.
     [[nodiscard]] coupling::Commit commit_of(const LoadStep& step) const;
+    /// What is asked of the mesh once so many cycles have passed.
+    [[nodiscard]] MeshDemands demands(int passed) const;
     void turn_to(const ElementSet& in_zone, std::optional<coupling::Patch> begun = {});
     void couple(const std::optional<coupling::Patch>& patch, const AnalysisState* from = nullptr);
     CrackedBody::Outgrown split_elements(FinerScene finer);
@@ -78,8 +79,7 @@ private:
     YieldGuard guard_;
     std::unique_ptr<Equilibrium> equilibrium_;
     std::optional<StructureRings> rings_;  // of the present structure
-    RoomOfTips room_;
-    TipsOnLargeElements large_;
+    MeshJudge mesh_judge_;
     CommittedDisplacement displacement_;
     bool is_kept_ = false;        // prepare_growth() has met a zone
     LoadFactors factors_;         // committed

@@ -15,14 +15,6 @@ std::string turns_sharply(std::size_t tip, double grows, double element) {
         tip, grows, elements_behind_bend, element);
 }
 
-std::string stands_on_large_elements(std::size_t tip, double element, int times) {
-    return fmt::format(
-        "tip {} has come to elements of {:.3g} mm, {} times as large as fine.refine asks for: what has flowed before "
-        "a tip is there is never split. Openings, opening loads and zones are those of such elements; mesh.grading "
-        "with a smaller fine.refine makes them small from the start",
-        tip, element, times);
-}
-
 std::string functions_change(bool stand) {
     return fmt::format(
         "warning: from here on {} at the tips: {}all of their elements are smaller than 1/{:g} of "

@@ -16,9 +16,6 @@ namespace stria::coarse {
 /// With growth.retain = "all" a tip has moved by less than apart_to_retain elements.
 [[nodiscard]] std::string functions_frozen(int tip);
 
-/// A tip with elements of this edge, mm, so many `times` as large as fine.refine asks for.
-[[nodiscard]] std::string stands_on_large_elements(std::size_t tip, double element, int times);
-
 /// The next growth is refused, and `why`. `by_the_mesh`: the body would hold it, so the life goes on.
 [[nodiscard]] std::string growth_ends(const std::string& why, bool by_the_mesh);
 

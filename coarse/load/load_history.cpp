@@ -69,6 +69,20 @@ bool varies(const Case& input) {
     return are_unlike(input.load.blocks) || std::ranges::any_of(input.load_cases, case_varies);
 }
 
+LoadSection cycles_ahead(const LoadSection& load, int passed) {
+    LoadSection ahead = load;
+    if (load.repeat > 1) return ahead;
+    const int all = cycle_count(load), least = (all + 9) / 10;
+    int left = std::min(passed, all - least);
+    for (LoadBlock& block : ahead.blocks) {
+        const int gone = std::min(left, block.cycles);
+        block.cycles -= gone;
+        left -= gone;
+    }
+    std::erase_if(ahead.blocks, [](const LoadBlock& block) { return block.cycles == 0; });
+    return ahead.blocks.empty() ? load : ahead;
+}
+
 double largest_value(const LoadSection& load) {
     double largest = 0.0;
     for (const LoadBlock& block : load.blocks)

@@ -26,6 +26,10 @@ std::vector<Leg> legs(const LoadSection& load);
 /// Cycles have different extremes, of the main load or of a load case.
 [[nodiscard]] bool varies(const Case& input);
 
+/// The cycles that are left once some have passed, at least a tenth of all, lest the last few of a spectrum stand for
+/// it; all of them where the sequence repeats.
+[[nodiscard]] LoadSection cycles_ahead(const LoadSection& load, int passed);
+
 /// The largest value of the history, not below zero.
 [[nodiscard]] double largest_value(const LoadSection& load);
 

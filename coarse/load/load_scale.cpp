@@ -124,13 +124,13 @@ struct LargestK {
     std::vector<double> any, opening;
 };
 
-LargestK largest_of(const Case& input, UnitResponse nominal) {
+LargestK largest_of(const Case& input, UnitResponse nominal, double grown = 0.0) {
     const CaseHistories cases(input);
-    LargestK K{.any = largest_K(input.load, nominal, 0.0, cases), .opening = {}};
+    LargestK K{.any = largest_K(input.load, nominal, grown, cases), .opening = {}};
     nominal.K_II.clear();
     nominal.K_II_initial.clear();
     for (std::vector<double>& of_tip : nominal.K_II_of_cases) std::ranges::fill(of_tip, 0.0);
-    K.opening = largest_K(input.load, nominal, 0.0, cases);
+    K.opening = largest_K(input.load, nominal, grown, cases);
     for (std::size_t t = 0; t < K.any.size(); ++t)
         if (K.opening[t] <= negligible * K.any[t]) K.opening[t] = 0.0;
     return K;
@@ -145,8 +145,8 @@ std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal)
     return K;
 }
 
-std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal) {
-    return largest_of(input, nominal).opening;
+std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal, double grown) {
+    return largest_of(input, nominal, grown).opening;
 }
 
 std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal) {
@@ -156,11 +156,12 @@ std::vector<double> least_K_I(const Case& input, const UnitResponse& nominal) {
     return K;
 }
 
-std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal) {
-    if (!input.growth) return largest_K_I(input, nominal);
+std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal, double grown, int passed) {
+    if (!input.growth) return largest_K_I(input, nominal, grown);
+    const LoadSection ahead = cycles_ahead(input.load, passed);
     Case common = input;
-    common.load.blocks = {{.max = median_maximum(input.load, exponent_of_K(*input.growth)) / input.load.scale}};
-    return largest_K_I(common, nominal);
+    common.load.blocks = {{.max = median_maximum(ahead, exponent_of_K(*input.growth)) / input.load.scale}};
+    return largest_K_I(common, nominal, grown);
 }
 
 }  // namespace stria::coarse

@@ -52,7 +52,7 @@ LoadSection graded_load(const Case& input, const UnitResponse& nominal);
 std::vector<double> K_of_closure(const Case& input, const UnitResponse& nominal);
 
 /// The K_I of largest_K, MPa sqrt(mm), one per tip; 0 where nothing opens the crack.
-std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal);
+std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal, double grown = 0.0);
 
 /// The K_I with which the load presses the faces at an extreme of the history, with each load case at its least, MPa
 /// sqrt(mm), one per tip; 0 where it presses none, or by less than a hundredth of the largest K.
@@ -60,7 +60,7 @@ std::vector<double> largest_K_I(const Case& input, const UnitResponse& nominal);
 
 /// The K_I of the cycles that opening loads are asked of, MPa sqrt(mm), one per tip: by a maximum up to which the
 /// cycles make half of the growth (median_maximum), so that a few peaks do not stand for all. Without growth the
-/// largest.
-std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal);
+/// largest. `grown`: as above. `passed`: cycles; those ahead count (cycles_ahead).
+std::vector<double> common_K_I(const Case& input, const UnitResponse& nominal, double grown = 0.0, int passed = 0);
 
 }  // namespace stria::coarse

@@ -205,17 +205,10 @@ void members(auto& archive, Is<StillElements> auto& m) {
     archive("behind", behind);
 }
 
-void members(auto& archive, Is<SaidOfElements> auto& m) {
-    auto& [levels, by_metal, too_near] = m;
-    archive("levels", levels);
-    archive("by_metal", by_metal);
-    archive("too_near", too_near);
-}
-
 void members(auto& archive, Is<AnalysisState> auto& m) {
     auto& [cracks, splits, settled, in_zone, still, still_of_nominal, displacement, load_factor, largest_force, closure,
-           cycle, last_cycle, nominal, unit_displacement, counts, growth, without_room, said_of_elements, due_growth,
-           release, load, work, equilibrium, zone] = m;
+           cycle, last_cycle, nominal, unit_displacement, counts, growth, said_of_mesh, due_growth, release, load, work,
+           equilibrium, zone] = m;
     auto& [increments, newton_iterations, zone_extensions, yield_warnings, release_cuts, flowing_rings,
            overlapping_faces, mesh_splits] = counts;
     archive("cracks", cracks);
@@ -241,8 +234,7 @@ void members(auto& archive, Is<AnalysisState> auto& m) {
     archive("overlapping_faces", overlapping_faces);
     archive("mesh_splits", mesh_splits);
     archive("growth", growth);
-    archive("tips_without_room", without_room);
-    archive("said_of_elements", said_of_elements);
+    archive("said_of_mesh", said_of_mesh);
     archive("due_growth", due_growth);
     archive("release", release);
     archive("load", load);

@@ -163,6 +163,55 @@ TEST(SaidOfGrowth, NamesATipThatHasComeCloseToAnotherMetal) {
     EXPECT_EQ(notes_with(run.notes, "J wants 2 or more and is not told, and K is off").size(), 1U);
 }
 
+/// A crack at a controlled K: its forward zone, 1.49 mm, spans twelve elements.
+Case at_given_K() {
+    Case input = towards_soft_metal();
+    input.regions.clear();
+    input.model.plane = PlaneState::Stress;
+    input.load.control = Control::StressIntensity;
+    input.load.blocks = {{.cycles = 3, .max = 650.0, .min = 0.0}};
+    input.closure.distance = 0.2;
+    input.growth->increment = 0.125;
+    return input;
+}
+
+bool is_of_the_zone(const std::string& note) {
+    return note.find("tip 0: its forward plastic zone") != std::string::npos;
+}
+
+// 650 exp(-2 * 0.125) MPa sqrt(mm), and 0.905 mm.
+TEST(SaidOfGrowth, NamesATipWhoseZoneHasShrunkOnceAndNotAgainByARunThatGoesOn) {
+    Case input = at_given_K();
+    input.load.K_gradient = -2.0;
+    const coarse::Scene scene = coarse::refined_scene(input);
+    EXPECT_TRUE(coarse::mesh_warnings(scene, {650.0}, {0.2}).empty());
+    std::vector<std::string> notes;
+    coarse::Listener listener;
+    listener.note = [&](const std::string& text) { notes.push_back(text); };
+    listener.reached = [&](const coarse::LoadStep& step) { return !(step.ends_cycle && step.cycle == 2); };
+    fine::FineModel fine(input), other_fine(input);
+    coarse::CondensedFactory first(&fine, input), second(&other_fine, input);
+    coarse::FatigueAnalysis begun(scene, first, listener);
+    begun.run();
+    const coarse::AnalysisState state = begun.state();
+    ASSERT_EQ(std::ranges::count_if(notes, is_of_the_zone), 1);
+    EXPECT_NE(std::ranges::find_if(notes, is_of_the_zone)->find("at K_I = 506.2 MPa sqrt(mm), about 0.906 mm"),
+              std::string::npos)
+        << *std::ranges::find_if(notes, is_of_the_zone);
+    coarse::FatigueAnalysis ended(scene, second, listener, &state);
+    ended.run();
+    EXPECT_TRUE(ended.finished());
+    EXPECT_EQ(std::ranges::count_if(notes, is_of_the_zone), 1);
+}
+
+// Cycles make half of the growth at 650, those that are left at 400.
+TEST(SaidOfGrowth, NamesATipWhoseLoadHasFallen) {
+    Case input = at_given_K();
+    EXPECT_EQ(std::ranges::count_if(run_direct(input).notes, is_of_the_zone), 0);
+    input.load.blocks = {{.cycles = 2, .max = 650.0, .min = 0.0}, {.cycles = 1, .max = 400.0, .min = 0.0}};
+    EXPECT_EQ(std::ranges::count_if(run_direct(input).notes, is_of_the_zone), 1);
+}
+
 // A crack of 4.85 mm through elements of 0.1 mm.
 TEST(SaidOfGrowth, SaysWhereFunctionsStandNoLonger) {
     Case input = specimen("sent", 40.0, {{0.0, 20.05}, {4.85, 20.05}});

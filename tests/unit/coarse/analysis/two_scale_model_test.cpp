@@ -129,7 +129,7 @@ TEST(TwoScaleModel, LengthensItsCracksWithoutMovingAnything) {
     Pulled pulled(scene);
     const Increment before = pulled.go_to(25.0);
     pulled.model.prepare_growth();
-    static_cast<void>(pulled.model.lengthen_cracks(grown(pulled.body, 1.2)));
+    static_cast<void>(pulled.model.lengthen_cracks(grown(pulled.body, 1.2), 1));
     EXPECT_NEAR(pulled.body.scene().enriched.tips.at(0).position.x(), 8.5, 1e-12);
     EXPECT_NEAR(pulled.model.loaded_displacement(), before.machine.displacement, 1e-12);
     EXPECT_EQ(pulled.model.load_factor(), 25.0);
@@ -143,7 +143,7 @@ TEST(TwoScaleModel, NobodySeesWhatGrowthReleasesWithoutAZone) {
     Pulled pulled(scene);
     pulled.go_to(25.0);
     pulled.model.prepare_growth();
-    static_cast<void>(pulled.model.lengthen_cracks(grown(pulled.body, 1.2)));
+    static_cast<void>(pulled.model.lengthen_cracks(grown(pulled.body, 1.2), 1));
     EXPECT_TRUE(std::isnan(pulled.model.work().released));
     EXPECT_NEAR(pulled.go_to(25.0).tips.at(0).K_I, 25.0 * pulled.body.nominal().at(0).K_I,
                 1e-9 * 25.0 * pulled.body.nominal().at(0).K_I);

@@ -48,6 +48,17 @@ TEST(LoadHistory, KnowsTheMaximumUpToWhichHalfOfAGrowthIsMade) {
     EXPECT_EQ(median_maximum({.blocks = {{3, -10.0, -20.0}}}, 3.0), 0.0);
 }
 
+TEST(LoadHistory, KnowsTheCyclesThatAreAhead) {
+    const LoadSection load{.blocks = {{20, 100.0, 0.0}, {10, 50.0, 0.0}}};
+    EXPECT_EQ(cycles_ahead(load, 0), load);
+    EXPECT_EQ(cycles_ahead(load, 5).blocks, (std::vector<LoadBlock>{{15, 100.0, 0.0}, {10, 50.0, 0.0}}));
+    EXPECT_EQ(cycles_ahead(load, 20).blocks, (std::vector<LoadBlock>{{10, 50.0, 0.0}}));
+    EXPECT_EQ(cycles_ahead(load, 30).blocks, (std::vector<LoadBlock>{{3, 50.0, 0.0}})) << "a tenth at least";
+    LoadSection sequence = load;
+    sequence.repeat = 2;
+    EXPECT_EQ(cycles_ahead(sequence, 20), sequence);
+}
+
 TEST(LoadHistory, TurnsOnlyWhereTheLoadDoes) {
     const std::vector<Leg> all = legs({.blocks = {{1, 20.0, 10.0}, {1, 5.0, 0.0}}});
     ASSERT_EQ(all.size(), 5U);  // 20, 10, 5, 0, 5: down all the way from 20 to 0

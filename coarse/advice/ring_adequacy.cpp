@@ -1,0 +1,79 @@
+#include "coarse/advice/ring_adequacy.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "coarse/enrichment/crack_length.hpp"
+#include "coarse/enrichment/tip_enrichment.hpp"
+#include "coarse/enrichment/tip_reach.hpp"
+#include "coarse/model/rings.hpp"
+#include "common/case/case_questions.hpp"
+
+namespace stria::coarse {
+namespace {
+
+constexpr double elements_in_ring = 3.0;  // across the radius of the largest one
+constexpr double least_for_K = 0.3;       // elements to another metal
+
+}  // namespace
+
+std::optional<MeshDoubt> doubt_of_bend(const Scene& scene, std::size_t t) {
+    const Tip& tip = scene.enriched.tips[t];
+    const double straight = straight_length(scene.input.cracks[at(tip.crack)], tip,
+                                            bend_to_element * tip_element_size(scene.enriched, tip));
+    const double element = tip_element_edge(scene.enriched, tip);
+    if (straight >= elements_behind_bend * element) return std::nullopt;
+    return MeshDoubt{MeshDoubtKind::Bend,
+                     fmt::format("tip {}: its crack bends {:.3g} mm behind it, {:.2g} elements of {:.3g} mm; K is "
+                                 "not resolved nearer than {:g}: smaller elements there",
+                                 t, straight, straight / element, element, elements_behind_bend)};
+}
+
+std::optional<MeshDoubt> doubt_of_room(const Scene& scene, std::size_t tip, double radius) {
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
+    if (radius >= elements_in_ring * element || doubt_of_bend(scene, tip)) return std::nullopt;
+    return MeshDoubt{
+        MeshDoubtKind::Room,
+        fmt::format("tip {}: the largest ring off edges, loads, bends and other tips has a radius of {:.3g} mm, {:.2g} "
+                    "elements of {:.3g} mm; K and J want {:g} or more: smaller elements there",
+                    tip, radius, radius / element, element, elements_in_ring)};
+}
+
+// K and T are taken across metals, J is not.
+std::optional<MeshDoubt> doubt_of_metal(const Scene& scene, std::size_t tip) {
+    if (tells_J(scene, static_cast<int>(tip))) return std::nullopt;
+    const double radius = largest_ring_of_one_metal(scene, static_cast<int>(tip));
+    const double element = tip_element_edge(scene.enriched, scene.enriched.tips[tip]);
+    const bool K_is_off = radius < least_for_K * element;
+    return MeshDoubt{MeshDoubtKind::Metal,
+                     fmt::format("tip {}: the largest ring in its own metal has a radius of {:.3g} mm, {:.2g} elements "
+                                 "of {:.3g} mm; J wants {:g} or more and is not told{}: smaller elements there",
+                                 tip, radius, radius / element, element, least_for_J,
+                                 K_is_off ? ", and K is off by more than one percent" : ""),
+                     K_is_off ? 2 : 1};
+}
+
+std::optional<TipOfFunctions> doubt_of_functions(const Scene& scene) {
+    const EnrichedMesh& mesh = scene.enriched;
+    const double none_below = choose_enrichment(scene.input).none_below;
+    if (mesh.tip_functions == 0 || none_below == 0.0) return std::nullopt;
+    const auto small = [&](const Tip& tip) { return none_below * length_in_body(mesh, tip.crack); };
+    const auto wants_none = [&](const Tip& tip) {
+        return may_touch(scene.input.cracks[at(tip.crack)]) && tip_element_edge(mesh, tip) < small(tip);
+    };
+    const auto wants_some = [&](const Tip& tip) { return tip_element_edge(mesh, tip) >= small(tip); };
+    const auto none = std::ranges::find_if(mesh.tips, wants_none), some = std::ranges::find_if(mesh.tips, wants_some);
+    if (none == mesh.tips.end() || some == mesh.tips.end()) return std::nullopt;
+    const auto tip = static_cast<std::size_t>(some - mesh.tips.begin());
+    return TipOfFunctions{
+        tip,
+        {MeshDoubtKind::Functions,
+         fmt::format("tip {}: its elements of {:.3g} mm are larger than 1/{:g} of its crack, so functions stand "
+                     "at all tips, at tip {}, too, whose elements are small enough for none; what they leave behind "
+                     "makes opening loads there too high, by a tenth of K_max in a trial: fine.enrichment = "
+                     "\"none\", or elements below {:.3g} mm at tip {}",
+                     tip, tip_element_edge(mesh, *some), 1.0 / none_below, none - mesh.tips.begin(), small(*some),
+                     tip)}};
+}
+
+}  // namespace stria::coarse
