@@ -38,9 +38,18 @@ double mean_way(const std::vector<Tip>& tips, const std::vector<double>& ways, s
 TipRates::TipRates(const Case& input, TipRatesMemory memory)
     : growth_(*input.growth), varies_(varies(input)), takes_mean_(takes_mean_rate(input)),
       cut_off_(cycle_cut_off(input.load)), period_(std::move(memory.period)), life_(memory.life),
-      at_turn_(std::move(memory.at_turn)) {}
+      at_turn_(std::move(memory.at_turn)), owed_(std::move(memory.owed)), last_(memory.last) {}
 
 bool TipRates::has_just_turned(std::size_t tip) const { return tip < at_turn_.size() && !std::isnan(at_turn_[tip]); }
+
+bool TipRates::one_has_just_turned(std::size_t tips) const {
+    for (std::size_t t = 0; t < tips; ++t)
+        if (has_just_turned(t)) return true;
+    return false;
+}
+
+// Cycles that differ, and openings, which swing from cycle to cycle, tell none.
+bool TipRates::tell_a_trend() const { return !varies_ && !grows_by_openings(growth_); }
 
 std::vector<double> TipRates::present() const {
     std::vector<double> rates = period_.present();
@@ -53,13 +62,29 @@ bool TipRates::drive_a_tip() const { return fastest_rate(present()) > 0.0; }
 
 bool TipRates::are_of_a_whole_period() const { return !takes_mean_ || period_.memory().cycles >= growth_.every; }
 
-// With the rates at its beginning a slower tip would go too far where its share falls. Cycles that differ, openings,
-// which swing from cycle to cycle, and a tip that has just turned tell no trend; and rates of two moments make no
-// share.
+// With the rates at its beginning a slower tip would go too far where its share falls. Beside a tip that has just
+// turned they count nevertheless; and rates of two moments make no share.
 std::vector<double> TipRates::shares(std::size_t tips) const {
-    bool go_on = !varies_ && !grows_by_openings(growth_);
-    for (std::size_t t = 0; t < tips; ++t) go_on = go_on && !has_just_turned(t);
-    return shares_of_advance(growth_, go_on ? period_.ahead() : present(), tips);
+    if (one_has_just_turned(tips)) return shares_of_advance(growth_, present(), tips);
+    if (tell_a_trend()) return shares_of_advance(growth_, period_.ahead(), tips);
+    std::vector<double> shares = shares_of_advance(growth_, present(), tips);
+    for (std::size_t t = 0; t < std::min(tips, owed_.size()); ++t)
+        if (shares[t] < 1.0) shares[t] = std::clamp(shares[t] + owed_[t] / last_, 0.0, 1.0);
+    return shares;
+}
+
+void TipRates::owe(double passed) {
+    const std::vector<double>&before = period_.before(), &ways = period_.grown();
+    const double way = std::ranges::max(ways);
+    if (tell_a_trend() || way == 0.0) return;
+    const std::vector<double> now = present();
+    const bool known = passed > 0.0 && before.size() == now.size() && !one_has_just_turned(now.size());
+    owed_.resize(now.size(), 0.0);
+    last_ = way;
+    for (std::size_t t = 0; t < now.size(); ++t) {
+        const double lacks = known ? 0.5 * (before[t] + now[t]) * passed - ways[t] : 0.0;
+        owed_[t] = std::isfinite(lacks) ? owed_[t] + lacks : 0.0;
+    }
 }
 
 std::vector<double> TipRates::lengthening(const std::vector<Tip>& tips) const {
@@ -88,12 +113,14 @@ void TipRates::count_cycles(int cycle, std::vector<CycleResult>& cycles, const S
     for (const CycleResult& tip : cycles) grown.push_back(tip.da);
     period_.add(growth_rates(growth_, cycles), grown, !takes_mean_ || ends_period(growth_, cycle - 1));
     if (is_prescribed(growth_) || cycles.empty()) return;  // each stands for itself
+    const bool is_behind_turn = uncounted_of_the_past() > 0.0;
     for (std::size_t t = 0; t < at_turn_.size(); ++t)
         if (has_just_turned(t) && grown_tip(present, t).is_resolved()) at_turn_[t] = not_known;
     const auto is_long_enough = [&](const CycleResult& tip) { return is_as_long_as_asked(growth_, tip.a); };
     const bool ends = !takes_mean_ && std::ranges::any_of(cycles, is_long_enough);
     const double passed =
         !takes_mean_ || ends_period(growth_, cycle) ? cycles_of_period(present, cycles, cycle, ends) : 0.0;
+    owe(is_behind_turn ? 0.0 : passed);
     for (CycleResult& tip : cycles) tip.dN = passed;
 }
 

@@ -17,6 +17,10 @@ struct TipRatesMemory {
     PeriodMemory period;
     LifeMemory life;
     std::vector<double> at_turn;  // just behind the last sharp turn of each tip, mm per cycle; NaN: K is resolved
+    // By what the tips have advanced too little in the last growth, mm, of what the fastest one did; where no trend is
+    // told. Empty: by nothing.
+    std::vector<double> owed = {};
+    double last = 0.0;  // way of the fastest one in it, mm
 };
 
 /// The rate of a tip that turns sharply leaps by a factor; NaN: by what is not known.
@@ -30,7 +34,7 @@ public:
     /// Of a case whose cracks grow.
     explicit TipRates(const Case& input, TipRatesMemory memory = {});
 
-    [[nodiscard]] TipRatesMemory memory() const { return {period_.memory(), life_.memory(), at_turn_}; }
+    [[nodiscard]] TipRatesMemory memory() const { return {period_.memory(), life_.memory(), at_turn_, owed_, last_}; }
 
     /// da/dN of the tips, mm per cycle; empty before the first cycle has ended. K of a tip that has just turned is not
     /// resolved and far too low: until it is, the rate with which the tip left the turn stands for a lower one, or a
@@ -45,7 +49,9 @@ public:
     /// They are of the last cycle, and those that follow are other ones.
     [[nodiscard]] bool end_with_the_cycle() const { return varies_ && !takes_mean_; }
 
-    /// What each of so many tips advances next of what the fastest one does.
+    /// What each of so many tips advances next of what the fastest one does: by the rates in the middle of the growth
+    /// where they tell a trend; else by those where it begins, and what the last growth lacked by the mean of the rates
+    /// at its ends, for a growth as long as that.
     [[nodiscard]] std::vector<double> shares(std::size_t tips) const;
     /// By which `a` of each tip grows then: half of a crack with two tips by half of what both do.
     [[nodiscard]] std::vector<double> lengthening(const std::vector<Tip>& tips) const;
@@ -64,6 +70,11 @@ public:
 
 private:
     [[nodiscard]] bool has_just_turned(std::size_t tip) const;
+    [[nodiscard]] bool one_has_just_turned(std::size_t tips) const;
+    [[nodiscard]] bool tell_a_trend() const;
+    /// Of the growth at the beginning of the period that the last cycle ends, which took so many cycles; 0: that is not
+    /// known.
+    void owe(double passed);
     /// Of the growth at the beginning of the period that the last cycle ends, one result per tip. `ends`: growth ends
     /// the run.
     [[nodiscard]] double cycles_of_period(const Scene& present, const std::vector<CycleResult>& last, int cycle,
@@ -74,7 +85,8 @@ private:
     int cut_off_;  // the last cycle, where it does not rise as the sequence would; 0: it does
     PeriodRates period_;
     LifeCount life_;
-    std::vector<double> at_turn_;
+    std::vector<double> at_turn_, owed_;
+    double last_;
 };
 
 }  // namespace stria::coarse

@@ -38,10 +38,12 @@ void members(auto& archive, Is<LifeMemory> auto& m) {
 }
 
 void members(auto& archive, Is<TipRatesMemory> auto& m) {
-    auto& [period, life, at_turn] = m;
+    auto& [period, life, at_turn, owed, last] = m;
     archive("period", period);
     archive("life", life);
     archive("at_turn", at_turn);
+    archive("owed", owed);
+    archive("last", last);
 }
 
 void members(auto& archive, Is<GrowthPoint> auto& m) {

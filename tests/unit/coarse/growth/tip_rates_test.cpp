@@ -54,6 +54,28 @@ TEST(TipRates, ShareItOutByThoseOfItsBeginningWhereTheyTellNoTrend) {
     EXPECT_EQ(rates_of(growth, alike).shares(2)[1], at_begin) << "openings swing";
 }
 
+// Ranges that are not told a trend of: the slower tip has advanced by 0.01 mm too much over 0.1 mm of the faster one.
+TEST(TipRates, MakeUpForWhatTheLastGrowthLacked) {
+    Case input;
+    input.growth = GrowthSection{.law = GrowthLaw::Ctod, .increment = 0.1, .C = 1.0, .m = 1.0};
+    input.load.blocks = {{.cycles = 4, .max = 1.0, .min = 0.0}};
+    TipRatesMemory memory{
+        .period = {.sum = {2.0, 1.0}, .cycles = 1, .grown = {}, .before = {}}, .life = {}, .at_turn = {}};
+    memory.owed = {0.0, -0.01};
+    memory.last = 0.1;
+    const auto share = [&] { return TipRates(input, memory).shares(2)[1]; };
+    EXPECT_NEAR(share(), 0.5 - 0.1, 1e-15);
+    memory.owed[1] = -0.2;
+    EXPECT_EQ(share(), 0.0) << "it does not go back";
+    memory.owed[1] = 0.2;
+    EXPECT_EQ(share(), 1.0) << "the fastest one goes farthest";
+    memory.owed = {0.05, 0.0};
+    EXPECT_EQ(TipRates(input, memory).shares(2)[0], 1.0);
+    memory.at_turn = {known, 0.2};
+    memory.owed[1] = -0.01;
+    EXPECT_EQ(share(), at_begin) << "one has just turned";
+}
+
 TEST(TipRates, OfATipThatHasJustTurnedAreNoLessThanBehindItsTurn) {
     const GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
     TipRates rates = rates_of(growth, {{.cycles = 4, .max = 1.0, .min = 0.0}});

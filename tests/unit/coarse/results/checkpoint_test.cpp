@@ -44,6 +44,8 @@ Checkpoint some_checkpoint() {
     state.growth.increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
     state.growth.rates.life = {.uncounted = 0.02, .rate_at_turn = 1e-4};
     state.growth.rates.at_turn = {1.5e-6, 0.0};
+    state.growth.rates.owed = {0.0, -0.02};
+    state.growth.rates.last = 0.25;
     state.growth.K_reached = {610.5, 0.0};
     state.growth.before = {{20.5, 590.25}, {0.0, 0.0}};
     state.growth.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
@@ -123,6 +125,8 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.growth.rates.life.uncounted, 0.02);
     EXPECT_EQ(out.analysis.growth.rates.life.rate_at_turn, 1e-4);
     EXPECT_EQ(out.analysis.growth.rates.at_turn, in.analysis.growth.rates.at_turn);
+    EXPECT_EQ(out.analysis.growth.rates.owed, in.analysis.growth.rates.owed);
+    EXPECT_EQ(out.analysis.growth.rates.last, in.analysis.growth.rates.last);
     EXPECT_EQ(out.analysis.growth.K_reached, in.analysis.growth.K_reached);
     ASSERT_EQ(out.analysis.growth.before.size(), 2U);
     EXPECT_EQ(out.analysis.growth.before[0].a, 20.5);
