@@ -49,6 +49,20 @@ bool is_unread(const GrowthSection& growth, const CycleResult& cycle) {
     return std::isnan(cycle.K_max) || (grows_by_opening_loads(growth) && cycle.opening.lost);
 }
 
+/// Of a growth between two lengths, of a rate whose logarithm is a parabola of that of the length: with the mean slope
+/// `steep`, and half of its second derivative.
+double cycles_by_parabola(double grown, const RateAtLength& from, const RateAtLength& to, double steep, double bend) {
+    const auto per_mm = [&](double way) {
+        const double length = std::lerp(from.length, to.length, way), behind = std::log(length / from.length),
+                     ahead = std::log(length / to.length);
+        return std::exp(-(steep + bend * ahead) * behind) / from.rate;
+    };
+    constexpr int panels = 128;  // of Simpson's rule
+    double sum = per_mm(0.0) + per_mm(1.0);
+    for (int k = 1; k < panels; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * per_mm(static_cast<double>(k) / panels);
+    return grown * sum / (3.0 * panels);
+}
+
 }  // namespace
 
 double growth_rate(const GrowthSection& growth, const CycleResult& cycle) {
@@ -101,7 +115,8 @@ double cycles_passed(double grown, double rate_before, double rate_after) {
     return grown > 0.0 ? 0.5 * grown * (1.0 / rate_before + 1.0 / rate_after) : 0.0;
 }
 
-double cycles_in_doubt(double grown, double rate_before, double rate_after, double length, double lengthened) {
+double cycles_in_doubt(double grown, double rate_before, double rate_after, double length, double lengthened,
+                       double root) {
     if (!(grown > 0.0)) return 0.0;
     const double x = std::log(rate_after / rate_before) / 2.0;
     constexpr double small = 1e-3;  // there rounding would be all of the difference
@@ -109,8 +124,10 @@ double cycles_in_doubt(double grown, double rate_before, double rate_after, doub
     const double passed = cycles_passed(grown, rate_before, rate_after), of_exponential = share * passed;
     if (!(rate_after > rate_before && length > 0.0 && lengthened > 0.0)) return of_exponential;
     // A power of the length changes more at first than the exponential between the same ends: its cycles are fewer.
-    const double stretch = std::log1p(lengthened / length), y = stretch - 2.0 * x;
-    const double of_power = grown / rate_before * length / lengthened * stretch * (y == 0.0 ? 1.0 : std::expm1(y) / y);
+    const double stretch = std::log1p(lengthened / length), steep = 2.0 * x / stretch;
+    const double bend = root > 0.0 ? (steep - root) / stretch : 0.0;
+    const double of_power =
+        cycles_by_parabola(grown, {length, rate_before}, {length + lengthened, rate_after}, steep, bend);
     return std::max(of_exponential, passed - of_power);
 }
 
@@ -120,15 +137,7 @@ double cycles_in_doubt(double grown, const std::array<RateAtLength, 3>& through,
         return std::log(through[k + 1].rate / through[k].rate) / std::log(through[k + 1].length / through[k].length);
     };
     const double bend = (slope(1) - slope(0)) / std::log(through[2].length / through[0].length), steep = slope(first);
-    const auto per_mm = [&](double way) {
-        const double length = std::lerp(from.length, to.length, way), behind = std::log(length / from.length),
-                     ahead = std::log(length / to.length);
-        return std::exp(-(steep + bend * ahead) * behind) / from.rate;
-    };
-    constexpr int panels = 64;  // of Simpson's rule
-    double sum = per_mm(0.0) + per_mm(1.0);
-    for (int k = 1; k < panels; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * per_mm(static_cast<double>(k) / panels);
-    return std::max(0.0, cycles_passed(grown, from.rate, to.rate) - grown * sum / (3.0 * panels));
+    return std::max(0.0, cycles_passed(grown, from.rate, to.rate) - cycles_by_parabola(grown, from, to, steep, bend));
 }
 
 }  // namespace stria::coarse

@@ -47,8 +47,10 @@ struct TipAtExtremes {
 /// About what the rule is off by: what these are more than the cycles of a rate that goes with a power of the length,
 /// from `length` of the crack, mm, to what it is when it has become longer by `lengthened`, as K does with its root.
 /// Where that is not known, or the rate falls, of a rate whose logarithm is straight over the growth. Never negative.
+/// `root`: the power with which the rate goes where K goes with the root of the length; 0: not known. So it begins, and
+/// as a crack parts a body K rises by more: a parabola of the logarithms through both ends stands for the power then.
 [[nodiscard]] double cycles_in_doubt(double grown, double rate_before, double rate_after, double length = 0.0,
-                                     double lengthened = 0.0);
+                                     double lengthened = 0.0, double root = 0.0);
 
 /// Of the fastest tip: the length of its crack, mm, and da/dN, mm per cycle.
 struct RateAtLength {

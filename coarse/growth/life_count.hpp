@@ -40,7 +40,8 @@ struct LifeMemory {
 /// just turned to the one that the tip has then. Where the run ends before, to the larger of these.
 class LifeCount {
 public:
-    explicit LifeCount(LifeMemory memory = {}) : memory_(memory) {}
+    /// `root`: as in cycles_in_doubt().
+    explicit LifeCount(LifeMemory memory = {}, double root = 0.0) : memory_(memory), root_(root) {}
 
     /// The fastest tip turns sharply, and its rate leaps to this one, mm per cycle. Not positive, or NaN: not known,
     /// and the rate that it has two elements on stands for it.
@@ -57,6 +58,7 @@ private:
     void doubt(double grown, double lengthened, const RateAtLength& from, const RateAtLength& to);
 
     LifeMemory memory_;
+    double root_;
 };
 
 }  // namespace stria::coarse

@@ -10,6 +10,7 @@
 #include "coarse/growth/growth_law.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/load_history.hpp"
+#include "coarse/load/rate_law.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/index.hpp"
 
@@ -37,8 +38,9 @@ double mean_way(const std::vector<Tip>& tips, const std::vector<double>& ways, s
 
 TipRates::TipRates(const Case& input, TipRatesMemory memory)
     : growth_(*input.growth), varies_(varies(input)), takes_mean_(takes_mean_rate(input)),
-      cut_off_(cycle_cut_off(input.load)), period_(std::move(memory.period)), life_(memory.life),
-      at_turn_(std::move(memory.at_turn)), owed_(std::move(memory.owed)), last_(memory.last) {}
+      cut_off_(cycle_cut_off(input.load)), period_(std::move(memory.period)),
+      life_(memory.life, exponent_of_K(*input.growth) / 2.0), at_turn_(std::move(memory.at_turn)),
+      owed_(std::move(memory.owed)), last_(memory.last) {}
 
 bool TipRates::has_just_turned(std::size_t tip) const { return tip < at_turn_.size() && !std::isnan(at_turn_[tip]); }
 
