@@ -276,6 +276,22 @@ def closure_fit(table, stress):
     return Table({"name": [row[0] for row in rows], "value": [row[1] for row in rows], "meaning": [row[2] for row in rows]})
 
 
+def doubts(table, fit):
+    """Sentences on what the fitted alpha does not say: a fit always ends at some number."""
+    values = dict(zip(fit.columns["name"], fit.columns["value"]))
+    runs = list(zip(table.columns["run"], table.columns["R"], table.columns["Kop_over_Kmax"]))
+    unknown = [name for name, _, opening in runs if math.isnan(opening)]
+    if unknown:
+        yield f"no K_op is known at the end of {', '.join(unknown)}: left out"
+    known = [(name, R, opening) for name, R, opening in runs if not math.isnan(opening)]
+    if all(opening <= R + 1e-9 for _, R, opening in known):
+        yield "no crack of these closes: K_op is K_min, and alpha says nothing (contact = {} in [[crack]], growth that leaves a wake, small elements)"
+    elif values["alpha"] in (1.0, 3.0):
+        yield f"alpha has run into the end of 1 to 3: no curve fits better, and this one is {values['rms_alpha']:.3f} off (root of the mean square of K_op / K_max)"
+    elif values["rms_alpha"] > 0.05:
+        yield f"Newman's curve is {values['rms_alpha']:.3f} off (root of the mean square of K_op / K_max)"
+
+
 def rate_table(ratios, C, m, alpha, stress, rates, english=False):
     """dK at each load ratio for some rates, of da/dN = C (U dK)^m, C in mm per cycle and MPa sqrt(mm): a column per R, as tabular
     data of AFGROW and NASGRO are typed in. m per cycle and MPa sqrt(m), or inches per cycle and ksi sqrt(in)."""
@@ -295,6 +311,8 @@ def write_closure(options):
     fit.write(f"{prefix}-fit.csv")
     values = dict(zip(fit.columns["name"], fit.columns["value"]))
     print(f"alpha = {values['alpha']:.3f}, Smax/sigma0 = {options.stress:g}: NASGRO equation; K_op / K_max at R = 0: {newman(0.0, values['alpha'], options.stress):.4f}")
+    for sentence in doubts(table, fit):
+        print(f"warning: {sentence}", file=sys.stderr)
     if options.paris:
         C, m = options.paris
         ratios = sorted({round(R, 2) for R in table.columns["R"]})

@@ -181,6 +181,18 @@ class Closure(Folder):
         for name, value in (("U0", 0.55), ("U1", 0.33), ("U2", 0.12)):
             self.assertAlmostEqual(fit[name], value, 10)
 
+    def doubts(self, ratios, openings, names="abc"):
+        table = results.Table({"run": list(names)[: len(ratios)], "R": ratios, "Kop_over_Kmax": openings})
+        return list(results.doubts(table, results.closure_fit(table, 0.3)))
+
+    def test_a_fit_that_says_nothing_is_told(self):
+        curve = [results.newman(R, 2.0, 0.3) for R in (0.0, 0.3)]
+        self.assertEqual(self.doubts([0.0, 0.3], curve), [])
+        self.assertIn("no crack of these closes", self.doubts([0.0, 0.1], [0.0, 0.1])[0])
+        self.assertIn("the end of 1 to 3", self.doubts([0.0, 0.3], [0.8, 0.85])[0])
+        self.assertIn("off", self.doubts([0.0, 0.3], [curve[0] + 0.1, curve[1] - 0.1])[0])
+        self.assertIn("at the end of c", self.doubts([0.0, 0.3, 0.5], curve + [math.nan])[0])
+
     def test_the_commands_leave_their_files(self):
         results.main(["closure", str(self.study(2.0, 0.3)), "-o", str(self.folder / "out"), "--paris", "1e-12,3"])
         rates = results.Table.read(self.folder / "out-rates.csv").columns
