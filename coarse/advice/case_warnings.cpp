@@ -11,6 +11,7 @@
 #include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
+#include "coarse/load/increment_schedule.hpp"
 #include "common/case/case_questions.hpp"
 #include "common/crack/notch.hpp"
 #include "common/geometry/segment.hpp"
@@ -75,6 +76,36 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
     return all;
 }
 
+/// Part of the way up from which on no increment is longer than one of E647's segments: below it no compliance is told.
+double told_from(const LoadSection& load) {
+    constexpr double segment = 0.1 * (1.0 + 1e-9);
+    const std::vector<double> ways = graded_ways(load.steps.value() / 2, load.power());
+    std::size_t k = ways.size() - 1;
+    while (k > 0 && ways[k] - ways[k - 1] <= segment) --k;
+    return ways[k];
+}
+
+/// The compliance offset is read at a mouth, in segments of a tenth of the load range.
+std::vector<std::string> offset_warnings(const Scene& scene) {
+    const LoadSection& load = scene.input.load;
+    if (scene.input.closure.definition != OpeningDefinition::Offset) return {};
+    std::vector<std::string> all;
+    const std::vector<Tip>& tips = scene.enriched.tips;
+    for (std::size_t t = 0; t < tips.size(); ++t)
+        if (std::ranges::count_if(tips, [&](const Tip& tip) { return tip.crack == tips[t].crack; }) > 1)
+            all.push_back(fmt::format("tip {}: its crack has two tips and no mouth at which a compliance is read: no "
+                                      "K_op by closure.definition = \"offset\"; \"contact\" and \"tension\" tell one",
+                                      t));
+    const double from = load.steps.is_auto() ? 0.0 : told_from(load);
+    if (from > 0.0)
+        all.push_back(
+            fmt::format("closure.definition = \"offset\" takes segments of a tenth of the load range, and some of the "
+                        "increments are "
+                        "longer: no K_op is told{}; load.steps = 40 with load.grading = 1 tells it",
+                        from < 1.0 ? fmt::format(" of a crack that opens below {:.2g} of the way up", from) : ""));
+    return all;
+}
+
 /// Between a tip and a notch pressed faces are as if they were whole, and the pressure is singular at the notch: mean 2
 /// K / sqrt(2 pi d) over d, and no K_I at the tip. On fewer elements there is one multiplier, or none but the tip's
 /// (docs/verification/contact.md, K of a closed tip).
@@ -118,6 +149,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));
+    add(offset_warnings(scene));
     add(pressed_faces_warnings(scene, nominal));
     add(mesh_warnings(scene, K, distance));
     return all;

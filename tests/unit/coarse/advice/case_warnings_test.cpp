@@ -91,6 +91,25 @@ TEST(CaseWarnings, FacesBeforeANotchAreTooShortToBePressed) {
     EXPECT_EQ(too_few_before_notch(1.0, from_tip), "") << "the tip is in the notch";
 }
 
+// A compliance wants a mouth, and increments of a tenth of the load range.
+TEST(CaseWarnings, WhereNoComplianceOffsetCanBeToldIsSaid) {
+    Case input = notched(0.0, 0.0, from_mouth);
+    input.closure.definition = OpeningDefinition::Offset;
+    const auto said = [&](int steps, double grading) {
+        input.load.steps = steps;
+        input.load.grading = grading;
+        return said_of(input, "\"offset\"");
+    };
+    EXPECT_EQ(said(40, 1.0), "");
+    EXPECT_EQ(said(20, 1.0), "") << "a tenth, but for rounding";
+    EXPECT_NE(said(12, 1.0).find("no K_op is told; load.steps = 40"), std::string::npos) << said(12, 1.0);
+    EXPECT_NE(said(40, 0.6).find("of a crack that opens below 0.17 of the way up"), std::string::npos) << said(40, 0.6);
+    input.cracks[0].points = {{3.0, 10.13}, {7.0, 10.13}};
+    EXPECT_NE(said(40, 1.0).find("tip 0: its crack has two tips"), std::string::npos) << said(40, 1.0);
+    input.closure.definition = OpeningDefinition::Tension;
+    EXPECT_EQ(said(40, 1.0), "");
+}
+
 // Metal that flows; an elastic body needs no more than two.
 TEST(CaseWarnings, FewIncrementsOfMetalThatFlowsAreSaid) {
     Case input = specimen("plate", 20.0, from_mouth);
