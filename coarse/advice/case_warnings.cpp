@@ -76,6 +76,26 @@ std::vector<std::string> closure_warnings(const Scene& scene, const std::vector<
     return all;
 }
 
+/// The distance that nobody gives goes by the largest K, though it be that of one overload: the cycles before it have
+/// another K_op than in a run without it.
+std::vector<std::string> overload_warnings(const Scene& scene, const std::vector<double>& largest,
+                                           const std::vector<double>& usual, const std::vector<double>& distance) {
+    constexpr double much_smaller = 0.9;
+    if (scene.input.closure.distance) return {};
+    const std::vector<double> without = closure_distances(scene.input.closure, usual, scene.yield_stress_at_tips());
+    std::vector<std::string> all;
+    const std::vector<Tip>& tips = scene.enriched.tips;
+    for (std::size_t t = 0; t < tips.size(); ++t)
+        if (may_touch(scene.input.cracks[at(tips[t].crack)]) && usual[t] > 0.0 && usual[t] < much_smaller * largest[t])
+            all.push_back(fmt::format(
+                "tip {}: closure is looked at {:.3g} mm behind it, which goes by the largest K of the history, {:.4g} "
+                "MPa "
+                "sqrt(mm); by the usual {:.4g} it would be {:.2g} mm, and K_op is higher nearer to the tip: "
+                "closure.distance = {:.2g} compares with a run without the larger loads",
+                t, distance[t], largest[t], usual[t], without[t], without[t]));
+    return all;
+}
+
 /// Part of the way up from which on no increment is longer than one of E647's segments: below it no compliance is told.
 double told_from(const LoadSection& load) {
     constexpr double segment = 0.1 * (1.0 + 1e-9);
@@ -136,9 +156,8 @@ std::vector<std::string> pressed_faces_warnings(const Scene& scene, const UnitRe
 }  // namespace
 
 std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& nominal) {
-    const std::vector<double> K = common_K_I(scene.input, nominal),
-                              distance = closure_distances(scene.input.closure, K_of_closure(scene.input, nominal),
-                                                           scene.yield_stress_at_tips());
+    const std::vector<double> K = common_K_I(scene.input, nominal), largest = K_of_closure(scene.input, nominal),
+                              distance = closure_distances(scene.input.closure, largest, scene.yield_stress_at_tips());
     std::vector<std::string> all = material_warnings(scene.input);
     const auto add = [&](std::vector<std::string> more) { std::ranges::move(more, std::back_inserter(all)); };
     add(thickness_warnings(scene.input));
@@ -149,6 +168,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));
+    add(overload_warnings(scene, largest, K, distance));
     add(offset_warnings(scene));
     add(pressed_faces_warnings(scene, nominal));
     add(mesh_warnings(scene, K, distance));

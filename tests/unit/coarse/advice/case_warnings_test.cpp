@@ -91,6 +91,22 @@ TEST(CaseWarnings, FacesBeforeANotchAreTooShortToBePressed) {
     EXPECT_EQ(too_few_before_notch(1.0, from_tip), "") << "the tip is in the notch";
 }
 
+// One overload of twice the load: four times the distance for all cycles, if nobody gives one.
+TEST(CaseWarnings, ADistanceThatGoesByAnOverloadIsSaid) {
+    Case input = notched(0.0, 0.0, from_mouth);
+    input.growth = GrowthSection{.increment = 0.1};
+    const auto said = [&](std::vector<LoadBlock> blocks) {
+        input.load.blocks = std::move(blocks);
+        return said_of(input, "by the largest K");
+    };
+    const LoadBlock usual{.cycles = 9, .max = 60.0, .min = 0.0}, overload{.cycles = 1, .max = 120.0, .min = 0.0};
+    EXPECT_EQ(said({usual}), "");
+    const std::string all = said({usual, overload, usual});
+    EXPECT_NE(all.find("600 MPa sqrt(mm); by the usual 300 it would be 0.028 mm"), std::string::npos) << all;
+    input.closure.distance = 0.1;
+    EXPECT_EQ(said({usual, overload, usual}), "");
+}
+
 // A compliance wants a mouth, and increments of a tenth of the load range.
 TEST(CaseWarnings, WhereNoComplianceOffsetCanBeToldIsSaid) {
     Case input = notched(0.0, 0.0, from_mouth);
