@@ -1,6 +1,7 @@
 #include "coarse/advice/case_warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -9,6 +10,7 @@
 #include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/enrichment/tip_reach.hpp"
 #include "coarse/fracture/plastic_zone.hpp"
+#include "coarse/fracture/turned_tip.hpp"
 #include "coarse/load/case_histories.hpp"
 #include "coarse/load/growth_schedule.hpp"
 #include "coarse/load/increment_schedule.hpp"
@@ -96,6 +98,28 @@ std::vector<std::string> overload_warnings(const Scene& scene, const std::vector
     return all;
 }
 
+/// Of tips that turn sharply as they grow what drives them then, of others `opening`: the largest K_I. `any`:
+/// largest_K.
+std::vector<double> behind_turns(const Case& input, std::vector<double> opening, const std::vector<double>& any) {
+    if (!input.growth || input.growth->direction == GrowthDirection::Straight) return opening;
+    for (std::size_t t = 0; t < opening.size(); ++t) {
+        TipResult tip;
+        tip.K_I = opening[t];
+        tip.K_II = std::sqrt(std::max(any[t] * any[t] - opening[t] * opening[t], 0.0) / 3.0);
+        const double angle = hoop_stress_angle(tip.K_I, tip.K_II);
+        if (std::abs(angle) > sharp_turn) opening[t] = K_just_turned(tip, angle);
+    }
+    return opening;
+}
+
+/// That of the usual cycles: K of a load is to K of another one as before the turn.
+std::vector<double> usual_behind_turns(const std::vector<double>& usual, const std::vector<double>& largest,
+                                       std::vector<double> turned) {
+    for (std::size_t t = 0; t < turned.size(); ++t)
+        if (usual[t] > 0.0) turned[t] *= usual[t] / largest[t];
+    return turned;
+}
+
 /// Part of the way up from which on no increment is longer than one of E647's segments: below it no compliance is told.
 double told_from(const LoadSection& load) {
     constexpr double segment = 0.1 * (1.0 + 1e-9);
@@ -163,8 +187,12 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
     add(thickness_warnings(scene.input));
     add(steps_warnings(scene.input));
     add(units_of_K_warnings(scene.input));
-    add(rate_warnings(scene.input, K, largest_K_I(scene.input, nominal)));
-    add(early_break_warnings(scene.input, largest_K_I(scene.input, nominal)));
+    const std::vector<double> opening = largest_K_I(scene.input, nominal),
+                              turned =
+                                  behind_turns(scene.input, opening,
+                                               largest_K(scene.input.load, nominal, 0.0, CaseHistories(scene.input)));
+    add(rate_warnings(scene.input, usual_behind_turns(K, opening, turned), turned));
+    add(early_break_warnings(scene.input, opening));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));

@@ -1,8 +1,12 @@
 #include "coarse/analysis/K_at_extremes.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "coarse/growth/crack_advance.hpp"
+#include "common/case/case_questions.hpp"
+#include "common/index.hpp"
 
 namespace stria::coarse {
 namespace {
@@ -38,6 +42,19 @@ std::vector<TipResult> K_at_maximum(const CrackedBody& body, const ReachedExtrem
 std::vector<TipResult> K_at_minimum(const CrackedBody& body, const ReachedExtremes& reached) {
     if (is_of_one_load(body, reached)) return std::vector<TipResult>(body.nominal().size());
     return under(reached.minimum, body.nominal());
+}
+
+std::vector<TipAtExtremes> K_at_extremes(const CrackedBody& body, const ReachedExtremes& reached) {
+    const Scene& present = body.scene();
+    std::vector<TipAtExtremes> K;
+    const std::vector<TipResult> maximum = under(reached.maximum, body.nominal()),
+                                 minimum = under(reached.minimum, body.nominal());
+    for (std::size_t t = 0; t < maximum.size(); ++t) {
+        K.push_back({maximum[t], minimum[t]});
+        if (!may_touch(present.input.cracks[at(present.enriched.tips[t].crack)])) continue;
+        for (TipResult* tip : {&K.back().maximum, &K.back().minimum}) tip->K_I = std::max(tip->K_I, 0.0);
+    }
+    return K;
 }
 
 }  // namespace stria::coarse

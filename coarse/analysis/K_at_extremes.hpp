@@ -5,6 +5,7 @@
 
 #include "coarse/analysis/analysis_state.hpp"
 #include "coarse/analysis/cracked_body.hpp"
+#include "coarse/growth/growth_law.hpp"
 
 namespace stria::coarse {
 
@@ -14,5 +15,8 @@ namespace stria::coarse {
 
 /// Likewise, of open faces. Of one load alone: none, for it keeps its ratio to the maximum wherever a tip turns.
 [[nodiscard]] std::vector<TipResult> K_at_minimum(const CrackedBody& body, const ReachedExtremes& reached);
+
+/// At the extremes themselves, whatever their loads. Faces that may touch are not pressed by a K_I below zero.
+[[nodiscard]] std::vector<TipAtExtremes> K_at_extremes(const CrackedBody& body, const ReachedExtremes& reached);
 
 }  // namespace stria::coarse

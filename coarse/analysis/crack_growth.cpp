@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 
 #include "coarse/analysis/K_at_extremes.hpp"
@@ -61,12 +62,13 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
     if (!is_prescribed(growth_) && last.empty()) return {};  // no cycle has told a rate yet
     const std::vector<TipResult>& nominal = body.nominal();
     const Scene& present = body.scene();
+    const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
+    const std::set<std::size_t> started = start_by_turns(body, guides, last);
     GrownScene grown;
     if (!is_over(nominal, last)) {
         if (!rates_.are_of_a_whole_period()) return {};
-        const std::vector<TipResult> guides = K_at_maximum(body, extremes_);
         grown = along_first_of(body, ways(present, guides, last));
-        if (grown.longer) note_turns(body, *grown.longer, guides, last);
+        if (grown.longer) note_turns(body, *grown.longer, guides, last, started);
         if (grown.longer) note_functions(present.enriched, *grown.longer);
     }
     ended_ = !grown.longer;
@@ -138,15 +140,44 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
+// Openings are not known behind a turn, nor what faces with friction let through of K_II at the minimum; and of cycles
+// that differ no single one tells their mean.
+bool CrackGrowth::K_tells_turns(const CrackSection& crack) const {
+    const bool rough = crack.contact && crack.contact->friction > 0.0;
+    return !rough && !grows_by_openings(growth_) && !rates_.are_means() && !rates_.end_with_the_cycle();
+}
+
+std::set<std::size_t> CrackGrowth::start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
+                                                  const std::vector<CycleResult>& last) {
+    constexpr double negligible = 1e-12;  // of a rate
+    std::set<std::size_t> started;
+    untold_turn_.reset();
+    if (is_prescribed(growth_) || growth_.direction == GrowthDirection::Straight || last.empty()) return started;
+    const Scene& present = body.scene();
+    const std::vector<TipAtExtremes> K = K_at_extremes(body, extremes_);
+    const std::vector<double> rates = rates_.present();
+    for (std::size_t t = 0; t < std::min(rates.size(), K.size()); ++t) {
+        const double angle = hoop_stress_angle(guides[t].K_I, guides[t].K_II);
+        if (std::abs(angle) <= sharp_turn) continue;
+        if (!K_tells_turns(present.input.cracks[at(present.enriched.tips[t].crack)])) {
+            untold_turn_ = {t, angle};
+            continue;
+        }
+        const double rate = rate_just_turned(growth_, K[t], angle);
+        if (rates[t] < negligible * rate) started.insert(t), rates_.start(t, rate);
+    }
+    return started;
+}
+
 // Where the cycles that follow are other ones their rates are too.
 void CrackGrowth::note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
-                             const std::vector<CycleResult>& last) {
+                             const std::vector<CycleResult>& last, const std::set<std::size_t>& started) {
     if (is_prescribed(growth_) || last.empty() || rates_.end_with_the_cycle()) return;
     const std::vector<TipResult> least = K_at_minimum(body, extremes_);
     std::vector<SharpTurn> turns;
     for (std::size_t t = 0; t < last.size(); ++t) {
         const double angle = turn_of(body.scene().enriched.tips[t], longer.input.cracks);
-        if (std::abs(angle) > sharp_turn)
+        if (std::abs(angle) > sharp_turn && !started.contains(t))
             turns.push_back({t, leap_at_turn(growth_, last[t], {guides[t], least[t]}, angle)});
     }
     rates_.leap(turns);
@@ -199,7 +230,7 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
     }
     require_drive(last);
     if (last.empty() || rates_.drive_a_tip()) return false;
-    note_(is_arrested(rates_.end_with_the_cycle()));
+    note_(is_arrested(rates_.end_with_the_cycle(), untold_turn_));
     return true;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "coarse/analysis/cracked_body.hpp"
 #include "coarse/cycle/increment.hpp"
 #include "coarse/growth/growth_increment.hpp"
+#include "coarse/growth/growth_texts.hpp"
 #include "coarse/growth/tip_rates.hpp"
 #include "coarse/load/load_controller.hpp"
 
@@ -72,9 +74,15 @@ private:
                              const std::vector<double>& elements) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
-    /// That the rates of tips that turn sharply leap.
+    /// What drives a tip of the crack just behind a turn follows from K before it.
+    [[nodiscard]] bool K_tells_turns(const CrackSection& crack) const;
+    /// The law takes K_I, and K_II turns a tip: one that K_I does not drive may be driven once it has turned. Starts
+    /// those, and returns their numbers.
+    std::set<std::size_t> start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
+                                         const std::vector<CycleResult>& last);
+    /// That the rates of tips that turn sharply leap, but for those that a turn has `started`.
     void note_turns(const CrackedBody& body, const Scene& longer, const std::vector<TipResult>& guides,
-                    const std::vector<CycleResult>& last);
+                    const std::vector<CycleResult>& last, const std::set<std::size_t>& started);
     /// Where functions come to stand at the tips, or stand there no longer; and of each tip once where its functions
     /// are not retained as they are to be.
     void note_functions(const EnrichedMesh& before, const Scene& longer);
@@ -90,7 +98,8 @@ private:
     std::vector<double> K_reached_;   // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
     std::vector<LengthAndK> before_;  // what the tips had reached when they grew last; empty: they have not grown
     ReachedExtremes extremes_;
-    std::set<int> said_to_freeze_;  // tips: no checkpoint, for a run that retains functions cannot be resumed
+    std::optional<TurnOfTip> untold_turn_;  // what drives that tip behind it is not known
+    std::set<int> said_to_freeze_;          // tips: no checkpoint, for a run that retains functions cannot be resumed
 };
 
 }  // namespace stria::coarse

@@ -46,17 +46,6 @@ void lead_along(CrackSection& crack, const Tip& tip, std::vector<Vec2> way) {
 
 }  // namespace
 
-double hoop_stress_angle(double K_I, double K_II) {
-    if (std::abs(K_II) <= 0.005 * std::max(-K_I, 0.0)) return 0.0;  // closed, or no field at all: no direction
-    K_I = std::max(K_I, 0.0);
-    return -2.0 * std::atan2(2.0 * K_II, K_I + std::hypot(K_I, std::sqrt(8.0) * K_II));
-}
-
-double K_just_turned(const TipResult& before, double angle) {
-    const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
-    return c * c * (c * before.K_I - 3.0 * s * before.K_II);
-}
-
 double turn(double angle, double stretch, double increment, double element) {
     constexpr double tolerance = 1e-4;
     const double over = 0.5 * (std::min(stretch, element) + increment);

@@ -1,31 +1,20 @@
 // Where a crack grows: the direction of an advance, and the crack's line after it.
 #pragma once
 
-#include <numbers>
 #include <vector>
 
 #include "coarse/fracture/fracture_parameters.hpp"
+#include "coarse/fracture/turned_tip.hpp"
 #include "common/case/case.hpp"
 #include "common/enrichment/enriched_mesh.hpp"
 
 namespace stria::coarse {
-
-/// Angle from a tip's direction to the largest hoop stress, radians, within 70.6 degrees. Erdogan and Sih, J. Basic
-/// Eng. 85 (1963) 519.
-[[nodiscard]] double hoop_stress_angle(double K_I, double K_II);
-
-/// K_I of a crack that has just turned by `angle`, radians, from one with the K of `before`: of the stress across its
-/// new direction. Erdogan and Sih, likewise; within some percent of the exact one.
-[[nodiscard]] double K_just_turned(const TipResult& before, double angle);
 
 /// The angle by which a crack turns: `angle`, or 0 as long as its way without a corner stays within 1e-4 of an element
 /// of the arc that bends by `angle` over the last straight stretch, of one element at most, and the increment, mm each.
 /// Nothing is lost: the next angle is measured from the same direction. Below 2e-4, which is no more than what K_II is
 /// good to, a crack in short steps stays straight.
 [[nodiscard]] double turn(double angle, double stretch, double increment, double element);
-
-/// K of a tip just behind a turn by more than ten degrees is not resolved.
-inline constexpr double sharp_turn = std::numbers::pi / 18.0;
 
 /// By which a tip turns as its crack becomes longer, radians, counter-clockwise; and the largest, of any sign.
 [[nodiscard]] double turn_of(const Tip& tip, const std::vector<CrackSection>& longer);

@@ -87,6 +87,15 @@ double rate_behind_leap(const GrowthSection& growth, double rate, double leap) {
     return rate > 0.0 ? rate_of_range(growth, range_of_rate(growth, rate) * std::pow(leap, order)) : 0.0;
 }
 
+double rate_just_turned(const GrowthSection& growth, const TipAtExtremes& tip, double angle) {
+    constexpr double an_atom_in_a_million_cycles = 3e-13;  // mm
+    if (is_prescribed(growth) || grows_by_openings(growth)) return 0.0;
+    const double at_max = K_just_turned(tip.maximum, angle), at_min = K_just_turned(tip.minimum, angle);
+    const double most = std::max(at_max, at_min), least = std::min(at_max, at_min);
+    const double rate = rate_of_range(growth, driving_range(growth, most, least, least));
+    return rate > an_atom_in_a_million_cycles ? rate : 0.0;
+}
+
 std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles) {
     std::vector<double> rates;
     for (const CycleResult& cycle : cycles) rates.push_back(growth_rate(growth, cycle));

@@ -26,6 +26,10 @@ struct TipAtExtremes {
 /// The rate of a tip for which that leaps so. NaN where nothing is left to drive it.
 [[nodiscard]] double rate_behind_leap(const GrowthSection& growth, double rate, double leap);
 
+/// The rate behind a turn by `angle`, of a tip that has stood still so far, by its K at the extremes. 0 where K does
+/// not tell it (openings do), and where it is one of rounding.
+[[nodiscard]] double rate_just_turned(const GrowthSection& growth, const TipAtExtremes& tip, double angle);
+
 /// One per tip, as `cycles`.
 [[nodiscard]] std::vector<double> growth_rates(const GrowthSection& growth, const std::vector<CycleResult>& cycles);
 

@@ -1,6 +1,7 @@
 #include "coarse/growth/growth_texts.hpp"
 
 #include <fmt/format.h>
+#include <numbers>
 
 #include "coarse/enrichment/retained_functions.hpp"
 #include "coarse/enrichment/tip_enrichment.hpp"
@@ -34,9 +35,15 @@ std::string growth_ends(const std::string& why, bool by_the_mesh) {
     return fmt::format("{}: {}", by_the_mesh ? "warning: growth ends here, and not the life" : "growth ends here", why);
 }
 
-std::string is_arrested(bool by_last_cycle) {
-    return fmt::format("warning: nothing drives a tip any more: the crack is arrested{}",
-                       by_last_cycle ? ", by the last cycle of a load that varies (growth.every = 1)" : "");
+std::string is_arrested(bool by_last_cycle, const std::optional<TurnOfTip>& untold) {
+    const std::string arrested =
+        fmt::format("warning: nothing drives a tip any more: the crack is arrested{}",
+                    by_last_cycle ? ", by the last cycle of a load that varies (growth.every = 1)" : "");
+    if (!untold) return arrested;
+    return fmt::format(
+        "{}. But K_II turns tip {} by {:.0f} degrees, and what drives it behind that turn is not known here: "
+        "a crack that begins with a kink of two elements in that direction tells",
+        arrested, untold->tip, untold->angle * 180.0 * std::numbers::inv_pi);
 }
 
 }  // namespace stria::coarse

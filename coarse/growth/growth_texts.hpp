@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace stria::coarse {
@@ -19,7 +20,13 @@ namespace stria::coarse {
 /// The next growth is refused, and `why`. `by_the_mesh`: the body would hold it, so the life goes on.
 [[nodiscard]] std::string growth_ends(const std::string& why, bool by_the_mesh);
 
-/// No tip is driven: `by_last_cycle` of a load that varies, of which others may drive one.
-[[nodiscard]] std::string is_arrested(bool by_last_cycle);
+/// By which a tip would turn as it grows, radians.
+struct TurnOfTip {
+    std::size_t tip;
+    double angle;
+};
+/// No tip is driven: `by_last_cycle` of a load that varies, of which others may drive one. `untold`: what drives a tip
+/// behind this turn is not known.
+[[nodiscard]] std::string is_arrested(bool by_last_cycle, const std::optional<TurnOfTip>& untold);
 
 }  // namespace stria::coarse

@@ -104,6 +104,12 @@ void TipRates::leap(const std::vector<SharpTurn>& turns) {
     if (std::ranges::find(turns, fastest, &SharpTurn::tip) != turns.end()) life_.turn(at_turn_[fastest]);
 }
 
+void TipRates::start(std::size_t tip, double rate) {
+    at_turn_.resize(std::max(at_turn_.size(), tip + 1), not_known);
+    at_turn_[tip] = rate;
+    if (fastest_of(present()) == tip) life_.turn(rate);
+}
+
 double TipRates::uncounted() const {
     const PeriodMemory period = period_.memory();
     const bool is_under_way = takes_mean_ && period.cycles < growth_.every && !period.grown.empty();

@@ -59,6 +59,9 @@ public:
     /// The tips turn so in a growth.
     void leap(const std::vector<SharpTurn>& turns);
 
+    /// A tip that has stood still turns sharply, and grows at this rate behind its turn, mm per cycle.
+    void start(std::size_t tip, double rate);
+
     /// Takes the rates of a cycle that has ended, and puts into `cycles`, one per tip, how many it stands for: what the
     /// growth took that is known to its end. `present`: with the tips as long as at its end.
     void count_cycles(int cycle, std::vector<CycleResult>& cycles, const Scene& present);

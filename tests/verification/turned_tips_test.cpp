@@ -1,6 +1,11 @@
 // A tip just behind a sharp turn: its K is not resolved there and far too low, and its growth does not go by it.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coarse/fracture/turned_tip.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
 
@@ -26,6 +31,13 @@ Case plate_with_turning_crack(double at_tip, int straight_ones) {
     return input;
 }
 
+BoundarySection sheared(const std::string& edge, const Vec2& traction) {
+    BoundarySection boundary;
+    boundary.on = edge;
+    boundary.traction = traction;
+    return boundary;
+}
+
 double life(const RunHistory& run) {
     double N = 0.0;
     for (const Followed& increment : run.increments)
@@ -40,6 +52,43 @@ TEST(TurnedTips, AreNotArrestedByAKThatIsNotResolved) {
     const RunHistory run = run_direct(input);
     EXPECT_TRUE(run.life_is_over);
     EXPECT_NEAR(run.increments.back().tips.at(0).a, 12.0, 1e-3);
+}
+
+// K_I was asked alone: with a threshold above it, or in pure shear where it is nothing but rounding, a crack stood that
+// K_II turns, and its life was endless. Behind its turn K is 1.2 times as large.
+TEST(TurnedTips, AreDrivenByWhatDrivesThemBehindTheTurn) {
+    Case input = plate_with_turning_crack(0.5, 0);
+    input.growth->increment = 1.0;
+    const RunHistory open = run_direct(input);
+    const coarse::TipResult before = open.increments.front().tips.at(0);
+    const double behind = coarse::K_just_turned(before, coarse::hoop_stress_angle(before.K_I, before.K_II));
+    ASSERT_GT(behind, 1.1 * before.K_I);
+    input.growth->threshold = 0.5 * (before.K_I + behind);
+    const RunHistory driven = run_direct(input);
+    EXPECT_TRUE(driven.life_is_over);
+    EXPECT_NEAR(life(driven) / life(open), 1.0, 1e-12);
+    input.growth->threshold = 1.01 * behind;
+    EXPECT_EQ(run_direct(input).increments.back().tips.at(0).a, before.a);
+}
+
+// One crack, sheared to either side and to and fro: rounding decided about its K_I, and by that whether it grew at all.
+TEST(TurnedTips, LeaveACrackUnderPureShear) {
+    Case input = plate_with_turning_crack(0.5, 0);
+    input.mesh.grading.clear();
+    input.cracks[0].points = {{15.0, 40.1}, {25.0, 40.1}};
+    input.boundaries = {sheared("top", {1.0, 0.0}), sheared("bottom", {-1.0, 0.0}), sheared("left", {0.0, -1.0}),
+                        sheared("right", {0.0, 1.0})};
+    input.growth->increment = 1.5;
+    input.growth->until = 8.0;
+    std::vector<double> lives;
+    for (const auto& [max, min] : {std::pair{90.0, 0.0}, {0.0, -90.0}, {90.0, -90.0}}) {
+        input.load.blocks = {{.cycles = 9, .max = max, .min = min}};
+        const RunHistory run = run_direct(input);
+        EXPECT_TRUE(run.life_is_over);
+        lives.push_back(life(run));
+    }
+    EXPECT_NEAR(lives[1] / lives[0], 1.0, 1e-6);
+    EXPECT_NEAR(lives[2] / lives[0], 1.0, 1e-6);
 }
 
 // Beside a crack that then was the faster one a tip grew by a tenth of an element at a time and never left its turn:

@@ -91,6 +91,25 @@ TEST(CaseWarnings, FacesBeforeANotchAreTooShortToBePressed) {
     EXPECT_EQ(too_few_before_notch(1.0, from_tip), "") << "the tip is in the notch";
 }
 
+// K_I alone says that the law drives no tip; behind its turn it does.
+TEST(CaseWarnings, WhatDrivesATipThatTurnsIsThatBehindItsTurn) {
+    Case input = notched(0.0, 0.0, from_mouth);
+    input.load.blocks = {{.cycles = 9, .max = 60.0, .min = 0.0}};
+    input.growth = GrowthSection{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
+    const coarse::UnitResponse turns{.K_I = {2.0}, .K_II = {5.0}}, straight{.K_I = {2.0}, .K_II = {0.1}};
+    const auto says = [&](const coarse::UnitResponse& nominal, double threshold) {
+        input.growth->threshold = threshold;
+        for (const std::string& text : coarse::case_warnings(coarse::refined_scene(input), nominal))
+            if (text.find("no growth by a dK below") != text.npos) return text;
+        return std::string();
+    };
+    EXPECT_NE(says(straight, 200.0).find("no tip is larger than 120"), std::string::npos) << says(straight, 200.0);
+    EXPECT_EQ(says(turns, 200.0), "");
+    EXPECT_NE(says(turns, 500.0).find("no tip is larger than 4"), std::string::npos) << says(turns, 500.0);
+    input.growth->direction = GrowthDirection::Straight;
+    EXPECT_NE(says(turns, 200.0), "");
+}
+
 // One overload of twice the load: four times the distance for all cycles, if nobody gives one.
 TEST(CaseWarnings, ADistanceThatGoesByAnOverloadIsSaid) {
     Case input = notched(0.0, 0.0, from_mouth);

@@ -119,6 +119,26 @@ TEST(GrowthLaw, LeapsAsTheRangeDoesWhereAConstantStressTurnsATip) {
     }
 }
 
+// Pure shear: K of the turned crack is 2 / sqrt(3) of K_II, and the extremes may stand either way.
+TEST(GrowthLaw, KnowsTheRateOfATipThatOnlyATurnStarts) {
+    const auto sheared = [](double K_II) {
+        TipResult result;
+        result.K_II = K_II;
+        return result;
+    };
+    GrowthSection growth{.law = GrowthLaw::Paris, .C = 1e-12, .m = 3.0};
+    const double angle = hoop_stress_angle(0.0, 300.0), rate = 1e-12 * std::pow(600.0 / std::sqrt(3.0), 3.0);
+    EXPECT_NEAR(rate_just_turned(growth, {sheared(300.0), sheared(0.0)}, angle), rate, 1e-12);
+    EXPECT_NEAR(rate_just_turned(growth, {sheared(0.0), sheared(300.0)}, angle), rate, 1e-12);
+    EXPECT_NEAR(rate_just_turned(growth, {sheared(300.0), sheared(150.0)}, angle), rate / 8.0, 1e-12);
+    EXPECT_NEAR(rate_just_turned(growth, {sheared(300.0), sheared(-300.0)}, angle), rate, 1e-12) << "tension alone";
+    EXPECT_EQ(rate_just_turned(growth, {sheared(1e-6), sheared(0.0)}, angle), 0.0) << "rounding";
+    growth.threshold = 350.0;
+    EXPECT_EQ(rate_just_turned(growth, {sheared(300.0), sheared(0.0)}, angle), 0.0);
+    growth = {.law = GrowthLaw::Paris, .C = 1e-12, .m = 3.0, .driving = GrowthDriving::EffectiveRange};
+    EXPECT_EQ(rate_just_turned(growth, {sheared(300.0), sheared(0.0)}, angle), 0.0);
+}
+
 TEST(GrowthLaw, KnowsNoRateWhereItsDriveIsNotFound) {
     CycleResult cycle = cycle_with(600.0, 100.0, std::nan(""));
     cycle.opening.lost = true;

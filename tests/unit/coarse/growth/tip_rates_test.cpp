@@ -84,5 +84,16 @@ TEST(TipRates, OfATipThatHasJustTurnedAreNoLessThanBehindItsTurn) {
     EXPECT_EQ(rates.present()[0], 2.0);
 }
 
+TEST(TipRates, StartWhereATurnDrivesATipThatStands) {
+    const GrowthSection growth{.law = GrowthLaw::Paris, .increment = 0.1, .C = 1e-12, .m = 3.0};
+    TipRates rates = rates_of(growth, {{.cycles = 4, .max = 1.0, .min = 0.0}});
+    rates.start(1, 5.0);
+    EXPECT_EQ(rates.present(), (std::vector<double>{2.0, 5.0}));
+    EXPECT_EQ(rates.memory().life.rate_at_turn, 5.0) << "it is the fastest now";
+    TipRates slower = rates_of(growth, {{.cycles = 4, .max = 1.0, .min = 0.0}});
+    slower.start(1, 1.5);
+    EXPECT_NE(slower.memory().life.rate_at_turn, 1.5);
+}
+
 }  // namespace
 }  // namespace stria::coarse
