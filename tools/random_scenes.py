@@ -48,7 +48,7 @@ EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on
              r"times as large as fine.refine": r"\nrefine = (.|\n)*\[growth\]",
              r"work balance is open": r"\nsteps = \d+\n",  # so few that trapezoids are off
              r"faces of crack \d+ overlap": r"\[\[crack\]\]\npoints = .*\n(?!contact)",
-             r"between it and the notch": r"notch = (.|\n)*contact|contact(.|\n)*notch = ",
+             r"between it and the notch|starts where its notch ends": r"notch = (.|\n)*contact|contact(.|\n)*notch = ",
              r"softens by more than it hardens": r"Q = -",
              r"metal that flows is taken from one reversal": r"yield_stress(.|\n)*\nsteps = [2-7]\n|\nsteps = [2-7]\n(.|\n)*yield_stress",
              r"ring in its own metal|its outline runs through": r"\[\[region\]\]"}

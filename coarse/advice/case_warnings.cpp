@@ -91,8 +91,7 @@ std::vector<std::string> overload_warnings(const Scene& scene, const std::vector
         if (may_touch(scene.input.cracks[at(tips[t].crack)]) && usual[t] > 0.0 && usual[t] < much_smaller * largest[t])
             all.push_back(fmt::format(
                 "tip {}: closure is looked at {:.3g} mm behind it, which goes by the largest K of the history, {:.4g} "
-                "MPa "
-                "sqrt(mm); by the usual {:.4g} it would be {:.2g} mm, and K_op is higher nearer to the tip: "
+                "MPa sqrt(mm); by the usual {:.4g} it would be {:.2g} mm, and K_op is higher nearer to the tip: "
                 "closure.distance = {:.2g} compares with a run without the larger loads",
                 t, distance[t], largest[t], usual[t], without[t], without[t]));
     return all;
@@ -144,35 +143,60 @@ std::vector<std::string> offset_warnings(const Scene& scene) {
     if (from > 0.0)
         all.push_back(
             fmt::format("closure.definition = \"offset\" takes segments of a tenth of the load range, and some of the "
-                        "increments are "
-                        "longer: no K_op is told{}; load.steps = 40 with load.grading = 1 tells it",
+                        "increments are longer: no K_op is told{}; load.steps = 40 with load.grading = 1 tells it",
                         from < 1.0 ? fmt::format(" of a crack that opens below {:.2g} of the way up", from) : ""));
     return all;
+}
+
+constexpr double elements_before_notch = 1.75;
+
+/// What pressed faces between a tip and a notch are too short for.
+std::string pressed_before_notch(std::size_t t, double to_notch, double element, double K_I) {
+    return fmt::format(
+        "tip {}: only {:.3g} mm of faces that may touch, {:.2g} elements of {:.3g} mm, lie between it and the notch, "
+        "and the load presses them with a nominal K_I of {:.4g} MPa sqrt(mm); on fewer than {:g} they press too hard, "
+        "six "
+        "times so on a thirtieth, and K_I under pressure, which is nothing there, is off by 0.4 of the nominal one on "
+        "one element, by 0.9 on a quarter, by 3 to 7 times that on a thirtieth, J by 0.1 to 0.4 of the nominal one",
+        t, to_notch, to_notch / element, element, K_I, elements_before_notch);
+}
+
+/// The same of the faces that a tip leaves which starts at the notch's end.
+std::string pressed_from_notch(std::size_t t, double element, double K_I) {
+    return fmt::format(
+        "tip {}: it starts where its notch ends, and the load presses the faces that it leaves between it and the "
+        "notch with a nominal K_I of {:.4g} MPa sqrt(mm); on fewer than {:g} elements of {:.3g} mm they press too "
+        "hard, and "
+        "K_I and J under pressure, which are nothing there, were 0.4 to 0.7 and 0.4 to 0.9 of the nominal ones one "
+        "element from the notch",
+        t, K_I, elements_before_notch, element);
 }
 
 /// Between a tip and a notch pressed faces are as if they were whole, and the pressure is singular at the notch: mean 2
 /// K / sqrt(2 pi d) over d, and no K_I at the tip. On fewer elements there is one multiplier, or none but the tip's
 /// (docs/verification/contact.md, K of a closed tip).
 std::vector<std::string> pressed_faces_warnings(const Scene& scene, const UnitResponse& nominal) {
-    constexpr double elements_before_notch = 1.75;
+    constexpr double rounding = 1e-6;  // of an element
     std::vector<std::string> all;
     const std::vector<double> least = least_K_I(scene.input, nominal);
+    const bool grows = scene.input.growth.has_value();
     for (std::size_t t = 0; t < scene.enriched.tips.size(); ++t) {
         const Tip& tip = scene.enriched.tips[t];
         const CrackSection& crack = scene.input.cracks[at(tip.crack)];
         const double element = tip_element_edge(scene.enriched, tip), to_notch = faces_behind(scene, tip).begins;
         const double lacks = elements_before_notch * element - to_notch;
-        if (!may_touch(crack) || crack.notch == 0.0 || to_notch <= 0.0 || lacks <= 0.0 || least[t] >= 0.0) continue;
-        all.push_back(fmt::format(
-            "tip {}: only {:.3g} mm of faces that may touch, {:.2g} elements of {:.3g} mm, lie between it and the "
-            "notch, and the load presses them with a nominal K_I of {:.4g} MPa sqrt(mm); on fewer than {:g} they press "
-            "too hard, six times so on a thirtieth, and K_I under pressure, which is nothing there, is off by 0.4 of "
-            "the nominal one on one element, by 0.9 on a quarter, by 3 to 7 times that on a thirtieth{}: elements of "
-            "{:.2g} mm there{}",
-            t, to_notch, to_notch / element, element, least[t], elements_before_notch,
-            scene.input.growth ? fmt::format(", until it has grown by {:.3g} mm", lacks) : "",
-            to_notch / elements_before_notch,
-            crack.notch > lacks ? fmt::format(", or crack.{}.notch = {:.5g}", tip.crack, crack.notch - lacks) : ""));
+        const bool has_faces = to_notch > rounding * element;
+        if (!may_touch(crack) || crack.notch == 0.0 || lacks <= 0.0 || least[t] >= 0.0) continue;
+        if (!has_faces && !grows) continue;
+        const bool shorter_helps = tip.upper > 0 && crack.notch > lacks;
+        const std::string until = grows ? fmt::format(", until it has grown by {:.3g} mm", lacks) : "",
+                          notch = fmt::format("crack.{}.notch = {:.5g}", tip.crack, crack.notch - lacks);
+        if (has_faces)
+            all.push_back(pressed_before_notch(t, to_notch, element, least[t]) + until +
+                          fmt::format(": elements of {:.2g} mm there", to_notch / elements_before_notch) +
+                          (shorter_helps ? ", or " + notch : ""));
+        else
+            all.push_back(pressed_from_notch(t, element, least[t]) + until + (shorter_helps ? ": " + notch : ""));
     }
     return all;
 }

@@ -145,6 +145,28 @@ TEST(CaseWarnings, WhereNoComplianceOffsetCanBeToldIsSaid) {
     EXPECT_EQ(said(40, 1.0), "");
 }
 
+TEST(CaseWarnings, FacesThatATipLeavesBeforeItsNotchAreTooShortToBePressed) {
+    const auto said = [](double notch, const std::vector<Vec2>& points, double least, bool grows) {
+        Case input = notched(notch, 0.0, points);
+        input.load.blocks[0].min = least;
+        if (grows) input.growth = GrowthSection{.increment = 0.1};
+        return said_of(input, "it starts where its notch ends");
+    };
+    for (const double notch : {4.0, 4.0 - 1e-9}) {
+        const std::string found = said(notch, from_mouth, -60.0, true);
+        EXPECT_NE(found.find("tip 0: it starts where its notch ends, and the load presses the faces that it leaves "
+                             "between it and the notch with a nominal K_I of -300 MPa"),
+                  std::string::npos)
+            << found;
+        EXPECT_NE(found.find("until it has grown by 0.875 mm: crack.0.notch = 3.125"), std::string::npos) << found;
+    }
+    EXPECT_NE(said(1.0, from_tip, -60.0, true).find("by 0.875 mm"), std::string::npos);
+    EXPECT_EQ(said(1.0, from_tip, -60.0, true).find("crack.0.notch"), std::string::npos) << "a shorter one is no help";
+    EXPECT_EQ(said(4.0, from_mouth, -60.0, false), "") << "it is free all along";
+    EXPECT_EQ(said(4.0, from_mouth, 0.0, true), "") << "nothing presses";
+    EXPECT_EQ(said(3.0, from_mouth, -60.0, true), "") << "elements enough";
+}
+
 // Metal that flows; an elastic body needs no more than two.
 TEST(CaseWarnings, FewIncrementsOfMetalThatFlowsAreSaid) {
     Case input = specimen("plate", 20.0, from_mouth);
