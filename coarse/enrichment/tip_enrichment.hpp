@@ -20,7 +20,7 @@ struct TipEnrichment {
     int functions = 6;      // the first so many of eq. (2); 0: none, the crack ends on an edge near its tip
     double exponent = 0.5;  // 1/(n+1)
     TipSupport support = TipSupport::Topological;
-    std::optional<double> radius = {};  // mm, of fixed-radius supports; absent: 3/4 of the tip's reach, at most
+    std::optional<double> radius = {};  // mm, of fixed-radius supports; absent: as disk_radius() says
     double most_diagonals = 20.0;  // so many diagonals of the tip's element: a larger disk costs more than it gains
     double none_below = 0.0;       // of the crack's length: small_elements, or 0 where functions always stand
 };

@@ -35,8 +35,10 @@ double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOf
     if (!enrichment.radius) {
         // No element between two disks sees functions of both.
         constexpr double clear = 1.25;  // diagonals: from a disk's rim to its last nodes, and half an element
-        return std::min(
-            {0.75 * room.reach, room.half_way - clear * room.diagonal, enrichment.most_diagonals * room.diagonal});
+        // To the elements ahead of a tip on an edge, and behind it. Without one of them K was 7 % low.
+        constexpr double least = 1.15;  // diagonals
+        const double radius = std::max(0.75 * room.reach, std::min(room.reach, least * room.diagonal));
+        return std::min({radius, room.half_way - clear * room.diagonal, enrichment.most_diagonals * room.diagonal});
     }
     if (*enrichment.radius <= room.reach) return *enrichment.radius;
     throw CaseError(

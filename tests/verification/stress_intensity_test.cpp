@@ -60,6 +60,14 @@ TEST_P(EdgeCrack, MatchesTheHandbook) {
     EXPECT_GT(tip.CMOD, 0.0);
 }
 
+// With a disk of tip functions that left out the elements behind a tip on an edge it was 7 to 9 % low.
+TEST(ShortEdgeCrack, OfTwoElementsIsKnownToOnePercent) {
+    for (const double a : {0.19, 0.195, 0.199, 0.2, 0.201, 0.21}) {
+        const double K = edge_crack(a, 2.0, 80).K_I;
+        EXPECT_NEAR(edge_crack(a, 2.0, 10).K_I, K, 0.012 * K) << a;
+    }
+}
+
 // Uniform meshes with the tip always in the middle of its element, or of its edge: K and J of first order.
 TEST_P(EdgeCrack, ConvergesUnderRefinement) {
     const auto [a, height, F] = GetParam();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "coarse/model/mesh_refinement.hpp"
 #include "common/error.hpp"
 #include "tests/support/cracked_mesh.hpp"
@@ -57,6 +59,17 @@ TEST(TipSupport, ReachesThreeQuartersOfTheWayKeepsClearOfOthersAndIsNotLargerTha
     EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 8.0, .diagonal = 1.0}), 6.0);
     EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 7.0, .diagonal = 1.0}), 5.75);
     EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 8.0, .half_way = 8.0, .diagonal = 0.25}), 5.0);
+}
+
+TEST(TipSupport, ReachesTheElementsAboutATipOnAnEdgeWhereThereIsRoom) {
+    const Tip tip{};
+    const TipEnrichment tips{.most_diagonals = 20.0};
+    const double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.4, .half_way = infinite, .diagonal = 1.0}), 1.15);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.1, .half_way = infinite, .diagonal = 1.0}), 1.1);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.6, .half_way = infinite, .diagonal = 1.0}), 1.2);
+    EXPECT_DOUBLE_EQ(disk_radius(tips, tip, {.reach = 1.4, .half_way = 2.0, .diagonal = 1.0}), 0.75)
+        << "clear of others";
 }
 
 TEST(TipSupport, IsAsLargeAsTheCaseSaysOrTheCaseIsRefused) {
