@@ -93,10 +93,18 @@ std::vector<LoadBlock> from_cycles(const std::filesystem::path& path, const Numb
         if (!std::isfinite(max) || !std::isfinite(min)) reject(path, row, "max and min must be numbers");
         if (min >= max) reject(path, row, "must keep min < max");
         if (!(cycles >= 1.0 && cycles <= 1e9 && cycles == std::floor(cycles)))
-            reject(path, row, "cycles must be a whole number >= 1");
+            reject(path, row,
+                   "cycles must be a whole number >= 1; half cycles of a count go into a list of turning points");
         blocks.push_back({.cycles = static_cast<int>(cycles), .max = max, .min = min});
     }
     return blocks;
+}
+
+/// Of a first line that is not the names of columns with commas between them.
+std::string how_to_write(const std::string& name) {
+    if (name.find_first_of(";\t") != std::string::npos) return "; commas stand between cells, and points in numbers";
+    const bool is_number = !name.empty() && name.find_first_not_of("0123456789+-.eE") == std::string::npos;
+    return is_number || name.starts_with('#') ? "; the first line holds the names" : "";
 }
 
 /// Nothing that a table says is passed over.
@@ -108,9 +116,10 @@ void check_columns(const std::filesystem::path& path, const NumberTable& table, 
             turning ? name == "turning_point" || is_case(name) : name == "max" || name == "min" || name == "cycles";
         if (!known)
             throw CaseError(fmt::format("{}:1: load.spectrum: column \"{}\" is not known, must be max, min and cycles, "
-                                        "or turning_point alone{}",
+                                        "or turning_point alone{}{}",
                                         path.string(), name,
-                                        cases.empty() ? "" : " with the load cases that have no other history"));
+                                        cases.empty() ? "" : " with the load cases that have no other history",
+                                        how_to_write(name)));
     }
     for (const std::string& name : cases)
         if (!table.columns.contains(name))
@@ -124,8 +133,8 @@ void check_columns(const std::filesystem::path& path, const NumberTable& table, 
 Spectrum read_spectrum(const std::filesystem::path& path, const std::vector<std::string>& cases, bool repeats) {
     const NumberTable table = read_table(path);
     if (table.columns.empty()) throw CaseError(fmt::format("{}: load.spectrum: cannot be read", path.string()));
-    if (table.cut_off) reject(path, table.rows, "has not as many cells as the line of names");
     check_columns(path, table, cases);
+    if (table.cut_off) reject(path, table.rows, "has not as many cells as the line of names");
     Spectrum spectrum;
     if (table.columns.contains("turning_point"))
         spectrum = from_turning_points(path, table, cases, repeats);

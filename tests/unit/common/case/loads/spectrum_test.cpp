@@ -55,11 +55,23 @@ TEST_F(Spectrum, ASequenceThatRepeatsFollowsOnItsOwnEnd) {
               (std::vector<LoadBlock>{{1, 100.0, -50.0}, {1, 150.0, 40.0}, {1, 80.0, 10.0}}));
 }
 
+// What other programs write: a remark first, no names, semicolons.
+TEST_F(Spectrum, SaysHowTheFirstLineIsWritten) {
+    const std::string names = "must be max, min and cycles, or turning_point alone; the first line holds the names";
+    EXPECT_EQ(complaint("# flight 7\nmax,min\n10,2\n"),
+              "s.csv:1: load.spectrum: column \"# flight 7\" is not known, " + names);
+    EXPECT_EQ(complaint("-10\n2.5e1\n"), "s.csv:1: load.spectrum: column \"-10\" is not known, " + names);
+    EXPECT_EQ(complaint("max;min\n1,5;0,2\n"),
+              "s.csv:1: load.spectrum: column \"max;min\" is not known, must be max, min and cycles, or turning_point "
+              "alone; commas stand between cells, and points in numbers");
+}
+
 TEST_F(Spectrum, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(complaint("max,min\n10,-2\n1,2\n"), "s.csv:3: load.spectrum: must keep min < max");
     EXPECT_EQ(complaint("max,min\n10,x\n"), "s.csv:2: load.spectrum: max and min must be numbers");
     EXPECT_EQ(complaint("max,min\n10,2\n10\n"), "s.csv:3: load.spectrum: has not as many cells as the line of names");
-    EXPECT_EQ(complaint("max,min,cycles\n10,2,1.5\n"), "s.csv:2: load.spectrum: cycles must be a whole number >= 1");
+    EXPECT_EQ(complaint("max,min,cycles\n10,2,1.5\n"), "s.csv:2: load.spectrum: cycles must be a whole number >= 1; "
+                                                       "half cycles of a count go into a list of turning points");
     EXPECT_EQ(complaint("max\n1\n"), "s.csv:1: load.spectrum: must name columns max and min, or turning_point");
     EXPECT_EQ(complaint("max,min,cycle\n2,1,9\n"),
               "s.csv:1: load.spectrum: column \"cycle\" is not known, must be max, min and cycles, or turning_point "
