@@ -53,14 +53,15 @@ void require_one_crack(const EnrichedMesh& mesh, std::size_t element) {
             cracks.insert(heaviside ? term.owner : mesh.tips[at(term.owner)].crack);
             const Vec2& x = mesh.nodes[at(node)];
             if (cracks.size() > 1) {
-                throw CaseError(fmt::format("crack {}: near ({}, {}) it is less than two elements from crack {}; use "
-                                            "smaller elements",
-                                            *cracks.rbegin(), x.x(), x.y(), *cracks.begin()));
+                throw CaseError(
+                    fmt::format("crack {}: near ({:.6g}, {:.6g}) it is less than two elements from crack {}; use "
+                                "smaller elements",
+                                *cracks.rbegin(), x.x(), x.y(), *cracks.begin()));
             }
             if (heaviside) continue;
             if (last_tip >= 0 && last_tip != term.owner) {
                 throw CaseError(
-                    fmt::format("crack {}: near ({}, {}) its two tips are less than two elements apart; use "
+                    fmt::format("crack {}: near ({:.6g}, {:.6g}) its two tips are less than two elements apart; use "
                                 "smaller elements",
                                 *cracks.begin(), x.x(), x.y()));
             }

@@ -42,7 +42,7 @@ double disk_radius(const TipEnrichment& enrichment, const Tip& tip, const RoomOf
     }
     if (*enrichment.radius <= room.reach) return *enrichment.radius;
     throw CaseError(
-        fmt::format("fine.enrichment_radius: {} mm is too large for the tip at ({}, {}): the boundary, "
+        fmt::format("fine.enrichment_radius: {} mm is too large for the tip at ({:.6g}, {:.6g}): the boundary, "
                     "a bend of its own crack, or the middle between it and another tip or crack lies {:.4g} mm away",
                     *enrichment.radius, tip.position.x(), tip.position.y(), room.reach));
 }

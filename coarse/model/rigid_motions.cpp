@@ -141,7 +141,7 @@ std::string describe(const Mesh& mesh, const FreeMotions& motions) {
     std::vector<std::string> held;
     for (const Pin& pin : motions.pins) {
         const Vec2& x = mesh.nodes[at(pin.node)];
-        held.push_back(fmt::format("u_{} at ({}, {})", pin.component == 0 ? 'x' : 'y', x.x(), x.y()));
+        held.push_back(fmt::format("u_{} at ({:.6g}, {:.6g})", pin.component == 0 ? 'x' : 'y', x.x(), x.y()));
     }
     return fmt::format("the supports leave free: {}; the loads balance, so it is removed without stress by holding {}",
                        fmt::join(motions.names, ", "), fmt::join(held, ", "));

@@ -107,7 +107,7 @@ private:
 
     [[noreturn]] void refuse_partial_edge(const Vec2& x) const {
         throw CrackOffMesh(
-            fmt::format("crack {}: near ({}, {}) it runs along the boundary, or along part of an element edge; "
+            fmt::format("crack {}: near ({:.6g}, {:.6g}) it runs along the boundary, or along part of an element edge; "
                         "change the mesh size a little",
                         crack_, x.x(), x.y()));
     }
@@ -156,7 +156,7 @@ private:
             if (inside == 0) refuse_partial_edge(middle);  // and then leaves it, or it would be one of the above
         }
         throw CaseError(
-            fmt::format("crack {}: no element holds the crack near ({}, {})", crack_, middle.x(), middle.y()));
+            fmt::format("crack {}: no element holds the crack near ({:.6g}, {:.6g})", crack_, middle.x(), middle.y()));
     }
 
     CrackPiece make_piece(int e, const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const Crossing* a,
@@ -200,8 +200,8 @@ private:
             if (p.neighbour >= 0) continue;
             if (!crossed.insert(p.element).second) {
                 throw CrackOffMesh(
-                    fmt::format("crack {}: it enters the element at ({}, {}) twice; use smaller elements there", crack_,
-                                p.points[0].x(), p.points[0].y()));
+                    fmt::format("crack {}: it enters the element at ({:.6g}, {:.6g}) twice; use smaller elements there",
+                                crack_, p.points[0].x(), p.points[0].y()));
             }
         }
     }
@@ -226,8 +226,9 @@ private:
 void refuse_turning_back(int crack, const std::vector<Vec2>& points) {
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {
         if ((points[k] - points[k - 1]).dot(points[k + 1] - points[k]) >= 0.0) continue;
-        throw CaseError(fmt::format("crack {}: at ({}, {}) it turns by more than 90 degrees, it may go on by up to 90",
-                                    crack, points[k].x(), points[k].y()));
+        throw CaseError(
+            fmt::format("crack {}: at ({:.6g}, {:.6g}) it turns by more than 90 degrees, it may go on by up to 90",
+                        crack, points[k].x(), points[k].y()));
     }
 }
 

@@ -50,7 +50,7 @@ void prescribe(Prescribed& prescribed, const Mesh& mesh, const BoundarySection& 
         const auto [held, is_new] = prescribed.try_emplace({node, component}, *value);
         if (is_new || held->second == *value) continue;
         throw CaseError(fmt::format(
-            "{}.displacement: u_{} = {} mm at the node ({}, {}), where another boundary prescribes "
+            "{}.displacement: u_{} = {} mm at the node ({:.6g}, {:.6g}), where another boundary prescribes "
             "{} mm",
             key, component == 0 ? 'x' : 'y', *value, node_at(mesh, node).x(), node_at(mesh, node).y(), held->second));
     }

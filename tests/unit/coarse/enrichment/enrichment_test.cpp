@@ -177,6 +177,12 @@ TEST(Enrichment, RefusesCracksAndTipsTooCloseForTheMesh) {
     EXPECT_NO_THROW(two(0.375));
     EXPECT_THROW(cracked(mesh, {{0.4, 0.4}, {0.45, 0.4}}), CaseError);
     EXPECT_THROW(cracked(mesh, {{0.4, 0.4}, {0.52, 0.4}}), CaseError);
+    try {
+        (void)cracked(square_mesh(3), {{0.4, 0.4}, {0.6, 0.4}});
+        ADD_FAILURE();
+    } catch (const CaseError& error) {
+        EXPECT_NE(std::string(error.what()).find("(0.333333, 0.333333)"), std::string::npos) << error.what();
+    }
     EXPECT_NO_THROW(cracked(mesh, {{0.4, 0.4}, {0.7, 0.4}}));
 }
 
