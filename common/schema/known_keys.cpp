@@ -85,14 +85,23 @@ std::string nearest_key(const std::string& path, const std::vector<Key>& keys) {
     return nearest;
 }
 
+std::string instead_of_key(const std::string& path, const std::vector<Key>& keys) {
+    if (const std::string nearest = nearest_key(path, keys); !nearest.empty()) return "did you mean " + nearest + "?";
+    const std::string table = parent_and_leaf(path).first;
+    std::string has;
+    for (const std::string& known : all_paths(keys)) {
+        const auto [parent, leaf] = parent_and_leaf(known);
+        if (!table.empty() && parent == table) has += (has.empty() ? "" : ", ") + leaf;
+    }
+    return has.empty() ? "`stria explain` lists all keys" : fmt::format("{} has {}", table, has);
+}
+
 void check_known(const Value& root, const std::vector<Key>& keys, const std::string& file) {
     const std::vector<std::string> known = all_paths(keys);
     walk(root, {file, ""}, [&](const Place& place, const Value& value) {
         const std::string path = without_numbers(place.path);
         if (std::ranges::count(known, path) > 0) return;
-        const std::string nearest = nearest_key(path, keys);
-        const std::string hint = nearest.empty() ? "`stria explain` lists all keys" : "did you mean " + nearest + "?";
-        reject(place, value.line, "is not a known key; " + hint);
+        reject(place, value.line, "is not a known key; " + instead_of_key(path, keys));
     });
 }
 

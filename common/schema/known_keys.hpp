@@ -20,6 +20,9 @@ void check_available(const Value& root, const std::vector<NotYet>& missing, cons
 /// The known path a misspelt one most likely means; empty where none is near.
 std::string nearest_key(const std::string& path, const std::vector<Key>& keys);
 
+/// What to write instead of a path that is not known: the nearest, or else what its table has.
+std::string instead_of_key(const std::string& path, const std::vector<Key>& keys);
+
 /// "crack.0.contact" -> "crack.contact"
 std::string without_numbers(const std::string& path);
 

@@ -92,9 +92,8 @@ std::string explain(const std::string& key) {
         if (entry.path == wanted)
             return fmt::format("{}\n    Not in this version{}.\n", wanted,
                                entry.instead.empty() ? "" : ": " + entry.instead);
-    const std::string nearest = schema::nearest_key(wanted, case_schema().keys());
-    const std::string hint = nearest.empty() ? "`stria explain` lists all keys" : "did you mean " + nearest + "?";
-    throw CaseError(fmt::format("{} is not a known key; {}", key, hint));
+    throw CaseError(
+        fmt::format("{} is not a known key; {}", key, schema::instead_of_key(wanted, case_schema().keys())));
 }
 
 std::string case_reference_markdown() {

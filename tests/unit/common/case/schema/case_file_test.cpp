@@ -192,7 +192,7 @@ TEST_F(CaseFile, NamesTheNearestKnownKey) {
     EXPECT_EQ(complaint_about("size = 5.0", "size = 5.0\nthickness = 2.0"),
               "case.toml:8: mesh.thickness is not a known key; did you mean model.thickness?");
     EXPECT_EQ(complaint_about("size = 5.0", "size = 5.0\ncolour = 2.0"),
-              "case.toml:8: mesh.colour is not a known key; `stria explain` lists all keys");
+              "case.toml:8: mesh.colour is not a known key; mesh has specimen, file, width, height, size, grading");
 }
 
 TEST_F(CaseFile, RefusesWhatKeysSayTogether) {
