@@ -1,5 +1,6 @@
 // Boundary sections resolved on a mesh, the balance of free rigid motions, and the boundary of the history.
 #include "coarse/model/loads/boundary_conditions.hpp"
+#include "coarse/model/loads/held_loads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,27 @@ TEST(Boundaries, RefuseWhatMakesNoSense) {
     section.traction = Vec2(1.0, 0.0);
     EXPECT_TRUE(mentions(refusal({section}), "give it a force"));
     EXPECT_TRUE(mentions(refusal({traction_on("top", std::nan(""), 1.0)}), "finite"));
+}
+
+// A traction on an edge that is moved is borne by what moves it.
+TEST(Boundaries, RefuseALoadThatTheSupportsBear) {
+    const auto refused = [&](const std::vector<BoundarySection>& sections) {
+        try {
+            require_free_places(mesh, sections);
+            return std::string();
+        } catch (const CaseError& error) {
+            return std::string(error.what());
+        }
+    };
+    BoundarySection pressed;
+    pressed.on = "top";
+    pressed.pressure = 5.0;
+    EXPECT_TRUE(mentions(refused({held("top", {}, 0.0), traction_on("top", 0.0, 1.0)}), "boundary.1: its load acts"));
+    EXPECT_TRUE(mentions(refused({pressed, held("top", {}, 1.0)}), "boundary.0: its load acts"));
+    EXPECT_TRUE(mentions(refused({held("left", 0.0, 0.0), force_at(0.0, 0.0, 1.0, 0.0)}), "boundary.1: its load acts"));
+    EXPECT_EQ(refused({held("top", 0.0, {}), traction_on("top", 0.0, 1.0)}), "");
+    EXPECT_EQ(refused({held("top", {}, 0.0), traction_on("top", 1.0, 1.0)}), "") << "it is felt along x";
+    EXPECT_EQ(refused({held("left", 0.0, 0.0), traction_on("top", 0.0, 1.0)}), "") << "all but a corner is free";
 }
 
 TEST(RigidMotions, NothingIsFreeWhenTheSupportsSuffice) {
