@@ -101,8 +101,7 @@ TEST_F(GrowthEnd, ByTheMeshIsAWarning) {
     EXPECT_FALSE(summary_says("growth ends here"));
 }
 
-// From a fifth to three fifths of the plate's width, in one growth and in more. On elements of 2 mm K of the first
-// length alone is 9 % low, and what the life is off by is as much the mesh's.
+// From a fifth to three fifths of the plate's width, in one growth and in more.
 TEST_F(GrowthEnd, SaysByHowMuchNIsTooLarge) {
     const auto N_by = [&](double increment) {
         run(fmt::format("growth={{law=\"paris\", C=2e-13, m=3.0, increment={}, until=12.0, direction=\"straight\"}}",
