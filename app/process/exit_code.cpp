@@ -63,7 +63,7 @@ int exit_code_of(const std::string& program, const std::function<int()>& work) {
     try {
         return work();
     } catch (const coupling::ToldElsewhere&) {
-        return InputWrong;
+        return Done;  // mpirun ends with the code of who tells, and kills nobody before the word is out
     } catch (...) {
         return leave(program, ending_of_exception());
     }
