@@ -61,6 +61,9 @@ TEST_F(ReportOfARun, IsTheSameMadeAgain) {
     EXPECT_EQ(page(), first);
     EXPECT_EQ(run_program("stria", {"report", folder / "nowhere"}, folder / "log"), 2);
     EXPECT_NE(said().find("holds no run"), std::string::npos) << said();
+    std::ofstream(folder / "study.csv") << "variant\n";
+    EXPECT_EQ(run_program("stria", {"report", folder / ""}, folder / "log"), 2);
+    EXPECT_NE(said().find("holds a study: its page is study.html"), std::string::npos) << said();
 }
 
 TEST_F(ReportOfARun, IsMadeWhereTheNumbersFail) {

@@ -15,9 +15,13 @@ namespace {
 
 void require_columns(const NumberTable& table, const std::filesystem::path& path,
                      std::initializer_list<const char*> names) {
+    const std::filesystem::path folder = path.parent_path();
+    if (table.columns.empty() && std::filesystem::exists(folder / "study.csv"))
+        throw CaseError(fmt::format("{} holds a study: its page is study.html, and each of its runs has a folder there",
+                                    folder.string()));
     if (table.columns.empty())
-        throw CaseError(fmt::format("{} holds no run: there is no {} in it", path.parent_path().string(),
-                                    path.filename().string()));
+        throw CaseError(
+            fmt::format("{} holds no run: there is no {} in it", folder.string(), path.filename().string()));
     for (const char* name : names)
         if (!table.columns.contains(name))
             throw CaseError(fmt::format("{} is no table of a run: it has no column {}", path.string(), name));
