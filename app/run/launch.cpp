@@ -108,6 +108,10 @@ void claim_output_directory(RunOptions& options) {
         throw CaseError(fmt::format("{} holds results; --resume goes on from its checkpoint, --force overwrites them, "
                                     "-o DIR writes elsewhere",
                                     folder.string()));
+    if (!options.force && std::filesystem::exists(folder / "study.csv", problem))
+        throw CaseError(fmt::format("{} holds a study, and the tables of a run are no part of it; -o DIR writes "
+                                    "elsewhere",
+                                    folder.string()));
     std::filesystem::create_directories(folder, problem);
     if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
         throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));

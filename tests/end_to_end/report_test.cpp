@@ -64,6 +64,8 @@ TEST_F(ReportOfARun, IsTheSameMadeAgain) {
     std::ofstream(folder / "study.csv") << "variant\n";
     EXPECT_EQ(run_program("stria", {"report", folder / ""}, folder / "log"), 2);
     EXPECT_NE(said().find("holds a study: its page is study.html"), std::string::npos) << said();
+    EXPECT_EQ(run_program("stria", {"run", folder / "case.toml", "-o", folder / ""}, folder / "log"), 2);
+    EXPECT_NE(said().find("holds a study, and the tables of a run"), std::string::npos) << said();
 }
 
 TEST_F(ReportOfARun, IsMadeWhereTheNumbersFail) {
