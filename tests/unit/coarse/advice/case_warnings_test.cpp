@@ -32,7 +32,9 @@ Case notched(double notch, double grown_at_start, const std::vector<Vec2>& point
 /// What holds these words of all that is said; empty: nothing does.
 std::string said_of(const Case& input, const std::string& words) {
     const coarse::Scene scene = coarse::refined_scene(input);
-    const std::vector<std::string> all = coarse::case_warnings(scene, {.K_I = {5.0}, .K_II = {0.0}});
+    const std::size_t tips = scene.enriched.tips.size();
+    const std::vector<std::string> all =
+        coarse::case_warnings(scene, {.K_I = std::vector<double>(tips, 5.0), .K_II = std::vector<double>(tips, 0.0)});
     const auto found =
         std::ranges::find_if(all, [&](const std::string& text) { return text.find(words) != text.npos; });
     return found != all.end() ? *found : "";
