@@ -45,6 +45,11 @@ std::string read_text(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+bool holds_study(const std::filesystem::path& folder) {
+    std::error_code problem;
+    return std::filesystem::exists(folder / study_table, problem);
+}
+
 JsonObject read_json(const std::filesystem::path& path) {
     JsonObject object;
     std::ifstream file(path);

@@ -25,6 +25,10 @@ struct JsonObject {
 /// All of a file; empty where there is none.
 std::string read_text(const std::filesystem::path& path);
 
+/// In the folder of a study.
+inline constexpr const char* study_table = "study.csv";
+[[nodiscard]] bool holds_study(const std::filesystem::path& folder);
+
 /// Empty where there is no such file or it holds no JSON object.
 JsonObject read_json(const std::filesystem::path& path);
 

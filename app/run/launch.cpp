@@ -108,7 +108,7 @@ void claim_output_directory(RunOptions& options) {
         throw CaseError(fmt::format("{} holds results; --resume goes on from its checkpoint, --force overwrites them, "
                                     "-o DIR writes elsewhere",
                                     folder.string()));
-    if (!options.force && std::filesystem::exists(folder / "study.csv", problem))
+    if (!options.force && holds_study(folder))
         throw CaseError(fmt::format("{} holds a study, and the tables of a run are no part of it; -o DIR writes "
                                     "elsewhere",
                                     folder.string()));

@@ -7,6 +7,7 @@
 
 #include "app/process/exit_code.hpp"
 #include "app/process/version.hpp"
+#include "app/results/run_files.hpp"
 #include "app/run/run_lock.hpp"
 #include "app/study/commands.hpp"
 #include "app/study/page.hpp"
@@ -28,7 +29,7 @@ void name_folder(StudyOptions& options) {
 
 void claim_folder(StudyOptions& options) {
     const std::string& folder = options.run.output_directory;
-    if (!options.run.force && !options.resume && std::filesystem::exists(std::filesystem::path(folder) / "study.csv"))
+    if (!options.run.force && !options.resume && holds_study(folder))
         throw CaseError(fmt::format(
             "{} holds a study; --resume keeps what is done, --force overwrites, -o DIR writes elsewhere", folder));
     std::error_code problem;
@@ -81,7 +82,7 @@ void write_results(const StudyOptions& options, Plan& plan) {
     const std::filesystem::path folder = options.run.output_directory;
     if (plan.with_errors)
         for (Row& variant : plan.variants) variant.errors = errors(variant.outcome, reference_of(plan, variant));
-    write_whole(folder / "study.csv", [&](const std::filesystem::path& file) {
+    write_whole(folder / study_table, [&](const std::filesystem::path& file) {
         CsvWriter table(file, columns(plan.axes, plan.with_errors));
         for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
     });

@@ -164,7 +164,9 @@ std::set<std::size_t> CrackGrowth::start_by_turns(const CrackedBody& body, const
             continue;
         }
         const double rate = rate_just_turned(growth_, K[t], angle);
-        if (rates[t] < negligible * rate) started.insert(t), rates_.start(t, rate);
+        if (!(rates[t] < negligible * rate)) continue;  // nor is it known
+        started.insert(t);
+        rates_.start(t, rate);
     }
     return started;
 }

@@ -77,7 +77,7 @@ std::vector<double> TipRates::shares(std::size_t tips) const {
 
 void TipRates::owe(double passed) {
     const std::vector<double>&before = period_.before(), &ways = period_.grown();
-    const double way = std::ranges::max(ways);
+    const double way = ways.empty() ? 0.0 : std::ranges::max(ways);
     if (tell_a_trend() || way == 0.0) return;
     const std::vector<double> now = present();
     const bool known = passed > 0.0 && before.size() == now.size() && !one_has_just_turned(now.size());

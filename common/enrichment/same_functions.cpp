@@ -51,7 +51,7 @@ bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const E
         return as_tied && same_terms(mesh.terms[at(node)], other.terms[at(node)]);
     };
     const std::vector<int> piece = piece_of_elements(mesh), other_piece = piece_of_elements(other);
-    const auto cut_alike = [&](int e) {
+    const auto same_cut = [&](int e) {
         const int a = piece[at(e)], b = other_piece[at(e)];
         return a < 0 || b < 0 ? a == b : same_piece(mesh.pieces[at(a)], other.pieces[at(b)]);
     };
@@ -59,7 +59,7 @@ bool same_functions(const EnrichedMesh& mesh, const EnrichedMesh& other, const E
     for (int e = 0; e < std::ssize(mesh.elements); ++e) {
         const auto& corners = mesh.elements[at(e)];
         if (std::ranges::none_of(corners, inside)) continue;
-        if (corners != other.elements[at(e)] || !std::ranges::all_of(corners, same_node) || !cut_alike(e) ||
+        if (corners != other.elements[at(e)] || !std::ranges::all_of(corners, same_node) || !same_cut(e) ||
             mesh.element_side[at(e)] != other.element_side[at(e)])
             return false;
     }

@@ -16,7 +16,7 @@ namespace {
 void require_columns(const NumberTable& table, const std::filesystem::path& path,
                      std::initializer_list<const char*> names) {
     const std::filesystem::path folder = path.parent_path();
-    if (table.columns.empty() && std::filesystem::exists(folder / "study.csv"))
+    if (table.columns.empty() && holds_study(folder))
         throw CaseError(fmt::format("{} holds a study: its page is study.html, and each of its runs has a folder there",
                                     folder.string()));
     if (table.columns.empty())

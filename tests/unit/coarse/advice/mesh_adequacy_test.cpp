@@ -9,24 +9,18 @@
 #include <cmath>
 
 #include "coarse/specimen/specimen.hpp"
-#include "tests/support/specimens.hpp"
+#include "tests/support/plate_that_flows.hpp"
 
 namespace stria::test {
 namespace {
 
 class Advice : public testing::Test {
 protected:
-    Advice() {
-        input.mesh.width = 20.0;
-        input.mesh.size = 1.0;
-        input.material.yield_stress = 300.0;
-        input.cracks[0].contact = ContactSection{};
-    }
     [[nodiscard]] std::vector<std::string> at(double K_I) const {
         const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
         return coarse::mesh_warnings(coarse::make_scene(input, mesh), {K_I}, {closure_at});
     }
-    Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
+    Case input = plate_that_flows();
     double closure_at = 1.3;  // distance of closure, mm
 };
 

@@ -3,7 +3,7 @@
 
 #include "coarse/advice/mesh_adequacy.hpp"
 #include "coarse/specimen/specimen.hpp"
-#include "tests/support/specimens.hpp"
+#include "tests/support/plate_that_flows.hpp"
 
 namespace stria::test {
 namespace {
@@ -13,18 +13,12 @@ using Said = std::vector<std::string>;
 
 class TipsJudged : public testing::Test {
 protected:
-    TipsJudged() {
-        input.mesh.width = 20.0;
-        input.mesh.size = 1.0;
-        input.material.yield_stress = 300.0;
-        input.cracks[0].contact = ContactSection{};
-    }
     [[nodiscard]] Said look(MeshJudge& judge, double K_I, double distance = 1.3, double radius = 4.0) const {
         const Mesh mesh = coarse::make_mesh(input.mesh, input.cracks, input.regions);
         return judge.look_at(coarse::make_scene(input, mesh),
                              {.K_I = {K_I}, .distance = {distance}, .radius = {radius}});
     }
-    Case input = specimen("plate", 20.0, {{0.0, 10.3}, {8.3, 10.3}});
+    Case input = plate_that_flows();
 };
 
 TEST_F(TipsJudged, AreSpokenOfOnceWhereTheirZoneHasShrunk) {
