@@ -7,6 +7,7 @@
 #include "coarse/enrichment/tip_enrichment.hpp"
 #include "coarse/model/crack_room.hpp"
 #include "coarse/model/forces_on_unknowns.hpp"
+#include "coarse/model/loads/held_loads.hpp"
 #include "coarse/model/machine_weights.hpp"
 #include "coarse/specimen/initial_field.hpp"
 #include "coarse/specimen/regions.hpp"
@@ -54,6 +55,7 @@ Scene make_scene(const Case& input, Mesh mesh, int refined) {
     require_near(scene.mesh, input.cracks);
     scene.enriched = enrich(scene.mesh, input.cracks, choose_enrichment(input));
     if (refined > 0) require_room(scene.mesh, scene.enriched, refined);
+    if (refined > 0) require_free_places(scene.mesh, input.boundaries);
     scene.loads = resolve_loads(scene.mesh, input);
     if (refined > 0) require_room_beside_loads(scene.mesh, scene.enriched, scene.loads, refined);
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads.main);

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "coarse/load/case_histories.hpp"
-#include "coarse/model/loads/held_loads.hpp"
 #include "common/case/loads/load_case_checks.hpp"
 #include "common/error.hpp"
 #include "common/index.hpp"
@@ -83,7 +82,6 @@ double distance_to_points(const Mesh& mesh, const LoadsOfCase& loads, const Vec2
 }
 
 LoadsOfCase resolve_loads(const Mesh& mesh, const Case& input) {
-    require_free_places(mesh, input.boundaries);
     LoadsOfCase loads{resolve_boundaries(mesh, input.boundaries, is_of_main_load), {}};
     for (const LoadCaseSection& load_case : input.load_cases)
         loads.cases.push_back(resolve_boundaries(mesh, input.boundaries, [&](const BoundarySection& section) {
