@@ -55,6 +55,17 @@ struct FaceRelease {
 
     /// Share that is left once the next part is released.
     [[nodiscard]] double left() const { return std::max(held - part, 0.0); }
+    /// That, at the load that has been reached.
+    [[nodiscard]] LoadStep next(const Target& reached) const {
+        LoadStep step;
+        step.cycle = cycle;
+        step.moment = moment;
+        step.target = reached;
+        step.target.held = left() / held;
+        step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
+        step.releases = true;
+        return step;
+    }
     /// It is; after a halving the next part is twice as large.
     void advance() {
         held = left();

@@ -6,11 +6,19 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double precision = 0.002;  // of the largest loads of a half cycle
+constexpr double precision = 0.002;    // of the largest loads of a half cycle
+constexpr std::size_t remembered = 3;  // loads at which a signal passed zero
 
 /// Whether loads press the faces of a tip together, beside an initial stress.
 bool presses(const TipResult& nominal, const LoadFactors& loads) {
     return (nominal.K_initial != 0.0 ? K_I_under(nominal, loads) : rise_of_K(nominal, loads)) < 0.0;
+}
+
+/// Where signal k is expected to pass zero next, in units of the history; NaN: nobody knows.
+double expected_load(const ClosureMemory::Crossings& crossings, std::size_t k) {
+    if (crossings.loads.empty()) return NAN;
+    const double* last = &crossings.loads[remembered * k];
+    return next_in_series(last[2], last[1], last[0]);
 }
 
 }  // namespace
@@ -55,19 +63,19 @@ LegOutlook ClosureMeasurement::outlook(const LegEnds& leg, const std::vector<Tip
         const bool with_load = rise * changes.main >= 0.0;
         (with_load ? outlook.senses.with_load : outlook.senses.against_load) = true;
         for (const LoadFactors& end : {leg.from, leg.to}) outlook.presses = outlook.presses || presses(nominal[t], end);
-        if (rise < 0.0 && t * signals < memory_.closed.size()) outlook.met.push_back(memory_.closed[t * signals]);
+        if (rise < 0.0) outlook.met.push_back(expected_load(memory_.closed, t * signals));
     }
     return outlook;
 }
 
-// Where it last came or went as it does now.
+// Where it came or went as it does now in the cycles before.
 std::vector<ExpectedCrossing> ClosureMeasurement::expected(const std::vector<double>& now, double unit) const {
     std::vector<ExpectedCrossing> expected;
-    for (std::size_t k = 0; k < memory_.opened.size(); ++k) {
-        const bool closes = is_closed(now[k]);
-        const std::vector<double>& rates = closes ? memory_.closing_rates : memory_.opening_rates;
-        expected.push_back({.target = unit * (closes ? memory_.closed : memory_.opened)[k],
-                            .rate = {rates[2 * k] / unit, rates[2 * k + 1] / unit}});
+    if (memory_.opened.loads.empty()) return expected;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const ClosureMemory::Crossings& crossings = is_closed(now[k]) ? memory_.closed : memory_.opened;
+        const double* rate = &crossings.rates[2 * k];
+        expected.push_back({.target = unit * expected_load(crossings, k), .rate = {rate[0] / unit, rate[1] / unit}});
     }
     return expected;
 }
@@ -86,14 +94,17 @@ std::vector<double> ClosureMeasurement::commit(const LoadStep& step, const Newto
     for (coupling::NearestContact& contact : memory_.nearest)  // from here on it has slid nowhere
         contact.excess = std::min(contact.excess, 0.0);
     if (step.reversal) meter_.forget_slip(memory_.signal);
-    for (std::vector<double>* loads : {&memory_.opened, &memory_.closed}) loads->resize(now.size(), NAN);
-    for (std::vector<double>* rates : {&memory_.opening_rates, &memory_.closing_rates})
-        rates->resize(2 * now.size(), NAN);
+    for (ClosureMemory::Crossings* crossings : {&memory_.opened, &memory_.closed}) {
+        crossings->loads.resize(remembered * now.size(), NAN);
+        crossings->rates.resize(2 * now.size(), NAN);
+    }
     for (const OpeningChange& change : changes) {
         if (std::isnan(change.load_factor)) continue;  // nobody knows
         const std::size_t k = signals.index(change.tip, change.signal);
-        (change.closes ? memory_.closed : memory_.opened)[k] = change.target / unit;
-        std::vector<double>& rates = change.closes ? memory_.closing_rates : memory_.opening_rates;
+        auto& [loads, rates] = change.closes ? memory_.closed : memory_.opened;
+        double* last = &loads[remembered * k];
+        std::copy_backward(last, last + remembered - 1, last + remembered);
+        *last = change.target / unit;
         for (std::size_t side = 0; side < 2; ++side)
             if (std::isfinite(change.rate[side])) rates[2 * k + side] = unit * change.rate[side];
     }

@@ -17,10 +17,15 @@ struct ClosureMemory {
     std::vector<double> signal;                     // of the committed state; empty before the first increment
     std::vector<coupling::NearestContact> nearest;  // likewise, ClosureMeter::nearest()
     std::vector<double> largest;                    // magnitude of each signal that was committed
-    std::vector<double> opened, closed;             // loads at which it last did, in units of the history; NaN: never
-    // What it changed by per unit of the history beside these, where it was open, then where it was closed: two numbers
-    // for each signal. NaN: nobody knows.
-    std::vector<double> opening_rates, closing_rates;
+    struct Crossings {
+        // Units of the history at which each signal last passed zero, the time before, and before that: three numbers
+        // for each. NaN: it did not.
+        std::vector<double> loads;
+        // What it changed by per unit of the history beside the last, where it was open, then where it was closed: two
+        // numbers for each. NaN: nobody knows.
+        std::vector<double> rates;
+    };
+    Crossings opened, closed;
 };
 
 class ClosureMeasurement {
@@ -53,7 +58,7 @@ public:
 
     /// Committed: what the next increment starts from.
     [[nodiscard]] const ClosureMemory& memory() const { return memory_; }
-    /// What a half cycle is expected to do. `nominal`: of each tip; faces met at or beyond the first distance behind
+    /// What a half cycle is expected to do. `nominal`: of each tip; faces meet at or beyond the first distance behind
     /// it.
     [[nodiscard]] LegOutlook outlook(const LegEnds& leg, const std::vector<TipResult>& nominal) const;
 

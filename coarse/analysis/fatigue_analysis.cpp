@@ -171,13 +171,12 @@ bool FatigueAnalysis::zone_must_grow(const LoadStep& step) {
     return true;
 }
 
-// The increment is tried in parts, and then made as it was: from where it was put aside that takes one iteration,
-// unless the tangents that Newton's method begins with lead elsewhere. Then the increment is halved like any other.
-std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadStep step, NewtonReport& report) {
+// Where what is known does not tell, the increment is tried in parts, and then made as it was.
+std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(const LoadStep& step, NewtonReport& report) {
     if (!closure_.has_changed(step, report)) return std::vector<OpeningChange>();
-    model_.put_aside();
-    bool stopped = false;
+    bool tried = false, stopped = false;
     const auto try_part = [&](const LoadStep& part) {
+        if (!std::exchange(tried, true)) model_.put_aside();
         const ClosureMeter::Trial found{attempt(part), model_.trial_load_factor()};
         stopped = stopped || found.report.stopped;
         return found;
@@ -185,26 +184,32 @@ std::optional<std::vector<OpeningChange>> FatigueAnalysis::measure_closure(LoadS
     auto changes = closure_.changes(step, report, {controller_.reached_target(), model_.load_factor()},
                                     {step.target, model_.trial_load_factor()}, controller_.part_of_loads(),
                                     controller_.scale(), try_part);
-    model_.rollback();
-    if (stopped) return std::nullopt;
-    step.predictor = {1.0, 0};
-    const NewtonReport again = attempt(step);
-    if (!again.converged) {
-        cut_or_fail(step, again);
-        return std::nullopt;
-    }
-    Residual& last = report.iterations.back().residual;  // that of the state that will be committed
-    const int status_changes = std::exchange(last, again.iterations.back().residual).status_changes;
-    last.status_changes = status_changes;
+    if (tried) model_.rollback();
+    if (stopped || (tried && !makes_again(step, report))) return std::nullopt;
     note_lost(step, changes);
     return changes;
 }
 
+// That takes one iteration, unless the tangents that Newton's method begins with lead elsewhere. Then the increment is
+// halved like any other.
+bool FatigueAnalysis::makes_again(LoadStep step, NewtonReport& report) {
+    step.predictor = {1.0, 0};
+    NewtonReport again = attempt(step);
+    if (!again.converged) {
+        cut_or_fail(step, again);
+        return false;
+    }
+    Residual& last = report.iterations.back().residual;  // that of the state that will be committed
+    again.iterations.back().residual.status_changes = last.status_changes;
+    last = std::move(again.iterations.back().residual);
+    return true;
+}
+
 void FatigueAnalysis::note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const {
     const auto lost = std::ranges::find_if(changes, [](const auto& change) { return std::isnan(change.load_factor); });
-    if (lost == changes.end()) return;
-    listener_.note(load_left_empty(step, {step.target.control, controller_.reached()}, lost->tip,
-                                   closure_.meter().what_a_tip_does(*lost)));
+    if (lost != changes.end())
+        listener_.note(load_left_empty(step, {step.target.control, controller_.reached()}, lost->tip,
+                                       closure_.meter().what_a_tip_does(*lost)));
 }
 
 void FatigueAnalysis::accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes) {
@@ -254,7 +259,7 @@ bool FatigueAnalysis::grow_where_due() {
 bool FatigueAnalysis::release_new_faces() {
     while (release_.held > 0.0) {
         if (is_to_end()) return false;
-        const LoadStep step = next_release();
+        const LoadStep step = release_.next(controller_.reached_target());
         const NewtonReport report = attempt(step);
         if (!report.converged) {
             cut_release_or_fail(step, report);
@@ -267,17 +272,6 @@ bool FatigueAnalysis::release_new_faces() {
         look_ahead();  // of the longer crack, as a run does that goes on from here
     }
     return true;
-}
-
-LoadStep FatigueAnalysis::next_release() const {
-    LoadStep step;
-    step.cycle = release_.cycle;
-    step.moment = release_.moment;
-    step.target = controller_.reached_target();
-    step.target.held = release_.left() / release_.held;
-    step.reversal = true;  // what flows while it grows is no part of the half cycles before and after
-    step.releases = true;
-    return step;
 }
 
 void FatigueAnalysis::cut_release_or_fail(const LoadStep& step, const NewtonReport& report) {

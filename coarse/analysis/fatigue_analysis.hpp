@@ -66,14 +66,15 @@ private:
     [[nodiscard]] NewtonReport attempt(const LoadStep& step);
     void cut_or_fail(const LoadStep& step, const NewtonReport& report);
     [[nodiscard]] bool zone_must_grow(const LoadStep& step);
-    [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(LoadStep step, NewtonReport& report);
+    [[nodiscard]] std::optional<std::vector<OpeningChange>> measure_closure(const LoadStep& step, NewtonReport& report);
+    /// An increment that has been found and put aside.
+    [[nodiscard]] bool makes_again(LoadStep step, NewtonReport& report);
     void accept(const LoadStep& step, const NewtonReport& report, std::vector<OpeningChange> changes);
     void end_cycle(Increment& increment);
     void note_lost(const LoadStep& step, const std::vector<OpeningChange>& changes) const;
     /// Both: false where the run is to end.
     bool grow_where_due();
     bool release_new_faces();
-    [[nodiscard]] LoadStep next_release() const;
     void cut_release_or_fail(const LoadStep& step, const NewtonReport& report);
     [[noreturn]] void fail(const std::string& what) const;
 

@@ -27,6 +27,18 @@ double at_rate(const ClosureStation& from, const ClosureStation& across, std::si
     return -from.signal[k] / expected.rate[side(from.signal[k])] / (across.target - from.target);
 }
 
+/// Whether the share of a way at which the rate of cycles before leads to zero is known from its beginning, `from`: it
+/// is beside it, and what has been seen of the signal on that side, which leads to `straight`, agrees roughly; where
+/// that leads nowhere the signal was expected about there. Rates may be old: after an overload nothing goes as before.
+bool is_beside(double share, double straight, const ClosureStation& from, double width, double precision,
+               const ExpectedCrossing& expected) {
+    constexpr double on_it = 1e-3, roughly = 2.0;  // precisions
+    const double off = share * width / precision;
+    if (!(off >= 0.0 && off <= 0.5)) return false;
+    const double other = std::isfinite(straight) ? straight * width : from.target - expected.target;
+    return off <= on_it || std::abs(other) <= roughly * precision;
+}
+
 /// Where to try what was expected of a signal, as a share of the way between two stations: there, then towards the
 /// station that says otherwise, where the rate leads from there or at least as far as the answer may be off. These two
 /// tell, or lead on: stations far away do not, since signals bend. Not a number: all that has been tried.
@@ -51,24 +63,34 @@ double as_expected(const std::vector<ClosureStation>& way, std::size_t i, std::s
 
 }  // namespace
 
+double next_in_series(double first, double second, double third) {
+    const double before = second - first, last = third - second;
+    if (!(before * last > 0.0)) return third;
+    return third + last * std::min(last / before, before / last);
+}
+
 // Signals are nearly straight on either side of zero, and bend there: faces press with another stiffness than they
 // open. So two stations on one side tell where it is, or one and its rate, and where they are near it they know. What
 // leads to the station across, whose signal says otherwise, leads nowhere; of two the one nearer to where it leads
 // tells more. Where both lead to one place they know it if one of them is beside it: from far away they may agree by
-// chance, since signals bend on the way as well. A station at which the signal is zero but for rounding is the place
-// itself: elastic faces part in each cycle where they did, and what rounding says of them there tells nothing.
+// chance, since signals bend on the way as well. The rate of cycles before knows it from a station beside it: were it
+// three times the present one, the answer would still be within the precision. A station at which the signal is zero
+// but for rounding is the place itself: elastic faces part in each cycle where they did, and what rounding says of them
+// there tells nothing.
 Crossing crossing(const std::vector<ClosureStation>& way, std::size_t i, std::size_t k, double precision,
                   const ExpectedCrossing& expected) {
     const ClosureStation &before = way[i], &after = way[i + 1];
     const double width = std::abs(after.target - before.target), near = 0.5 * precision / width;
     const double from_before = i > 0 ? straight_on(way[i - 1], before, after, k) : NAN;
     const double from_after = i + 2 < way.size() ? 1.0 - straight_on(way[i + 2], after, before, k) : NAN;
+    if (const double share = at_rate(before, after, k, expected);
+        is_beside(share, from_before, before, width, precision, expected))
+        return {share, true};
+    if (const double share = at_rate(after, before, k, expected);
+        is_beside(share, 1.0 - from_after, after, width, precision, expected))
+        return {1.0 - share, true};
     if (from_before >= 0.0 && from_before <= near) return {from_before, true};
     if (from_after <= 1.0 && from_after >= 1.0 - near) return {from_after, true};
-    const double on_it = 1e-3 * precision / width;
-    if (const double share = at_rate(before, after, k, expected); share >= 0.0 && share <= on_it) return {share, true};
-    if (const double share = 1.0 - at_rate(after, before, k, expected); share <= 1.0 && share >= 1.0 - on_it)
-        return {share, true};
     if (width <= precision) return {0.5, true};
     const auto leads = [&](double share) { return std::min(share, 1.0 - share) > near; };
     const double middle = 0.5 * (from_before + from_after), away = std::min(middle, 1.0 - middle) * width;

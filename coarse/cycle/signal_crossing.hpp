@@ -26,6 +26,11 @@ struct ExpectedCrossing {
     std::array<double, 2> rate{NAN, NAN};
 };
 
+/// What follows three values of a series whose changes grow or fade evenly, as opening loads come to their level: the
+/// last and its change, as much smaller as that was smaller than the change before it. Where changes turn, or one is
+/// not a number, the last; where they leap, little more.
+[[nodiscard]] double next_in_series(double first, double second, double third);
+
 /// Where between two stations a signal passes zero, as a share of the way, and whether that is known.
 struct Crossing {
     double share;

@@ -50,12 +50,12 @@ struct TwoAsOne {
 /// accuracy: a cycle has two legs, and the accuracy is that of all cycles while one is measured. In between the number
 /// stays, since a predictor wants the same increments a cycle later. What an increment is off by in which faces meet no
 /// opening tells, since they are closed at its end, and there the path of the metal bends. So one increment of a leg
-/// that unloads a tip ends where they met last, those behind it begin small, and such a leg has at least half as many
-/// as one that loads. Where it goes on into compression what the tip has left is crushed, and no opening tells: four
-/// tenths of its increments come before faces meet, and it has no fewer than 8 at an accuracy of 0.002. Until one of
-/// them has been measured, from the first one on, it has 20, and one that comes back from there 12: few tried as fewer
-/// tell too little. What such cycles are off by adds up as a crack grows, so that their legs are chosen for a sixth of
-/// the accuracy (docs/verification/increments.md).
+/// that unloads a tip ends where they are expected to meet, those behind it begin small, and such a leg has at least
+/// half as many as one that loads. Where it goes on into compression what the tip has left is crushed, and no opening
+/// tells: four tenths of its increments come before faces meet, and it has no fewer than 8 at an accuracy of 0.002.
+/// Until one of them has been measured, from the first one on, it has 20, and one that comes back from there 12: few
+/// tried as fewer tell too little. What such cycles are off by adds up as a crack grows, so that their legs are chosen
+/// for a sixth of the accuracy (docs/verification/increments.md).
 class IncrementSchedule {
 public:
     /// Those of one direction.

@@ -238,10 +238,10 @@ std::optional<LegEnds> LoadController::leg_that_begins() const {
 }
 
 void LoadController::expect(const LegOutlook& outlook) {
-    const Leg& leg = legs_[position_.leg];
+    const double from = position_.leg_start, to = end_of_leg();
     std::vector<double> ways;
     for (const double load : outlook.met)
-        if (const double way = (load - leg.from) / (leg.to - leg.from); way > 0.0 && way < 1.0) ways.push_back(way);
+        if (const double way = (scale_ * load - from) / (to - from); way > 0.0 && way < 1.0) ways.push_back(way);
     schedule_.meet_at(std::move(ways), outlook.presses, outlook.senses);
 }
 

@@ -59,7 +59,7 @@ struct LegEnds {
 
 /// What a half cycle is expected to do to the tips.
 struct LegOutlook {
-    std::vector<double> met = {};  // loads at which faces that it closes met last, in units of the history; NaN: never
+    std::vector<double> met = {};  // loads at which faces that it closes are expected to meet, in units of the history; NaN: never
     bool presses = false;          // it goes to a load that presses faces together, or comes from there
     SensesOfK senses = {};
 };

@@ -181,15 +181,19 @@ void members(auto& archive, Is<WorkBalance> auto& m) {
     archive("case_forces", case_forces);
 }
 
+void members(auto& archive, Is<ClosureMemory::Crossings> auto& m) {
+    auto& [loads, rates] = m;
+    archive("loads", loads);
+    archive("rates", rates);
+}
+
 void members(auto& archive, Is<ClosureMemory> auto& m) {
-    auto& [signal, nearest, largest, opened, closed, opening_rates, closing_rates] = m;
+    auto& [signal, nearest, largest, opened, closed] = m;
     archive("signal", signal);
     as_bytes(archive, "nearest", nearest);
     archive("largest", largest);
     archive("opened", opened);
     archive("closed", closed);
-    archive("opening_rates", opening_rates);
-    archive("closing_rates", closing_rates);
 }
 
 void members(auto& archive, Is<UnitDisplacement> auto& m) {

@@ -113,19 +113,21 @@ TEST_F(ClosureMeasurementTest, RemembersWhereASignalCameAndWentAndHowFast) {
     const double unit = 2.0;
     step.target.value = 20.0;
     measurement->commit(step, state(40.0, 300.0), {}, unit);
-    EXPECT_TRUE(std::isnan(measurement->memory().opened.at(0)));
+    EXPECT_TRUE(std::isnan(measurement->memory().opened.loads.at(0)));
     const OpeningChange closes{
         .tip = 0, .signal = 0, .closes = true, .load_factor = 8.0, .target = 8.0, .rate = {3.0, std::nan("")}},
         opens{.tip = 0, .signal = 1, .closes = false, .load_factor = 5.0, .target = 5.0, .rate = {-1.0, 7.0}};
     measurement->commit(step, state(40.0, 300.0), {closes, opens}, unit);
     const ClosureMemory& memory = measurement->memory();
-    EXPECT_EQ(memory.closed.at(0), 4.0);
-    EXPECT_EQ(memory.opened.at(1), 2.5);
-    EXPECT_TRUE(std::isnan(memory.opened.at(0)) && std::isnan(memory.closed.at(1)));
-    EXPECT_EQ(memory.closing_rates.at(0), 6.0);
-    EXPECT_TRUE(std::isnan(memory.closing_rates.at(1)));
-    EXPECT_EQ(memory.opening_rates.at(2), -2.0);
-    EXPECT_EQ(memory.opening_rates.at(3), 14.0);
+    const auto& [closing_loads, closing_rates] = memory.closed;
+    const auto& [opening_loads, opening_rates] = memory.opened;
+    EXPECT_EQ(closing_loads.at(0), 4.0);
+    EXPECT_EQ(opening_loads.at(3), 2.5);
+    EXPECT_TRUE(std::isnan(opening_loads.at(0)) && std::isnan(closing_loads.at(3)));
+    EXPECT_EQ(closing_rates.at(0), 6.0);
+    EXPECT_TRUE(std::isnan(closing_rates.at(1)));
+    EXPECT_EQ(opening_rates.at(2), -2.0);
+    EXPECT_EQ(opening_rates.at(3), 14.0);
     // A change whose load nobody found leaves what is known, and so does a rate.
     OpeningChange unknown = closes;
     unknown.load_factor = std::nan("");
@@ -133,10 +135,30 @@ TEST_F(ClosureMeasurementTest, RemembersWhereASignalCameAndWentAndHowFast) {
     OpeningChange slower = opens;
     slower.rate = {std::nan(""), 1.0};
     measurement->commit(step, state(40.0, 300.0), {unknown, slower}, unit);
-    EXPECT_EQ(memory.closed.at(0), 4.0);
-    EXPECT_EQ(memory.closing_rates.at(0), 6.0);
-    EXPECT_EQ(memory.opening_rates.at(2), -2.0);
-    EXPECT_EQ(memory.opening_rates.at(3), 2.0);
+    EXPECT_EQ(closing_loads.at(0), 4.0);
+    EXPECT_EQ(closing_rates.at(0), 6.0);
+    EXPECT_EQ(opening_rates.at(2), -2.0);
+    EXPECT_EQ(opening_rates.at(3), 2.0);
+    EXPECT_EQ(std::vector(&opening_loads[3], &opening_loads[5]), (std::vector{2.5, 2.5})) << "of two cycles";
+}
+
+// Faces that closed at 8, 10 and 11 are looked for, and met, at 11.5. By its rate one trial there knows.
+TEST_F(ClosureMeasurementTest, LooksWhereTheLoadsOfTheCyclesBeforeLead) {
+    for (const double load : {8.0, 10.0, 11.0})
+        measurement->commit(
+            step, state(-30.0, 300.0),
+            {{.tip = 0, .signal = 0, .closes = true, .load_factor = load, .target = load, .rate = {-2.0, NAN}}}, 1.0);
+    EXPECT_EQ(measurement->outlook(leg(30.0, 0.0), {TipResult{.K_I = 10.0}}).met, std::vector{11.5});
+    std::vector<double> trials;
+    const auto solve = [&](const LoadStep& trial) {
+        trials.push_back(trial.target.value);
+        return ClosureMeter::Trial{state(2.0 * (11.495 - trial.target.value), 300.0), trial.target.value};
+    };
+    const std::vector<OpeningChange> found =
+        measurement->changes(step, state(20.0, 300.0), {{.value = 20.0}, 20.0}, {{.value = 0.0}, 0.0}, 1.0, 1.0, solve);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(trials, std::vector{11.5});
+    EXPECT_NEAR(found[0].target, 11.495, 1e-12);
 }
 
 TEST_F(ClosureMeasurementTest, RemembersTheLargestOfEachSignal) {

@@ -70,8 +70,41 @@ TEST(SignalCrossing, IsTriedFirstWhereItIsExpectedAndThenBesideIt) {
     EXPECT_NEAR(later.share, 0.4 / 4.0, 1e-14);
     // Open already: 0.2 earlier.
     EXPECT_NEAR(between(way_of({{0.0, 3.0}, {6.0, -0.4}, {10.0, -1.0}}), 0, expected).share, 1.0 - 0.2 / 6.0, 1e-14);
-    // Within what the answer may be off by nothing is tried: nearly the precision away.
-    EXPECT_NEAR(between(way_of({{6.0, 0.01}, {10.0, -1.0}}), 0, expected).share, 0.09 / 4.0, 1e-14);
+    // Without a rate as far as the answer may be off.
+    EXPECT_NEAR(between(way_of({{6.0, 0.01}, {10.0, -1.0}}), 0, {.target = 6.0}).share, 0.09 / 4.0, 1e-14);
+}
+
+// A rate three times the present one, or a third of it, leaves the answer within the precision.
+TEST(SignalCrossing, IsKnownFromAStationBesideItByTheRateOfCyclesBefore) {
+    const ExpectedCrossing expected{.target = 6.0, .rate = {-2.0, -0.5}};  // open, closed
+    const Crossing closed = between(way_of({{0.0, 3.0}, {6.0, 0.024}, {10.0, -1.0}}), 1, expected);
+    EXPECT_TRUE(closed.known);
+    EXPECT_NEAR(closed.share, 0.048 / 4.0, 1e-14);
+    EXPECT_FALSE(between(way_of({{0.0, 3.0}, {6.0, 0.026}, {10.0, -1.0}}), 1, expected).known);
+    const Crossing open = between(way_of({{0.0, 3.0}, {6.0, -0.09}, {10.0, -8.4}}), 0, expected);
+    EXPECT_TRUE(open.known);
+    EXPECT_NEAR(open.share, 1.0 - 0.045 / 6.0, 1e-14);
+    EXPECT_FALSE(between(way_of({{0.0, 3.0}, {6.0, -0.11}, {10.0, -8.4}}), 0, expected).known);
+}
+
+// What has been seen leads 0.3 off, or nothing has been seen and it was expected elsewhere.
+TEST(SignalCrossing, IsNotKnownByARateThatNothingElseSupports) {
+    const ExpectedCrossing old{.target = 6.0, .rate = {-70.0, -70.0}};
+    EXPECT_FALSE(between(way_of({{0.0, 6.3}, {6.0, 0.3}, {10.0, -1.0}}), 1, old).known);
+    EXPECT_FALSE(between(way_of({{0.0, 6.3}, {6.0, -0.3}, {7.0, -1.3}}), 0, old).known);
+    EXPECT_FALSE(between(way_of({{5.7, 0.3}, {10.0, -9.0}}), 0, old).known);
+    EXPECT_TRUE(between(way_of({{5.9, 0.3}, {10.0, -9.0}}), 0, old).known);
+}
+
+TEST(SignalCrossing, SeriesGoOnAsTheirChangesFade) {
+    EXPECT_DOUBLE_EQ(next_in_series(6.0, 8.0, 9.0), 9.5);
+    EXPECT_DOUBLE_EQ(next_in_series(9.0, 8.0, 7.0), 6.0);
+    EXPECT_DOUBLE_EQ(next_in_series(1.0, 1.1, 3.0), 3.1) << "a leap is no series";
+    EXPECT_DOUBLE_EQ(next_in_series(1.0, 3.0, 2.0), 2.0) << "nor is what turns";
+    EXPECT_DOUBLE_EQ(next_in_series(1.0, 1.0, 1.0), 1.0);
+    EXPECT_DOUBLE_EQ(next_in_series(NAN, 1.0, 3.0), 3.0);
+    EXPECT_DOUBLE_EQ(next_in_series(NAN, NAN, 3.0), 3.0);
+    EXPECT_TRUE(std::isnan(next_in_series(NAN, NAN, NAN)));
 }
 
 TEST(SignalCrossing, IsAStationAtWhichItIsZeroButForRounding) {

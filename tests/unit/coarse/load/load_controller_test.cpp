@@ -122,7 +122,7 @@ TEST(LoadController, ForgetsIncrementsThatMisleadTwiceInARow) {
 }
 
 // In units of the history, and only on the way down: what opens does so after its faces have parted.
-TEST(LoadController, EndsAnIncrementWhereFacesMetLast) {
+TEST(LoadController, EndsAnIncrementWhereFacesAreExpectedToMeet) {
     LoadController loads({.blocks = {{.cycles = 2, .max = 40.0, .min = -40.0}}, .control = Control::StressIntensity},
                          SolverSection());
     loads.set_scale(0.1);
@@ -134,6 +134,27 @@ TEST(LoadController, EndsAnIncrementWhereFacesMetLast) {
         if (step->reversal) ends_there.push_back(false);
     }
     EXPECT_EQ(ends_there, (std::vector<bool>{false, true, false, true, false, false}));  // the last one does not come
+}
+
+// A crack that has grown is loaded beyond what the history says of it: the way down is longer, and ends lie elsewhere
+// on it.
+TEST(LoadController, EndsAnIncrementWhereFacesOfALongerCrackMeet) {
+    LoadController loads({.blocks = {{.cycles = 2, .max = 40.0, .min = 0.0}}, .control = Control::StressIntensity},
+                         SolverSection());
+    loads.set_scale(0.1);
+    for (bool up = true; up;) {
+        up = !loads.next()->at_maximum;
+        loads.accepted({});
+    }
+    loads.set_scale(0.08);
+    constexpr double met = 10.0;
+    loads.expect(outlook(*loads.leg_that_begins(), {met}));
+    bool ends_there = false;
+    for (auto step = loads.next(); !step->at_minimum; step = loads.next()) {
+        ends_there = ends_there || std::abs(step->target.value - 0.08 * met) < 1e-12;
+        loads.accepted({});
+    }
+    EXPECT_TRUE(ends_there);
 }
 
 // The faces of a tip that opens as the load falls meet as it rises.

@@ -35,10 +35,8 @@ Checkpoint some_checkpoint() {
     state.closure = {.signal = {1.5},
                      .nearest = {{.behind = 0.25, .pressure = 40.0, .excess = -3.5, .closed = 7, .sliding = 2}, {}},
                      .largest = {9.5},
-                     .opened = {2.5},
-                     .closed = {3.5},
-                     .opening_rates = {-4.5, -5.5},
-                     .closing_rates = {-6.5, -7.5}};
+                     .opened = {.loads = {2.5, 2.25, 2.0}, .rates = {-4.5, -5.5}},
+                     .closed = {.loads = {3.5, 3.25, 3.0}, .rates = {-6.5, -7.5}}};
     state.counts.increments = 57;
     state.growth.ended = true;
     state.growth.increment = {.increment = 0.07, .points = {{.a = 10.0, .per_mm = 3e5, .closure = 0.25}, {.a = 10.1}}};
@@ -112,10 +110,10 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.closure.signal, in.analysis.closure.signal);
     EXPECT_EQ(out.analysis.closure.nearest, in.analysis.closure.nearest);
     EXPECT_EQ(out.analysis.closure.largest, in.analysis.closure.largest);
-    EXPECT_EQ(out.analysis.closure.opened, in.analysis.closure.opened);
-    EXPECT_EQ(out.analysis.closure.closed, in.analysis.closure.closed);
-    EXPECT_EQ(out.analysis.closure.opening_rates, in.analysis.closure.opening_rates);
-    EXPECT_EQ(out.analysis.closure.closing_rates, in.analysis.closure.closing_rates);
+    EXPECT_EQ(out.analysis.closure.opened.loads, in.analysis.closure.opened.loads);
+    EXPECT_EQ(out.analysis.closure.opened.rates, in.analysis.closure.opened.rates);
+    EXPECT_EQ(out.analysis.closure.closed.loads, in.analysis.closure.closed.loads);
+    EXPECT_EQ(out.analysis.closure.closed.rates, in.analysis.closure.closed.rates);
     EXPECT_EQ(out.analysis.counts.increments, 57);
     EXPECT_TRUE(out.analysis.growth.ended);
     EXPECT_EQ(out.analysis.growth.increment.increment, 0.07);
