@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "coarse/analysis/closure_measurement.hpp"
+#include "coarse/cycle/closure_measurement.hpp"
 #include "coarse/cycle/cycle_meter.hpp"
 #include "coarse/elements/coarse_elements.hpp"
 #include "coarse/equilibrium/equilibrium.hpp"

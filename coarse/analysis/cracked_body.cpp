@@ -1,14 +1,11 @@
 #include "coarse/analysis/cracked_body.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <utility>
 
 #include "coarse/load/load_scale.hpp"
-#include "coarse/structure/structure_chain.hpp"
 #include "coarse/zone/zone_selection.hpp"
 #include "common/case/case_questions.hpp"
-#include "common/enrichment/same_functions.hpp"
 #include "common/error.hpp"
 #include "common/integration/parts_of_elements.hpp"
 #include "common/stopwatch.hpp"
@@ -35,18 +32,17 @@ void lay_along(const AnalysisState::Polyline& line, CrackSection& crack) {
 }  // namespace
 
 CrackedBody::CrackedBody(const Scene& scene, CoarseEffort& effort, const Note& note, const AnalysisState* from)
-    : scene_(&scene), effort_(effort), note_(note) {
+    : scene_(&scene), effort_(effort), note_(note), nominal_(effort, note) {
     const Stopwatch watch(effort_.setup_s);
     if (!scene.free_motions.text.empty()) note_(scene.free_motions.text);
     if (!scene.enriched.tips.empty() || scene.input.load.control != Control::Load) {
         still_.far = far_elements(scene, ElementSet(scene.mesh.elements.size()));
-        still_of_nominal_ = still_;
-        structure_ = take_nominal_of(scene, {});
-        if (!nominal_.empty()) first_length_ = nominal_.front().a;
+        nominal_.stand_on(still_, false);
+        structure_ = nominal_.solve(scene, nullptr, {}, factors_);
     }
-    nominal_at_start_ = unit_response(scene, nominal_, unit_displacement_);
+    nominal_at_start_ = nominal_.response(scene);
     if (from != nullptr) go_on_from(*from);
-    in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, largest_K_);
+    in_zone_ = from != nullptr ? from->in_zone : select_zone(scene, nominal_.largest_K());
     if (from == nullptr) settled_ = ElementSet(in_zone_.size());
     if (structure_ && !serves(in_zone_)) structure_.reset();  // two factors at once would take twice the memory
     condense_onto(in_zone_, from != nullptr ? &from->still : nullptr);
@@ -57,22 +53,18 @@ void CrackedBody::go_on_from(const AnalysisState& state) {
     for (std::size_t k = 0; k < input.cracks.size(); ++k) lay_along(state.cracks.at(k), input.cracks[k]);
     splits_ = state.splits;
     settled_ = state.settled;
-    if (input != scene_->input || !splits_.empty()) {
+    const bool is_other = input != scene_->input || !splits_.empty();
+    if (is_other) {
         if (input.growth && input.growth->retain == Retain::All)
             throw CaseError(
                 "--resume: growth.retain = \"all\" keeps functions of old tips that a checkpoint does not hold");
         grown_ = std::make_unique<Scene>(make_scene(input, split_again(scene_->mesh, splits_)));
         scene_ = grown_.get();
-        nominal_displacement_ = {};
-        rings_.clear();
     }
     require(std::ssize(state.displacement) == scene_->enriched.unknowns &&
                 state.in_zone.size() == std::ssize(scene_->mesh.elements),
             "a state is of the mesh of its scene");
-    still_of_nominal_ = state.still_of_nominal;
-    nominal_ = state.nominal;
-    unit_displacement_ = state.unit_displacement;
-    if (!nominal_.empty()) find_largest_K(*scene_);
+    nominal_.go_on_from(state, *scene_, is_other);
 }
 
 void CrackedBody::write(AnalysisState& state) const {
@@ -81,21 +73,14 @@ void CrackedBody::write(AnalysisState& state) const {
     state.settled = settled_;
     state.in_zone = in_zone_;
     state.still = still_;
-    state.still_of_nominal = still_of_nominal_;
-    state.nominal = nominal_;
-    state.unit_displacement = unit_displacement_;
+    nominal_.write(state);
 }
 
 bool CrackedBody::has_zone() const { return !in_zone_.none(); }
 
-// Of the first tip.
-double CrackedBody::grown() const { return first_length_ > 0.0 ? nominal_.front().a - first_length_ : 0.0; }
-
 double CrackedBody::load_scale() const {
-    return target_of_unit(scene_->input.load, stress_intensities(nominal_), grown());
+    return target_of_unit(scene_->input.load, stress_intensities(nominal()), grown());
 }
-
-bool CrackedBody::knows_far_part() const { return factors_.far && factors_.far->is_of(still_.far, nullptr); }
 
 bool CrackedBody::serves(const ElementSet& in_zone) const {
     return structure_ && &structure_->scene() == scene_ && structure_->in_zone() == in_zone;
@@ -107,58 +92,12 @@ void CrackedBody::condense_onto(const ElementSet& in_zone, const StillElements* 
     in_zone_ = in_zone;
     if (!serves(in_zone)) {  // else the nominal one does
         still_ = still != nullptr ? *still : still_elements(*scene_, in_zone, still_);
-        note_if_large("condensing the structure onto the zone's boundary");
-        auto behind = std::exchange(factors_.behind, nullptr);  // of the nominal body
-        if (!lies_behind_middle()) behind.reset();              // it holds the parts that it lies on
-        structure_ = condense(*scene_, in_zone, still_);
-        factors_.behind = std::move(behind);
+        note_if_large(*scene_, "condensing the structure onto the zone's boundary", note_);
+        if (!nominal_.stands_on(still_)) nominal_.forget_behind();  // it holds the parts that it lies on
+        structure_ = timed_condense(*scene_, in_zone, still_, factors_, effort_);
     }
     coupling::WorkCounts& work = effort_.work;
     ++(core && factors_.core == core ? work.structure_factors_kept : work.structure_factorisations);
-}
-
-std::unique_ptr<Structure> CrackedBody::condense(const Scene& scene, const ElementSet& in_zone,
-                                                 const StillElements& still) {
-    const Stopwatch watch(effort_.condensing_s);
-    return stria::coarse::condense(scene, in_zone, still, factors_, effort_.work);
-}
-
-// K_1(a): an elastic solution on the coarse mesh with traction-free faces. Beyond the far body, which it shares with
-// the structure, it condenses what is near or in the zone.
-std::unique_ptr<Structure> CrackedBody::take_nominal_of(const Scene& scene, const ElementSet& zone) {
-    const bool known = knows_far_part();
-    NominalSolution nominal = nominal_serves(scene)
-                                  ? with_tips_moved(scene, still_of_nominal_, zone, std::move(nominal_fields_->fields))
-                                  : nominal_solution(scene, known, zone);
-    nominal_ = nominal.tips;
-    rings_ = std::move(nominal.rings);
-    unit_displacement_ = unit_displacement(nominal.fields);
-    find_largest_K(scene);
-    nominal_displacement_ = known ? Eigen::VectorXd() : nominal.fields.unit;
-    nominal_fields_.reset();
-    if (known) nominal_fields_ = {std::move(nominal.fields), still_of_nominal_};
-    return std::move(nominal.structure);
-}
-
-// Of what is ahead as well, which a run that goes on may know better.
-void CrackedBody::find_largest_K(const Scene& scene) {
-    largest_K_ = stria::coarse::largest_K(scene.input.load, unit_response(scene, nominal_, unit_displacement_), grown(),
-                                          CaseHistories(scene.input));
-}
-
-// `far_known`: a far body that was there before: the guard knows how it answers.
-NominalSolution CrackedBody::nominal_solution(const Scene& scene, bool far_known, const ElementSet& zone) {
-    note_if_large("elastic solution of the whole body");
-    auto core = std::exchange(factors_.core, nullptr);
-    auto body = condense(scene, ElementSet(scene.mesh.elements.size()), still_of_nominal_);
-    factors_.core = std::move(core);  // of the structure
-    return far_known ? solve_nominal_near(std::move(body), zone) : solve_nominal(std::move(body));
-}
-
-// While a tip moves on inside its element nothing else changes: the body does what it did.
-bool CrackedBody::nominal_serves(const Scene& scene) const {
-    return has_zone() && nominal_fields_ && nominal_fields_->still == still_of_nominal_ &&
-           same_but_for_tips(scene_->enriched, scene.enriched);
 }
 
 ElementSet CrackedBody::whole_elements() const {
@@ -170,7 +109,7 @@ ElementSet CrackedBody::whole_elements() const {
 std::unique_ptr<FinerScene> CrackedBody::finer_about_ends_of(const std::vector<CrackSection>& longer) const {
     if (scene_->input.fine.refine == 1) return nullptr;
     const ElementSet whole = whole_elements();
-    const auto disks = [&](Room room) { return disks_about_tips(*scene_, longer, largest_K_, room); };
+    const auto disks = [&](Room room) { return disks_about_tips(*scene_, longer, largest_K(), room); };
     return asks_for_more(scene_->mesh, disks(Room::None), whole) ? finer(disks(Room::ToGrow), whole) : nullptr;
 }
 
@@ -203,18 +142,16 @@ CrackedBody::Outgrown CrackedBody::take_finer(FinerScene finer, Eigen::VectorXd&
         const int whole = finer.part_of[at(e)];
         if (whole >= 0) (in_zone_.contains(whole) ? of_structure : of_zone)[at(e)] = -1;
     }
-    keep_behind(now);
+    nominal_.keep_behind(before, now);
     Eigen::VectorXd inside = on_parts(before, displacement, now, of_zone, Eigen::VectorXd::Zero(now.unknowns));
     displacement =
         carry_over(before, displacement, now, on_parts(before, displacement, now, of_structure, std::move(inside)));
     for (ElementSet* set : {&in_zone_, &settled_}) set->widen(now.elements.size());
-    for (StillElements* still : {&still_, &still_of_nominal_})
-        for (ElementSet* set : {&still->far, &still->middle, &still->behind})
-            if (set->size() > 0) set->widen(now.elements.size());
+    for (ElementSet* set : {&still_.far, &still_.middle, &still_.behind})
+        if (set->size() > 0) set->widen(now.elements.size());
+    nominal_.turn_to_finer(now.elements.size());
     for (int e = 0; e < std::ssize(finer.part_of); ++e)
         if (finer.part_of[at(e)] >= 0) in_zone_.insert(e);  // still_elements() sees that it moves
-    nominal_fields_.reset();
-    rings_.clear();
     splits_.insert(splits_.end(), finer.splits.begin(), finer.splits.end());
     Outgrown outgrown{std::exchange(grown_, std::make_unique<Scene>(std::move(finer.scene))), std::move(structure_)};
     scene_ = grown_.get();
@@ -232,40 +169,32 @@ ElementSet CrackedBody::zone_with_changes(const Scene& longer) const {
 }
 
 ElementSet CrackedBody::zone_expected_about(const Scene& longer, ElementSet at_least) const {
-    if (has_zone()) at_least |= select_zone(longer, expected_K(largest_K_));
+    if (has_zone()) at_least |= select_zone(longer, expected_K(largest_K()));
     return at_least;
 }
 
 // What was expected holds the disk of any smaller K.
 ElementSet CrackedBody::zone_about(const Scene& longer, ElementSet expected) {
-    const std::vector<double> at_most = expected_K(largest_K_);
+    const std::vector<double> at_most = expected_K(largest_K());
     still_ = still_elements(longer, expected, still_);
     choose_behind(longer);
-    std::unique_ptr<Structure> body = take_nominal_of(longer, expected);
+    std::unique_ptr<Structure> body = nominal_.solve(longer, has_zone() ? scene_ : nullptr, expected, factors_);
     if (!has_zone()) structure_ = std::move(body);
-    if (!has_zone() || !std::ranges::equal(largest_K_, at_most, std::ranges::less_equal()))
-        expected |= select_zone(longer, largest_K_);
+    if (!has_zone() || !std::ranges::equal(largest_K(), at_most, std::ranges::less_equal()))
+        expected |= select_zone(longer, largest_K());
     return expected;
 }
 
 // Without a zone the nominal body is the structure, which has none.
 void CrackedBody::choose_behind(const Scene& longer) {
-    keep_behind(longer.enriched);
-    if (!has_zone() || !lies_behind_middle()) still_of_nominal_ = still_;
+    nominal_.keep_behind(scene_->enriched, longer.enriched);
+    nominal_.stand_on(still_, has_zone());
     // To look for what of so few elements may serve for longer costs as much as to factor them.
     const int few = longer.input.fine.refine > 1 ? 700 : 300;
     const auto others = std::ssize(longer.mesh.elements) - still_.far.count() - still_.middle.count();
-    if (!has_zone() || !still_of_nominal_.behind.none() || others < few) return;
-    const ElementSet soon = elements_to_split_soon(longer, largest_K_, whole_elements());
-    still_of_nominal_.behind = elements_behind(longer, still_, soon);
-}
-
-// As long as none of its functions changes.
-void CrackedBody::keep_behind(const EnrichedMesh& on) {
-    ElementSet& behind = still_of_nominal_.behind;
-    if (!behind.none() && same_functions(scene_->enriched, on, behind)) return;
-    behind = {};
-    factors_.behind.reset();
+    if (!has_zone() || nominal_.has_behind() || others < few) return;
+    const ElementSet soon = elements_to_split_soon(longer, largest_K(), whole_elements());
+    nominal_.put_behind(elements_behind(longer, still_, soon));
 }
 
 std::unique_ptr<Scene> CrackedBody::keeping_functions(const Scene& longer) const {
@@ -279,22 +208,12 @@ Eigen::VectorXd CrackedBody::carried_to(const Scene& longer, const Eigen::Vector
 
 void CrackedBody::take(std::unique_ptr<Scene> longer, std::unique_ptr<Scene> keeping) {
     if (keeping) {
-        if (nominal_displacement_.size() > 0)
-            nominal_displacement_ = carry_over(longer->enriched, nominal_displacement_, keeping->enriched,
-                                               Eigen::VectorXd::Zero(keeping->enriched.unknowns));
+        nominal_.carry_over_to(longer->enriched, keeping->enriched);
         longer = std::move(keeping);
-        nominal_fields_.reset();
-        rings_.clear();
     }
     if (scene_->input.fine.refine > 1) settled_ |= elements_with_more_than_jumps(*scene_);
     grown_ = std::move(longer);
     scene_ = grown_.get();
-}
-
-// Where a factor takes seconds, the user should know what is going on.
-void CrackedBody::note_if_large(const char* phase) const {
-    if (scene_->mesh.elements.size() > 100'000)
-        note_(fmt::format("{} ({} elements) ...", phase, scene_->mesh.elements.size()));
 }
 
 }  // namespace stria::coarse

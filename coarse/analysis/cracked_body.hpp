@@ -1,15 +1,11 @@
 // The body with its cracks as long as they are now: its scene, its nominal solution, and its structure.
 #pragma once
 
-#include <algorithm>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "coarse/analysis/analysis_state.hpp"
-#include "coarse/analysis/listener.hpp"
-#include "coarse/fracture/nominal_solution.hpp"
+#include "coarse/analysis/nominal_body.hpp"
 #include "coarse/fracture/structure_rings.hpp"
 #include "coarse/zone/tip_refinement.hpp"
 
@@ -28,24 +24,22 @@ public:
 
     /// Of the structure; those of the nominal solution serve.
     [[nodiscard]] StructureRings take_rings() {
-        std::vector<RingForms> known = std::exchange(rings_, {});
-        const bool serve = !known.empty() && std::ranges::all_of(known, [&](const RingForms& rings) {
-            return rings.serve_beside(in_zone_);
-        });
-        return {structure_->elements(), serve ? std::move(known) : StructureRings::forms_of(structure_->elements())};
+        std::vector<RingForms> known = nominal_.take_rings(in_zone_);
+        return {structure_->elements(),
+                known.empty() ? StructureRings::forms_of(structure_->elements()) : std::move(known)};
     }
 
     /// Elastic, traction-free stress intensities for the load factor 1, one per tip.
-    [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_; }
+    [[nodiscard]] const std::vector<TipResult>& nominal() const { return nominal_.tips(); }
     /// That solution's displacement of the whole mesh, mm; empty where the guard knows this far body already.
-    [[nodiscard]] const Eigen::VectorXd& nominal_displacement() const { return nominal_displacement_; }
+    [[nodiscard]] const Eigen::VectorXd& nominal_displacement() const { return nominal_.displacement(); }
     /// The K of eq. (3), MPa sqrt(mm), one per tip: the largest of the load history.
-    [[nodiscard]] const std::vector<double>& largest_K() const { return largest_K_; }
+    [[nodiscard]] const std::vector<double>& largest_K() const { return nominal_.largest_K(); }
     /// Of the cracks that the run began with.
     [[nodiscard]] const UnitResponse& nominal_at_start() const { return nominal_at_start_; }
     /// Of the present ones; and the growth of the first tip so far, mm.
-    [[nodiscard]] UnitResponse nominal_response() const { return unit_response(*scene_, nominal_, unit_displacement_); }
-    [[nodiscard]] double grown() const;
+    [[nodiscard]] UnitResponse nominal_response() const { return nominal_.response(*scene_); }
+    [[nodiscard]] double grown() const { return nominal_.grown(); }
     /// A unit of the load history as a target (load_scale.hpp).
     [[nodiscard]] double load_scale() const;
 
@@ -100,45 +94,22 @@ private:
     [[nodiscard]] ElementSet whole_elements() const;
     [[nodiscard]] std::unique_ptr<FinerScene> finer(const std::vector<RefinedDisk>& disks,
                                                     const ElementSet& whole) const;
-    [[nodiscard]] bool knows_far_part() const;
     [[nodiscard]] bool serves(const ElementSet& in_zone) const;
-    [[nodiscard]] std::unique_ptr<Structure> condense(const Scene& scene, const ElementSet& in_zone,
-                                                      const StillElements& still);
     void choose_behind(const Scene& longer);
-    /// What is behind lies on the parts that the structure lies on.
-    [[nodiscard]] bool lies_behind_middle() const {
-        return still_of_nominal_.far == still_.far && still_of_nominal_.middle == still_.middle;
-    }
-    void keep_behind(const EnrichedMesh& on);
-    [[nodiscard]] std::unique_ptr<Structure> take_nominal_of(const Scene& scene, const ElementSet& zone);
-    [[nodiscard]] NominalSolution nominal_solution(const Scene& scene, bool far_known, const ElementSet& zone);
-    [[nodiscard]] bool nominal_serves(const Scene& scene) const;
     void go_on_from(const AnalysisState& state);
-    void find_largest_K(const Scene& scene);
-    void note_if_large(const char* phase) const;
 
     const Scene* scene_;
     std::unique_ptr<Scene> grown_;  // the present one, once a crack has grown
     CoarseEffort& effort_;
     const Note& note_;
     ElementSet in_zone_;
-    StillElements still_, still_of_nominal_;  // near_elements.hpp
-    ElementSet settled_;                      // metal has flowed there, or a tip has left its functions
-    MeshSplits splits_;                       // of the mesh of the start
+    StillElements still_;  // near_elements.hpp
+    ElementSet settled_;   // metal has flowed there, or a tip has left its functions
+    MeshSplits splits_;    // of the mesh of the start
     StructureFactors factors_;
     std::unique_ptr<Structure> structure_;
-    std::vector<TipResult> nominal_;
-    std::vector<RingForms> rings_;  // of the present scene, until they are taken
-    Eigen::VectorXd nominal_displacement_;
-    struct FieldsBesideFar {
-        NominalFields fields;
-        StillElements still;  // with which they were found
-    };
-    std::optional<FieldsBesideFar> nominal_fields_;  // of the present scene; none: not known near the tips alone
-    UnitDisplacement unit_displacement_;             // of the nominal body
-    std::vector<double> largest_K_;
+    NominalBody nominal_;
     UnitResponse nominal_at_start_;
-    double first_length_ = 0.0;  // of the crack of the first tip at the start, mm
 };
 
 }  // namespace stria::coarse

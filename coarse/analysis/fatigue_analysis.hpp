@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "coarse/analysis/closure_measurement.hpp"
 #include "coarse/analysis/crack_growth.hpp"
 #include "coarse/analysis/two_scale_model.hpp"
+#include "coarse/cycle/closure_measurement.hpp"
 
 namespace stria::coarse {
 

@@ -1,5 +1,5 @@
 // What is remembered of signals of closure from one increment to the next.
-#include "coarse/analysis/closure_measurement.hpp"
+#include "coarse/cycle/closure_measurement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coarse/analysis/closure_measurement.hpp"
+#include "coarse/cycle/closure_measurement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 namespace stria::coarse {
 namespace {
 
-constexpr double precision = 0.002;    // of the largest loads of a half cycle
-constexpr std::size_t remembered = 3;  // loads at which a signal passed zero
+constexpr double precision_of_loads = 0.002;  // of the largest loads of a half cycle
+constexpr std::size_t remembered = 3;         // loads at which a signal passed zero
 
 /// Whether loads press the faces of a tip together, beside an initial stress.
 bool presses(const TipResult& nominal, const LoadFactors& loads) {
@@ -49,9 +49,9 @@ std::vector<OpeningChange> ClosureMeasurement::changes(const LoadStep& step, con
         return trial;
     };
     const std::vector<double> now = signal(report);
-    return meter_.locate({start, from.load_factor, memory_.signal, memory_.nearest},
-                         {end, to.load_factor, now, meter_.nearest(report)},
-                         precision / of_loads * std::abs(end - start), try_at, expected(now, unit), memory_.largest);
+    return meter_.locate(
+        {start, from.load_factor, memory_.signal, memory_.nearest}, {end, to.load_factor, now, meter_.nearest(report)},
+        precision_of_loads / of_loads * std::abs(end - start), try_at, expected(now, unit), memory_.largest);
 }
 
 LegOutlook ClosureMeasurement::outlook(const LegEnds& leg, const std::vector<TipResult>& nominal) const {

@@ -1,0 +1,112 @@
+#include "coarse/analysis/nominal_body.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "coarse/load/load_scale.hpp"
+#include "coarse/structure/structure_chain.hpp"
+#include "common/enrichment/same_functions.hpp"
+#include "common/stopwatch.hpp"
+
+namespace stria::coarse {
+
+std::unique_ptr<Structure> NominalBody::solve(const Scene& scene, const Scene* before, const ElementSet& zone,
+                                              StructureFactors& shared) {
+    const bool far_known = shared.far && shared.far->is_of(still_.far, nullptr);
+    NominalSolution found = serves(scene, before) ? with_tips_moved(scene, still_, zone, std::move(fields_->fields))
+                                                  : solve_whole(scene, far_known, zone, shared);
+    tips_ = std::move(found.tips);
+    rings_ = std::move(found.rings);
+    unit_displacement_ = unit_displacement(found.fields);
+    find_largest_K(scene);
+    if (first_length_ == 0.0 && !tips_.empty()) first_length_ = tips_.front().a;
+    displacement_ = far_known ? Eigen::VectorXd() : found.fields.unit;
+    fields_.reset();
+    if (far_known) fields_ = {std::move(found.fields), still_};
+    return std::move(found.structure);
+}
+
+// While a tip moves on inside its element nothing else changes: the body does what it did.
+bool NominalBody::serves(const Scene& scene, const Scene* before) const {
+    return before != nullptr && fields_ && fields_->still == still_ &&
+           same_but_for_tips(before->enriched, scene.enriched);
+}
+
+// Beyond the far body, which it shares with the structure, it condenses what is near or in the zone.
+NominalSolution NominalBody::solve_whole(const Scene& scene, bool far_known, const ElementSet& zone,
+                                         StructureFactors& shared) {
+    note_if_large(scene, "elastic solution of the whole body", note_);
+    auto core = std::exchange(shared.core, nullptr);
+    shared.behind = std::move(behind_);
+    auto body = timed_condense(scene, ElementSet(scene.mesh.elements.size()), still_, shared, effort_);
+    behind_ = std::exchange(shared.behind, nullptr);
+    shared.core = std::move(core);
+    return far_known ? solve_nominal_near(std::move(body), zone) : solve_nominal(std::move(body));
+}
+
+void NominalBody::find_largest_K(const Scene& scene) {
+    const LoadSection& load = scene.input.load;
+    largest_K_ = stria::coarse::largest_K(load, response(scene), grown(), CaseHistories(scene.input));
+}
+
+void NominalBody::go_on_from(const AnalysisState& state, const Scene& scene, bool is_other) {
+    if (is_other) {
+        displacement_ = {};
+        rings_.clear();
+    }
+    still_ = state.still_of_nominal;
+    tips_ = state.nominal;
+    unit_displacement_ = state.unit_displacement;
+    if (!tips_.empty()) find_largest_K(scene);
+}
+
+void NominalBody::write(AnalysisState& state) const {
+    state.still_of_nominal = still_;
+    state.nominal = tips_;
+    state.unit_displacement = unit_displacement_;
+}
+
+std::vector<RingForms> NominalBody::take_rings(const ElementSet& in_zone) {
+    std::vector<RingForms> rings = std::exchange(rings_, {});
+    const bool serve =
+        std::ranges::all_of(rings, [&](const RingForms& of_tip) { return of_tip.serve_beside(in_zone); });
+    return serve ? std::move(rings) : std::vector<RingForms>();
+}
+
+void NominalBody::stand_on(const StillElements& still, bool apart) {
+    if (!apart || !stands_on(still)) still_ = still;
+}
+
+void NominalBody::keep_behind(const EnrichedMesh& from, const EnrichedMesh& to) {
+    if (has_behind() && same_functions(from, to, still_.behind)) return;
+    still_.behind = {};
+    behind_.reset();
+}
+
+void NominalBody::turn_to_finer(std::size_t elements) {
+    for (ElementSet* set : {&still_.far, &still_.middle, &still_.behind})
+        if (set->size() > 0) set->widen(elements);
+    fields_.reset();
+    rings_.clear();
+}
+
+void NominalBody::carry_over_to(const EnrichedMesh& from, const EnrichedMesh& to) {
+    if (displacement_.size() > 0)
+        displacement_ = carry_over(from, displacement_, to, Eigen::VectorXd::Zero(to.unknowns));
+    fields_.reset();
+    rings_.clear();
+}
+
+std::unique_ptr<Structure> timed_condense(const Scene& scene, const ElementSet& in_zone, const StillElements& still,
+                                          StructureFactors& factors, CoarseEffort& effort) {
+    const Stopwatch watch(effort.condensing_s);
+    return condense(scene, in_zone, still, factors, effort.work);
+}
+
+void note_if_large(const Scene& scene, const char* phase, const Note& note) {
+    if (scene.mesh.elements.size() > 100'000)
+        note(fmt::format("{} ({} elements) ...", phase, scene.mesh.elements.size()));
+}
+
+}  // namespace stria::coarse

@@ -1,0 +1,92 @@
+// The nominal body beside a structure: what it shares with it, and what of its answers serves for a longer crack.
+#include "coarse/analysis/nominal_body.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coarse/elements/near_elements.hpp"
+#include "coarse/zone/refined_scene.hpp"
+#include "coarse/zone/zone_selection.hpp"
+#include "tests/support/pulled_plate.hpp"
+
+namespace stria::coarse {
+namespace {
+
+class NominalBodyOf : public testing::Test {
+protected:
+    NominalBodyOf() {
+        input.load.blocks = {{.cycles = 1, .max = 60.0, .min = 0.0}};
+        input.fine.enrichment = Enrichment::None;
+        input.growth.emplace().increment = 0.6;
+        scene = std::make_unique<Scene>(refined_scene(input));
+        still.far = far_elements(*scene, nothing());
+        body.stand_on(still, false);
+        whole = body.solve(*scene, nullptr, {}, shared);
+        const ElementSet zone = select_zone(*scene, body.largest_K());
+        still = still_elements(*scene, zone, still);
+        structure = timed_condense(*scene, zone, still, shared, effort);
+    }
+    std::unique_ptr<Structure> solve_longer_by(double by, const Scene* before) {
+        input.cracks[0].points.back().x() += by;
+        longer = std::make_unique<Scene>(make_scene(input, scene->mesh));
+        still = still_elements(*longer, select_zone(*longer, body.largest_K()), still);
+        body.stand_on(still, before != nullptr);
+        return body.solve(*longer, before, {}, shared);
+    }
+    [[nodiscard]] ElementSet nothing() const { return ElementSet(scene->mesh.elements.size()); }
+    [[nodiscard]] double error_of_K() const {
+        const double K = solve_nominal(*longer).tips.at(0).K_I;
+        return std::abs(body.tips().at(0).K_I - K) / K;
+    }
+
+    const Note silent = [](const std::string&) {};
+    CoarseEffort effort;
+    Case input = test::pulled_plate(0.5, true, false);
+    StructureFactors shared;
+    StillElements still;
+    std::unique_ptr<Scene> scene, longer;
+    NominalBody body{effort, silent};
+    std::unique_ptr<Structure> whole, structure;
+};
+
+TEST_F(NominalBodyOf, WholeMeshIsKnownOnceAndThenWhatIsNearTheTips) {
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(body.displacement().size(), scene->enriched.unknowns);
+    const auto far = effort.work.far_factorisations;
+    EXPECT_TRUE(solve_longer_by(0.6, scene.get()));
+    EXPECT_EQ(body.displacement().size(), 0);
+    EXPECT_LT(error_of_K(), 1e-9);
+    EXPECT_NEAR(body.grown(), 0.6, 1e-12);
+    EXPECT_EQ(effort.work.far_factorisations, far) << "the structure has it";
+}
+
+// Beside a zone nobody needs the body itself.
+TEST_F(NominalBodyOf, AnswersAgainWhileATipMovesInsideItsElement) {
+    (void)solve_longer_by(0.6, scene.get());
+    const std::unique_ptr<Scene> before = std::move(longer);
+    const auto assembled = effort.work.structure_elements_assembled;
+    EXPECT_FALSE(solve_longer_by(0.01, before.get()));
+    EXPECT_EQ(effort.work.structure_elements_assembled, assembled);
+    EXPECT_LT(error_of_K(), 1e-9);
+    EXPECT_TRUE(solve_longer_by(0.01, nullptr)) << "without a zone it is the structure";
+}
+
+TEST_F(NominalBodyOf, HandsItsRingsOutOnce) {
+    EXPECT_EQ(body.take_rings(nothing()).size(), 1U);
+    EXPECT_TRUE(body.take_rings(nothing()).empty());
+}
+
+TEST_F(NominalBodyOf, WhatIsBehindTheTipsStaysAsLongAsItsFunctionsDo) {
+    ElementSet mouth = nothing(), tip = nothing();
+    mouth.insert(scene->enriched.pieces.front().element);
+    for (const CrackPiece& piece : scene->enriched.pieces) tip.insert(piece.element);
+    (void)solve_longer_by(0.6, scene.get());
+    body.put_behind(mouth);
+    body.keep_behind(scene->enriched, longer->enriched);
+    EXPECT_TRUE(body.has_behind());
+    body.put_behind(tip);
+    body.keep_behind(scene->enriched, longer->enriched);
+    EXPECT_FALSE(body.has_behind());
+}
+
+}  // namespace
+}  // namespace stria::coarse
