@@ -61,6 +61,9 @@ Scene make_scene(const Case& input, Mesh mesh, int refined) {
     scene.free_motions = analyse_rigid_motions(scene.mesh, scene.loads.main);
     require_balanced_cases(scene);
     put_loads_on_unknowns(scene);
+    if (std::ssize(scene.prescribed) == scene.enriched.unknowns)
+        throw CaseError("boundary: the supports hold every node of the mesh, so nothing is left to find; hold less, or "
+                        "take smaller elements (mesh.size)");
     if (input.load.control == Control::Displacement && scene.unit_force.isZero(0.0))
         throw CaseError("load.control: \"displacement\" needs a traction, pressure or force other than zero");
     return scene;

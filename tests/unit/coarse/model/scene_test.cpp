@@ -64,6 +64,17 @@ TEST(Displacement, OfAHeldBodyIsWhatUnevenTractionsDoWorkOn) {
     EXPECT_NEAR(displacement_of(input), 0.041 + 0.003 / 20.0 * 400.0 / 12.0, 1e-12);
 }
 
+// The ends of a row of elements are all of its nodes.
+TEST(Supports, ThatHoldEveryNodeAreRefused) {
+    Case input = held_plate();
+    input.cracks.clear();
+    input.mesh.size = input.mesh.height;
+    static_cast<void>(refined_scene(input));
+    input.boundaries[0].traction.reset();
+    input.boundaries[0].displacement = {0.0, 0.01};
+    EXPECT_THROW(static_cast<void>(refined_scene(input)), CaseError);
+}
+
 // Whether a factor of their own loads them or not, held or free.
 TEST(Displacement, OfALoadCaseIsWhatItsLoadsDoWorkOn) {
     for (const bool held : {true, false}) {
