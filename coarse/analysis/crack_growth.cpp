@@ -236,7 +236,7 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
     return true;
 }
 
-// The first way that the mesh can hold, or the first bent a little earlier.
+// The first way that the mesh can hold, or the first bent a little later or earlier.
 GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vector<Cracks>& ways) {
     std::string why;
     bool left_the_mesh = false;
@@ -253,6 +253,10 @@ GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vecto
         }
     };
     if (std::ranges::any_of(ways, is_held)) return grown;
+    if (left_the_mesh && std::ranges::any_of(turned_at_ends_of_edges(ways.front(), body.scene().enriched), is_held)) {
+        note_("a crack runs along an element edge, and turns at its end: no crack leaves an edge in its middle");
+        return grown;
+    }
     if (left_the_mesh && std::ranges::any_of(bent_before_edges(ways.front(), body.scene().enriched), is_held)) {
         note_("a crack bends a little before its tip: at the tip the mesh cannot hold the bend");
         return grown;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "coarse/enrichment/tip_reach.hpp"
 #include "common/crack/crack_end.hpp"
@@ -31,6 +32,25 @@ double behind_edge(const EnrichedMesh& mesh, const Tip& tip) {
         const bool comes_in = (tip.upper > 0 ? piece.entry : piece.exit) >= 0.0;
         if (piece.crack == tip.crack && comes_in && way * (place - s) > 0.0)
             nearest = std::min(nearest, way * (place - s));
+    }
+    return nearest;
+}
+
+/// The end ahead of a tip of the element edge along which its crack runs, as far as the mesh has a node there within
+/// two elements.
+std::optional<Vec2> end_of_edge_ahead(const EnrichedMesh& mesh, const Tip& tip) {
+    const CrackPiece* piece = piece_of(mesh.pieces, tip);
+    if (piece == nullptr || piece->neighbour < 0) return {};
+    constexpr double rounding = 1e-9;  // elements
+    const double element = tip_element_edge(mesh, tip);
+    std::optional<Vec2> nearest;
+    double ahead = 2.0 * element;
+    for (const Vec2& node : mesh.nodes) {
+        const double along = (node - tip.position).dot(tip.direction);
+        const bool lies_on_way = std::abs(cross(tip.direction, node - tip.position)) < rounding * element;
+        if (!lies_on_way || along <= rounding * element || along >= ahead) continue;
+        ahead = along;
+        nearest = node;
     }
     return nearest;
 }
@@ -126,6 +146,32 @@ std::vector<std::vector<CrackSection>> bent_before_edges(const std::vector<Crack
     }
     if (ways.size() > 1) ways.push_back(std::move(all));
     return ways;
+}
+
+bool turn_at_end_of_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip) {
+    std::vector<Vec2> way = points_to(longer, tip);
+    const Vec2 advance = way.back() - tip.position;
+    if (way[way.size() - 2] != tip.position) return false;
+    const std::optional<Vec2> corner = end_of_edge_ahead(mesh, tip);
+    if (!corner) return false;
+    const double after = advance.norm() - (*corner - tip.position).norm();
+    way.pop_back();
+    if (after > 0.0) {
+        way.back() = *corner;
+        way.push_back(on_rounded_way(*corner, *corner + after * advance.normalized()));
+    } else {
+        way.back() = on_rounded_way(way[way.size() - 2], tip.position + advance.norm() * tip.direction);
+    }
+    lead_along(longer, tip, std::move(way));
+    return true;
+}
+
+std::vector<std::vector<CrackSection>> turned_at_ends_of_edges(std::vector<CrackSection> longer,
+                                                               const EnrichedMesh& mesh) {
+    bool any = false;
+    for (const Tip& tip : mesh.tips) any = turn_at_end_of_edge(longer[at(tip.crack)], mesh, tip) || any;
+    if (!any) return {};
+    return {std::move(longer)};
 }
 
 std::vector<TipResult> directing(const std::vector<CrackSection>& cracks, const std::vector<Tip>& tips,

@@ -37,6 +37,15 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
 [[nodiscard]] std::vector<std::vector<CrackSection>> bent_before_edges(const std::vector<CrackSection>& longer,
                                                                        const EnrichedMesh& mesh);
 
+/// Lets an advance that turns at a tip of `mesh` within an element edge, along which the crack runs, go straight on and
+/// turn at the end of that edge: no crack leaves an edge in its middle. The way is as long as it was. False, and
+/// nothing is done: it goes straight on anyway, or the crack runs along no edge.
+[[nodiscard]] bool turn_at_end_of_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip);
+
+/// Longer cracks of which every tip does so that can; none where none can.
+[[nodiscard]] std::vector<std::vector<CrackSection>> turned_at_ends_of_edges(std::vector<CrackSection> longer,
+                                                                             const EnrichedMesh& mesh);
+
 /// What tells each tip its direction: the nominal K, of faces without tractions; where faces with friction touch, the K
 /// of the solution that has been reached, which knows the shear that they transmit. Not where that is nothing, as
 /// without a load; nor where no ring of the tip lies outside what has flowed: then it is no elastic K. One per tip

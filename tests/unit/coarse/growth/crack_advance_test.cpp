@@ -120,6 +120,39 @@ TEST(CrackAdvance, BendsBeforeTheEdgeThatItHasComeOver) {
     }
 }
 
+// Elements of 1 mm on either side of the crack, whose tip lies 0.3 mm before the end of an edge.
+TEST(CrackAdvance, TurnsAtTheEndOfTheEdgeThatItRunsAlong) {
+    EnrichedMesh mesh;
+    mesh.nodes = {{2.0, 0.0}, {3.0, 0.0}, {3.0, 1.0}, {2.0, 1.0}, {3.0, 2.0}, {2.0, 2.0}, {4.0, 1.0}};
+    mesh.elements = {{0, 1, 2, 3}, {3, 2, 4, 5}};
+    mesh.pieces = {
+        {.crack = 0, .element = 0, .neighbour = 1, .points = {}, .s = {2.0, 2.7}, .entry = 3.0, .exit = -1.0}};
+    const Vec2 at_tip(2.7, 1.0), up(0.6, 0.8);
+    for (const int upper : {1, -1}) {
+        const Tip tip{.crack = 0, .position = at_tip, .direction = {1.0, 0.0}, .s = 2.7, .upper = upper};
+        const auto turned = [&](double by) {
+            CrackSection crack{.points = {{0.0, 1.0}, at_tip, at_tip + by * up}, .contact = {}};
+            if (upper < 0) std::ranges::reverse(crack.points);
+            EXPECT_TRUE(turn_at_end_of_edge(crack, mesh, tip));
+            if (upper < 0) std::ranges::reverse(crack.points);
+            return crack.points;
+        };
+        const std::vector<Vec2> far = turned(0.5), near = turned(0.2);
+        ASSERT_EQ(far.size(), 3U);
+        EXPECT_EQ(far[1], Vec2(3.0, 1.0));
+        EXPECT_LT((far[2] - (far[1] + 0.2 * up)).norm(), 1e-12);
+        ASSERT_EQ(near.size(), 2U);
+        EXPECT_LT((near[1] - Vec2(2.9, 1.0)).norm(), 1e-12);
+        CrackSection straight{.points = {{0.0, 1.0}, {2.9, 1.0}}, .contact = {}};
+        if (upper < 0) std::ranges::reverse(straight.points);
+        EXPECT_FALSE(turn_at_end_of_edge(straight, mesh, tip));
+    }
+    mesh.pieces[0].neighbour = -1;  // the crack cuts the element
+    const Tip within{.crack = 0, .position = at_tip, .direction = {1.0, 0.0}, .s = 2.7, .upper = 1};
+    CrackSection crack{.points = {{0.0, 1.0}, at_tip, at_tip + 0.5 * up}, .contact = {}};
+    EXPECT_FALSE(turn_at_end_of_edge(crack, mesh, within));
+}
+
 TEST(CrackAdvance, KnowsHowFarATipIsBehindASharpTurn) {
     const CrackSection crack{.points = {{0.0, 0.0}, {3.0, 0.0}, {3.4, 0.3}, {4.4, 1.0}}, .contact = {}};
     const Tip last{.crack = 0, .position = {4.4, 1.0}, .direction = {0.8, 0.56}, .s = 0.0, .upper = 1};
