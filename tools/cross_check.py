@@ -58,10 +58,23 @@ class Cycle:
         at_turn = [k for k in range(turn, len(own)) if own[k]["load_factor"] == own[turn]["load_factor"]]
         self.unloading, self.loading = own[: at_turn[-1] + 1], own[at_turn[-1] + 1 :]
         self.last = own[-1]
-        # Where it grows at the minimum, loading begins with the longer crack.
-        self.of_range = own[at_turn[-1] :] if own[at_turn[-1]]["a"] > own[at_turn[0]]["a"] else own
+        # Where a crack grows at the minimum, loading begins with the longer one, at tips that stand too.
+        self.at_growth = own[at_turn[-1]] if len(at_turn) > 1 else None
+        self.of_range = own[at_turn[-1] :] if self.at_growth else own
 
-    def columns(self):
+    def least_opening(self, asked):
+        """`asked`: the load factor of the minimum, where another one is asked of the longer crack; else NaN."""
+        if self.at_growth is None or math.isnan(asked):
+            return smallest(self.of_range, "opening")
+        grown, following = self.at_growth, self.loading[0]
+        way = following["load_factor"] - grown["load_factor"]
+        part = (asked - grown["load_factor"]) / way
+        there = grown["opening"] + part * (following["opening"] - grown["opening"])
+        if grown["contact_length"] > 0.0:
+            there = max(there, min(grown["opening"], 0.0))
+        return min(there, smallest(self.loading, "opening"))
+
+    def columns(self, asked):
         rising = self.grown + self.loading
         go = math.hypot(self.last["x"] - self.before["x"], self.last["y"] - self.before["y"])
         everything = rising + self.unloading
@@ -72,7 +85,7 @@ class Cycle:
             "forward_zone": (largest(rising, "plastic_zone"), WRITTEN),
             "cyclic_zone": (largest(self.unloading, "plastic_zone"), WRITTEN),
             "J_max": (largest(self.loading, "J"), WRITTEN),
-            "opening_range": (largest(self.loading, "opening") - smallest(self.of_range, "opening"), WRITTEN),
+            "opening_range": (largest(self.loading, "opening") - self.least_opening(asked), WRITTEN),
             "CTOD_range": (largest(self.loading, "CTOD") - smallest(self.of_range, "CTOD"), WRITTEN),
         }
 
@@ -83,15 +96,24 @@ def of_opening(row):
     return {"U": opened / whole, "dK_eff": opened} if whole > 0.0 and not math.isnan(opened) else {}
 
 
+def load_asked(row, end):
+    """At the minimum of a cycle under control of K, by `row` of its first tip and the increment at its `end`."""
+    K_of_unit_load = (row["K_max"] - row["K_initial"]) / end["load_factor"]
+    return (row["K_min"] - row["K_initial"]) / K_of_unit_load
+
+
 def faults(folder):
     """Lines that say what differs."""
+    controls_K = 'control = "K"' in (folder / "case.resolved.toml").read_text(encoding="utf-8")
     history, cycles = table(folder / "history.csv"), table(folder / "cycles.csv")
     wrong, N = [], 0.0
     for row in cycles:
         name = f"cycle {row['cycle']:g}, tip {row['tip']:g}"
         size = abs(row["K_max"])
         cycle = Cycle([one for one in history if one["tip"] == row["tip"]], row["cycle"])
-        expected = cycle.columns()
+        if row["tip"] == cycles[0]["tip"]:
+            asked = load_asked(row, cycle.last) if controls_K else math.nan
+        expected = cycle.columns(asked)
         if row["J_max"] < expected["J_max"][0]:  # without contact pressed faces overlap, and do not count
             expected["J_max"] = largest([one for one in cycle.loading if one["load_factor"] >= 0.0], "J"), WRITTEN
         expected |= {column: (value, WRITTEN) for column, value in of_opening(row).items()}

@@ -31,9 +31,9 @@ def change(path, k, column, factor):
 
 
 class Overload(unittest.TestCase):
-    def run_cycles(self, folder, at):
+    def run_cycles(self, folder, at, cycles=CYCLES, distance=0.05):
         case = ROOT / "cases/overload/case.toml"
-        settings = ["--set", CYCLES, "--set", f"growth.at={at}", "--set", "output.fields=none"]
+        settings = ["--set", cycles, "--set", f"growth.at={at}", "--set", f"closure.distance={distance}", "--set", "output.fields=none"]
         command = [str(PROGRAMS / "stria"), "run", str(case), "-o", str(folder), "--mode", "inprocess", "--quiet", *settings]
         subprocess.run(command, check=True)
 
@@ -42,6 +42,11 @@ class Overload(unittest.TestCase):
             with self.subTest(at=at), tempfile.TemporaryDirectory() as scratch:
                 self.run_cycles(Path(scratch) / at, at)
                 self.assertEqual(cross_check.faults(Path(scratch) / at), [])
+
+    def test_openings_begin_at_the_load_that_is_asked_of_the_longer_crack(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            self.run_cycles(Path(scratch) / "run", "min", "load.blocks=[{cycles=3,max=300.0,ratio=0.4}]", 0.3)
+            self.assertEqual(cross_check.faults(Path(scratch) / "run"), [])
 
     def test_a_cell_that_is_another_is_found(self):
         columns = ["a", "da", "dN", "K_op", "J_max", "forward_zone", "cyclic_zone", "opening_range", "newton_iterations"]
