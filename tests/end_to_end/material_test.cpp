@@ -88,6 +88,7 @@ TEST_F(Material, RefusesWhatIsNoTest) {
     refuses({"--set", "material_test.blocks=[{cycles=2, max=100.0}]"}, "needs ratio or min");
     refuses({"--set", "material.kinematic=[{C=1000.0, threshold=true}]"}, "needs gamma > 0");
     refuses({"--set", "material.kinematic=[{C=1000.0, C_start=5000.0, C_rate=10.0}]"}, "needs 2 gamma");
+    refuses({"--set", "material.kinematic=[{C=1000.0, C_rate=10.0}]"}, "belongs to a C_start");
     std::string elastic = text;
     for (const char* key : {"yield_stress", "kinematic"}) elastic.insert(elastic.find(key), "# ");
     refuses({}, "an elastic material has no loop", elastic);

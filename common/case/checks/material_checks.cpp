@@ -40,6 +40,7 @@ void check_back_stresses(const MaterialSection& material, const Given& given) {
         const KinematicHardening& term = material.kinematic[k];
         const Given of_term = given.entry("kinematic", k);
         of_term.demand(!term.threshold || term.gamma > 0.0, "threshold", "needs gamma > 0: the limit is C / gamma");
+        of_term.demand(term.C_start || term.C_rate == 0.0, "C_rate", "belongs to a C_start: without one C stays");
         if (!term.C_start) continue;
         of_term.demand(!term.threshold && term.C > 0.0, "C_start", "needs C > 0 and no threshold");
         of_term.demand(2.0 * term.gamma >= term.C_rate * (1.0 - term.C / *term.C_start), "C_start",
