@@ -10,6 +10,7 @@
 #include "coarse/specimen/handbook.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/error.hpp"
+#include "common/fem/centre.hpp"
 #include "common/geometry/segment.hpp"
 #include "common/index.hpp"
 
@@ -83,8 +84,9 @@ void validate(const CrackSection& crack, const std::string& key, const Body& bod
 /// The insert stays elastic and is never in the zone: what a crack needs.
 void spare_insert(const CrackSection& crack, const std::string& key, const Mesh& mesh) {
     for (const int element : mesh.insert) {
-        const auto& nodes = mesh.elements[at(element)];
-        const Body cell{mesh.nodes[at(nodes[0])], mesh.nodes[at(nodes[2])]};
+        const auto corners = corners_of_element(mesh, element);
+        Body cell{corners[0], corners[0]};  // elements beside a hole are no rectangles
+        for (const Vec2& corner : corners) cell = {cell.low.cwiseMin(corner), cell.high.cwiseMax(corner)};
         for (std::size_t k = 1; k < crack.points.size(); ++k) {
             if (!crosses_interior(crack.points[k - 1], crack.points[k], cell)) continue;
             throw CaseError(fmt::format("{}: the crack runs through the insert of a pin, near ({:.4g}, {:.4g})", key,

@@ -1,12 +1,12 @@
 #include "coarse/specimen/compact_tension.hpp"
 
-#include <Eigen/LU>
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 
+#include "coarse/specimen/pin_hole.hpp"
 #include "coarse/specimen/structured.hpp"
 #include "common/fem/centre.hpp"
 #include "common/geometry/vec2.hpp"
@@ -22,52 +22,47 @@ constexpr double front = 0.25, half_height = 0.6, hole_height = 0.275, hole_radi
 /// 15 to 45 degrees; with a filled hole the front face would open by 4 P / (E' B) less at any crack length.
 constexpr double contact_angle = std::numbers::pi / 6.0;
 
-/// The sector of the hole through which the pin presses outwards: elements whose middle is in it; on a mesh too coarse
-/// for that, the nearest.
-std::vector<int> pin_elements(const Mesh& mesh, const Vec2& pin, double radius) {
-    std::vector<int> inside;
-    int nearest = 0;
-    for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
-        const Vec2 middle = centre(mesh, element);
-        const double distance = (middle - pin).norm();
-        const double angle = std::atan2(std::abs(middle.x()), std::abs(middle.y()) - std::abs(pin.y()));
-        if (distance <= radius && angle <= contact_angle) inside.push_back(element);
-        if (distance < (centre(mesh, nearest) - pin).norm()) nearest = element;
-    }
-    if (inside.empty()) inside.push_back(nearest);
-    return inside;
+PinHole hole(double side, double width) {
+    return {Vec2(0.0, side * hole_height * width), hole_radius * width, insert_radius * width};
+}
+/// That at the height of x.
+PinHole hole_near(const Vec2& x, double width) { return hole(std::copysign(1.0, x.y()), width); }
+
+/// Those that are asked for, and those of both holes.
+MeshLines with_lines_of_holes(MeshLines lines, double width) {
+    for (const double side : {-1.0, 1.0})
+        for (const int axis : {0, 1})
+            for (const double line : hole(side, width).lines(axis)) lines[at(axis)].push_back(line);
+    keep_each_once(lines);
+    return lines;
 }
 
-/// Each rectangle's area to its corners, then weighted linearly in x so that a force along y acts on the load line.
-SpreadPoint spread_over(const Mesh& mesh, const std::vector<int>& elements, const Vec2& pin) {
-    std::map<int, double> area;
-    for (const int element : elements) {
+/// The pin presses along the load on the outer part of its hole's edge, evenly over the width across the load: the
+/// resultant acts on the load line whatever the edges.
+SpreadPoint spread_over_arc(const Mesh& mesh, const std::vector<BoundaryEdge>& edges, const PinHole& hole) {
+    std::map<int, double> width_of;
+    double width = 0.0;
+    for (const auto& [element, k] : edges) {
         const auto& nodes = mesh.elements[at(element)];
-        const Vec2 extent = mesh.nodes[at(nodes[2])] - mesh.nodes[at(nodes[0])];
-        for (const int node : nodes) area[node] += 0.25 * extent.x() * extent.y();
+        const std::array<int, 2> ends{nodes[at(k)], nodes[at((k + 1) % 4)]};
+        const Vec2 from = mesh.nodes[at(ends[0])], to = mesh.nodes[at(ends[1])];
+        const Vec2 arm = 0.5 * (from + to) - hole.middle;
+        if (std::atan2(std::abs(arm.x()), std::copysign(1.0, hole.middle.y()) * arm.y()) > contact_angle) continue;
+        const double across = std::abs(to.x() - from.x());
+        width += across;
+        for (const int node : ends) width_of[node] += 0.5 * across;
     }
-    const auto moments = [&](int node) {
-        const Vec2 arm = mesh.nodes[at(node)] - pin;
-        return Vec2(1.0, arm.x());
-    };
-    Eigen::Matrix2d gram = Eigen::Matrix2d::Zero();
-    for (const auto& [node, share] : area) gram += share * moments(node) * moments(node).transpose();
-    const Vec2 linear = gram.inverse() * Vec2::UnitX();
     SpreadPoint result;
-    for (const auto& [node, share] : area) result.shares.push_back({node, share * linear.dot(moments(node))});
+    for (const auto& [node, share] : width_of) result.shares.push_back({node, share / width});
     return result;
 }
 
-/// Nearest pin's middle.
-Vec2 pin_near(const Vec2& x, double width) { return {0.0, std::copysign(hole_height * width, x.y())}; }
-
-/// The elements of the holes that no pin fills.
-ElementSet open_holes(const Mesh& mesh, const std::vector<int>& pins, double width) {
+/// The elements in the holes.
+ElementSet elements_of_holes(const Mesh& mesh, double width) {
     ElementSet open(mesh.elements.size());
     for (int element = 0; element < open.size(); ++element) {
         const Vec2 middle = centre(mesh, element);
-        const bool in_hole = (middle - pin_near(middle, width)).norm() <= hole_radius * width;
-        if (in_hole && !std::ranges::binary_search(pins, element)) open.insert(element);
+        if (hole_near(middle, width).square_holds(middle)) open.insert(element);
     }
     return open;
 }
@@ -119,27 +114,22 @@ Body compact_tension(const MeshSection& section) {
 
 Mesh compact_tension_mesh(const MeshSection& section, const MeshLines& lines) {
     const double W = section.width;
-    Mesh filled = structured_mesh(section, compact_tension(section), lines);
-    std::vector<int> pins;
-    for (const double side : {-1.0, 1.0}) {
-        const std::vector<int> pin = pin_elements(filled, Vec2(0.0, side * hole_height * W), hole_radius * W);
-        pins.insert(pins.end(), pin.begin(), pin.end());
-    }
-    std::ranges::sort(pins);
-    const ElementSet open = open_holes(filled, pins, W);
+    Mesh filled = structured_mesh(section, compact_tension(section), with_lines_of_holes(lines, W));
+    const ElementSet open = elements_of_holes(filled, W);
     name_hole_edges(filled, open);
 
     Mesh mesh = without(filled, open);
+    for (Vec2& node : mesh.nodes) node = hole_near(node, W).moved(node);
     mesh.load_line = 0.0;
     for (const double side : {-1.0, 1.0}) {
-        const Vec2 pin(0.0, side * hole_height * W);
-        SpreadPoint spread = spread_over(mesh, pin_elements(mesh, pin, hole_radius * W), pin);
+        const char* edges = side > 0.0 ? "hole-top" : "hole-bottom";
+        SpreadPoint spread = spread_over_arc(mesh, mesh.boundary.at(edges), hole(side, W));
         spread.opposite = side > 0.0 ? "pin-bottom" : "pin-top";
         mesh.pins.emplace(side > 0.0 ? "pin-top" : "pin-bottom", std::move(spread));
     }
     for (int element = 0; element < static_cast<int>(mesh.elements.size()); ++element) {
         const Vec2 middle = centre(mesh, element);
-        if ((middle - pin_near(middle, W)).norm() <= insert_radius * W) mesh.insert.push_back(element);
+        if ((middle - hole_near(middle, W).middle).norm() <= insert_radius * W) mesh.insert.push_back(element);
     }
     return mesh;
 }

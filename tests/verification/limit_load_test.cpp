@@ -22,8 +22,9 @@ constexpr double sigma_Y = 400.0;
 struct Limit {
     std::string specimen;
     PlaneState plane;
-    double x;        // a/W, of M(T) 2a/W
-    double formula;  // P_L / (sigma_y W)
+    double x;               // a/W, of M(T) 2a/W
+    double formula;         // P_L / (sigma_y W)
+    double finest = 100.0;  // of three meshes: the ligament over the elements at the tip
 
     [[nodiscard]] std::string text() const {
         return fmt::format("{:4s} {:.2f} plane {:6s}", specimen, x, plane == PlaneState::Strain ? "strain" : "stress");
@@ -106,7 +107,8 @@ const std::array limits{
     Limit{"sent", PlaneState::Strain, 0.5, 0.36604},
     Limit{"mt", PlaneState::Strain, 0.5, net_section * 0.5},
     Limit{"mt", PlaneState::Stress, 0.5, 0.5},
-    Limit{"ct", PlaneState::Strain, 0.5, 0.12885},
+    // On coarser meshes the node lines of the holes make elements smaller than those at the tip ask for.
+    Limit{"ct", PlaneState::Strain, 0.5, 0.12885, 120.0},
     Limit{"sent", PlaneState::Stress, 0.6, plane_stress_hinge(0.6, 0.5)},
 };
 
@@ -140,7 +142,7 @@ void expect_plateau(const Limit& limit, double finest) {
 TEST(LimitLoad, TheLoadFlattensAboveTheFormula) { expect_plateau(limits[0], 40.0); }
 
 TEST(LimitLoad, OfEverySpecimenLong) {
-    for (const Limit& limit : limits) expect_plateau(limit, 100.0);
+    for (const Limit& limit : limits) expect_plateau(limit, limit.finest);
 }
 
 }  // namespace

@@ -123,7 +123,13 @@ TEST(Specimens, CompactTension) {
         const std::string what = fmt::format("ct a/W {}, graded", x);
         expect_within(1.0, what, "Srawley 1976, ASTM E399 (2.2)", solution, solution.tips[0], coarse::ct_factor(x),
                       1.0);
-        const auto lines = coarse::compare_with_handbook(solution.nominal);
+        // The compliances are those of plane stress, and feel Poisson's ratio; the arms bend, and want smaller
+        // elements.
+        Case thin = graded_to_tips(compact_tension(x));
+        thin.model.plane = PlaneState::Stress;
+        thin.mesh.size = 0.016;
+        const ElasticSolution in_plane_stress(thin);
+        const auto lines = coarse::compare_with_handbook(in_plane_stress.nominal);
         ASSERT_EQ(lines.size(), 4U);
         for (const auto& line : {lines[2], lines[3]}) {
             const double off = percent(line.own, line.handbook);
@@ -133,11 +139,37 @@ TEST(Specimens, CompactTension) {
                     .quantity = line.quantity,
                     .reference = line.handbook,
                     .ours = line.own,
-                    .within = x == 0.3 ? 0.015 : 0.01,
-                    .mesh = mesh_of(solution)});
+                    .within = 0.008,
+                    .mesh = mesh_of(in_plane_stress)});
         }
         EXPECT_NEAR(ct_crack_length_from_front_face(lines[3].own), x, 0.003);
     }
+}
+
+// Holes and pins are where they are whatever the elements: with holes and pins of whole elements the front face opened
+// by 50.9 to 55.3 on these meshes, and the pins went apart by 39.9 to 41.7.
+TEST(Specimens, CompliancesOfTheCompactSpecimenDoNotGoByTheElement) {
+    struct Spread {
+        double low = 1e300, high = -1e300;
+        void take(double value) { low = std::min(low, value), high = std::max(high, value); }
+        [[nodiscard]] double percent() const { return 100.0 * (high / low - 1.0); }
+    };
+    Spread line, face, pins;
+    for (const double at_tip : {0.02, 0.012, 0.007})
+        for (const double size : {0.08, 0.06, 0.045, 0.035}) {
+            Case input = graded_to_tips(compact_tension(0.5), at_tip);
+            input.mesh.size = size;
+            const ElasticSolution solution(input);
+            const auto lines = coarse::compare_with_handbook(solution.nominal);
+            line.take(lines[2].own);
+            face.take(lines[3].own);
+            pins.take(plane_modulus * solution.scene.mean_displacement.dot(solution.u));
+        }
+    std::cout << fmt::format("line {} to {}, face {} to {}, pins {} to {}\n", line.low, line.high, face.low, face.high,
+                             pins.low, pins.high);
+    EXPECT_LT(line.percent(), 0.3);
+    EXPECT_LT(face.percent(), 0.4);
+    EXPECT_LT(pins.percent(), 0.8);
 }
 
 /// SE(B), span 4 W: K B sqrt(W) / P. J. E. Srawley, Int. J. Fracture 12 (1976) 475, as in ASTM E399; 0.5 %.
