@@ -216,7 +216,7 @@ std::vector<std::string> case_warnings(const Scene& scene, const UnitResponse& n
                                   behind_turns(scene.input, opening,
                                                largest_K(scene.input.load, nominal, 0.0, CaseHistories(scene.input)));
     add(rate_warnings(scene.input, usual_behind_turns(K, opening, turned), turned));
-    add(early_break_warnings(scene.input, opening));
+    add(early_break_warnings(scene.input, opening, turned));
     add(travel_warnings(scene.input));
     add(growth_warnings(scene.input));
     add(closure_warnings(scene, distance));

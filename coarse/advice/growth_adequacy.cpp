@@ -42,13 +42,19 @@ std::vector<std::string> units_of_K_warnings(const Case& input) {
     return all;
 }
 
-std::vector<std::string> early_break_warnings(const Case& input, const std::vector<double>& K) {
+std::vector<std::string> early_break_warnings(const Case& input, const std::vector<double>& K,
+                                              const std::vector<double>& turned) {
     if (!input.growth || !input.growth->toughness || K.empty()) return {};
-    const auto most = std::ranges::max_element(K);
+    std::vector<double> largest = K;
+    for (std::size_t t = 0; t < K.size(); ++t) largest[t] = std::max(K[t], turned[t]);
+    const auto most = std::ranges::max_element(largest);
     if (*most < *input.growth->toughness) return {};
-    return {fmt::format("growth.toughness = {:g}: K_max of tip {} reaches {:.4g} MPa sqrt(mm) before it has grown, and "
+    const auto tip = most - largest.begin();
+    return {fmt::format("growth.toughness = {:g}: {} of tip {} reaches {:.4g} MPa sqrt(mm) before it has grown, and "
                         "there the run ends",
-                        *input.growth->toughness, most - K.begin(), *most)};
+                        *input.growth->toughness,
+                        *most > K[static_cast<std::size_t>(tip)] ? "K behind the turn that K_II makes" : "K_max", tip,
+                        *most)};
 }
 
 }  // namespace stria::coarse

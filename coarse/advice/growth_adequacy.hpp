@@ -12,8 +12,9 @@ namespace stria::coarse {
 /// MPa sqrt(m).
 std::vector<std::string> units_of_K_warnings(const Case& input);
 
-/// One sentence where growth.toughness is reached before a crack has grown. `K`: the largest of the load history,
-/// MPa sqrt(mm), one per tip.
-std::vector<std::string> early_break_warnings(const Case& input, const std::vector<double>& K);
+/// One sentence where growth.toughness is reached before a crack has grown. `K`: the largest K_I of the load history,
+/// `turned`: what it is behind a sharp turn, else the same; MPa sqrt(mm), one per tip each.
+std::vector<std::string> early_break_warnings(const Case& input, const std::vector<double>& K,
+                                              const std::vector<double>& turned);
 
 }  // namespace stria::coarse

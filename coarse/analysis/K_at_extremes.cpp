@@ -57,4 +57,23 @@ std::vector<TipAtExtremes> K_at_extremes(const CrackedBody& body, const ReachedE
     return K;
 }
 
+std::vector<double> K_of_break(const Scene& present, GrowthDirection direction, std::vector<TipResult> nominal,
+                               const LoadFactors& loads, const std::vector<TipResult>& measured) {
+    nominal = under(loads, std::move(nominal));
+    std::vector<double> K;
+    for (const TipResult& tip : nominal) K.push_back(tip.K_I);
+    if (direction == GrowthDirection::Straight) return K;
+    const std::vector<TipResult> turning =
+        directing(present.input.cracks, present.enriched.tips, std::move(nominal), measured);
+    for (std::size_t t = 0; t < K.size(); ++t) {
+        const CrackSection& crack = present.input.cracks[at(present.enriched.tips[t].crack)];
+        TipResult tip = turning[t];
+        if (may_touch(crack)) tip.K_I = std::max(tip.K_I, 0.0);
+        const bool rough = may_touch(crack) && crack.contact->friction > 0.0;
+        if (!rough || !measured[t].rings_flow || measured[t].contact_length == 0.0)
+            K[t] = std::max(K[t], K_at_break(tip));
+    }
+    return K;
+}
+
 }  // namespace stria::coarse

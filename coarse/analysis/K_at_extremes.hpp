@@ -19,4 +19,11 @@ namespace stria::coarse {
 /// At the extremes themselves, whatever their loads. Faces that may touch are not pressed by a K_I below zero.
 [[nodiscard]] std::vector<TipAtExtremes> K_at_extremes(const CrackedBody& body, const ReachedExtremes& reached);
 
+/// The K that each tip may break by under loads that have been reached, with the `measured` K of each: its nominal K_I,
+/// or that of a tip which K_II would turn sharply (K_at_break). What friction lets through of K_II is measured; where
+/// no ring tells it, and where cracks go straight on, K_I alone counts.
+[[nodiscard]] std::vector<double> K_of_break(const Scene& present, GrowthDirection direction,
+                                             std::vector<TipResult> nominal, const LoadFactors& loads,
+                                             const std::vector<TipResult>& measured);
+
 }  // namespace stria::coarse

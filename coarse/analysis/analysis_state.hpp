@@ -35,13 +35,19 @@ struct ReachedExtremes {
     std::vector<TipResult> tips;  // at the maximum, one each; empty: there was none
 };
 
+/// The largest K of a tip since it has grown, MPa sqrt(mm): by which it may break, and nominal K_I.
+struct ReachedK {
+    double of_break = 0.0, K_I = 0.0;
+    bool operator==(const ReachedK&) const = default;
+};
+
 /// Of CrackGrowth.
 struct GrowthMemory {
     bool ended = false;  // growth has ended the run
     GrowthIncrementMemory increment;
     TipRatesMemory rates;
-    std::vector<double> K_reached;   // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    std::vector<LengthAndK> before;  // what the tips had reached when they grew last
+    std::vector<ReachedK> K_reached;  // one per tip
+    std::vector<LengthAndK> before;   // what the tips had reached when they grew last
     ReachedExtremes extremes;
 };
 

@@ -41,11 +41,15 @@ GrowthMemory CrackGrowth::memory() const {
             .extremes = extremes_};
 }
 
-void CrackGrowth::take(const Increment& reached) {
+void CrackGrowth::take(const Increment& reached, const Scene& present) {
     const LoadStep& step = reached.step;
-    K_reached_.resize(reached.tips.size(), 0.0);
-    for (std::size_t t = 0; t < K_reached_.size(); ++t) K_reached_[t] = std::max(K_reached_[t], reached.K_at_end(t));
     const LoadFactors factors{reached.load_factor, step.target.cases};
+    const std::vector<double> K = K_of_break(present, growth_.direction, reached.nominal, factors, reached.tips);
+    K_reached_.resize(reached.tips.size());
+    for (std::size_t t = 0; t < K_reached_.size(); ++t) {
+        K_reached_[t].of_break = std::max(K_reached_[t].of_break, K[t]);
+        K_reached_[t].K_I = std::max(K_reached_[t].K_I, reached.K_at_end(t));
+    }
     if (step.at_minimum) extremes_.minimum = factors;
     if (!step.at_maximum) return;
     extremes_.maximum = factors;
@@ -106,7 +110,7 @@ double CrackGrowth::increment(const std::vector<CycleResult>& last, const Scene&
 std::vector<LengthAndK> CrackGrowth::reached(const std::vector<CycleResult>& last) const {
     std::vector<LengthAndK> tips;
     for (std::size_t t = 0; t < std::min(last.size(), K_reached_.size()); ++t)
-        tips.push_back({last[t].a, K_reached_[t]});
+        tips.push_back({last[t].a, K_reached_[t].of_break});
     return tips;
 }
 
@@ -215,13 +219,13 @@ void CrackGrowth::require_drive(const std::vector<CycleResult>& last) const {
 
 int CrackGrowth::broken_tip() const {
     if (!growth_.toughness) return -1;
-    const auto tip = std::ranges::find_if(K_reached_, [&](double K) { return K >= *growth_.toughness; });
+    const auto tip = std::ranges::find_if(K_reached_, [&](const auto& K) { return K.of_break >= *growth_.toughness; });
     return tip != K_reached_.end() ? static_cast<int>(tip - K_reached_.begin()) : -1;
 }
 
 bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vector<CycleResult>& last) const {
     if (const int tip = broken_tip(); tip >= 0) {
-        note_(fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", tip, K_reached_[at(tip)]));
+        note_(breaks(tip, K_reached_[at(tip)].of_break, K_reached_[at(tip)].K_I));
         return true;
     }
     const auto longest =

@@ -37,9 +37,9 @@ public:
     }
     [[nodiscard]] const TipRates& rates() const { return rates_; }
 
-    /// What loading has `reached`: the largest K, and the extremes of the cycle. A release of new faces is none: the
-    /// load of an overload may not come again.
-    void take(const Increment& reached);
+    /// What loading of the `present` cracks has `reached`: the largest K, and the extremes of the cycle. A release of
+    /// new faces is none: the load of an overload may not come again.
+    void take(const Increment& reached, const Scene& present);
     /// The cracks grow there, or a K as large as growth.toughness ends the run.
     [[nodiscard]] bool is_due_at(const LoadStep& step) const;
 
@@ -95,8 +95,8 @@ private:
     bool left_the_mesh_ = false;
     GrowthIncrement increment_;
     TipRates rates_;
-    std::vector<double> K_reached_;   // largest nominal K since the tips have grown, one per tip, MPa sqrt(mm)
-    std::vector<LengthAndK> before_;  // what the tips had reached when they grew last; empty: they have not grown
+    std::vector<ReachedK> K_reached_;  // one per tip
+    std::vector<LengthAndK> before_;   // what the tips had reached when they grew last; empty: they have not grown
     ReachedExtremes extremes_;
     std::optional<TurnOfTip> untold_turn_;  // what drives that tip behind it is not known
     std::set<int> said_to_freeze_;          // tips: no checkpoint, for a run that retains functions cannot be resumed

@@ -84,7 +84,7 @@ void FatigueAnalysis::run() {
         look_ahead();
         if (const std::optional<double> off = controller_.take_missed_accuracy())
             listener_.note(misses_accuracy(*off, body_.scene().input.load.accuracy));
-        if (growth_) growth_->take(accepted_);
+        if (growth_) growth_->take(accepted_, body_.scene());
         if (growth_ && growth_->is_due_at(*step)) due_growth_ = {true, step->cycle, step->moment};
         if (!grow_where_due()) return;
         if (!listener_.reached(*step)) return;

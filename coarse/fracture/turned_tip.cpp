@@ -16,4 +16,9 @@ double K_just_turned(const TipResult& before, double angle) {
     return c * c * (c * before.K_I - 3.0 * s * before.K_II);
 }
 
+double K_at_break(const TipResult& tip) {
+    const double angle = hoop_stress_angle(tip.K_I, tip.K_II);
+    return std::abs(angle) > sharp_turn ? std::max(tip.K_I, K_just_turned(tip, angle)) : tip.K_I;
+}
+
 }  // namespace stria::coarse

@@ -18,4 +18,8 @@ namespace stria::coarse {
 /// K of a tip just behind a turn by more than ten degrees is not resolved.
 inline constexpr double sharp_turn = std::numbers::pi / 18.0;
 
+/// The K that a metal breaks by: K_I of the tip, or the one that it has once K_II has turned it sharply, if that is
+/// more.
+[[nodiscard]] double K_at_break(const TipResult& tip);
+
 }  // namespace stria::coarse

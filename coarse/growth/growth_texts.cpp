@@ -31,6 +31,14 @@ std::string functions_frozen(int tip) {
         tip, apart_to_retain);
 }
 
+std::string breaks(int tip, double K, double K_I) {
+    if (K == K_I) return fmt::format("tip {}: K = {:.6g} MPa sqrt(mm) (growth.toughness)", tip, K);
+    return fmt::format(
+        "tip {}: K = {:.6g} MPa sqrt(mm) behind the turn that K_II makes of it, K_I = {:.6g} before that "
+        "(growth.toughness)",
+        tip, K, K_I);
+}
+
 std::string growth_ends(const std::string& why, bool by_the_mesh) {
     return fmt::format("{}: {}", by_the_mesh ? "warning: growth ends here, and not the life" : "growth ends here", why);
 }

@@ -17,6 +17,9 @@ namespace stria::coarse {
 /// With growth.retain = "all" a tip has moved by less than apart_to_retain elements.
 [[nodiscard]] std::string functions_frozen(int tip);
 
+/// A tip has reached the toughness, MPa sqrt(mm): by its K_I, or by what that is behind a turn.
+[[nodiscard]] std::string breaks(int tip, double K, double K_I);
+
 /// The next growth is refused, and `why`. `by_the_mesh`: the body would hold it, so the life goes on.
 [[nodiscard]] std::string growth_ends(const std::string& why, bool by_the_mesh);
 

@@ -79,6 +79,12 @@ void members(auto& archive, Is<LengthAndK> auto& m) {
     archive("K", K);
 }
 
+void members(auto& archive, Is<ReachedK> auto& m) {
+    auto& [of_break, K_I] = m;
+    archive("of_break", of_break);
+    archive("K_I", K_I);
+}
+
 void members(auto& archive, Is<GrowthMemory> auto& m) {
     auto& [ended, increment, rates, K_reached, before, extremes] = m;
     archive("ended", ended);

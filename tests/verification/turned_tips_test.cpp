@@ -99,6 +99,22 @@ TEST(TurnedTips, LeaveTheElementEdgesAlongWhichTheyHaveCome) {
     }
 }
 
+// The toughness was asked of K_I alone, 416 here, where the crack would break by 490 as it turns.
+TEST(TurnedTips, BreakByTheKBehindTheTurn) {
+    Case input = plate_with_turning_crack(0.5, 0);
+    const RunHistory whole = run_direct(input);
+    const coarse::TipResult before = whole.increments.front().tips.at(0);
+    const double behind = coarse::K_just_turned(before, coarse::hoop_stress_angle(before.K_I, before.K_II));
+    const auto grown_with = [&](double toughness) {
+        input.growth->toughness = toughness;
+        return run_direct(input).increments.back().tips.at(0).a - before.a;
+    };
+    EXPECT_EQ(grown_with(0.5 * (before.K_I + behind)), 0.0);
+    EXPECT_GT(grown_with(1.05 * behind), 0.5) << "two elements from the turn, where K_I is resolved";
+    input.growth->direction = GrowthDirection::Straight;
+    EXPECT_GT(grown_with(0.5 * (before.K_I + behind)), 0.0);
+}
+
 // One crack, sheared to either side and to and fro: rounding decided about its K_I, and by that whether it grew at all.
 TEST(TurnedTips, LeaveACrackUnderPureShear) {
     Case input = plate_with_turning_crack(0.5, 0);

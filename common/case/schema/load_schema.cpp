@@ -251,8 +251,10 @@ void declare_ends(Section<GrowthSection>& s) {
     s.value("toughness", &GrowthSection::toughness)
         .in("MPa sqrt(mm)")
         .positive()
-        .says("The run ends when K_max of a tip reaches it. By a law of da/dN the last increment is cut to where it "
-              "does.");
+        .says(
+            "The run ends when K_max of a tip reaches it, or what K_II makes of K behind a sharp turn if that is more "
+            "(with direction = \"hoop\"). By a law of da/dN the last increment is cut to where it "
+            "does.");
 }
 
 }  // namespace

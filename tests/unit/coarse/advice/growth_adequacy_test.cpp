@@ -53,14 +53,17 @@ TEST(GrowthAdequacy, AsksForTheUnitsOfAToughness) {
 
 TEST(GrowthAdequacy, SaysThatARunEndsBeforeItHasGrown) {
     Case input = that_grows(200e3);
-    const auto said = [&] { return coarse::early_break_warnings(input, {400.0, 600.0}); };
+    const auto said = [&] { return coarse::early_break_warnings(input, {400.0, 600.0}, {590.0, 0.0}); };
     EXPECT_TRUE(said().empty());
     input.growth->toughness = 650.0;
     EXPECT_TRUE(said().empty());
     input.growth->toughness = 600.0;
     EXPECT_EQ(said(), (Sentences{"growth.toughness = 600: K_max of tip 1 reaches 600 MPa sqrt(mm) before it has grown, "
                                  "and there the run ends"}));
-    EXPECT_TRUE(coarse::early_break_warnings(input, {}).empty()) << "no crack";
+    EXPECT_EQ(coarse::early_break_warnings(input, {400.0, 500.0}, {610.0, 500.0}),
+              (Sentences{"growth.toughness = 600: K behind the turn that K_II makes of tip 0 reaches 610 MPa sqrt(mm) "
+                         "before it has grown, and there the run ends"}));
+    EXPECT_TRUE(coarse::early_break_warnings(input, {}, {}).empty()) << "no crack";
 }
 
 }  // namespace

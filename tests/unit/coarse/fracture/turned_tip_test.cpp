@@ -34,5 +34,13 @@ TEST(TurnedTip, HasTheKOfTheStressAcrossItsNewWay) {
     EXPECT_EQ(K_just_turned({.K_I = 1.0, .K_II = -1.0}, -best), K);
 }
 
+TEST(TurnedTip, BreaksByTheLargerOfBoth) {
+    const TipResult sheared{.K_I = 100.0, .K_II = 174.0};
+    EXPECT_EQ(K_at_break(sheared), K_just_turned(sheared, hoop_stress_angle(100.0, 174.0)));
+    EXPECT_GT(K_at_break(sheared), 230.0);
+    EXPECT_EQ(K_at_break({.K_I = 100.0, .K_II = 5.0}), 100.0);  // turns by less than ten degrees
+    EXPECT_EQ(K_at_break({.K_I = -100.0, .K_II = 0.1}), -100.0);
+}
+
 }  // namespace
 }  // namespace stria::coarse

@@ -44,7 +44,7 @@ Checkpoint some_checkpoint() {
     state.growth.rates.at_turn = {1.5e-6, 0.0};
     state.growth.rates.owed = {0.0, -0.02};
     state.growth.rates.last = 0.25;
-    state.growth.K_reached = {610.5, 0.0};
+    state.growth.K_reached = {{.of_break = 610.5, .K_I = 600.0}, {}};
     state.growth.before = {{20.5, 590.25}, {0.0, 0.0}};
     state.growth.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth.rates.period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
