@@ -252,12 +252,24 @@ def runs_of(folders):
             yield folder
 
 
+def names_of(folders):
+    """The last part of each path, with as many before it as tell it from the other folders."""
+    paths = [folder.resolve().parts for folder in folders]
+
+    def name(own):
+        lengths = range(1, len(own) + 1)
+        return "/".join(next((own[-k:] for k in lengths if all(path == own or path[-k:] != own[-k:] for path in paths)), own))
+
+    return [name(path) for path in paths]
+
+
 def closure_table(folders, last=6):
     """One row per run: R, K_max, K_op / K_max and U at the end."""
     table = {name: [] for name in ("run", "R", "Kmax_MPa_sqrt_m", "Kop_over_Kmax", "U")}
-    for folder in runs_of(folders):
+    runs = list(runs_of(folders))
+    for folder, name in zip(runs, names_of(runs)):
         R, K_max, opening = opening_point(folder, last=last)
-        for column, value in zip(table.values(), (folder.name, R, K_max / SQRT_M, opening, (1.0 - opening) / (1.0 - R))):
+        for column, value in zip(table.values(), (name, R, K_max / SQRT_M, opening, (1.0 - opening) / (1.0 - R))):
             column.append(value)
     return Table(table)
 

@@ -50,6 +50,10 @@ bool holds_study(const std::filesystem::path& folder) {
     return std::filesystem::exists(folder / study_table, problem);
 }
 
+void remove_study(const std::filesystem::path& folder) {
+    for (const char* file : {study_table, study_page}) std::filesystem::remove(folder / file);
+}
+
 JsonObject read_json(const std::filesystem::path& path) {
     JsonObject object;
     std::ifstream file(path);

@@ -110,8 +110,12 @@ void claim_output_directory(RunOptions& options) {
                                     folder.string()));
     if (!options.force && holds_study(folder))
         throw CaseError(fmt::format("{} holds a study, and the tables of a run are no part of it; -o DIR writes "
-                                    "elsewhere",
+                                    "elsewhere, --force takes its table and page away",
                                     folder.string()));
+    if (holds_study(folder)) {  // who reads the folder would take the run for a study
+        const RunLock lock(folder);
+        remove_study(folder);
+    }
     std::filesystem::create_directories(folder, problem);
     if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
         throw FileFailure(fmt::format("{}: the folder of results cannot be made or written to", folder.string()));

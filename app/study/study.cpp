@@ -13,6 +13,7 @@
 #include "app/study/page.hpp"
 #include "app/study/plan.hpp"
 #include "app/study/runner.hpp"
+#include "coarse/results/result_files.hpp"
 #include "common/case/schema/case_file.hpp"
 #include "common/error.hpp"
 #include "common/io/file_failure.hpp"
@@ -32,6 +33,10 @@ void claim_folder(StudyOptions& options) {
     if (!options.run.force && !options.resume && holds_study(folder))
         throw CaseError(fmt::format(
             "{} holds a study; --resume keeps what is done, --force overwrites, -o DIR writes elsewhere", folder));
+    if (!options.run.force && coarse::has_results(folder))
+        throw CaseError(fmt::format("{} holds a run, and the table of a study is no part of it; -o DIR writes "
+                                    "elsewhere, --force takes the run's files away",
+                                    folder));
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
     if (!std::filesystem::is_directory(folder, problem) || access(folder.c_str(), W_OK) != 0)
@@ -86,7 +91,7 @@ void write_results(const StudyOptions& options, Plan& plan) {
         CsvWriter table(file, columns(plan.axes, plan.with_errors));
         for (const Row& row : plan.variants) table.row(cells(row, plan.with_errors));
     });
-    write_whole_text(folder / "study.html", page(report_of(options, plan)));
+    write_whole_text(folder / study_page, page(report_of(options, plan)));
 }
 
 /// What is compared with comes first: errors are known as soon as a variant is done.
@@ -119,6 +124,7 @@ int run_study(StudyOptions options) {
     }
     claim_folder(options);
     const RunLock lock(options.run.output_directory);
+    if (coarse::has_results(options.run.output_directory)) coarse::remove_results(options.run.output_directory);
     const std::vector<Row*> rows = rows_of(plan);
     Runner runner(options.run, options.resume, options.jobs);
     runner.run(rows, [&] { write_results(options, plan); });

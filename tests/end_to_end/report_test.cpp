@@ -66,6 +66,18 @@ TEST_F(ReportOfARun, IsTheSameMadeAgain) {
     EXPECT_NE(said().find("holds a study: its page is study.html"), std::string::npos) << said();
     EXPECT_EQ(run_program("stria", {"run", folder / "case.toml", "-o", folder / ""}, folder / "log"), 2);
     EXPECT_NE(said().find("holds a study, and the tables of a run"), std::string::npos) << said();
+    // Then it is the folder of a run, and nobody takes it for that of a study; nor does a study write among its tables.
+    EXPECT_EQ(
+        run_program("stria",
+                    {"run", folder / "case.toml", "-o", folder / "", "--mode", "inprocess", "--no-report", "--force"},
+                    folder / "log"),
+        0)
+        << said();
+    EXPECT_FALSE(std::filesystem::exists(folder / "study.csv"));
+    EXPECT_EQ(run_program("stria", {"study", folder / "case.toml", "-o", folder / "", "--over", "load.steps=2,4"},
+                          folder / "log"),
+              2);
+    EXPECT_NE(said().find("holds a run, and the table of a study"), std::string::npos) << said();
 }
 
 TEST_F(ReportOfARun, IsMadeWhereTheNumbersFail) {

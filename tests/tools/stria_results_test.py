@@ -175,6 +175,13 @@ class Closure(Folder):
         self.assertAlmostEqual(fit["alpha"], 1.73, 3)
         self.assertLess(fit["rms_alpha"], 1e-12)
 
+    def test_runs_of_one_name_are_told_apart(self):
+        for name in ("a/out", "b/out", "b/other"):
+            self.write_cycles(name, [1.0, 2.0], [10.0, 10.1], [300.0, 300.0], 0.0, 0.4)
+        folders = [self.folder / name for name in ("a/out", "b/out", "b/other")]
+        self.assertEqual(results.closure_table(folders).columns["run"], ["a/out", "b/out", "other"])
+        self.assertEqual(results.closure_table(folders[:1] * 2).columns["run"], ["out", "out"])
+
     def test_U_of_three_ratios_is_met_by_its_parabola(self):
         table = results.Table({"R": [-1.0, 0.0, 0.5], "Kop_over_Kmax": [1.0 - (0.55 + 0.33 * R + 0.12 * R * R) * (1.0 - R) for R in (-1.0, 0.0, 0.5)]})
         fit = dict(zip(*(results.closure_fit(table, 0.3).columns[name] for name in ("name", "value"))))
