@@ -281,14 +281,13 @@ std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
         if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
         take_rest(tip, !peaks.empty() && peaks[t] > end.K);
         // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
-        cycle.da = std::hypot(end.x - now_.x[t], end.y - now_.y[t]);
-        now_.x[t] = end.x;
-        now_.y[t] = end.y;
+        cycle.da = std::hypot(end.x - std::exchange(now_.x[t], end.x), end.y - std::exchange(now_.y[t], end.y));
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(tip.signal[s].loads(cycle.K_min));
         if (signals_.tension > 0) cycle.tension = tip.signal[signals_.contact].loads(cycle.K_min);
         const std::optional<double> opened = opened_by_offset(tip.down, tip.up);
         if (opened) cycle.offset.K_op = end.K + end.unit_K * (*opened - end.load_factor);
         cycle.offset.lost = !opened;
+        if (!touches_[t]) cycle.close_below_zero();
         cycle.opening = definition_ == OpeningDefinition::Contact  ? cycle.contact.front()
                         : definition_ == OpeningDefinition::Offset ? cycle.offset
                                                                    : cycle.tension;

@@ -46,6 +46,16 @@ struct CycleResult {
     double dN = 1.0;         // cycles that it stands for
     double K_initial = 0.0;  // of the initial stress alone, which the other K contain; at the end, MPa sqrt(mm)
 
+    /// Of a crack without contact, whose faces overlap below zero where others would touch: they count as closed there,
+    /// and K_max - K_op is the range in tension (ASTM E647).
+    void close_below_zero() {
+        const auto close = [&](OpeningLoads& loads) {
+            for (double* K : {&loads.K_op, &loads.K_cl}) *K = std::min(std::max(*K, 0.0), K_max);  // NaN stays
+        };
+        std::ranges::for_each(contact, close);
+        close(offset);
+    }
+
     [[nodiscard]] double CTOD_range() const { return CTOD.range(); }
     [[nodiscard]] double opening_range() const { return opening_behind.range(); }
 };

@@ -44,7 +44,7 @@ std::vector<std::string> growth_warnings(const Case& input) {
     if (input.growth && !is_prescribed(*input.growth) && grows_by_opening_loads(*input.growth) &&
         std::ranges::any_of(input.cracks, never_touches))
         all.emplace_back("opening loads drive the growth (growth.driving), and a crack without contact never closes: "
-                         "its K_op is K_min, and what lies in compression drives it too");
+                         "its K_op is K_min, or 0 where that is below: dK_eff is the range of K in tension");
     if (!varies_under_law(input)) return all;
     const int every = input.growth->every, sequence = cycle_count(input.load) / input.load.repeat;
     if (every == 1)

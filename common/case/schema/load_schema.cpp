@@ -230,7 +230,7 @@ void declare_tips(Section<GrowthSection>& s) {
                              {"dK_full", GrowthDriving::FullRange},
                              {"dK_eff", GrowthDriving::EffectiveRange}})
         .says("What drives paris and table. dK: max(K_max, 0) - max(K_min, 0), as in E647. dK_full: K_max - K_min, "
-              "compression too. dK_eff: K_max - K_op.");
+              "compression too. dK_eff: K_max - K_op; without contact that is dK.");
     s.value("walker", &GrowthSection::walker)
         .at_least(0.0)
         .at_most(1.0)

@@ -301,6 +301,26 @@ TEST_F(CycleMeterTest, ClosesWithTheFirstContactAndOpensWithTheLast) {
     EXPECT_FALSE(cycle.opening.lost);
 }
 
+// Faces that never touch overlap below zero: that they are open all cycle made dK_eff at R = -1 twice the range in
+// tension.
+TEST_F(CycleMeterTest, WithoutContactOnlyTensionIsEffective) {
+    input.cracks[0].contact.reset();
+    meter = CycleMeter(input, closure, tips);
+    const auto opens = [&](double max, double min) {
+        go(0, max, 1.0, false);
+        go(1, min, 1.0, false);
+        go(1, max, 1.0, false);
+        const CycleResult cycle = meter.finish().at(0);
+        EXPECT_EQ(cycle.opening.K_cl, cycle.opening.K_op);
+        return cycle.opening.K_op;
+    };
+    EXPECT_EQ(opens(20.0, -20.0), 0.0);
+    meter = CycleMeter(input, closure, tips);
+    EXPECT_EQ(opens(20.0, 5.0), 50.0);
+    meter = CycleMeter(input, closure, tips);
+    EXPECT_EQ(opens(-5.0, -20.0), -50.0);  // nothing is left
+}
+
 // K_op is of loading: contact that is lost on the way down is lost there already.
 TEST_F(CycleMeterTest, ContactLostInUnloadingOpensNoCrackInLoading) {
     const auto change = [](bool closes, double load) { return OpeningChange{0, 0, closes, load}; };
