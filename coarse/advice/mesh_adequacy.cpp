@@ -50,7 +50,8 @@ std::vector<std::string> MeshJudge::look_at(const Scene& scene, const MeshDemand
     said_.resize(tips * kinds, 0);
     std::vector<std::string> all;
     const auto take = [&](std::size_t tip, const MeshDoubt& doubt) {
-        if (is_news(tip, doubt)) all.push_back(doubt.sentence);
+        const bool told = first && doubt.kind == MeshDoubtKind::Reach;  // by who reads the history (overload_warnings)
+        if (is_news(tip, doubt) && !told) all.push_back(doubt.sentence);
     };
     for (std::size_t t = 0; t < tips; ++t)
         if (const auto doubt = doubt_of_rings(scene, t, demands.radius[t], first)) take(t, *doubt);

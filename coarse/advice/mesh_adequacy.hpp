@@ -22,8 +22,8 @@ struct MeshDemands {
 /// tip, no room for rings, another metal. Then of functions, of opening loads and of growth (ring_adequacy.hpp,
 /// opening_adequacy.hpp).
 ///
-/// At the first look elements are as small as the case asks for. Of bends it speaks only then: a run speaks of turns
-/// itself.
+/// At the first look elements are as small as the case asks for, and of a K that has fallen it is silent. Of bends it
+/// speaks only then: a run speaks of turns itself.
 class MeshJudge {
 public:
     explicit MeshJudge(std::vector<int> said = {}) : said_(std::move(said)) {}

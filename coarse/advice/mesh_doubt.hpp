@@ -14,6 +14,7 @@ enum class MeshDoubtKind {
     LeftFunctions,  // hold the faces where nothing flows
     Zone,           // spans too few elements
     Distance,       // of closure spans too few elements
+    Reach,          // of closure, is that of a larger zone
     LifeInStrain,   // by opening loads
     Growth,         // crosses whole elements
     Step,           // of growth, against the zone

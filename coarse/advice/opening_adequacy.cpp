@@ -103,6 +103,24 @@ std::optional<std::string> distance_warning(std::size_t tip, double distance, co
                        tip, distance, distance / element, element, to_distance, advice, with_room * element);
 }
 
+/// The distance that nobody gives goes by the largest K of the history and stays. Where K falls the zone shrinks below
+/// it, and faces beyond it part sooner: K_op / K_max falls, and nothing about the closure has changed.
+std::optional<MeshDoubt> doubt_of_reach(const Case& input, std::size_t tip, double K_I, double distance,
+                                        double yield_stress) {
+    constexpr double too_far = 1.5;  // K has fallen to 0.82
+    if (input.closure.distance || input.closure.definition == OpeningDefinition::Offset || K_I <= 0.0) return {};
+    const double own = closure_distances(input.closure, {K_I}, {yield_stress}).front();
+    if (distance < too_far * own) return {};
+    return MeshDoubt{
+        MeshDoubtKind::Reach,
+        fmt::format("tip {}: K_I has fallen to {:.4g} MPa sqrt(mm), and closure is still looked at {:.3g} mm "
+                    "behind it, {:.2g} times as far as the default is for that K, {:.2g} mm. That alone lowers "
+                    "K_op / K_max, though closure stays what it is: compare at distances that shrink with the "
+                    "zone, by closure.profile, or at closure.distance = {:.2g} from the start",
+                    tip, K_I, distance, distance / own, own, own),
+        1 + static_cast<int>(std::floor(std::log2(distance / (too_far * own))))};
+}
+
 /// `small`: elements that would bear no function, mm; 0: its own bear them whatever their size.
 std::string linear_warning(std::size_t tip, double small) {
     const std::string elements = small > 0.0 ? fmt::format(", and so do elements below {:.3g} mm", small) : "";
@@ -183,6 +201,8 @@ std::vector<MeshDoubt> doubts_of_openings(const Scene& scene, std::size_t t, dou
     if (zone.length > 0.0)
         add(MeshDoubtKind::Distance, distance_warning(t, distance, element, input.fine.refine), of_its_life(scene, t));
     if (!input.growth) return doubts;
+    if (may_touch(input.cracks[at(tip.crack)]))
+        if (auto doubt = doubt_of_reach(input, t, K_I, distance, yield_stress)) doubts.push_back(std::move(*doubt));
     add(MeshDoubtKind::LifeInStrain, life_in_strain_warning(scene, t));
     if (input.growth->increment.is_auto()) return doubts;
     const double at_a_time = input.growth->increment.value();

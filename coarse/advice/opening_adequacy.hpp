@@ -13,6 +13,7 @@ namespace stria::coarse {
 /// - its forward zone spans too few elements. Five are wanted or, straight ahead of a tip that grows, five in plane
 ///   strain and ten in plane stress. The `fine.refine` that would do is told;
 /// - its distance of closure spans fewer than 1.2 elements;
+/// - its distance of closure, which nobody has given, is that of a K which has fallen since;
 /// - it grows by its closure in plane strain;
 /// - it grows by two elements along it or more at a time, or by one and a part;
 /// - it grows in plane stress by more than a tenth of its zone at a time, and beyond the distance of closure.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coarse/fracture/plastic_zone.hpp"
 #include "coarse/specimen/specimen.hpp"
 #include "tests/support/plate_that_flows.hpp"
 
@@ -227,6 +228,38 @@ TEST_F(Advice, MindsHowManyElementsLieBetweenTheTipAndWhereClosureIsLookedAt) {
     EXPECT_NE(at(2100.0).at(0).find("K_max off: closure.distance = 1.3"), std::string::npos) << at(2100.0)[0];
     input.material.yield_stress.reset();
     EXPECT_TRUE(at(2100.0).empty());
+}
+
+// By a fixed distance K_op / K_max fell from .42 to .34 in a test of falling K, and was read as closure that fades.
+TEST_F(Advice, SaysThatKHasFallenBelowTheDistanceOfClosure) {
+    const auto fallen = [&](double from, std::vector<double> to) {
+        input.growth = GrowthSection{.law = GrowthLaw::Prescribed, .increment = 1.0};
+        const coarse::Scene scene =
+            coarse::make_scene(input, coarse::make_mesh(input.mesh, input.cracks, input.regions));
+        const double distance =
+            coarse::closure_distances(ClosureSection(), {2100.0}, scene.yield_stress_at_tips()).front();
+        coarse::MeshJudge judge;
+        const auto look = [&](double K) {
+            return judge.look_at(scene, {.K_I = {K}, .distance = {distance}, .radius = {5.0}});
+        };
+        for (const std::string& said : look(from)) EXPECT_EQ(said.find("has fallen"), std::string::npos);
+        std::vector<std::string> about;
+        for (const double K : to)
+            for (const std::string& said : look(K))
+                if (said.find("has fallen") != std::string::npos) about.push_back(said);
+        return about;
+    };
+    const auto said = fallen(2100.0, {1750.0, 1700.0, 1600.0, 1190.0});
+    ASSERT_EQ(said.size(), 2U);
+    EXPECT_NE(said[0].find("has fallen to 1700"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find("1.5 times as far"), std::string::npos) << said[0];
+    EXPECT_NE(said[1].find("has fallen to 1190"), std::string::npos) << said[1];
+    EXPECT_TRUE(fallen(1400.0, {1400.0}).empty()) << "of an overload it was told at the start";
+    input.closure.distance = 1.3;
+    EXPECT_TRUE(fallen(2100.0, {1000.0}).empty());
+    input.closure.distance.reset();
+    input.cracks[0].contact.reset();
+    EXPECT_TRUE(fallen(2100.0, {1000.0}).empty());
 }
 
 TEST_F(Advice, NamesWhatALinearBodyLeavesBehind) {
