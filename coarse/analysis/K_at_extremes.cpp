@@ -1,6 +1,7 @@
 #include "coarse/analysis/K_at_extremes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -19,6 +20,19 @@ bool is_of_one_load(const CrackedBody& body, const ReachedExtremes& reached) {
 double sign_of_load(const ReachedExtremes& reached) {
     const double factor = reached.maximum.main != 0.0 ? reached.maximum.main : reached.minimum.main;
     return factor < 0.0 ? -1.0 : 1.0;
+}
+
+bool is_rough(const CrackSection& crack) { return crack.contact && crack.contact->friction > 0.0; }
+
+/// Beside a K_II that slides what is left of K_I presses nothing.
+bool is_pressed(const ModesOfTip& modes) { return modes.K_I < -0.01 * std::abs(modes.K_II); }
+
+/// Faces that may touch are not pressed by a K_I below zero.
+TipResult tip_with(const ModesOfTip& modes, const CrackSection& crack) {
+    TipResult tip;
+    tip.K_I = may_touch(crack) ? std::max(modes.K_I, 0.0) : modes.K_I;
+    tip.K_II = modes.K_II;
+    return tip;
 }
 
 std::vector<TipResult> under(const LoadFactors& factors, std::vector<TipResult> nominal) {
@@ -44,34 +58,45 @@ std::vector<TipResult> K_at_minimum(const CrackedBody& body, const ReachedExtrem
     return under(reached.minimum, body.nominal());
 }
 
-std::vector<TipAtExtremes> K_at_extremes(const CrackedBody& body, const ReachedExtremes& reached) {
-    const Scene& present = body.scene();
-    std::vector<TipAtExtremes> K;
-    const std::vector<TipResult> maximum = under(reached.maximum, body.nominal()),
-                                 minimum = under(reached.minimum, body.nominal());
-    for (std::size_t t = 0; t < maximum.size(); ++t) {
-        K.push_back({maximum[t], minimum[t]});
-        if (!may_touch(present.input.cracks[at(present.enriched.tips[t].crack)])) continue;
-        for (TipResult* tip : {&K.back().maximum, &K.back().minimum}) tip->K_I = std::max(tip->K_I, 0.0);
+std::vector<ModesOfTip> modes_let_through(const Scene& present, const std::vector<TipResult>& nominal,
+                                          const LoadFactors& loads, const std::vector<TipResult>& measured) {
+    const std::vector<TipResult> all = under(loads, nominal),
+                                 told = directing(present.input.cracks, present.enriched.tips, all, measured);
+    std::vector<ModesOfTip> modes;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        const bool hidden = is_rough(present.input.cracks[at(present.enriched.tips[t].crack)]) &&
+                            measured[t].rings_flow && measured[t].contact_length > 0.0;
+        modes.push_back({all[t].K_I, hidden ? std::nan("") : told[t].K_II});
     }
-    return K;
+    return modes;
 }
 
-std::vector<double> K_of_break(const Scene& present, GrowthDirection direction, std::vector<TipResult> nominal,
-                               const LoadFactors& loads, const std::vector<TipResult>& measured) {
-    nominal = under(loads, std::move(nominal));
+double rate_behind_turn(const GrowthSection& growth, const CrackSection& crack, const TurningModes& modes,
+                        std::size_t tip, double angle) {
+    if (growth.law == GrowthLaw::Ctod || (grows_by_opening_loads(growth) && may_touch(crack))) return std::nan("");
+    GrowthSection law = growth;
+    if (grows_by_opening_loads(growth))
+        law.driving = GrowthDriving::Range, law.walker = 1.0;  // the same, without
+                                                               // contact
+    const std::size_t tips = modes.minimum.size(), cycles = tips > 0 ? modes.cycles.size() / (2 * tips) : 0;
+    double sum = 0.0;
+    for (std::size_t c = 0; c < cycles; ++c) {
+        const ModesOfTip &most = modes.cycles[2 * c * tips + tip], &least = modes.cycles[(2 * c + 1) * tips + tip];
+        const TipAtExtremes K{tip_with(most, crack), tip_with(least, crack)};
+        const double at_most = K_just_turned(K.maximum, angle), at_least = K_just_turned(K.minimum, angle);
+        if (std::isnan(at_most + at_least)) return std::nan("");
+        if (is_rough(crack) && is_pressed(at_most > at_least ? most : least)) return std::nan("");
+        sum += rate_just_turned(law, K, angle);
+    }
+    return cycles > 0 ? sum / static_cast<double>(cycles) : std::nan("");
+}
+
+std::vector<double> K_of_break(const Scene& present, GrowthDirection direction, const std::vector<ModesOfTip>& modes) {
     std::vector<double> K;
-    for (const TipResult& tip : nominal) K.push_back(tip.K_I);
-    if (direction == GrowthDirection::Straight) return K;
-    const std::vector<TipResult> turning =
-        directing(present.input.cracks, present.enriched.tips, std::move(nominal), measured);
-    for (std::size_t t = 0; t < K.size(); ++t) {
+    for (std::size_t t = 0; t < modes.size(); ++t) {
         const CrackSection& crack = present.input.cracks[at(present.enriched.tips[t].crack)];
-        TipResult tip = turning[t];
-        if (may_touch(crack)) tip.K_I = std::max(tip.K_I, 0.0);
-        const bool rough = may_touch(crack) && crack.contact->friction > 0.0;
-        if (!rough || !measured[t].rings_flow || measured[t].contact_length == 0.0)
-            K[t] = std::max(K[t], K_at_break(tip));
+        const double turned = direction == GrowthDirection::Straight ? 0.0 : K_at_break(tip_with(modes[t], crack));
+        K.push_back(std::max(modes[t].K_I, turned));
     }
     return K;
 }

@@ -41,6 +41,19 @@ struct ReachedK {
     bool operator==(const ReachedK&) const = default;
 };
 
+/// K of a tip at an extreme of the load, MPa sqrt(mm): nominal K_I, and what faces with friction let through of K_II;
+/// NaN where no ring tells it.
+struct ModesOfTip {
+    double K_I = 0.0, K_II = 0.0;
+    bool operator==(const ModesOfTip&) const = default;
+};
+
+/// What would drive tips behind a turn: at the last minimum, one per tip; and for each cycle since they have grown
+/// those of its maximum, then those of its minimum.
+struct TurningModes {
+    std::vector<ModesOfTip> minimum, cycles;
+};
+
 /// Of CrackGrowth.
 struct GrowthMemory {
     bool ended = false;  // growth has ended the run
@@ -49,6 +62,7 @@ struct GrowthMemory {
     std::vector<ReachedK> K_reached;  // one per tip
     std::vector<LengthAndK> before;   // what the tips had reached when they grew last
     ReachedExtremes extremes;
+    TurningModes turning;
 };
 
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.

@@ -30,7 +30,7 @@ constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memory)
     : growth_(*input.growth), note_(note), ended_(memory.ended), increment_(std::move(memory.increment)),
       rates_(input, std::move(memory.rates)), K_reached_(std::move(memory.K_reached)),
-      before_(std::move(memory.before)), extremes_(std::move(memory.extremes)) {}
+      before_(std::move(memory.before)), extremes_(std::move(memory.extremes)), turning_(std::move(memory.turning)) {}
 
 GrowthMemory CrackGrowth::memory() const {
     return {.ended = ended_,
@@ -38,22 +38,34 @@ GrowthMemory CrackGrowth::memory() const {
             .rates = rates_.memory(),
             .K_reached = K_reached_,
             .before = before_,
-            .extremes = extremes_};
+            .extremes = extremes_,
+            .turning = turning_};
 }
 
 void CrackGrowth::take(const Increment& reached, const Scene& present) {
     const LoadStep& step = reached.step;
     const LoadFactors factors{reached.load_factor, step.target.cases};
-    const std::vector<double> K = K_of_break(present, growth_.direction, reached.nominal, factors, reached.tips);
+    std::vector<ModesOfTip> modes = modes_let_through(present, reached.nominal, factors, reached.tips);
+    const std::vector<double> K = K_of_break(present, growth_.direction, modes);
     K_reached_.resize(reached.tips.size());
     for (std::size_t t = 0; t < K_reached_.size(); ++t) {
         K_reached_[t].of_break = std::max(K_reached_[t].of_break, K[t]);
         K_reached_[t].K_I = std::max(K_reached_[t].K_I, reached.K_at_end(t));
     }
     if (step.at_minimum) extremes_.minimum = factors;
+    if (step.ends_cycle) note_cycle(modes);
+    if (step.at_minimum) turning_.minimum = std::move(modes);
     if (!step.at_maximum) return;
     extremes_.maximum = factors;
     extremes_.tips = reached.tips;
+}
+
+// One cycle stands for all where they are alike.
+void CrackGrowth::note_cycle(const std::vector<ModesOfTip>& maximum) {
+    if (is_prescribed(growth_) || turning_.minimum.size() != maximum.size()) return;
+    if (!rates_.are_means()) turning_.cycles.clear();
+    turning_.cycles.insert(turning_.cycles.end(), maximum.begin(), maximum.end());
+    turning_.cycles.insert(turning_.cycles.end(), turning_.minimum.begin(), turning_.minimum.end());
 }
 
 // A tip may break in any cycle, at a maximum, and not only where and when cracks grow. A mean rate wants its period.
@@ -79,6 +91,7 @@ GrownScene CrackGrowth::next(const CrackedBody& body, const std::vector<CycleRes
     if (grown.longer) {
         before_ = reached(last);
         K_reached_.clear();
+        turning_.cycles.clear();
     }
     return grown;
 }
@@ -144,30 +157,23 @@ void CrackGrowth::warn_of_sharp_turns(const std::vector<Tip>& tips, const Cracks
     }
 }
 
-// Openings are not known behind a turn, nor what faces with friction let through of K_II at the minimum; and of cycles
-// that differ no single one tells their mean.
-bool CrackGrowth::K_tells_turns(const CrackSection& crack) const {
-    const bool rough = crack.contact && crack.contact->friction > 0.0;
-    return !rough && !grows_by_openings(growth_) && !rates_.are_means() && !rates_.end_with_the_cycle();
-}
-
 std::set<std::size_t> CrackGrowth::start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
                                                   const std::vector<CycleResult>& last) {
     constexpr double negligible = 1e-12;  // of a rate
     std::set<std::size_t> started;
     untold_turn_.reset();
     if (is_prescribed(growth_) || growth_.direction == GrowthDirection::Straight || last.empty()) return started;
+    if (!rates_.are_of_a_whole_period()) return started;
     const Scene& present = body.scene();
-    const std::vector<TipAtExtremes> K = K_at_extremes(body, extremes_);
     const std::vector<double> rates = rates_.present();
-    for (std::size_t t = 0; t < std::min(rates.size(), K.size()); ++t) {
+    for (std::size_t t = 0; t < std::min(rates.size(), guides.size()); ++t) {
         const double angle = hoop_stress_angle(guides[t].K_I, guides[t].K_II);
         if (std::abs(angle) <= sharp_turn) continue;
-        if (!K_tells_turns(present.input.cracks[at(present.enriched.tips[t].crack)])) {
-            untold_turn_ = {t, angle};
-            continue;
-        }
-        const double rate = rate_just_turned(growth_, K[t], angle);
+        const CrackSection& crack = present.input.cracks[at(present.enriched.tips[t].crack)];
+        // Of cycles that differ no single one tells what follows.
+        const double rate =
+            rates_.end_with_the_cycle() ? std::nan("") : rate_behind_turn(growth_, crack, turning_, t, angle);
+        if (std::isnan(rate)) untold_turn_ = {t, angle};
         if (!(rates[t] < negligible * rate)) continue;  // nor is it known
         started.insert(t);
         rates_.start(t, rate);
@@ -235,7 +241,7 @@ bool CrackGrowth::is_over(const std::vector<TipResult>& nominal, const std::vect
         return true;
     }
     require_drive(last);
-    if (last.empty() || rates_.drive_a_tip()) return false;
+    if (last.empty() || rates_.drive_a_tip() || !rates_.are_of_a_whole_period()) return false;
     note_(is_arrested(rates_.end_with_the_cycle(), untold_turn_));
     return true;
 }

@@ -74,8 +74,8 @@ private:
                              const std::vector<double>& elements) const;
     [[nodiscard]] TipSteps steps_about(std::size_t fastest, const Scene& present, double turn,
                                        const std::vector<double>& elements) const;
-    /// What drives a tip of the crack just behind a turn follows from K before it.
-    [[nodiscard]] bool K_tells_turns(const CrackSection& crack) const;
+    /// Of a cycle that ends at its maximum.
+    void note_cycle(const std::vector<ModesOfTip>& maximum);
     /// The law takes K_I, and K_II turns a tip: one that K_I does not drive may be driven once it has turned. Starts
     /// those, and returns their numbers.
     std::set<std::size_t> start_by_turns(const CrackedBody& body, const std::vector<TipResult>& guides,
@@ -98,6 +98,7 @@ private:
     std::vector<ReachedK> K_reached_;  // one per tip
     std::vector<LengthAndK> before_;   // what the tips had reached when they grew last; empty: they have not grown
     ReachedExtremes extremes_;
+    TurningModes turning_;
     std::optional<TurnOfTip> untold_turn_;  // what drives that tip behind it is not known
     std::set<int> said_to_freeze_;          // tips: no checkpoint, for a run that retains functions cannot be resumed
 };

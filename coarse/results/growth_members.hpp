@@ -85,14 +85,27 @@ void members(auto& archive, Is<ReachedK> auto& m) {
     archive("K_I", K_I);
 }
 
+void members(auto& archive, Is<ModesOfTip> auto& m) {
+    auto& [K_I, K_II] = m;
+    archive("K_I", K_I);
+    archive("K_II", K_II);
+}
+
+void members(auto& archive, Is<TurningModes> auto& m) {
+    auto& [minimum, cycles] = m;
+    archive("minimum", minimum);
+    archive("cycles", cycles);
+}
+
 void members(auto& archive, Is<GrowthMemory> auto& m) {
-    auto& [ended, increment, rates, K_reached, before, extremes] = m;
+    auto& [ended, increment, rates, K_reached, before, extremes, turning] = m;
     archive("ended", ended);
     archive("increment", increment);
     archive("rates", rates);
     archive("K_reached", K_reached);
     archive("before", before);
     archive("extremes", extremes);
+    archive("turning", turning);
 }
 
 void members(auto& archive, Is<DueGrowth> auto& m) {

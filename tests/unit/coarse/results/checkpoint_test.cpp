@@ -46,6 +46,7 @@ Checkpoint some_checkpoint() {
     state.growth.rates.last = 0.25;
     state.growth.K_reached = {{.of_break = 610.5, .K_I = 600.0}, {}};
     state.growth.before = {{20.5, 590.25}, {0.0, 0.0}};
+    state.growth.turning = {.minimum = {{1.0, 2.0}}, .cycles = {{3.0, 4.0}, {1.0, 2.0}}};
     state.growth.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth.rates.period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
     state.load.reached = -1.0 / 3.0;
@@ -129,6 +130,8 @@ TEST(Checkpoint, ComesBackBitForBit) {
     ASSERT_EQ(out.analysis.growth.before.size(), 2U);
     EXPECT_EQ(out.analysis.growth.before[0].a, 20.5);
     EXPECT_EQ(out.analysis.growth.before[0].K, 590.25);
+    EXPECT_EQ(out.analysis.growth.turning.minimum, in.analysis.growth.turning.minimum);
+    EXPECT_EQ(out.analysis.growth.turning.cycles, in.analysis.growth.turning.cycles);
     EXPECT_EQ(out.analysis.growth.extremes.maximum.main, 50.0);
     EXPECT_EQ(out.analysis.growth.extremes.maximum.cases, in.analysis.growth.extremes.maximum.cases);
     EXPECT_EQ(out.analysis.growth.extremes.minimum.main, -5.0);
