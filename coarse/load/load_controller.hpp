@@ -59,7 +59,8 @@ struct LegEnds {
 
 /// What a half cycle is expected to do to the tips.
 struct LegOutlook {
-    std::vector<double> met = {};  // loads at which faces that it closes are expected to meet, in units of the history; NaN: never
+    /// Loads at which faces that it closes are expected to meet, in units of the history; NaN: never.
+    std::vector<double> met = {};
     bool presses = false;          // it goes to a load that presses faces together, or comes from there
     SensesOfK senses = {};
 };
