@@ -264,7 +264,8 @@ GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vecto
     };
     if (std::ranges::any_of(ways, is_held)) return grown;
     if (left_the_mesh && std::ranges::any_of(turned_at_ends_of_edges(ways.front(), body.scene().enriched), is_held)) {
-        note_("a crack runs along an element edge, and turns at its end: no crack leaves an edge in its middle");
+        const double angle = largest_turn(body.scene().enriched.tips, ways.front());
+        note_(turns_at_end_of_edge(angle, angle > sharp_turn));
         return grown;
     }
     if (left_the_mesh && std::ranges::any_of(bent_before_edges(ways.front(), body.scene().enriched), is_held)) {

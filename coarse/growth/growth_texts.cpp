@@ -1,5 +1,6 @@
 #include "coarse/growth/growth_texts.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -14,6 +15,15 @@ std::string turns_sharply(std::size_t tip, double grows, double element) {
         "warning: tip {} turns sharply and grows by {:.3g} mm, less than {:g} elements of {:.3g} mm: its K "
         "is not resolved until it is as far behind the bend",
         tip, grows, elements_behind_bend, element);
+}
+
+std::string turns_at_end_of_edge(double angle, bool sharp) {
+    const std::string late =
+        "a crack runs along an element edge, and turns at its end: no crack leaves an edge in its middle";
+    if (!sharp) return late;
+    return fmt::format("warning: {}. So it turns by {:.0f} degrees up to an element too late, which N tells; smaller "
+                       "elements do so earlier, and a crack a little beside the line of nodes at once",
+                       late, std::abs(angle) * 180.0 * std::numbers::inv_pi);
 }
 
 std::string functions_change(bool stand) {

@@ -10,6 +10,9 @@ namespace stria::coarse {
 /// A tip that `grows` by so much behind a sharp turn, less than elements_behind_bend of this edge, mm.
 [[nodiscard]] std::string turns_sharply(std::size_t tip, double grows, double element);
 
+/// A crack wants to turn by `angle`, radians, within an element edge along which it runs.
+[[nodiscard]] std::string turns_at_end_of_edge(double angle, bool sharp);
+
 /// With fine.enrichment = "auto" cracks become so long that elements at their tips are small beside them.
 /// `stand`: functions do at the tips from there on, or do no longer.
 [[nodiscard]] std::string functions_change(bool stand);
