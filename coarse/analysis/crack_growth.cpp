@@ -262,10 +262,13 @@ GrownScene CrackGrowth::along_first_of(const CrackedBody& body, const std::vecto
             return false;
         }
     };
-    if (std::ranges::any_of(ways, is_held)) return grown;
+    if (std::ranges::any_of(ways, is_held)) {
+        turns_late_ = false;
+        return grown;
+    }
     if (left_the_mesh && std::ranges::any_of(turned_at_ends_of_edges(ways.front(), body.scene().enriched), is_held)) {
         const double angle = largest_turn(body.scene().enriched.tips, ways.front());
-        note_(turns_at_end_of_edge(angle, angle > sharp_turn));
+        if (!std::exchange(turns_late_, true)) note_(turns_at_end_of_edge(angle, angle > sharp_turn));
         return grown;
     }
     if (left_the_mesh && std::ranges::any_of(bent_before_edges(ways.front(), body.scene().enriched), is_held)) {
