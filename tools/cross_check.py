@@ -143,7 +143,7 @@ def unbalanced(history):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
         sys.exit(__doc__.split("\n\n")[1].strip())
     wrong = faults(Path(sys.argv[1]))
     print("\n".join(wrong) if wrong else "cycles.csv is what history.csv makes it")
