@@ -61,7 +61,7 @@ struct LegEnds {
 struct LegOutlook {
     /// Loads at which faces that it closes are expected to meet, in units of the history; NaN: never.
     std::vector<double> met = {};
-    bool presses = false;          // it goes to a load that presses faces together, or comes from there
+    bool presses = false;  // it goes to a load that presses faces together, or comes from there
     SensesOfK senses = {};
 };
 
