@@ -75,9 +75,10 @@ double rate_behind_turn(const GrowthSection& growth, const CrackSection& crack, 
                         std::size_t tip, double angle) {
     if (growth.law == GrowthLaw::Ctod || (grows_by_opening_loads(growth) && may_touch(crack))) return std::nan("");
     GrowthSection law = growth;
-    if (grows_by_opening_loads(growth))
-        law.driving = GrowthDriving::Range, law.walker = 1.0;  // the same, without
-                                                               // contact
+    if (grows_by_opening_loads(growth)) {  // without contact dK_eff is dK
+        law.driving = GrowthDriving::Range;
+        law.walker = 1.0;
+    }
     const std::size_t tips = modes.minimum.size(), cycles = tips > 0 ? modes.cycles.size() / (2 * tips) : 0;
     double sum = 0.0;
     for (std::size_t c = 0; c < cycles; ++c) {
