@@ -263,7 +263,8 @@ Section<BoundarySection> boundary_section() {
               "mesh.file, or its \"unnamed\" edges; or \"point\".");
     s.value("at", &BoundarySection::at)
         .in("mm")
-        .says("The point, with on = \"point\": a node of mesh.file; in a specimen one is put there.");
+        .says("The point, with on = \"point\": a node of mesh.file; in a specimen one is put there, but in ct none "
+              "within 0.2 width of a pin.");
     s.value("displacement", &BoundarySection::displacement).in("mm").says("Displacement per unit load factor.");
     s.value("traction", &BoundarySection::traction).in("MPa").says("Traction per unit load factor.");
     s.value("traction_gradient", &BoundarySection::traction_gradient)
