@@ -40,7 +40,7 @@ COLUMNS = [["load_factor"], ["load"], ["displacement"], ["a"], ["K_I", "K_II"], 
 # What a run may warn of, and what the scene then has.
 EXPLAINED = {r"the largest ring": r"width = 10\.0(.|\n)*\nsize = (0\.[789]|1)|on = \"point\"",  # of a plate that a crack half parts, or beside a point
              r"its crack bends": r"points = \[(\[[^]]*\](, )?){3}|\[growth\]",
-             r"forward plastic zone|closure is looked at": r"yield_stress(.|\n)*(contact|\[growth\])|\[growth\](.|\n)*yield_stress|contact(.|\n)*yield_stress",
+             r"forward plastic zone|closure is (still )?looked at": r"yield_stress(.|\n)*(contact|\[growth\])|\[growth\](.|\n)*yield_stress|contact(.|\n)*yield_stress",
              r"growth.increment = .* (at a time|of its forward plastic zone)": r"yield_stress(.|\n)*\[growth\]",
              r"nothing yields there": r"contact(.|\n)*\[growth\]",
              r"turns sharply|runs along an element edge": r"\[growth\]",
