@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "common/linear/lower_triangle.hpp"
 #include "common/stopwatch.hpp"
 
 namespace stria::coarse {
@@ -152,7 +153,7 @@ std::shared_ptr<const FarDisplacement> Structure::beside_near(const LoadFactors&
 
 Eigen::VectorXd Structure::far_force(const Eigen::VectorXd& rim_displacement) const {
     if (!far_) return rim_displacement;
-    return far_->tangent() * rim_displacement;
+    return times_lower(far_->tangent(), rim_displacement);
 }
 
 Eigen::VectorXd Structure::expand_far(const Eigen::VectorXd& rim_displacement) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <utility>
 
 #include "common/linear/lapack.hpp"
@@ -34,17 +33,5 @@ private:
 
     Eigen::MatrixXd lower_;
 };
-
-/// Fills the upper triangle from the lower one.
-inline void mirror_lower(Eigen::MatrixXd& C) {
-    constexpr Eigen::Index tile = 32;  // columns and rows of a tile both stay in the first cache
-    const Eigen::Index n = C.rows();
-    for (Eigen::Index first = 0; first < n; first += tile) {
-        for (Eigen::Index row = first; row < n; row += tile) {
-            for (Eigen::Index j = first; j < std::min(first + tile, n); ++j)
-                for (Eigen::Index i = std::max(row, j + 1); i < std::min(row + tile, n); ++i) C(j, i) = C(i, j);
-        }
-    }
-}
 
 }  // namespace stria

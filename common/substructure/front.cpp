@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "common/index.hpp"
-#include "common/linear/dense_cholesky.hpp"
 #include "common/linear/lapack.hpp"
+#include "common/linear/lower_triangle.hpp"
 
 namespace stria {
 namespace {

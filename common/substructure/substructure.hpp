@@ -13,10 +13,17 @@ namespace stria {
 /// make a general one, and so is all that has one of them below it.
 enum class Symmetry : std::uint8_t { Symmetric, General };
 
-/// A condensed tangent as it is handed on; both triangles are filled.
+/// A condensed tangent as it is handed on. Of a symmetric one the lower triangle counts: what stands above it is not
+/// told.
 struct CondensedTangent {
     Eigen::MatrixXd matrix;
     Symmetry symmetry = Symmetry::Symmetric;
+
+    [[nodiscard]] Eigen::VectorXd column(Eigen::Index j) const {
+        Eigen::VectorXd column = matrix.col(j);
+        if (symmetry == Symmetry::Symmetric) column.head(j) = matrix.row(j).head(j).transpose();
+        return column;
+    }
 };
 
 /// A load b carried to the boundary: boundary = b_b - K_bi K_ii^-1 b_i; interior: what expand() needs again.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "common/index.hpp"
-#include "common/linear/dense_cholesky.hpp"
+#include "common/linear/lower_triangle.hpp"
 
 namespace stria::coupling {
 namespace {

@@ -16,14 +16,14 @@ class SeamTree {
 public:
     SeamTree(const EnrichedMesh& zone, const std::vector<RankPart>& parts, const Seams& seams);
 
-    /// `tangent`: of a part, on its shared unknowns, N/mm per mm; of a symmetric one the lower triangle.
+    /// `tangent`: of a part, on its shared unknowns, N/mm per mm.
     void set_tangent(std::size_t part, CondensedTangent tangent);
 
     /// Factors anew what set_tangent has changed; false where there was nothing. Throws NumericalFailure.
     bool factor();
 
     /// The zone's tangent on Gamma.
-    [[nodiscard]] CondensedTangent tangent() const { return {tree_->tangent(), tree_->symmetry()}; }
+    [[nodiscard]] CondensedTangent tangent() const { return {tree_->lower_tangent(), tree_->symmetry()}; }
 
     /// Condenses what is out of balance on the kept unknowns, and their load per unit load factor, N/mm.
     void reduce(const Eigen::VectorXd& load, const Eigen::VectorXd& unit_load);

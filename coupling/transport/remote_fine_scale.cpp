@@ -33,10 +33,7 @@ RemoteFineScale::~RemoteFineScale() {
     }
 }
 
-void RemoteFineScale::begin_set_patch(const Patch& patch) {
-    begin(Tag::Patch, pack(patch));
-    merges_ = patch.shared;
-}
+void RemoteFineScale::begin_set_patch(const Patch& patch) { begin(Tag::Patch, pack(patch)); }
 
 void RemoteFineScale::set_patch(const Patch& patch) {
     if (begun_ != Tag::Patch) begin_set_patch(patch);
@@ -51,7 +48,7 @@ void RemoteFineScale::request(const PatchDisplacement& displacement) { send(Tag:
 
 PatchResponse RemoteFineScale::collect() {
     const Message message = answer(Tag::Response);
-    PatchResponse response = merges_ ? unpack_half(message.bytes) : unpack<PatchResponse>(message.bytes);
+    PatchResponse response = unpack<PatchResponse>(message.bytes);
     if (response.same_tangent) {
         ++traffic_.tangents_not_sent;
         traffic_.bytes_not_sent += bytes_with_tangent_ - std::ssize(message.bytes);
@@ -80,7 +77,6 @@ ZoneSnapshot RemoteFineScale::kept() { return unpack<ZoneSnapshot>(ask(Tag::Kept
 
 void RemoteFineScale::begin_restore(const Patch& patch, const ZoneSnapshot& snapshot) {
     begin(Tag::Restore, pack(Restore{patch, snapshot}));
-    merges_ = patch.shared;
 }
 
 void RemoteFineScale::restore(const Patch& patch, const ZoneSnapshot& snapshot) {

@@ -53,7 +53,6 @@ private:
     WorkCounts traffic_;
     std::int64_t bytes_with_tangent_ = 0;  // of the last answer that brought one
     bool in_flight_ = false;
-    bool merges_ = false;       // its answers are for who merges several ranks: Patch::shared
     std::optional<Tag> begun_;  // the question in flight, where nobody waits for its answer yet
 };
 

@@ -11,7 +11,6 @@
 
 #include "common/error.hpp"
 #include "common/index.hpp"
-#include "common/linear/dense_cholesky.hpp"
 #include "coupling/transport/wire_fields.hpp"
 
 namespace stria::coupling {
@@ -89,7 +88,7 @@ private:
 
 class Reader {
 public:
-    explicit Reader(std::span<const std::byte> bytes, bool mirrors = true) : bytes_(bytes), mirrors_(mirrors) {}
+    explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
     void operator()(auto&... values) { (get(values), ...); }
 
@@ -98,7 +97,6 @@ public:
         get(order);
         make_room(a, order, order, order * (order + std::uint64_t{1}) / 2);
         get_columns(a, true);
-        if (mirrors_) mirror_lower(a);
     }
 
     [[nodiscard]] bool finished() const { return bytes_.empty(); }
@@ -176,15 +174,7 @@ private:
     [[noreturn]] static void throw_truncated() { throw ComponentLost("a message between the components is truncated"); }
 
     std::span<const std::byte> bytes_;
-    bool mirrors_;
 };
-
-template <class M> M read(Reader reader) {
-    M message;
-    reader(message);
-    if (!reader.finished()) throw ComponentLost("a message between the components is longer than its contents");
-    return message;
-}
 
 }  // namespace
 
@@ -194,9 +184,13 @@ template <class M> std::vector<std::byte> pack(const M& message) {
     return writer.take();
 }
 
-template <class M> M unpack(std::span<const std::byte> bytes) { return read<M>(Reader(bytes)); }
-
-PatchResponse unpack_half(std::span<const std::byte> bytes) { return read<PatchResponse>(Reader(bytes, false)); }
+template <class M> M unpack(std::span<const std::byte> bytes) {
+    Reader reader(bytes);
+    M message;
+    reader(message);
+    if (!reader.finished()) throw ComponentLost("a message between the components is longer than its contents");
+    return message;
+}
 
 template std::vector<std::byte> pack(const Hello&);
 template std::vector<std::byte> pack(const Failure&);

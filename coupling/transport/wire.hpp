@@ -15,7 +15,4 @@ template <class M> [[nodiscard]] std::vector<std::byte> pack(const M& message);
 /// Throws ComponentLost where the bytes are not exactly one `M`.
 template <class M> [[nodiscard]] M unpack(std::span<const std::byte> bytes);
 
-/// The same, but of a symmetric tangent the lower triangle is enough: the other one is left as it comes.
-[[nodiscard]] PatchResponse unpack_half(std::span<const std::byte> bytes);
-
 }  // namespace stria::coupling

@@ -175,8 +175,7 @@ void FineModel::condense(coupling::PatchResponse& response) {
         ++work_.factors_reused;
     } else {
         tree_.factor();
-        const bool half = system_.patch().shared;  // half of a symmetric one is enough for who merges ranks
-        response.tangent = {half ? fronts.lower_tangent() : fronts.tangent(), fronts.symmetry()};
+        response.tangent = {fronts.lower_tangent(), fronts.symmetry()};
     }
     reduced_ = fronts.reduce(right_hand_side_of(system_));
     response.force = -reduced_.boundary;

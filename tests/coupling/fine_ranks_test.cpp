@@ -15,6 +15,7 @@
 #include "tests/support/plates.hpp"
 #include "tests/support/sent_analysis.hpp"
 #include "tests/support/specimens.hpp"
+#include "tests/support/whole_tangent.hpp"
 
 namespace stria::test {
 namespace {
@@ -80,7 +81,7 @@ TEST_P(FineRanks, AnswerAsOne) {
             const Eigen::VectorXd u = start + (increment + 0.3 * std::min(iteration, 3)) * far;
             const auto a = answer(one, iteration, u, {0.7, 1}), b = answer(*team.together, iteration, u, {0.7, 1});
             EXPECT_LT(difference(b.force, a.force), 1e-9);
-            EXPECT_LT(difference(b.tangent.matrix, a.tangent.matrix), 1e-9);
+            EXPECT_LT(difference(whole(b.tangent), whole(a.tangent)), 1e-9);
             EXPECT_LT(difference(b.unit_load, a.unit_load), 1e-9);
             work = std::max(work, a.along_before);
             EXPECT_NEAR(b.along, a.along, 1e-9 * work);
@@ -139,7 +140,7 @@ TEST(FineRanksInTurn, WhoHasAnsweredIsHeardFirstAndTheSumHasTheSameBits) {
     }
     EXPECT_EQ(heard, (std::vector{0, 1, 1, 0}));
     EXPECT_EQ(answers[1].force, answers[0].force);
-    EXPECT_EQ(answers[1].tangent.matrix, answers[0].tangent.matrix);
+    EXPECT_EQ(whole(answers[1].tangent), whole(answers[0].tangent));
 }
 
 class GrowingFineRanks : public FineRanks {
@@ -158,7 +159,7 @@ protected:
             const Eigen::VectorXd there = u * (1.0 - 0.1 * std::max(0, 3 - iteration));
             const auto a = answer(one, iteration, there), b = answer(*team.together, iteration, there);
             EXPECT_LT(difference(b.force, a.force), 1e-9);
-            EXPECT_LT(difference(b.tangent.matrix, a.tangent.matrix), 1e-9);
+            EXPECT_LT(difference(whole(b.tangent), whole(a.tangent)), 1e-9);
             EXPECT_EQ(b.digest.yielding_points, a.digest.yielding_points);
         }
         const coupling::StepReport a = one.commit({}), b = team.together->commit({});
@@ -298,7 +299,7 @@ TEST_P(FineRanks, WorkOnAfterAFailure) {
     team.together->rollback();
     const coupling::PatchResponse a = answer(one, 0, rest), b = answer(*team.together, 0, rest);
     EXPECT_FALSE(b.same_tangent);
-    EXPECT_LT(difference(b.tangent.matrix, a.tangent.matrix), 1e-9);
+    EXPECT_LT(difference(whole(b.tangent), whole(a.tangent)), 1e-9);
 }
 
 /// In this process: it works while it is asked.

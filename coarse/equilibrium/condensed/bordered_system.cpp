@@ -1,18 +1,28 @@
 #include "coarse/equilibrium/condensed/bordered_system.hpp"
 
+#include "common/linear/lower_triangle.hpp"
+
 namespace stria::coarse {
 
-void BorderedSystem::factor(const std::function<Eigen::MatrixXd()>& tangent, Symmetry symmetry,
-                            const LinearReading& controlled) {
+void BorderedSystem::factor(const std::function<CondensedTangent()>& tangent, const LinearReading& controlled) {
     const auto make = [&] {
-        Eigen::MatrixXd A = tangent();
+        CondensedTangent A = tangent();
         const Eigen::VectorXd& w = controlled.weights;
-        sigma_ = controlled.is_load_factor() ? 0.0 : A.diagonal().mean() / w.squaredNorm();
-        if (sigma_ != 0.0) A.noalias() += sigma_ * w * w.transpose();
+        sigma_ = controlled.is_load_factor() ? 0.0 : A.matrix.diagonal().mean() / w.squaredNorm();
+        if (sigma_ != 0.0 && A.symmetry == Symmetry::Symmetric)
+            A.matrix.selfadjointView<Eigen::Lower>().rankUpdate(w, sigma_);
+        else if (sigma_ != 0.0)
+            A.matrix.noalias() += sigma_ * w * w.transpose();
         return A;
     };
-    definite_ = symmetry == Symmetry::Symmetric && factor_.factor(make());
-    if (!definite_) general_factor_.compute(make());
+    CondensedTangent A = make();
+    definite_ = A.symmetry == Symmetry::Symmetric && factor_.factor(std::move(A.matrix));
+    if (definite_) return;
+    if (A.symmetry == Symmetry::Symmetric) {
+        A = make();
+        mirror_lower(A.matrix);
+    }
+    general_factor_.compute(A.matrix);
 }
 
 GammaState BorderedSystem::solve(const Eigen::VectorXd& residual, double off_target,

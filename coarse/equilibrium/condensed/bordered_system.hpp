@@ -18,7 +18,7 @@ class BorderedSystem {
 public:
     /// `tangent`: makes A on the free places, MPa. Cholesky's method works in its place, without a copy: where A turns
     /// out not to be definite it is made again.
-    void factor(const std::function<Eigen::MatrixXd()>& tangent, Symmetry symmetry, const LinearReading& controlled);
+    void factor(const std::function<CondensedTangent()>& tangent, const LinearReading& controlled);
 
     /// With the factor last made. `residual`: R, N/mm; `off_target`: r; `load_derivative`: b.
     [[nodiscard]] GammaState solve(const Eigen::VectorXd& residual, double off_target,

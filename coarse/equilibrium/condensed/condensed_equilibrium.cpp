@@ -5,11 +5,23 @@
 
 #include "coarse/equilibrium/zone_residual.hpp"
 #include "common/error.hpp"
+#include "common/linear/lower_triangle.hpp"
 
 namespace stria::coarse {
 namespace {
 
 double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
+
+/// Of a symmetric sum the lower triangle: half of the way through memory.
+template <class Zone> Eigen::MatrixXd sum_of(const Eigen::MatrixXd& structure, const Zone& zone, Symmetry symmetry) {
+    const Eigen::Index n = structure.rows();
+    Eigen::MatrixXd sum(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const Eigen::Index rows = symmetry == Symmetry::Symmetric ? n - j : n;
+        sum.col(j).tail(rows) = structure.col(j).tail(rows) + zone.col(j).tail(rows);
+    }
+    return sum;
+}
 
 }  // namespace
 
@@ -60,7 +72,7 @@ Residual CondensedEquilibrium::linearise() {
 // `u`: the trial state on the free places. The structure's part needs no answer and is found meanwhile.
 void CondensedEquilibrium::ask_zone(const Eigen::VectorXd& u) {
     zone_.ask(states_.trial(), [&] {
-        residual_ -= structure_.tangent() * u;
+        residual_ -= times_lower(structure_.tangent(), u);
         if (near_wanted_) (void)near_displacement();
     });
 }
@@ -78,16 +90,16 @@ void CondensedEquilibrium::expect_next(const Residual& result) {
 Eigen::VectorXd CondensedEquilibrium::load_derivative() const {
     Eigen::VectorXd derivative =
         structure_.loads().unit().boundary + structure_.on_free_places(zone_.answer().unit_load);
-    supports_.add_pull(zone_.tangent().matrix, derivative);
+    supports_.add_pull(zone_.tangent(), derivative);
     return derivative;
 }
 
 /// Of structure and zone, on the free places.
-Eigen::MatrixXd CondensedEquilibrium::tangent() const {
-    const std::vector<int>& free = structure_.free_places();
-    const Eigen::MatrixXd& zone = zone_.tangent().matrix;
-    if (supports_.empty()) return structure_.tangent() + zone;
-    return structure_.tangent() + zone(free, free);
+CondensedTangent CondensedEquilibrium::tangent() const {
+    const std::vector<int>& free = structure_.free_places();  // ascending: a lower triangle stays one
+    const auto& [zone, symmetry] = zone_.tangent();
+    if (supports_.empty()) return {sum_of(structure_.tangent(), zone, symmetry), symmetry};
+    return {sum_of(structure_.tangent(), zone(free, free), symmetry), symmetry};
 }
 
 double CondensedEquilibrium::solve() {
@@ -96,7 +108,7 @@ double CondensedEquilibrium::solve() {
         ++work_.gamma_factors_reused;
     } else {
         ++work_.gamma_factored;
-        system_.factor([this] { return tangent(); }, zone_.tangent().symmetry, control_.controlled());
+        system_.factor([this] { return tangent(); }, control_.controlled());
     }
     correction_ = system_.solve(residual_, off_target_, load_derivative(), control_.controlled());
     const Eigen::VectorXd& du = correction_.displacement;

@@ -52,7 +52,7 @@ public:
 private:
     void impose_supports();
     void ask_zone(const Eigen::VectorXd& u);
-    [[nodiscard]] Eigen::MatrixXd tangent() const;
+    [[nodiscard]] CondensedTangent tangent() const;
     [[nodiscard]] Eigen::VectorXd load_derivative() const;
     void add_structure_work(Residual& result) const;
     void expect_next(const Residual& result);

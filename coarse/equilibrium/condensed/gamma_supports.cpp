@@ -18,10 +18,10 @@ void GammaSupports::impose(GammaState& state) const {
     for (const Held& held : held_) state.displacement[held.place] = held.prescribed->under(state.factors());
 }
 
-void GammaSupports::add_pull(const Eigen::MatrixXd& zone_tangent, Eigen::VectorXd& force) const {
+void GammaSupports::add_pull(const CondensedTangent& zone, Eigen::VectorXd& force) const {
     for (const Held& held : held_)
         if (const double value = held.prescribed->value; value != 0.0)
-            force -= value * structure_.on_free_places(zone_tangent.col(held.place));
+            force -= value * structure_.on_free_places(zone.column(held.place));
 }
 
 void GammaSupports::add_reactions(const Eigen::VectorXd& zone_force, MachineReading& reading) const {

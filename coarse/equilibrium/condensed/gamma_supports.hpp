@@ -19,7 +19,7 @@ public:
     void impose(GammaState& state) const;
 
     /// Force on the free places, N/mm, that moving them by a load factor of 1 makes by way of the zone.
-    void add_pull(const Eigen::MatrixXd& zone_tangent, Eigen::VectorXd& force) const;
+    void add_pull(const CondensedTangent& zone, Eigen::VectorXd& force) const;
 
     /// What a machine reads of the reactions to the zone's force on Gamma, N/mm.
     void add_reactions(const Eigen::VectorXd& zone_force, MachineReading& reading) const;
