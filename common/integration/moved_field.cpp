@@ -224,6 +224,10 @@ std::optional<TipMoves> TipMoves::between(const EnrichedMesh& from, const Enrich
     return moves;
 }
 
+bool TipMoves::are_none() const {
+    return std::ranges::all_of(moves, [](const Vec2& move) { return move.isZero(0.0); });
+}
+
 Vec2 TipMoves::of_nearest_tip(const Vec2& x) const {
     if (tips.empty()) return Vec2::Zero();
     const auto nearest = std::ranges::min_element(tips, {}, [&](const Vec2& tip) { return (tip - x).squaredNorm(); });

@@ -17,6 +17,9 @@ struct TipMoves {
     /// are tip functions.
     static std::optional<TipMoves> between(const EnrichedMesh& from, const EnrichedMesh& to);
 
+    /// No tip has moved by an element.
+    [[nodiscard]] bool are_none() const;
+
     /// That of the tip nearest to a place.
     [[nodiscard]] Vec2 of_nearest_tip(const Vec2& x) const;
 

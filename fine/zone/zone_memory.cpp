@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <ranges>
 #include <utility>
 
@@ -112,7 +113,14 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
         contact.restore(std::move(statuses), std::move(approach));
     }
     memory.committed = std::move(carried);
-    if (old_contact == nullptr) return;
+}
+
+void carry_increments(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface& old_contact,
+                      const coupling::Patch& next, const ContactInterface& contact) {
+    if (&contact == &old_contact && !next.shared) {
+        const std::optional<TipMoves> moves = TipMoves::between(before, next.mesh);
+        if (moves && moves->are_none()) return;
+    }
     const auto of_one_rank = [&] {
         const auto& known = memory.increments.all();
         Eigen::MatrixXd increments(before.unknowns, std::ssize(known));
@@ -122,7 +130,7 @@ void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const Contac
     };
     const coupling::MovedIncrements moved =
         next.shared ? next.moved : coupling::moved_increments(before, next.mesh, of_one_rank);
-    move_increments(memory, *old_contact, contact, moved);
+    move_increments(memory, old_contact, contact, moved);
 }
 
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out) {

@@ -29,10 +29,15 @@ struct ZoneMemory {
 /// displacement behind (docs/method.md, section 7).
 void keep_displacement(ZoneMemory& memory, const EnrichedMesh& before, const coupling::Patch& next);
 
-/// Turns to the unknowns of a new mesh and of its faces. Increments go along with the tips (MovedField), or are
-/// forgotten where they cannot. `old_contact`: null at the start, when nothing is carried.
+/// Turns the committed state to the unknowns of a new mesh and of its faces. `old_contact`: null at the start, when
+/// nothing is carried.
 void carry_unknowns(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface* old_contact,
                     const coupling::Patch& next, ContactInterface& contact);
+
+/// Increments go along with the tips (MovedField), or are forgotten where they cannot. `contact`: the old one where
+/// the mesh is the same, but for its tips.
+void carry_increments(ZoneMemory& memory, const EnrichedMesh& before, const ContactInterface& old_contact,
+                      const coupling::Patch& next, const ContactInterface& contact);
 
 /// Writes all of it, and of each multiplier its place, its committed status and its rest.
 void write(const ZoneMemory& memory, const ContactInterface& contact, coupling::ZoneSnapshot& out);

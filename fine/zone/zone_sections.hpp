@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "common/case/case.hpp"
+#include "common/case/case_questions.hpp"
+#include "common/integration/element_operator.hpp"
 #include "common/material/materials.hpp"
 
 namespace stria::fine {
@@ -12,6 +14,15 @@ struct ZoneSections {
     ZoneSections(const Case& input)
         : materials(input), cracks(input.cracks), fine(input.fine), steps_per_cycle(input.load.steps),
           tolerance(input.solver.tolerance) {}
+
+    [[nodiscard]] IntegrationRule rule() const {
+        // Of elastic elements around a tip that slides: points without a history, so that there may be many.
+        const bool dense = !materials.may_yield() && has_friction(cracks);
+        return {.subcells = subcells_at_crack(fine),
+                .far_subcells = subcells_elsewhere(fine),
+                .singular_gauss = dense ? 6 : 2,
+                .tip_points = dense ? 10 : 4};
+    }
 
     Materials materials;
     std::vector<CrackSection> cracks;

@@ -22,33 +22,34 @@ TakenOver ZoneSystem::set_patch(const coupling::Patch& patch) {
     if (bulk_) wake_all();
     const bool stays = bulk_ && patch.part_of.empty() && patch_.boundary == patch.boundary &&
                        same_but_for_tips(patch_.mesh, patch.mesh) && same_arc_lengths(patch_.mesh, patch.mesh);
-    const std::unique_ptr<Bulk> old = stays ? nullptr : std::move(bulk_);
+    return stays ? move_tips(patch) : begin_zone(patch);
+}
+
+// The elements are the same, and so are the faces; of an attempt nothing is left.
+TakenOver ZoneSystem::move_tips(const coupling::Patch& patch) {
+    contact_->restore(contact_->committed_statuses(), contact_->approach());
+    carry_increments(memory_, patch_.mesh, *contact_, patch, *contact_);
+    bulk_->move_tips(patch.mesh.tips);
+    const EnrichedMesh before = std::move(patch_.mesh);
+    begin_with(patch);
+    memory_.opening.follow(before, patch_.mesh);
+    return taken_over(bulk_->elements(), true, *contact_, contact_.get());
+}
+
+TakenOver ZoneSystem::begin_zone(const coupling::Patch& patch) {
+    const std::unique_ptr<Bulk> old = std::move(bulk_);
     const std::unique_ptr<ContactInterface> old_contact = std::move(contact_);
     if (old && patch.part_of.empty()) keep_displacement(memory_, patch_.mesh, patch);
     make_contact(patch);
     carry_unknowns(memory_, patch_.mesh, old_contact.get(), patch, *contact_);
+    if (old_contact) carry_increments(memory_, patch_.mesh, *old_contact, patch, *contact_);
     if (memory_.committed.displacement.isZero(0.0)) contact_->begin_touching();
-    if (stays)
-        bulk_->move_tips(patch.mesh.tips);
-    else
-        bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), old.get(),
-                                       memory_.committed.displacement);
+    bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), input_.rule(), old.get(),
+                                   memory_.committed.displacement);
     const EnrichedMesh before = std::move(patch_.mesh);
     begin_with(patch);
-    if (stays)
-        memory_.opening.follow(before, patch_.mesh);
-    else if (old)
-        open_new_faces(before);
-    return taken_over(bulk_->elements(), stays, *contact_, old_contact.get());
-}
-
-IntegrationRule ZoneSystem::rule() const {
-    // Of elastic elements around a tip that slides: points without a history, so that there may be many.
-    const bool dense = !input_.materials.may_yield() && has_friction(input_.cracks);
-    return {.subcells = subcells_at_crack(input_.fine),
-            .far_subcells = subcells_elsewhere(input_.fine),
-            .singular_gauss = dense ? 6 : 2,
-            .tip_points = dense ? 10 : 4};
+    if (old) open_new_faces(before);
+    return taken_over(bulk_->elements(), false, *contact_, old_contact.get());
 }
 
 void ZoneSystem::make_contact(const coupling::Patch& patch) {
@@ -290,7 +291,7 @@ void ZoneSystem::restore(const coupling::Patch& patch, const coupling::ZoneSnaps
     make_contact(patch);
     take_up(memory_, *contact_, patch.mesh, snapshot);
     const coupling::WorkCounts so_far = bulk_ ? bulk_->counts() : coupling::WorkCounts();
-    bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), rule(), snapshot);
+    bulk_ = std::make_unique<Bulk>(patch.mesh, input_.materials, make_laws(), input_.rule(), snapshot);
     bulk_->count_on_from(so_far);
     begin_with(patch);
 }

@@ -111,7 +111,8 @@ public:
 
 private:
     [[nodiscard]] MaterialLaws make_laws() const { return make_material_laws(input_.materials, input_.fine.substeps); }
-    [[nodiscard]] IntegrationRule rule() const;
+    TakenOver move_tips(const coupling::Patch& patch);
+    TakenOver begin_zone(const coupling::Patch& patch);
     void make_contact(const coupling::Patch& patch);
     void begin_with(const coupling::Patch& patch);
     [[nodiscard]] double smallest_slip() const;
