@@ -63,6 +63,8 @@ void ElementBasis::number_functions() {
         double part;
     };
     std::vector<Share> shares;
+    first.reserve(2 * functions_.size());
+    shares.reserve(3 * functions_.size());
     const auto give = [&](std::size_t function, int node, int term, double part) {
         const int unknown = mesh_->unknown(node, term, 0);
         const auto found = std::ranges::find(first, unknown);
@@ -88,6 +90,7 @@ void ElementBasis::number_functions() {
             }
         }
     }
+    unknowns_.reserve(2 * first.size());
     for (const int unknown : first) unknowns_.insert(unknowns_.end(), {unknown, unknown + 1});
     ties_ = Eigen::MatrixXd::Zero(std::ssize(first), std::ssize(functions_));
     for (const Share& share : shares)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/fem/centre.hpp"
 #include "common/index.hpp"
 
 namespace stria {
@@ -12,14 +13,15 @@ RingSums::RingSums(const EnrichedMesh& mesh, const Tip& tip, const Elasticity& e
       of_places_(rings_.size()), auxiliary_(tip, elastic), weights_(mesh, tip, rings_, among, with_inside) {}
 
 bool RingSums::enter(int element) {
-    const auto found = std::ranges::lower_bound(elements(), element);
-    if (found == elements().end() || *found != element) return false;
-    entered_ = weights_.of(at(found - elements().begin()));
-    element_ = element;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const int node = mesh_.elements[at(element)][k];
-        corners_[k] = mesh_.nodes[at(node)];
+    std::size_t place = next_place_;  // of most: they come in order
+    if (place >= elements().size() || elements()[place] != element) {
+        const auto found = std::ranges::lower_bound(elements(), element);
+        if (found == elements().end() || *found != element) return false;
+        place = at(found - elements().begin());
     }
+    entered_ = weights_.of(place);
+    element_ = element;
+    next_place_ = place + 1;
     return true;
 }
 
@@ -35,7 +37,7 @@ void RingSums::look_at(const IntegrationPoint& point) {
         weighted_.reserve(points * weights_.entries());
     }
     fields_.push_back(auxiliary_.at(point.x, side_of(point)));
-    const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_, point.xi).gradient;
+    const Eigen::Matrix<double, 4, 2> gradient = shape_q4(corners_of_element(mesh_, element_), point.xi).gradient;
     const Vec2 turn = turned(tip_.direction);
     std::array<Vec2, 3> back;
     std::ranges::transform(fields_.back(), back.begin(), [&](const AuxiliaryField& field) -> Vec2 {
@@ -84,7 +86,7 @@ void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, 
     std::ranges::transform(fields_[visited_ - 1], mutual.begin(), [&](const AuxiliaryField& field) {
         return Mandel(field.strain_xx, field.strain_yy, 0.0, field.shear / std::numbers::sqrt2).dot(slope);
     });
-    const Eigen::Vector4d shape = shape_q4(corners_, point.xi).value;
+    const Eigen::Vector4d shape = shape_q4(corners_of_element(mesh_, element_), point.xi).value;
     for (const auto& [ring, q] : entered_) {
         const double weight = -point.weight * shape.dot(q);
         sums_[ring] += {.J = weight * own,
@@ -96,7 +98,7 @@ void RingSums::add_initial(const IntegrationPoint& point, const Mandel& stress, 
 
 void RingSums::add_mismatch(const IntegrationPoint& point, const Mandel& mismatch) {
     if (mismatch.isZero(0.0)) return;
-    const ShapeQ4 shape = shape_q4(corners_, point.xi);
+    const ShapeQ4 shape = shape_q4(corners_of_element(mesh_, element_), point.xi);
     const std::array<Mandel, 3> slopes = auxiliary_.stress_slopes(point.x, side_of(point));
     const std::array<AuxiliaryField, 3>& fields = fields_[visited_ - 1];
     for (const auto& [ring, q] : entered_) {

@@ -68,7 +68,7 @@ public:
     /// Sums start anew. The same points come again, in the same order: what their places say is known by then.
     void clear() {
         sums_ = of_places_;
-        visited_ = next_weighted_ = 0;
+        visited_ = next_weighted_ = next_place_ = 0;
     }
 
     /// Points so far do not come again: what their places say is forgotten. The sums go on.
@@ -126,9 +126,9 @@ private:
     std::size_t visited_ = 0, next_weighted_ = 0;        // points since clear(), and their weighted_
 
     // Of the element entered.
-    std::array<Vec2, 4> corners_;
     std::span<const RingWeights::Entered> entered_;
-    int element_ = -1;  // that was entered
+    int element_ = -1;            // that was entered
+    std::size_t next_place_ = 0;  // behind it, among elements()
 };
 
 }  // namespace stria

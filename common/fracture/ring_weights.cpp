@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "common/index.hpp"
 
@@ -44,9 +45,16 @@ Eigen::Vector4d corner_weights(const EnrichedMesh& mesh, int element, const Tip&
 
 RingWeights::RingWeights(const EnrichedMesh& mesh, const Tip& tip, std::span<const Annulus> rings,
                          std::span<const int> among, bool with_inside) {
+    std::vector<std::optional<Distances>> known(mesh.nodes.size());  // elements share their corners
+    const auto of_corner = [&](int node) {
+        std::optional<Distances>& own = known[at(node)];
+        if (!own) own = distances(mesh, node, tip);
+        return *own;
+    };
     for (const int element : among) {
         const std::size_t first = entered_.size();
-        const std::array<Distances, 4> corners = corner_distances(mesh, element, tip);
+        std::array<Distances, 4> corners;
+        std::ranges::transform(mesh.elements[at(element)], corners.begin(), of_corner);
         for (std::size_t ring = 0; ring < rings.size(); ++ring) {
             const Eigen::Vector4d q = weights(corners, rings[ring]);
             if (!constant(q) || (with_inside && q[0] != 0.0)) entered_.push_back({ring, q});

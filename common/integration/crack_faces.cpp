@@ -14,8 +14,14 @@
 namespace stria {
 namespace {
 
+/// The functions of an element on either side of a crack: room that serves station after station.
+struct Traces {
+    BasisValues plus, minus;
+};
+
 FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, const Vec2& x, const Vec2& tangent,
-                         double s, double weight) {
+                         double s, double weight, Traces& traces) {
+    auto& [plus, minus] = traces;
     FaceStation station;
     station.crack = piece.crack;
     station.element = piece.element;
@@ -24,11 +30,11 @@ FaceStation make_station(const ElementBasis& basis, const CrackPiece& piece, con
     station.x = x;
     station.tangent = tangent;
     station.normal = {-tangent.y(), tangent.x()};
-    BasisValues plus, minus;
     const Vec2 xi = map_to_parent(basis.corners(), x);
     station.shape = shape_values(xi);
     basis.evaluate(xi, x, 1, plus);
     basis.evaluate(xi, x, -1, minus);
+    station.terms.reserve(at(basis.functions()) / 2);  // half of the functions of most elements jump
     for (int f = 0; f < basis.functions(); ++f) {
         const double value = plus.value[f] - minus.value[f];
         const double slope = (plus.gradient.row(f) - minus.gradient.row(f)).dot(tangent);
@@ -131,6 +137,7 @@ struct Held {
 template <class Rule>
 std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int subcells, const Rule& places_between) {
     std::vector<FaceStation> stations;
+    Traces traces;
     for (const CrackPiece& piece : mesh.pieces) {
         if (piece.crack != crack) continue;
         // Both traces along an edge come from the functions of one of its elements: it counts as cut.
@@ -142,7 +149,7 @@ std::vector<FaceStation> stations_of(const EnrichedMesh& mesh, int crack, int su
             for (const auto& [s, weight] :
                  places_between(piece, Stretch{ends.points[k], ends.points[k + 1], ends.s[k], ends.s[k + 1]})) {
                 const Vec2 x = ends.points[k] + (s - ends.s[k]) / length * d;
-                stations.push_back(make_station(basis, piece, x, d.normalized(), s, weight));
+                stations.push_back(make_station(basis, piece, x, d.normalized(), s, weight, traces));
             }
         }
     }
@@ -187,8 +194,9 @@ FaceStation face_station_at(const EnrichedMesh& mesh, int crack, double s) {
         const auto k = at(std::clamp<std::ptrdiff_t>(after - piece.s.begin(), 1, std::ssize(piece.s) - 1));
         const Vec2 d = piece.points[k] - piece.points[k - 1];
         const double t = (s - piece.s[k - 1]) / (piece.s[k] - piece.s[k - 1]);
+        Traces traces;
         return make_station(ElementBasis(mesh, piece.element, true), piece, piece.points[k - 1] + t * d, d.normalized(),
-                            s, 0.0);
+                            s, 0.0, traces);
     }
     return nowhere(crack, s);
 }

@@ -1,5 +1,6 @@
-// Strains, forces and tangents of one element from its points, compiled for the four functions of a plain element and
-// for any number. Fields are stored component by component with `stride`, those of the element from their pointer on.
+// Strains, forces and tangents of one element from its points, compiled for the four functions of a plain element, the
+// eight of one of which every corner jumps, and any number. Fields are stored component by component with `stride`,
+// those of the element from their pointer on.
 #pragma once
 
 #include "common/fem/strain_operator.hpp"
@@ -91,6 +92,8 @@ private:
 template <class Visit> void with_kernel(const ElementOperator& op, Visit&& visit) {
     if (op.unknowns.size() == 8)
         visit(ElementKernel<4>(op));
+    else if (op.unknowns.size() == 16)
+        visit(ElementKernel<8>(op));
     else
         visit(ElementKernel<Eigen::Dynamic>(op));
 }

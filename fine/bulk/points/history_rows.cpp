@@ -1,5 +1,8 @@
 #include "fine/bulk/points/history_rows.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "common/error.hpp"
 
 namespace stria::fine {
@@ -47,16 +50,27 @@ void read_rows(const coupling::ZoneSnapshot& snapshot, const std::vector<Element
 
 void write_rows(const std::vector<ElementOperator>& operators, const PointHistory& history,
                 coupling::ZoneSnapshot& snapshot) {
-    snapshot.columns = leading + history.state_size();
-    snapshot.history.reserve(at(snapshot.columns) * at(history.points()));
-    for_each_row(operators, [&](int e, std::size_t q, std::size_t) {
+    const std::size_t columns = at(leading + history.state_size());
+    snapshot.columns = static_cast<std::int32_t>(columns);
+    snapshot.history.resize(columns * at(history.points()));
+    for_each_row(operators, [&](int e, std::size_t q, std::size_t place) {
         const IntegrationPoint& p = operators[at(e)].points[q];
         const Eigen::Matrix2d frozen = history.frozen_gradient(e, q);
-        snapshot.history.insert(snapshot.history.end(),
-                                {p.x.x(), p.x.y(), p.xi.x(), p.xi.y(), p.weight, static_cast<double>(p.side),
-                                 static_cast<double>(p.region), history.flow(e, q), frozen(0, 0), frozen(0, 1),
-                                 frozen(1, 0), frozen(1, 1)});
-        for (int c = 0; c < history.state_size(); ++c) snapshot.history.push_back(history.value(c, e, q));
+        double* const row = &snapshot.history[place * columns];
+        const std::array<double, leading> first{p.x.x(),
+                                                p.x.y(),
+                                                p.xi.x(),
+                                                p.xi.y(),
+                                                p.weight,
+                                                static_cast<double>(p.side),
+                                                static_cast<double>(p.region),
+                                                history.flow(e, q),
+                                                frozen(0, 0),
+                                                frozen(0, 1),
+                                                frozen(1, 0),
+                                                frozen(1, 1)};
+        double* to = std::ranges::copy(first, row).out;
+        for (int c = 0; c < history.state_size(); ++c) *to++ = history.value(c, e, q);
     });
 }
 

@@ -42,33 +42,38 @@ void StressChanges::look_at(int element, const Eigen::VectorXd& element_u) {
     std::ranges::copy(element_u, values_.begin() + records_[at(element)].first);
 }
 
-// In blocks of fixed size, which lie in registers.
+// Plain elements, and those of which every corner jumps, are most of all.
 double StressChanges::at_displacement(int element, const Eigen::VectorXd& u) const {
     const Record& record = records_[at(element)];
+    if (record.unknowns == 8) return largest<8>(record, u);
+    if (record.unknowns == 16) return largest<16>(record, u);
+    return largest<Eigen::Dynamic>(record, u);
+}
+
+// In blocks of fixed size, which lie in registers.
+template <int unknowns> double StressChanges::largest(const Record& record, const Eigen::VectorXd& u) const {
     constexpr Eigen::Index block = 4;
-    if (record.unknowns == 8 && record.points == block) return largest_of<8, block>(record, 0, u);
+    Eigen::Matrix<double, unknowns, 1> moved(record.unknowns);
+    for (Eigen::Index k = 0; k < moved.size(); ++k)
+        moved[k] = u[unknowns_[at(record.first_unknown + k)]] - values_[at(record.first + k)];
     double largest = 0.0;
     // What is not a number stays: it proves nothing.
     const auto raise = [&](double value) { largest = std::isnan(largest) || value <= largest ? largest : value; };
     Eigen::Index q = 0;
-    for (; q + block <= record.points; q += block) raise(largest_of<Eigen::Dynamic, block>(record, q, u));
-    for (; q < record.points; ++q) raise(largest_of<Eigen::Dynamic, 1>(record, q, u));
+    for (; q + block <= record.points; q += block) raise(largest_of<unknowns, block>(record, q, moved));
+    for (; q < record.points; ++q) raise(largest_of<unknowns, 1>(record, q, moved));
     return largest;
 }
 
 template <int unknowns, int points>
-double StressChanges::largest_of(const Record& record, Eigen::Index first, const Eigen::VectorXd& u) const {
-    const Eigen::Index count = unknowns == Eigen::Dynamic ? record.unknowns : unknowns;
-    const double* const start = &values_[at(record.first)];
-    const int* const place = &unknowns_[at(record.first_unknown)];
-    const auto moved = [&](Eigen::Index k) { return u[place[k]] - start[k]; };
+double StressChanges::largest_of(const Record& record, Eigen::Index first,
+                                 const Eigen::Matrix<double, unknowns, 1>& moved) const {
     using Values = Eigen::Array<double, points, 1>;
-    const auto gradients = [&](Eigen::Index k) {
-        return Eigen::Map<const Values>(start + count + k * record.points + first);
-    };
+    const double* const start = &values_[at(record.first + moved.size() + first)];
+    const auto gradients = [&](Eigen::Index k) { return Eigen::Map<const Values>(start + k * record.points); };
     Values xx = Values::Zero(), yy = xx, xy = xx;
-    for (Eigen::Index k = 0; k < count; k += 2) {
-        const double x = moved(k), y = moved(k + 1);
+    for (Eigen::Index k = 0; k < moved.size(); k += 2) {
+        const double x = moved[k], y = moved[k + 1];
         xx += x * gradients(k);
         yy += y * gradients(k + 1);
         xy += x * gradients(k + 1) + y * gradients(k);

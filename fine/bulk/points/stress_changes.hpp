@@ -52,9 +52,11 @@ private:
         VonMisesForm form;
     };
     void add_record(const ElementOperator& op, const VonMisesForm& form);
-    /// Of the points from `first` on, `points` of them.
+    template <int unknowns> [[nodiscard]] double largest(const Record& record, const Eigen::VectorXd& u) const;
+    /// Of the points from `first` on, `points` of them. `moved`: the element's unknowns since the look, mm.
     template <int unknowns, int points>
-    [[nodiscard]] double largest_of(const Record& record, Eigen::Index first, const Eigen::VectorXd& u) const;
+    [[nodiscard]] double largest_of(const Record& record, Eigen::Index first,
+                                    const Eigen::Matrix<double, unknowns, 1>& moved) const;
 
     std::vector<Record> records_;
     std::vector<int> unknowns_;
