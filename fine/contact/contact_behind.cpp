@@ -32,7 +32,7 @@ coupling::NearestContact ContactInterface::nearest_behind(const FacesBehind& par
                                                           const Jumps& jumps, double rounding) const {
     coupling::NearestContact nearest;
     for (const int k : multipliers_of(operators_, part)) {
-        if (!is_closed(status_[at(k)])) continue;
+        if (!is_closed(status_[at(k)]) || traction[k] <= augmentation_[k] * rounding) continue;
         const double behind = part.distance(operators_.middle(k)), slip = std::abs(jumps.slip[k]);
         const bool sliding = slides(k) && slip > rounding;
         ++nearest.closed;

@@ -122,8 +122,9 @@ public:
     /// So it passes zero where contact is lost or made. `jumps`: as jumps_that_matter() has them at `u`.
     [[nodiscard]] double contact_behind(const FacesBehind& part, const Eigen::VectorXd& traction, const Jumps& jumps,
                                         const Eigen::VectorXd& u) const;
-    /// The closed multiplier nearest to the tip on that part. It slides by more than `rounding`, mm: where faces
-    /// transmit nothing any more rounding says whether they slide.
+    /// The multiplier nearest to the tip on that part that is pressed. It slides by more than `rounding`, mm: where
+    /// faces transmit nothing any more rounding says whether they slide. A pressure that as small a gap would make up
+    /// for is none: at the very load at which faces meet or part rounding says whether they touch.
     [[nodiscard]] coupling::NearestContact nearest_behind(const FacesBehind& part, const Eigen::VectorXd& traction,
                                                           const Jumps& jumps, double rounding) const;
 

@@ -387,6 +387,26 @@ TEST(ContactInterface, CleanTractionsAreOnTheirBranches) {
     }
 }
 
+// A trial often stands where faces meet or part, as nearly as numbers can: of what touches there rounding decides, and
+// with it would whether the tip slides.
+TEST(ContactInterface, FacesThatHardlyTouchNeitherStickNorSlide) {
+    const Cut cut(2.4, 2.4, 0.0, 0.4);
+    ContactInterface contact = cut.contact();
+    contact.settle(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    Jumps jumps = contact.jumps(Eigen::VectorXd::Zero(cut.mesh.unknowns));
+    jumps.slip.setConstant(1e-3);
+    for (const double pressure : {1e-13, 1.0}) {
+        Eigen::VectorXd traction = Eigen::VectorXd::Zero(contact.tractions());
+        traction.setConstant(pressure);  // as much shear: friction of 0.4 slides
+        contact.choose_statuses(traction, jumps);
+        const auto nearest = contact.nearest_behind({.crack = 0, .tip = 8.0, .from = 0.1}, traction, jumps, 1e-9);
+        const bool presses = pressure == 1.0;
+        EXPECT_EQ(nearest.slides(), presses);
+        EXPECT_EQ(nearest.closed > 0, presses);
+        EXPECT_EQ(std::isfinite(nearest.behind), presses);
+    }
+}
+
 // Pressed behind s = 2 mm, the farther half sliding back: whoever is nearest to the tip at s = 8 mm, and closed, says
 // whether it slides.
 TEST(ContactInterface, SlipBehindATipIsThatOfTheNearestContact) {
