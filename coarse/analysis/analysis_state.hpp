@@ -63,6 +63,7 @@ struct GrowthMemory {
     std::vector<LengthAndK> before;   // what the tips had reached when they grew last
     ReachedExtremes extremes;
     TurningModes turning;
+    bool turns_late = false;  // along an element edge, at the growth before: that has been said
 };
 
 /// Figure 3 (b) under way: what holds the faces that the last growth has opened.

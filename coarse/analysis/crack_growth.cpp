@@ -20,7 +20,6 @@
 #include "common/index.hpp"
 
 namespace stria::coarse {
-
 namespace {
 
 constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
@@ -28,9 +27,10 @@ constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
 }  // namespace
 
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memory)
-    : growth_(*input.growth), note_(note), ended_(memory.ended), increment_(std::move(memory.increment)),
-      rates_(input, std::move(memory.rates)), K_reached_(std::move(memory.K_reached)),
-      before_(std::move(memory.before)), extremes_(std::move(memory.extremes)), turning_(std::move(memory.turning)) {}
+    : growth_(*input.growth), note_(note), ended_(memory.ended), turns_late_(memory.turns_late),
+      increment_(std::move(memory.increment)), rates_(input, std::move(memory.rates)),
+      K_reached_(std::move(memory.K_reached)), before_(std::move(memory.before)), extremes_(std::move(memory.extremes)),
+      turning_(std::move(memory.turning)) {}
 
 GrowthMemory CrackGrowth::memory() const {
     return {.ended = ended_,
@@ -39,7 +39,8 @@ GrowthMemory CrackGrowth::memory() const {
             .K_reached = K_reached_,
             .before = before_,
             .extremes = extremes_,
-            .turning = turning_};
+            .turning = turning_,
+            .turns_late = turns_late_};
 }
 
 void CrackGrowth::take(const Increment& reached, const Scene& present) {
@@ -136,7 +137,9 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     const auto by = [&](double increment, GrowthDirection direction) {
         std::vector<double> advances = shares;
         for (double& advance : advances) advance *= increment;
-        return longer_cracks(present.input.cracks, direction, tips, guides, advances, elements);
+        Cracks longer = longer_cracks(present.input.cracks, direction, tips, guides, advances, elements);
+        turn_where_faces_end(longer, present.enriched);
+        return longer;
     };
     const double element = elements.empty() ? 0.0 : std::ranges::max(elements);
     const double turn = largest_turn(tips, by(element, growth_.direction));

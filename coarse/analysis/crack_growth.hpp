@@ -93,7 +93,7 @@ private:
     const Note& note_;
     bool ended_;
     bool left_the_mesh_ = false;
-    bool turns_late_ = false;  // along an element edge, at the growth before: that has been said
+    bool turns_late_;  // along an element edge, at the growth before: that has been said
     GrowthIncrement increment_;
     TipRates rates_;
     std::vector<ReachedK> K_reached_;  // one per tip

@@ -41,7 +41,13 @@ void CrackSides::note_hanging_nodes() {
         const auto piece = cut.find(larger);
         const Vec2& x = mesh_.nodes[at(node)];
         if (piece == cut.end() || of_nodes_.contains(node)) continue;
-        if (piece->second->points.front() == x || piece->second->points.back() == x) continue;
+        const auto along = std::ranges::find_if(path_.pieces, [&](const CrackPiece& beside) {
+            const bool meets = beside.points.front() == x || beside.points.back() == x;
+            return meets && beside.neighbour >= 0 && (beside.element == larger || beside.neighbour == larger);
+        });
+        if (along != path_.pieces.end()) of_hanging_too_[node] = along->element == larger ? 1 : -1;  // it lies beyond
+        if (along != path_.pieces.end() || piece->second->points.front() == x || piece->second->points.back() == x)
+            continue;
         constexpr double inwards = 1e-9;  // rounding puts the middle of an edge on either side of it
         of_hanging_too_[node] = side_in(*piece->second, x + inwards * (centre(mesh_, larger) - x));
     }
@@ -83,9 +89,9 @@ void CrackSides::put_on_elements(std::span<const Tip> tips, std::vector<signed c
     if (path_.tip_at_start) put_beside_tip(path_.pieces.front(), tips.front(), cut, around, sides);
     if (path_.tip_at_end) put_beside_tip(path_.pieces.back(), tips.back(), cut, around, sides);
     for (const CrackPiece& piece : path_.pieces) {
-        if (piece.neighbour < 0) continue;
-        sides[at(piece.element)] = -1;
-        sides[at(piece.neighbour)] = 1;
+        if (piece.neighbour < 0) continue;  // of the element into which the crack leaves its edge both sides are there
+        if (!cut.contains(piece.element)) sides[at(piece.element)] = -1;
+        if (!cut.contains(piece.neighbour)) sides[at(piece.neighbour)] = 1;
     }
     if (path_.tip_at_start) put_beyond_hanging_nodes(path_.pieces.front(), tips.front(), cut, around, sides);
     if (path_.tip_at_end) put_beyond_hanging_nodes(path_.pieces.back(), tips.back(), cut, around, sides);

@@ -166,6 +166,11 @@ bool turn_at_end_of_edge(CrackSection& longer, const EnrichedMesh& mesh, const T
     return true;
 }
 
+void turn_where_faces_end(std::vector<CrackSection>& longer, const EnrichedMesh& mesh) {
+    for (const Tip& tip : mesh.tips)
+        if (mesh.tip_functions == 0 && tip.beyond < 0.0) (void)turn_at_end_of_edge(longer[at(tip.crack)], mesh, tip);
+}
+
 std::vector<std::vector<CrackSection>> turned_at_ends_of_edges(std::vector<CrackSection> longer,
                                                                const EnrichedMesh& mesh) {
     bool any = false;

@@ -38,9 +38,12 @@ void advance(CrackSection& crack, const Tip& tip, const Vec2& direction, double 
                                                                        const EnrichedMesh& mesh);
 
 /// Lets an advance that turns at a tip of `mesh` within an element edge, along which the crack runs, go straight on and
-/// turn at the end of that edge: no crack leaves an edge in its middle. The way is as long as it was. False, and
+/// turn at the end of that edge. The way is as long as it was. False, and
 /// nothing is done: it goes straight on anyway, or the crack runs along no edge.
 [[nodiscard]] bool turn_at_end_of_edge(CrackSection& longer, const EnrichedMesh& mesh, const Tip& tip);
+
+/// Does so where no functions stand and faces are open up to the end of that edge: what is open stays open.
+void turn_where_faces_end(std::vector<CrackSection>& longer, const EnrichedMesh& mesh);
 
 /// Longer cracks of which every tip does so that can; none where none can.
 [[nodiscard]] std::vector<std::vector<CrackSection>> turned_at_ends_of_edges(std::vector<CrackSection> longer,

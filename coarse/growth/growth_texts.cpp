@@ -19,7 +19,7 @@ std::string turns_sharply(std::size_t tip, double grows, double element) {
 
 std::string turns_at_end_of_edge(double angle, bool sharp) {
     const std::string late =
-        "a crack runs along an element edge, and turns at its end: no crack leaves an edge in its middle";
+        "a crack runs along an element edge, and turns at its end: the mesh does not hold it where it would leave that";
     if (!sharp) return late;
     return fmt::format("warning: {}. So it turns by {:.0f} degrees up to an element too late, which N tells; smaller "
                        "elements do so earlier, and a crack a little beside the line of nodes at once",

@@ -98,7 +98,7 @@ void members(auto& archive, Is<TurningModes> auto& m) {
 }
 
 void members(auto& archive, Is<GrowthMemory> auto& m) {
-    auto& [ended, increment, rates, K_reached, before, extremes, turning] = m;
+    auto& [ended, increment, rates, K_reached, before, extremes, turning, turns_late] = m;
     archive("ended", ended);
     archive("increment", increment);
     archive("rates", rates);
@@ -106,6 +106,7 @@ void members(auto& archive, Is<GrowthMemory> auto& m) {
     archive("before", before);
     archive("extremes", extremes);
     archive("turning", turning);
+    archive("turns_late", turns_late);
 }
 
 void members(auto& archive, Is<DueGrowth> auto& m) {

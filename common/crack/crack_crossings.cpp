@@ -156,6 +156,7 @@ void CrackCrossings::collect() {
         }
     }
     add_hanging_nodes();
+    add_bends_on_edges();
     std::ranges::stable_sort(crossings_, {}, &Crossing::s);
     merge();
 }
@@ -169,6 +170,21 @@ void CrackCrossings::add_hanging_nodes() {
         for (std::size_t k = 0; k + 1 < points_.size(); ++k)
             if (distance_to_segment(x, points_[k], points_[k + 1]) <= rounding)
                 crossings_.push_back({arc_[k] + (x - points_[k]).norm(), x, middle, nullptr, 0.0});
+    }
+}
+
+// Of a crack that runs along an edge and leaves it there, or comes to it: by rounding the bend may lie beside the edge.
+void CrackCrossings::add_bends_on_edges() {
+    for (const MeshEdge& edge : edges_) {
+        const Vec2 &a = node(edge.first), along = node(edge.second) - a;
+        const double rounding = 1e-9 * along.norm();
+        for (std::size_t k = 1; k + 1 < points_.size(); ++k) {
+            if (distance_to_segment(points_[k], a, a + along) > rounding) continue;
+            for (const std::size_t segment : {k - 1, k}) {
+                const Vec2 way = points_[segment + 1] - points_[segment];
+                if (std::abs(cross(along, way)) <= rounding * way.norm()) add(edge, segment, points_[k]);
+            }
+        }
     }
 }
 
@@ -199,11 +215,11 @@ void CrackCrossings::add(const MeshEdge& edge, std::size_t segment, const Vec2& 
         crossings_.push_back({s, x, -1, &edge, t});
 }
 
-// A node and a point of an edge that ends there, with no kink between: the crack grazes the node (or the whole
+// A node and a point of an edge that ends there, with no kink between or there: the crack grazes the node (or the whole
 // edge), and once snapped onto the node it no longer crosses that edge.
 bool CrackCrossings::grazes(const Crossing& a, const Crossing& b) const {
     const Crossing &at_node = a.node >= 0 ? a : b, &on_edge = a.node >= 0 ? b : a;
-    if (at_node.node < 0 || on_edge.edge == nullptr || has_kink_between(a.s, b.s)) return false;
+    if (at_node.node < 0 || on_edge.edge == nullptr || has_kink_between(a.s, b.s) || bends_at(on_edge)) return false;
     return on_edge.edge->first == at_node.node || on_edge.edge->second == at_node.node;
 }
 

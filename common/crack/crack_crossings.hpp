@@ -64,12 +64,18 @@ public:
 
     [[nodiscard]] std::vector<int> common_elements(const Crossing& a, const Crossing& b) const;
     [[nodiscard]] bool on_one_edge(const Crossing& a, const Crossing& b) const;
+    /// The crack turns there, inside an edge.
+    [[nodiscard]] bool bends_at(const Crossing& crossing) const {
+        return crossing.node < 0 &&
+               has_kink_between(crossing.s - 2.0 * kink_tolerance(), crossing.s + 2.0 * kink_tolerance());
+    }
 
 private:
     void collect_edges();
     [[nodiscard]] bool meets_crack(const Eigen::AlignedBox2d& box) const;
     void collect();
     void add_hanging_nodes();
+    void add_bends_on_edges();
     void add(const MeshEdge& edge, std::size_t segment, const Vec2& found);
     [[nodiscard]] double fraction_of(const MeshEdge& edge, std::size_t segment, const Vec2& found) const;
     void merge();

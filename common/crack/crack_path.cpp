@@ -96,9 +96,11 @@ private:
     CrackPiece along(const Crossing& a, const Crossing& b,
                      const std::pair<std::vector<Vec2>, std::vector<double>>& chain, const std::vector<int>& shared) {
         const bool whole_edge = a.node >= 0 && b.node >= 0;
+        // From a node to where it turns into one of both elements, or back: only that element is cut beside the piece.
+        const bool leaves = (a.node >= 0 && skeleton_.bends_at(b)) || (skeleton_.bends_at(a) && b.node >= 0);
         const bool ends_at_tip =
             (&b == &crossings_.back() && ends_on_edge_) || (&a == &crossings_.front() && starts_on_edge_);
-        if (shared.size() != 2 || !(whole_edge || ends_at_tip)) refuse_partial_edge(b.position);
+        if (shared.size() != 2 || !(whole_edge || ends_at_tip || leaves)) refuse_partial_edge(b.position);
         const bool first_is_left = orientation(a.position, b.position, centre(mesh_, shared[0])) > 0;
         CrackPiece result = make_piece(first_is_left ? shared[1] : shared[0], chain, &a, &b);
         result.neighbour = first_is_left ? shared[0] : shared[1];

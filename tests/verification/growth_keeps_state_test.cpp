@@ -42,13 +42,24 @@ struct Scenario {
     double minimum = 0.0;  // of the load, over the maximum
     double re_fit = 0.01;  // the most that new weights may change of the energy, over what is released
 
-    [[nodiscard]] bool turns() const { return crack.front().y() != crack.back().y(); }
+    [[nodiscard]] bool has(const char* what) const { return std::ranges::find(overrides, what) != overrides.end(); }
+    [[nodiscard]] bool turns() const { return has("sheared") || crack.front().y() != crack.back().y(); }
     /// The most that points on one side of an element may differ by in Change::uneven. Where a crack turns points near
     /// its old tip come to lie on its other side, and functions of tips that are left have no points of their own.
-    [[nodiscard]] double uneven() const {
-        return turns() || std::ranges::find(overrides, "retained") != overrides.end() ? 0.15 : 1e-6;
-    }
+    [[nodiscard]] double uneven() const { return turns() || has("retained") ? 0.15 : 1e-6; }
 };
+
+/// Beside the tension across the crack, which then turns by some forty degrees.
+void add_shear(std::vector<BoundarySection>& boundaries) {
+    for (const auto& [on, shear] : {std::pair{"top", Vec2(0.4, 1.0)},
+                                    {"bottom", Vec2(-0.4, -1.0)},
+                                    {"right", Vec2(0.0, 0.4)},
+                                    {"left", Vec2(0.0, -0.4)}}) {
+        if (on == std::string("top")) boundaries.clear();
+        boundaries.emplace_back().on = on;
+        boundaries.back().traction = shear;
+    }
+}
 
 /// A square of equal elements that flows before and about its crack.
 Case case_of(const Scenario& scenario) {
@@ -70,6 +81,7 @@ Case case_of(const Scenario& scenario) {
         if (key == "six functions") input.fine.enrichment = Enrichment::Topological;
         if (key == "retained") input.growth->retain = Retain::All;
         if (key == "none") input.fine.enrichment = Enrichment::None;
+        if (key == "sheared") add_shear(input.boundaries);
     }
     return input;
 }
@@ -77,7 +89,7 @@ Case case_of(const Scenario& scenario) {
 /// "small": elements ahead of the tip, above its way alone, are split. It passes by them, and beyond them.
 coarse::Scene scene_of(const Scenario& scenario, const Case& input) {
     coarse::Scene scene = coarse::refined_scene(input);
-    if (std::ranges::find(scenario.overrides, "small") == scenario.overrides.end()) return scene;
+    if (!scenario.has("small")) return scene;
     const Vec2 place = scenario.crack.back() + element_edge * Vec2(1.4, 0.9);
     return coarse::make_scene(input, coarse::refine(scene.mesh, {{place, place, 0.6 * element_edge, 1, 0.0}}).mesh);
 }
@@ -143,6 +155,15 @@ INSTANTIATE_TEST_SUITE_P(
         Scenario{"steep, farther", {{22.0, 19.0}, {26.3, 31.2}}, 1.4 * element_edge},
         Scenario{"steeper", {{24.0, 19.0}, {25.6, 31.4}}, 1.1 * element_edge},
         Scenario{"at minimum, closed", edge_crack_to(6.3), 0.6 * element_edge, {"at minimum"}, -1.0, where_closed},
+        Scenario{"out of an edge", edge_crack_to(6.3, 20.0), 0.4 * element_edge, {"sheared"}},
+        Scenario{"out of an edge, farther", edge_crack_to(6.7, 20.0), 1.3 * element_edge, {"sheared"}},
+        Scenario{"out of an edge, six functions",
+                 edge_crack_to(6.3, 20.0),
+                 0.6 * element_edge,
+                 {"sheared", "six functions"},
+                 0.1,
+                 of_six},
+        Scenario{"out of an edge, small elements", edge_crack_to(6.3, 20.0), 0.6 * element_edge, {"sheared", "small"}},
         Scenario{"plane stress", edge_crack_to(6.3), 0.6 * element_edge, {"plane stress"}},
         Scenario{"elastic, contact", edge_crack_to(6.3), 1.6 * element_edge, {"elastic"}, 0.1},
         Scenario{"elastic, kinked", slanted, 1.6 * element_edge, {"elastic"}, 0.1},

@@ -2,6 +2,7 @@
 // force.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 
 #include "coarse/mesh_file/mesh_file.hpp"
@@ -137,12 +138,17 @@ struct Halves {
     Vec2 shift_plus, shift_minus;
 
     [[nodiscard]] Eigen::VectorXd on(const EnrichedMesh& mesh, const Vec2& from, const Vec2& to) const {
+        return by(mesh, [&](int n) {
+            return heaviside_side(mesh, n) != 0.0 ? heaviside_side(mesh, n)
+                                                  : cross(Vec2(to - from), Vec2(mesh.nodes[at(n)] - from));
+        });
+    }
+
+    [[nodiscard]] Eigen::VectorXd by(const EnrichedMesh& mesh, const std::function<double(int)>& side) const {
         Eigen::VectorXd u(mesh.unknowns);
         for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
             const Vec2 &x = mesh.nodes[at(n)], up = plus * x + shift_plus, down = minus * x + shift_minus;
-            const Vec2 d = to - from, r = x - from;
-            const double side = heaviside_side(mesh, n) != 0.0 ? heaviside_side(mesh, n) : cross(d, r);
-            u.segment<2>(mesh.unknown(n, 0, 0)) = side > 0.0 ? up : down;
+            u.segment<2>(mesh.unknown(n, 0, 0)) = side(n) > 0.0 ? up : down;
             if (heaviside_side(mesh, n) != 0.0) u.segment<2>(mesh.unknown(n, 1, 0)) = (up - down) / 2.0;
         }
         return u;
@@ -179,6 +185,33 @@ TEST(PatchTest, EachHalfHoldsItsOwnStrain) {
                 EXPECT_LT((op.strain(local, q) - strain).norm(), rounding);
             }
         });
+    }
+}
+
+// It runs along y = 0.5 and turns within the edge from x = 0.25 to 0.5, up or down, or comes in there and runs along.
+TEST(PatchTest, ABodyCutAlongPartOfAnEdgeMovesApartWithoutForce) {
+    const Eigen::Matrix2d turn{{0.0, -1e-3}, {1e-3, 0.0}};
+    for (const std::vector<Vec2>& points : {std::vector<Vec2>{{0.0, 0.5}, {0.4, 0.5}, {1.0, 0.8}},
+                                            {{0.0, 0.5}, {0.4, 0.5}, {1.0, 0.1}},
+                                            {{0.0, 0.5}, {0.4, 0.5}, {0.4, 1.0}},
+                                            {{0.0, 0.8}, {0.4, 0.5}, {1.0, 0.5}}}) {
+        for (const bool backwards : {false, true}) {
+            std::vector<Vec2> crack = points;
+            if (backwards) std::ranges::reverse(crack);
+            const Mesh mesh = square_mesh(4);
+            coarse::Scene scene = make_scene(mesh, cracked(mesh, crack), steel);
+            const bool convex = cross(crack[1] - crack[0], crack[2] - crack[1]) > 0.0;
+            const auto side = [&](int n) {
+                if (const double known = heaviside_side(scene.enriched, n); known != 0.0) return known;
+                const Vec2& x = mesh.nodes[at(n)];
+                const bool first = cross(crack[1] - crack[0], x - crack[1]) > 0.0,
+                           second = cross(crack[2] - crack[1], x - crack[1]) > 0.0;
+                return (convex ? first && second : first || second) ? 1.0 : -1.0;
+            };
+            const Halves halves{turn, -2.0 * turn, {0.01, 0.02}, {-0.03, 0.0}};
+            const Eigen::VectorXd u = halves.by(scene.enriched, side);
+            EXPECT_LT(imbalance(scene, u), rounding) << crack[2].transpose() << (backwards ? " backwards" : "");
+        }
     }
 }
 

@@ -147,6 +147,14 @@ TEST(CrackAdvance, TurnsAtTheEndOfTheEdgeThatItRunsAlong) {
         if (upper < 0) std::ranges::reverse(straight.points);
         EXPECT_FALSE(turn_at_end_of_edge(straight, mesh, tip));
     }
+    Tip tip{.crack = 0, .position = at_tip, .direction = {1.0, 0.0}, .s = 2.7, .upper = 1};
+    for (const double beyond : {-0.3, 0.7}) {  // faces are open up to the end of the edge, or only to its beginning
+        tip.beyond = beyond;
+        mesh.tips = {tip};
+        std::vector<CrackSection> cracks{{.points = {{0.0, 1.0}, at_tip, at_tip + 0.5 * up}, .contact = {}}};
+        turn_where_faces_end(cracks, mesh);
+        EXPECT_EQ(cracks[0].points[1], beyond < 0.0 ? Vec2(3.0, 1.0) : at_tip);
+    }
     mesh.pieces[0].neighbour = -1;  // the crack cuts the element
     const Tip within{.crack = 0, .position = at_tip, .direction = {1.0, 0.0}, .s = 2.7, .upper = 1};
     CrackSection crack{.points = {{0.0, 1.0}, at_tip, at_tip + 0.5 * up}, .contact = {}};

@@ -46,6 +46,7 @@ Checkpoint some_checkpoint() {
     state.growth.rates.last = 0.25;
     state.growth.K_reached = {{.of_break = 610.5, .K_I = 600.0}, {}};
     state.growth.before = {{20.5, 590.25}, {0.0, 0.0}};
+    state.growth.turns_late = true;
     state.growth.turning = {.minimum = {{1.0, 2.0}}, .cycles = {{3.0, 4.0}, {1.0, 2.0}}};
     state.growth.extremes = {.maximum = {50.0, Eigen::Vector2d(0.5, -0.5)}, .minimum = {-5.0}, .tips = {{.a = 20.5}}};
     state.growth.rates.period = {.sum = {1.0}, .cycles = 2, .grown = {3.0}, .before = {4.0}};
@@ -132,6 +133,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
     EXPECT_EQ(out.analysis.growth.before[0].K, 590.25);
     EXPECT_EQ(out.analysis.growth.turning.minimum, in.analysis.growth.turning.minimum);
     EXPECT_EQ(out.analysis.growth.turning.cycles, in.analysis.growth.turning.cycles);
+    EXPECT_TRUE(out.analysis.growth.turns_late);
     EXPECT_EQ(out.analysis.growth.extremes.maximum.main, 50.0);
     EXPECT_EQ(out.analysis.growth.extremes.maximum.cases, in.analysis.growth.extremes.maximum.cases);
     EXPECT_EQ(out.analysis.growth.extremes.minimum.main, -5.0);
