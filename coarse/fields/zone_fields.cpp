@@ -144,7 +144,11 @@ private:
         const CutElement cut = cut_element(basis.corners(), piece);
         std::vector<std::pair<Vec2, Vec2>> segments = cut.segments;
         segments.insert(segments.end(), cut.continuation.begin(), cut.continuation.end());
-        for (const auto& triangle : triangulate(basis.corners(), segments)) {
+        const auto& corners = basis.corners();
+        // Where the crack meets a slanted edge rounding leaves a triangle of no area beside it.
+        const double none = 1e-13 * (corners[2] - corners[0]).squaredNorm();
+        for (const auto& triangle : triangulate(corners, segments)) {
+            if (cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) < 2.0 * none) continue;
             const int side = cut.side_of((triangle[0] + triangle[1] + triangle[2]) / 3.0);
             std::vector<std::int64_t> points;
             for (const Vec2& x : triangle) points.push_back(add_point(basis, e, x, side));
