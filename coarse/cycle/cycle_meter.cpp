@@ -86,16 +86,6 @@ void take_rest(CycleMemory::Tip& tip, bool is_to_come) {
     cycle.opening_behind.most = std::max(cycle.opening_behind.most, rest.opening_behind.most);
 }
 
-/// compliance_offset_opening(); of a tip that opens as the load falls, the same in the other direction.
-std::optional<double> opened_by_offset(CycleMemory::Path down, CycleMemory::Path up) {
-    const bool against = !up.load.empty() && up.load.back() < up.load.front();
-    const double sense = against ? -1.0 : 1.0;
-    for (CycleMemory::Path* path : {&down, &up})
-        for (double& load : path->load) load *= sense;
-    const std::optional<double> opened = compliance_offset_opening(down.load, down.mouth, up.load, up.mouth);
-    return opened ? std::optional(sense * *opened) : std::nullopt;
-}
-
 }  // namespace
 
 CycleMeter::CycleMeter(const Case& input, const ClosureMeter& closure, const std::vector<Tip>& tips, bool looks_ahead)
@@ -164,12 +154,13 @@ void CycleMeter::add(const Increment& increment) {
     std::vector<CycleMemory::Station> reached;
     for (std::size_t t = 0; t < now_.tips.size(); ++t) {
         const TipResult& tip = increment.tips[t];
-        reached.push_back({tip.x, tip.y, increment.nominal[t].K_I, increment.K_at_end(t), due[t], tip.CTOD, tip.opening,
-                           tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
+        reached.push_back({tip.x, tip.y, tip.way, increment.nominal[t].K_I, increment.K_at_end(t), due[t], tip.CTOD,
+                           tip.opening, tip.CMOD, increment.load_factor, stands ? tip.plastic_zone : 0.0,
                            stands ? tip.plastic_zone_axis : 0.0, half_cycle_rises(increment, t)});
         if (now_.x.size() > t) continue;
         now_.x.push_back(tip.x);
         now_.y.push_back(tip.y);
+        now_.way.push_back(tip.way);
     }
     now_.last = std::move(reached);
     now_.last_target = increment.step.target.value;
@@ -270,6 +261,13 @@ std::vector<double> peaks_ahead(const Increment& increment, const std::vector<Lo
     return peaks;
 }
 
+// Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
+double CycleMeter::way_gone(const CycleMemory::Station& end, std::size_t t) {
+    const double x = std::exchange(now_.x[t], end.x), y = std::exchange(now_.y[t], end.y),
+                 way = end.way - std::exchange(now_.way[t], end.way);
+    return x == end.x && y == end.y ? 0.0 : way;  // where it stands, no rounding of the other tip's way
+}
+
 std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
     std::vector<CycleResult> results;
     now_.rises_on.clear();
@@ -280,11 +278,10 @@ std::vector<CycleResult> CycleMeter::finish(const std::vector<double>& peaks) {
         const CycleMemory::Station& end = now_.last[t];
         if (!peaks.empty()) cycle.K_max = std::max(cycle.K_max, peaks[t]);
         take_rest(tip, !peaks.empty() && peaks[t] > end.K);
-        // Its own way, and not what `a` grows by: that is half of the crack where it has two tips.
-        cycle.da = std::hypot(end.x - std::exchange(now_.x[t], end.x), end.y - std::exchange(now_.y[t], end.y));
+        cycle.da = way_gone(end, t);
         for (std::size_t s = 0; s < signals_.contact; ++s) cycle.contact.push_back(tip.signal[s].loads(cycle.K_min));
         if (signals_.tension > 0) cycle.tension = tip.signal[signals_.contact].loads(cycle.K_min);
-        const std::optional<double> opened = opened_by_offset(tip.down, tip.up);
+        const std::optional<double> opened = opened_by_offset(tip.down.load, tip.down.mouth, tip.up.load, tip.up.mouth);
         if (opened) cycle.offset.K_op = end.K + end.unit_K * (*opened - end.load_factor);
         cycle.offset.lost = !opened;
         if (!touches_[t]) cycle.close_below_zero();

@@ -23,6 +23,7 @@ struct CycleMemory {
     };
     struct Station {                   // what the next increment, or cycle, starts from
         double x = 0.0, y = 0.0;       // of the tip, mm
+        double way = 0.0;              // along its crack, mm
         double unit_K = 0.0, K = 0.0;  // nominal: of the load of [load] at its factor 1, and of all there is
         double K_due = 0.0;            // what is asked of the crack as it has grown there, less K
         double CTOD = 0.0, opening = 0.0, CMOD = 0.0, load_factor = 0.0;
@@ -34,6 +35,7 @@ struct CycleMemory {
     std::vector<Tip> tips;
     std::vector<Station> last;
     std::vector<double> x, y;    // of the tips when the last cycle, or the ramp, ended, mm
+    std::vector<double> way;     // likewise, along their cracks
     std::vector<char> rises_on;  // per tip: K rises all through the quarter of a cycle behind the last one
 };
 
@@ -78,6 +80,8 @@ private:
     /// What the loads asked of the longer crack would add to the K of the increment, also while its new faces are
     /// released in parts. `K`: under them.
     [[nodiscard]] double K_due(const Increment& increment, std::size_t t, double K) const;
+    /// By a tip along its crack since the cycle before ended, mm.
+    [[nodiscard]] double way_gone(const CycleMemory::Station& end, std::size_t t);
     void note_signals(CycleMemory::Tip& tip, const Increment& increment, std::size_t t) const;
     void note_slip(CycleResult& cycle, const Increment& increment, std::size_t t) const;
     void note_zone(CycleResult& cycle, const Increment& increment, std::size_t t) const;

@@ -27,6 +27,7 @@ TipResult at_place_of(const Scene& scene, const Tip& tip) {
     result.a = reported_length(scene, tip);
     result.x = tip.position.x();
     result.y = tip.position.y();
+    result.way = way_to_tip(scene, tip);
     result.CTOD = std::nan("");
     return result;
 }

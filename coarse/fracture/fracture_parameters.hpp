@@ -16,6 +16,7 @@ namespace stria::coarse {
 struct TipResult {
     double a = 0.0;                         // mm, docs/method.md, section 9
     double x = 0.0, y = 0.0;                // of the tip, mm
+    double way = 0.0;                       // along the crack to there, mm (way_to_tip)
     double K_I = 0.0, K_II = 0.0;           // MPa sqrt(mm)
     double T_stress = 0.0;                  // MPa
     double J = 0.0;                         // N/mm

@@ -68,11 +68,12 @@ void members(auto& archive, Is<CycleResult> auto& m) {
 }
 
 void members(auto& archive, Is<TipResult> auto& m) {
-    auto& [a, x, y, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length,
+    auto& [a, x, y, way, K_I, K_II, T_stress, J, J_spread, K_spread, rings_flow, CTOD, CMOD, opening, contact_length,
            plastic_zone, plastic_zone_axis, K_initial, K_II_initial, K_I_of_cases, K_II_of_cases] = m;
     archive("a", a);
     archive("x", x);
     archive("y", y);
+    archive("way", way);
     archive("K_I", K_I);
     archive("K_II", K_II);
     archive("T_stress", T_stress);
@@ -118,9 +119,10 @@ void members(auto& archive, Is<CycleMemory::Tip> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory::Station> auto& m) {
-    auto& [x, y, unit_K, K, K_due, CTOD, opening, CMOD, load_factor, zone, zone_axis, rose] = m;
+    auto& [x, y, way, unit_K, K, K_due, CTOD, opening, CMOD, load_factor, zone, zone_axis, rose] = m;
     archive("x", x);
     archive("y", y);
+    archive("way", way);
     archive("unit_K", unit_K);
     archive("K", K);
     archive("K_due", K_due);
@@ -134,13 +136,14 @@ void members(auto& archive, Is<CycleMemory::Station> auto& m) {
 }
 
 void members(auto& archive, Is<CycleMemory> auto& m) {
-    auto& [cycle, last_target, tips, last, x, y, rises_on] = m;
+    auto& [cycle, last_target, tips, last, x, y, way, rises_on] = m;
     archive("cycle", cycle);
     archive("last_target", last_target);
     archive("tips", tips);
     archive("last", last);
     archive("x", x);
     archive("y", y);
+    archive("way", way);
     archive("rises_on", rises_on);
 }
 

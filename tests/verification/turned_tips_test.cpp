@@ -108,6 +108,32 @@ TEST(TurnedTips, LeaveTheElementEdgesAlongWhichTheyHaveCome) {
     EXPECT_EQ(times_said(along, "warning: a crack runs along an element edge"), 0);
 }
 
+// Without functions the faces are open up to the end of the edge, where the crack turns within its step.
+// What it grows by was the distance from tip to tip, 2 % less, and the life that much shorter.
+TEST(TurnedTips, GrowByTheirWayAroundABend) {
+    Case input = specimen("plate", 40.0, {{0.0, 20.0}, {7.75, 20.0}});
+    input.mesh.width = 20.0;
+    input.mesh.size = 1.0;
+    input.fine.enrichment = Enrichment::None;
+    input.boundaries = {sheared("top", {0.4, 1.0}), sheared("bottom", {-0.4, -1.0}), sheared("right", {0.0, 0.4}),
+                        sheared("left", {0.0, -0.4})};
+    input.load = {.steps = 2, .blocks = {{.cycles = 3, .max = 10.0, .min = 0.0}}};
+    input.growth = GrowthSection{.law = GrowthLaw::Prescribed, .increment = 0.5};
+    std::vector<double> ways;
+    double straight = 1.0;
+    Vec2 last(7.75, 20.0);
+    for (const Followed& increment : run_direct(input).increments) {
+        if (increment.cycles.empty()) continue;
+        const Vec2 now(increment.tips[0].x, increment.tips[0].y);
+        if (now != last) straight = std::min(straight, (now - std::exchange(last, now)).norm());
+        ways.push_back(increment.cycles[0].da);
+    }
+    EXPECT_LT(straight, 0.495) << "it turns within a step";
+    ASSERT_EQ(ways.size(), 3U);
+    EXPECT_EQ(ways[0], 0.0);
+    for (const double way : {ways[1], ways[2]}) EXPECT_NEAR(way, 0.5, 1e-3) << "a tip beside a node is put onto it";
+}
+
 // The toughness was asked of K_I alone, 416 here, where the crack would break by 490 as it turns.
 TEST(TurnedTips, BreakByTheKBehindTheTurn) {
     Case input = plate_with_turning_crack(0.5, 0);

@@ -25,6 +25,22 @@ TEST(ReportedLength, IsHalfOfACrackWithTwoTips) {
     for (const Tip& tip : inner.enriched.tips) EXPECT_NEAR(reported_length(inner, tip), 4.0, 1e-12);
 }
 
+// Around a bend, and whatever the other tip does meanwhile.
+TEST(ReportedLength, TheWayOfATipIsItsOwn) {
+    Scene scene = plate(true, 9.0);
+    const Vec2 start = scene.input.cracks[0].points.front(), end = scene.input.cracks[0].points.back();
+    std::vector<double> before, after;
+    for (const Tip& tip : scene.enriched.tips) before.push_back(way_to_tip(scene, tip));
+    CrackSection& crack = scene.input.cracks[0];
+    crack.points = {start + Vec2(-0.3, -0.4), start, end, end + Vec2(0.0, 0.6), end + Vec2(0.8, 1.2)};
+    crack.grown_at_start = 0.5;
+    scene.enriched.tips[0].position = crack.points.front();
+    scene.enriched.tips[1].position = crack.points.back() + Vec2(0.008, 0.006);  // put onto a node
+    for (const Tip& tip : scene.enriched.tips) after.push_back(way_to_tip(scene, tip));
+    EXPECT_NEAR(after[0] - before[0], 0.5, 1e-12);
+    EXPECT_NEAR(after[1] - before[1], 0.6 + 1.0 + 0.01, 1e-12);
+}
+
 TEST(ReportedLength, LeavesAWayToGrow) {
     EXPECT_NO_THROW(require_way_to_grow(plate(false, 8.01)));
     EXPECT_THROW(require_way_to_grow(plate(false, 8.0)), CaseError);
