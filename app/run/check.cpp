@@ -118,7 +118,7 @@ void print_zone_estimate(const coarse::Scene& scene, const std::vector<double>& 
     }
     const int elements = coarse::select_zone(scene, K).count();
     const int subcells = subcells_elsewhere(scene.input.fine);
-    fmt::print("# zone: {} elements, about {} points\n", elements, elements * 4 * subcells * subcells);
+    fmt::print("# zone: {} elements, about {:.0f} points\n", elements, 4.0 * subcells * subcells * elements);
 }
 
 /// Of growth, mm; where the program chooses it, what it may be at first: no less than an element at the tip.
@@ -140,9 +140,10 @@ double largest_increment(const coarse::Scene& scene, const coarse::NominalSoluti
 void print_estimate(const coarse::Scene& scene, const coarse::NominalSolution& nominal,
                     const std::vector<double>& K_I) {
     const coarse::WorkEstimate work = coarse::estimate_work(nominal, K_I, largest_increment(scene, nominal, K_I));
-    fmt::print("# estimate of the run: {:.0f} increments, at most {} of {} points flow; about {:.2g} s of a processor "
-               "and {:.2g} MB, to a factor of two or three; more where increments have to be halved\n",
-               work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
+    fmt::print(
+        "# estimate of the run: {:.0f} increments, at most {:.0f} of {:.0f} points flow; about {:.2g} s of a processor "
+        "and {:.2g} MB, to a factor of two or three; more where increments have to be halved\n",
+        work.increments, work.yielding, work.points, work.seconds, 1e-6 * work.bytes);
 }
 
 /// Small elements follow the tips: what there will be of them.

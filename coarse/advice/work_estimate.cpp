@@ -101,12 +101,12 @@ bool returns_exactly(const MaterialSection& material, PlaneState plane) {
 
 /// In a mean iteration: what flows does not rest.
 double share_that_moves(const WorkEstimate& work, double least) {
-    return work.points == 0 ? 0.0 : std::max(least, static_cast<double>(work.yielding) / work.points);
+    return work.points == 0.0 ? 0.0 : std::max(least, work.yielding / work.points);
 }
 
 /// s; `unknowns`: of the zone.
 double seconds_of_iteration(const WorkEstimate& work, double unknowns, bool exact) {
-    if (work.points == 0) return 0.0;
+    if (work.points == 0.0) return 0.0;
     const double points = for_point * work.points + (exact ? for_exact_flow : for_flow) * work.yielding;
     return for_iteration + share_that_moves(work, evaluated) * points +
            share_that_moves(work, least_factored) * for_factor * unknowns;
@@ -143,7 +143,7 @@ double bytes_of_body(const Scene& scene) {
 WorkEstimate estimate_work(const NominalSolution& nominal, const std::vector<double>& K, double increment) {
     const Scene& scene = nominal.structure->scene();
     const Case& input = scene.input;
-    const int per_element = 4 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
+    const double per_element = 4.0 * subcells_elsewhere(input.fine) * subcells_elsewhere(input.fine);
     const ElementSet yielding = yields(nominal);
     ElementSet zone = select_zone(scene, K);
     for (int e = 0; e < zone.size(); ++e)

@@ -11,8 +11,8 @@ namespace stria::coarse {
 [[nodiscard]] double bytes_of_body(const Scene& scene);
 
 struct WorkEstimate {
-    int points = 0;           // of the zone, and of what else the elastic body would yield in
-    int yielding = 0;         // of them, in elements that yield in the elastic body at some end of a half cycle
+    double points = 0.0;      // of the zone, and of what else the elastic body would yield in
+    double yielding = 0.0;    // of them, in elements that yield in the elastic body at some end of a half cycle
     double increments = 0.0;  // without halved ones
     double growths = 0.0;
     double seconds = 0.0;  // of a processor

@@ -104,6 +104,16 @@ TEST_F(Work, IsThatOfTheUnknownsToo) {
     EXPECT_GT(few.seconds, 0.4 * many.seconds);
 }
 
+// 4 x 256 x 256 in each of 10 000 elements: more than a number of 32 bits holds.
+TEST_F(Work, CountsMorePointsThanAWholeNumberHolds) {
+    input.mesh.size = 0.2;
+    input.fine.subcells = 256;
+    input.fine.beta = 1e-4;  // the zone itself is small, or the memory for it would be missed first
+    const coarse::WorkEstimate work = between(4000.0, 0.0);
+    EXPECT_GT(work.yielding, 2.5e9);
+    EXPECT_GE(work.points, work.yielding);
+}
+
 // Flow is returned in closed form there.
 TEST_F(Work, OfLinearHardeningInPlaneStrainIsLess) {
     input.mesh.size = 0.5;
