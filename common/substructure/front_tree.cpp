@@ -42,6 +42,7 @@ struct FrontTree::Tree {
     std::vector<char> dirty;
     std::vector<char> known;  // per front: it has been factored
     bool factored = false, mirrored = false;
+    bool complete = false;  // each front has been factored; those below which nothing changes serve what rests
     long refactored = 0, refactored_general = 0;
 };
 
@@ -135,7 +136,7 @@ void FrontTree::factor(const MatrixOfElement& matrix_of, std::span<const char> c
     }
     if (tree.dirty.back() != 0) tree.mirrored = false;
     std::ranges::fill(tree.known, char{1});
-    tree.factored = true;
+    tree.factored = tree.complete = true;
 }
 
 const Eigen::MatrixXd& FrontTree::tangent() const {
@@ -174,7 +175,7 @@ Eigen::VectorXd FrontTree::expand(const ReducedLoad& load, const Eigen::VectorXd
 }
 
 void FrontTree::rest(const ElementSet& may_rest) {
-    require(tree_->factored && at(may_rest.size()) == tree_->elements,
+    require(tree_->complete && at(may_rest.size()) == tree_->elements,
             "front tree: factor() before rest(), a set of its elements");
     tree_->at_rest.rest(may_rest);
 }

@@ -52,7 +52,7 @@ public:
 
     /// Subtrees whose elements may all rest serve as leaves from now on: factor(), reduce() and expand() leave alone
     /// what is inside them, and their elements do not change. Loads and displacements of what rests are in the
-    /// functions below.
+    /// functions below. These elements have not changed since the last factor() that has ended well.
     void rest(const ElementSet& may_rest);
     [[nodiscard]] const ElementSet& resting() const;
     [[nodiscard]] const UnknownSet& inside() const;  // of a subtree that rests

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "common/error.hpp"
 #include "common/index.hpp"
 #include "tests/support/front_grid.hpp"
@@ -89,6 +92,36 @@ TEST_P(SubtreesAtRest, WhatStaysAtRestHasCarriedItsLoad) {
     for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, flags, grid.symmetry);
     expect_as_fresh();
     EXPECT_GT(tree.carried(), changed);
+}
+
+// Of an increment that failed nothing is left but what rested, and some of that may have to wake in the next one before
+// there is a factor again.
+TEST_P(SubtreesAtRest, SomeMayWakeBehindAFailure) {
+    test::FrontGrid grid(9, 7, GetParam());
+    grid.ground();
+    grid.keep_outline();
+    FrontTree tree(grid.layout), fresh(grid.layout);
+    for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, grid.changed, grid.symmetry);
+    ElementSet may_rest(grid.matrices.size(), true);
+    may_rest.erase(0);
+    tree.rest(may_rest);
+    const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, -1.0, 2.0),
+                          move = Eigen::VectorXd::LinSpaced(grid.layout.unknowns, 0.5, -0.3);
+    tree.carry(load);
+    grid.changed[0] = 1;
+    const Eigen::MatrixXd good = std::exchange(grid.matrices[0], Eigen::MatrixXd::Constant(8, 8, std::nan("")));
+    for (int attempt = 0; attempt < 2; ++attempt)
+        EXPECT_THROW(tree.factor(grid.matrices, grid.changed, grid.symmetry), NumericalFailure);
+    may_rest.erase(30);
+    for (FrontTree* one : {&tree, &fresh}) {
+        one->rest(may_rest);
+        one->carry(load);
+    }
+    EXPECT_EQ(tree.response(move), fresh.response(move));
+    EXPECT_EQ(tree.follow(move), fresh.follow(move));
+    grid.matrices[0] = good;
+    for (FrontTree* one : {&tree, &fresh}) one->factor(grid.matrices, grid.changed, grid.symmetry);
+    EXPECT_EQ(tree.tangent(), fresh.tangent());
 }
 
 TEST_P(SubtreesAtRest, LoadsPassAroundWhatRests) {
