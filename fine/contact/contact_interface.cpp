@@ -120,7 +120,7 @@ void ContactInterface::choose_statuses(const Eigen::VectorXd& traction, const Ju
         if (next[at(k)] == status_[at(k)]) continue;
         ++changes_;
         const double violation = law(k).violation(state, status_[at(k)]);
-        if (violation >= largest) {
+        if (!(violation < largest)) {  // nor is it less that is not a number: some one is the worst
             largest = violation;
             worst = k;
         }

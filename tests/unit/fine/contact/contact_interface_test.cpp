@@ -5,6 +5,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "common/index.hpp"
@@ -597,6 +598,9 @@ TEST(ContactInterface, WhereSlipsComeBackAllSticksOnceAndThenOneFlipsAtATime) {
     EXPECT_EQ(slid(-1.0), all(FaceStatus::SlipBack));
     EXPECT_EQ(slid(1.0), all(FaceStatus::SlipForward));
     EXPECT_EQ(slid(-1.0), std::pair(FaceStatus::SlipBack, FaceStatus::SlipForward));
+    slid(std::nan(""));  // the residual says that this is no state; until then one flips like any other
+    EXPECT_EQ(contact.status_changes(), 1);
+    EXPECT_EQ(std::ranges::count(contact.statuses(), FaceStatus::SlipBack), 2);
     contact.begin_increment();
     EXPECT_EQ(slid(1.0), all(FaceStatus::SlipForward));
 }
