@@ -21,14 +21,11 @@ double angle_at(LagPath path, double way) {
     return path == LagPath::Triangle ? way : std::acos(std::clamp(1.0 - 2.0 * way, -1.0, 1.0)) / std::numbers::pi;
 }
 
-/// Of the repeated sequence, from 1.
-const CaseBlock& block_of_cycle(const std::vector<CaseBlock>& blocks, int cycle) {
-    int all = 0;
-    for (const CaseBlock& block : blocks) all += block.cycles;
-    int within = (cycle - 1) % all;
-    std::size_t k = 0;
-    while (within >= blocks[k].cycles) within -= blocks[k++].cycles;
-    return blocks[k];
+/// The last cycle of each block.
+std::vector<int> ends_of(const std::vector<CaseBlock>& blocks) {
+    std::vector<int> ends;
+    for (const CaseBlock& block : blocks) ends.push_back((ends.empty() ? 0 : ends.back()) + block.cycles);
+    return ends;
 }
 
 }  // namespace
@@ -46,7 +43,8 @@ std::vector<std::string> travel_warnings(const Case& input) {
 CaseHistories::CaseHistories(const Case& input)
     : load_(input.load), cases_(input.load_cases),
       travelling_(std::ranges::count_if(input.boundaries, [](const auto& b) { return b.travelling.has_value(); })),
-      legs_(stria::coarse::legs(input.load)) {
+      cycles_(cycle_count(input.load)), legs_(stria::coarse::legs(input.load)) {
+    for (const LoadCaseSection& load_case : cases_) ends_of_blocks_.push_back(ends_of(load_case.blocks));
     const bool dead = std::ranges::any_of(cases_, [](const auto& c) { return c.constant.has_value(); });
     if (dead || travelling_ > 0) legs_.insert(legs_.begin(), Leg{.cycle = 0, .from = 0.0, .to = 0.0, .leads = true});
 }
@@ -85,16 +83,17 @@ std::vector<double> CaseHistories::at_equal_angles(int increments) const {
 Eigen::VectorXd CaseHistories::at(const LoadPlace& place) const {
     Eigen::VectorXd factors = Eigen::VectorXd::Zero(count());
     Eigen::Index k = 0;
-    for (const LoadCaseSection& load_case : cases_) factors[k++] = factor(load_case, place);
+    for (; k < std::ssize(cases_); ++k) factors[k] = factor(stria::at(k), place);
     for (Eigen::Index t = 0; t < travelling_; ++t, k += positions_of_travel(load_)) put_travelling(place, k, factors);
     return factors;
 }
 
-double CaseHistories::factor(const LoadCaseSection& load_case, const LoadPlace& place) const {
+double CaseHistories::factor(std::size_t k, const LoadPlace& place) const {
+    const LoadCaseSection& load_case = cases_[k];
     const bool leads = legs_[place.leg].leads;
     if (load_case.constant) return leads ? place.way * *load_case.constant : *load_case.constant;
     if (leads) return 0.0;
-    return load_case.factor ? lagging(load_case, place) : of_blocks(load_case, place);
+    return load_case.factor ? lagging(load_case, place) : of_blocks(k, place);
 }
 
 // The main load's history, some of its angle later. Before it begins there is no load.
@@ -114,13 +113,14 @@ double CaseHistories::lagging(const LoadCaseSection& load_case, const LoadPlace&
 LoadFactors CaseHistories::turning_back(std::size_t leg, double way, double scale) const {
     LoadFactors loads(scale * std::lerp(legs_[leg].to, legs_[leg].from, way), Eigen::VectorXd(std::ssize(cases_)));
     for (std::size_t k = 0; k < cases_.size(); ++k)
-        loads.cases[static_cast<Eigen::Index>(k)] = turning_back(cases_[k], leg, way, scale);
+        loads.cases[static_cast<Eigen::Index>(k)] = turning_back(k, leg, way, scale);
     return loads;
 }
 
 // What it lags behind may still be on its way to the end of the leg.
-double CaseHistories::turning_back(const LoadCaseSection& load_case, std::size_t leg, double way, double scale) const {
-    if (!load_case.factor) return factor(load_case, {.leg = leg, .way = 1.0 - way, .scale = scale});
+double CaseHistories::turning_back(std::size_t k, std::size_t leg, double way, double scale) const {
+    const LoadCaseSection& load_case = cases_[k];
+    if (!load_case.factor) return factor(k, {.leg = leg, .way = 1.0 - way, .scale = scale});
     const double angle = static_cast<double>(leg) + 1.0 + angle_at(load_case.path, way) - load_case.phase / half_cycle;
     const double whole = std::floor(angle);
     if (whole < (leads() ? 1.0 : 0.0)) return 0.0;
@@ -130,9 +130,9 @@ double CaseHistories::turning_back(const LoadCaseSection& load_case, std::size_t
     return *load_case.factor * scale * std::lerp(then.from, then.to, has_turned ? 1.0 - part : part);
 }
 
-double CaseHistories::of_blocks(const LoadCaseSection& load_case, const LoadPlace& place) const {
+double CaseHistories::of_blocks(std::size_t k, const LoadPlace& place) const {
     const bool first = place.leg == 0 || legs_[place.leg - 1].leads;
-    const double from = first ? 0.0 : at_end_of(load_case, place.leg - 1), to = at_end_of(load_case, place.leg);
+    const double from = first ? 0.0 : at_end_of(k, place.leg - 1), to = at_end_of(k, place.leg);
     return from + (to - from) * place.way;
 }
 
@@ -140,16 +140,23 @@ bool CaseHistories::ends_leg_at(std::size_t leg, const Eigen::VectorXd& factors)
     constexpr double rounding = 1e-9;
     for (std::size_t k = 0; k < cases_.size(); ++k) {
         if (cases_[k].blocks.empty()) continue;
-        const double end = at_end_of(cases_[k], leg), factor = factors[static_cast<Eigen::Index>(k)];
+        const double end = at_end_of(k, leg), factor = factors[static_cast<Eigen::Index>(k)];
         if (std::abs(end - factor) > rounding * (1.0 + std::abs(end))) return false;
     }
     return true;
 }
 
 // A leg to a maximum belongs to the cycle before; the last maximum is that of the last cycle.
-double CaseHistories::at_end_of(const LoadCaseSection& load_case, std::size_t leg) const {
-    if (legs_[leg].at_minimum) return block_of_cycle(load_case.blocks, legs_[leg].cycle).at_min;
-    return block_of_cycle(load_case.blocks, std::min(legs_[leg].cycle + 1, cycle_count(load_))).at_max;
+double CaseHistories::at_end_of(std::size_t k, std::size_t leg) const {
+    if (legs_[leg].at_minimum) return block_of_cycle(k, legs_[leg].cycle).at_min;
+    return block_of_cycle(k, std::min(legs_[leg].cycle + 1, cycles_)).at_max;
+}
+
+// Of the repeated sequence, from 1. A spectrum has a block for each cycle.
+const CaseBlock& CaseHistories::block_of_cycle(std::size_t k, int cycle) const {
+    const std::vector<int>& ends = ends_of_blocks_[k];
+    const int within = (cycle - 1) % ends.back() + 1;
+    return cases_[k].blocks[stria::at(std::ranges::lower_bound(ends, within) - ends.begin())];
 }
 
 // From one whole increment to the next the load at one position gives way to that at the next; so does the last

@@ -67,17 +67,20 @@ public:
 private:
     /// The least and the largest factor.
     [[nodiscard]] std::pair<double, double> extremes(const LoadCaseSection& load_case, double scale) const;
-    [[nodiscard]] double factor(const LoadCaseSection& load_case, const LoadPlace& place) const;
+    // `k`: of a load case.
+    [[nodiscard]] double factor(std::size_t k, const LoadPlace& place) const;
     [[nodiscard]] double lagging(const LoadCaseSection& load_case, const LoadPlace& place) const;
-    [[nodiscard]] double turning_back(const LoadCaseSection& load_case, std::size_t leg, double way,
-                                      double scale) const;
-    [[nodiscard]] double of_blocks(const LoadCaseSection& load_case, const LoadPlace& place) const;
-    [[nodiscard]] double at_end_of(const LoadCaseSection& load_case, std::size_t leg) const;
+    [[nodiscard]] double turning_back(std::size_t k, std::size_t leg, double way, double scale) const;
+    [[nodiscard]] double of_blocks(std::size_t k, const LoadPlace& place) const;
+    [[nodiscard]] double at_end_of(std::size_t k, std::size_t leg) const;
+    [[nodiscard]] const CaseBlock& block_of_cycle(std::size_t k, int cycle) const;
     void put_travelling(const LoadPlace& place, Eigen::Index first, Eigen::VectorXd& factors) const;
 
     LoadSection load_;
     std::vector<LoadCaseSection> cases_;
-    Eigen::Index travelling_ = 0;  // pressures
+    std::vector<std::vector<int>> ends_of_blocks_;  // the last cycle of each block, per load case
+    Eigen::Index travelling_ = 0;                   // pressures
+    int cycles_ = 0;
     std::vector<Leg> legs_;
 };
 
