@@ -11,6 +11,9 @@
 namespace stria::coarse {
 namespace {
 
+/// Of a set, members: more of them are a mistake in a range, or a set that holds itself again and again.
+constexpr std::size_t most_members = 100'000'000;
+
 /// Corners of the elements that are read; 0: of no other.
 int corners_of_type(const std::string& type) {
     static const std::map<std::string, int> corners{{"T2D2", 2}, {"T3D2", 2}, {"B21", 2}};
@@ -119,6 +122,8 @@ private:
                 if (cell.empty()) continue;
                 if (const auto found = sets.find(upper_case(cell)); found != sets.end()) {
                     const std::vector<Number> others = found->second.members;  // perhaps of the set itself
+                    if (members.size() + others.size() > most_members)
+                        lines_.complain(fmt::format("set {} has more than {} members", name, most_members));
                     members.insert(members.end(), others.begin(), others.end());
                 } else {
                     members.push_back(lines_.whole(cell));
@@ -128,12 +133,13 @@ private:
     }
 
     void generate(const std::vector<std::string>& cells, std::vector<Number>& members) {
-        constexpr Number most = 100'000'000;
         if (cells.size() < 2) lines_.complain("GENERATE needs the first and the last number");
         const Number first = lines_.whole(cells[0]), last = lines_.whole(cells[1]);
         const Number step = cells.size() > 2 && !cells[2].empty() ? lines_.whole(cells[2]) : 1;
-        if (step < 1 || last < first || last - first > most) lines_.complain("GENERATE needs an ascending range");
-        for (Number k = first; k <= last; k += step) members.push_back(k);
+        const auto way = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);  // no sum overflows
+        if (step < 1 || last < first || way > most_members) lines_.complain("GENERATE needs an ascending range");
+        for (std::uint64_t k = 0; k <= way; k += static_cast<std::uint64_t>(step))
+            members.push_back(first + static_cast<Number>(k));
     }
 
     /// Faces S1 ... S4 of elements or of sets of them.

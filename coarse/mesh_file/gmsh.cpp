@@ -73,8 +73,9 @@ private:
     }
 
     [[nodiscard]] std::string name_of(int dimension, int tag) const {
-        const auto found = names_.find({dimension, std::abs(tag)});
-        return found != names_.end() ? found->second : std::to_string(std::abs(tag));
+        const std::int64_t positive = std::abs(std::int64_t{tag});  // an int has no such of its least value
+        const auto found = names_.find({dimension, static_cast<int>(positive)});
+        return found != names_.end() ? found->second : std::to_string(positive);
     }
 
     void read_entities() {

@@ -129,6 +129,13 @@ TEST(MeshOfAbaqus, KnowsSetsAndSurfaces) {
     EXPECT_NE(lines[4].find("Left (and 1 nodes)"), std::string::npos) << lines[4];
 }
 
+TEST(MeshOfAbaqus, ARangeEndsWhereItsStepLeadsBeyondAllNumbers) {
+    const test::TemporaryFolder folder;
+    test::write_file(folder / "a.inp", "*NODE\n1,0,0\n2,1,0\n3,1,1\n-1,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,-1\n"
+                                       "*NSET,NSET=corner,GENERATE\n1,3,9223372036854775807\n");
+    EXPECT_EQ(read_mesh_file(folder / "a.inp").node_sets.at("corner").size(), 1U);
+}
+
 TEST(MeshOfGmsh, TakesAnElementOfTwoGroupsOnce) {
     const test::TemporaryFolder folder;
     test::write_file(folder / "part.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
@@ -220,6 +227,8 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"a.inp", "*NODE\n1,zero,0\n", ":2: expects a number, and has \"zero\""},
         Defect{"a.inp", "*NODE\n1,0\n", ":2: a node has a number, x and y"},
         Defect{"a.inp", SQUARES "*NSET,NSET=a\n1,b\n", ":9: expects a whole number, and has \"b\""},
+        Defect{"a.inp", SQUARES "*NSET,NSET=a,GENERATE\n-9000000000000000000,9000000000000000000\n",
+               ":9: GENERATE needs an ascending range"},
         Defect{"a.inp", SQUARES "*ELGEN\n1,2\n",
                ":8: *ELGEN is not read; write the mesh with all its nodes and elements"},
         Defect{"a.inp", "*PART,NAME=a\n*END PART\n*PART,NAME=b\n", ":3: has more than one *PART; one is read"},
