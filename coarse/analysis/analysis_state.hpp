@@ -12,6 +12,8 @@
 #include "coarse/equilibrium/work_balance.hpp"
 #include "coarse/fracture/fracture_parameters.hpp"
 #include "coarse/growth/growth_increment.hpp"
+#include "coarse/growth/rate_behind_turn.hpp"
+#include "coarse/growth/tip_break.hpp"
 #include "coarse/growth/tip_rates.hpp"
 #include "coarse/load/load_controller.hpp"
 #include "coarse/load/load_scale.hpp"
@@ -33,25 +35,6 @@ struct DueGrowth {
 struct ReachedExtremes {
     LoadFactors maximum, minimum;
     std::vector<TipResult> tips;  // at the maximum, one each; empty: there was none
-};
-
-/// The largest K of a tip since it has grown, MPa sqrt(mm): by which it may break, and nominal K_I.
-struct ReachedK {
-    double of_break = 0.0, K_I = 0.0;
-    bool operator==(const ReachedK&) const = default;
-};
-
-/// K of a tip at an extreme of the load, MPa sqrt(mm): nominal K_I, and what faces with friction let through of K_II;
-/// NaN where no ring tells it.
-struct ModesOfTip {
-    double K_I = 0.0, K_II = 0.0;
-    bool operator==(const ModesOfTip&) const = default;
-};
-
-/// What would drive tips behind a turn: at the last minimum, one per tip; and for each cycle since they have grown
-/// those of its maximum, then those of its minimum.
-struct TurningModes {
-    std::vector<ModesOfTip> minimum, cycles;
 };
 
 /// Of CrackGrowth.

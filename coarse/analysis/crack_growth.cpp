@@ -20,11 +20,6 @@
 #include "common/index.hpp"
 
 namespace stria::coarse {
-namespace {
-
-constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
-
-}  // namespace
 
 CrackGrowth::CrackGrowth(const Case& input, const Note& note, GrowthMemory memory)
     : growth_(*input.growth), note_(note), ended_(memory.ended), turns_late_(memory.turns_late),
@@ -146,6 +141,7 @@ std::vector<CrackGrowth::Cracks> CrackGrowth::ways(const Scene& present, const s
     const double increment = this->increment(last, present, turn, elements);
     std::vector<Cracks> ways{by(increment, growth_.direction)};
     warn_of_sharp_turns(tips, ways.front(), elements);
+    constexpr double small_turn = 0.01;  // of a tip with K_II = 0.005 K_I
     // What turns by next to nothing may go straight on for a while: out of an element edge that it runs along.
     if (largest_turn(tips, ways.front()) < small_turn) ways.push_back(by(increment, GrowthDirection::Straight));
     return ways;
