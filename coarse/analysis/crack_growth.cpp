@@ -49,7 +49,10 @@ void CrackGrowth::take(const Increment& reached, const Scene& present) {
         K_reached_[t].K_I = std::max(K_reached_[t].K_I, reached.K_at_end(t));
     }
     if (step.at_minimum) extremes_.minimum = factors;
-    if (step.ends_cycle) note_cycle(modes);
+    if (step.ends_cycle) {
+        if (growth_.at == GrowthAt::Minimum) lengthen(turning_.minimum, present, reached.nominal, extremes_.minimum);
+        note_cycle(modes);
+    }
     if (step.at_minimum) turning_.minimum = std::move(modes);
     if (!step.at_maximum) return;
     extremes_.maximum = factors;

@@ -39,4 +39,13 @@ std::vector<ModesOfTip> modes_let_through(const Scene& present, const std::vecto
     return modes;
 }
 
+void lengthen(std::vector<ModesOfTip>& modes, const Scene& longer, const std::vector<TipResult>& nominal,
+              const LoadFactors& loads) {
+    for (std::size_t t = 0; t < modes.size(); ++t) {
+        modes[t].K_I = K_I_under(nominal[t], loads);
+        if (!is_rough(longer.input.cracks[at(longer.enriched.tips[t].crack)]))
+            modes[t].K_II = K_II_under(nominal[t], loads);
+    }
+}
+
 }  // namespace stria::coarse

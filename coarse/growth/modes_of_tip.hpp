@@ -29,4 +29,9 @@ struct ModesOfTip {
                                                         const LoadFactors& loads,
                                                         const std::vector<TipResult>& measured);
 
+/// The same loads on cracks that have grown since then: nominal K is that of the longer ones. What friction lets
+/// through of K_II is known of the shorter ones alone.
+void lengthen(std::vector<ModesOfTip>& modes, const Scene& longer, const std::vector<TipResult>& nominal,
+              const LoadFactors& loads);
+
 }  // namespace stria::coarse
